@@ -1,0 +1,68 @@
+# How every Castor target is made: one warning level, one place for sanitizers, one include root.
+include(GNUInstallDirs)
+
+# Sources say #include "castor/wm/value.hpp", in the tree and installed alike: a link named `castor`
+# in the build tree points at the source root.
+set(CASTOR_INCLUDE_ROOT "${PROJECT_BINARY_DIR}/include")
+file(MAKE_DIRECTORY "${CASTOR_INCLUDE_ROOT}")
+file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${CASTOR_INCLUDE_ROOT}/castor" SYMBOLIC)
+
+add_library(castor_build_options INTERFACE)
+target_compile_features(castor_build_options INTERFACE cxx_std_20)
+target_compile_options(castor_build_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 sees overlapping copies in std::string's operator+ that are not there (GCC bug 105651).
+  target_compile_options(castor_build_options INTERFACE -Wno-restrict)
+endif()
+if(CASTOR_SANITIZE)
+  target_compile_options(castor_build_options INTERFACE
+    -fsanitize=${CASTOR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
+endif()
+
+# castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...])
+#
+# A shared library libcastor_<name>.so with the alias castor::<name>, installed and exported together
+# with the headers below the current folder.
+function(castor_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target castor_${name})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(castor::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH "$ORIGIN")
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CASTOR_INCLUDE_ROOT}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target}
+    PUBLIC ${ARG_PUBLIC_DEPENDS}
+    PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:castor_build_options>)
+  install(TARGETS ${target} EXPORT castor LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor/${folder}"
+    FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# castor_executable(<target> SOURCES <file>... [DEPENDS <target>...])
+function(castor_executable target)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} castor_build_options)
+endfunction()
+
+# castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [LABELS <label>...])
+#
+# A GoogleTest executable whose every test is known to CTest.
+function(castor_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  castor_executable(${name} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} GTest::gtest_main)
+  gtest_discover_tests(${name}
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 120)
+endfunction()
