@@ -1,0 +1,45 @@
+#pragma once
+
+#include "castor/wm/address.hpp"
+#include "castor/wm/entry.hpp"
+#include "castor/wm/type_descriptor.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace castor {
+
+enum class Operation : std::uint8_t { add, overwrite, remove };
+
+/// "ADD", "OVERWRITE" or "DELETE".
+std::string_view to_string(Operation x);
+
+/// Time since the system began.
+using Timestamp = std::chrono::microseconds;
+
+/// What happened to an entry. It says nothing of the content: who wants that reads the entry.
+struct ChangeEvent {
+  Operation operation = Operation::add;
+  Address address;
+  /// The component that made the change.
+  std::string source;
+  /// The entry's type, with its super types.
+  TypeDescriptorPtr type;
+  /// The entry's version after the change; for a deletion, the last it had.
+  Version version = 0;
+  /// Counts the events of one working memory, from 1 without gaps.
+  std::uint64_t sequence = 0;
+  Timestamp time{0};
+
+  const std::string& type_name() const { return type->name(); }
+};
+
+using ChangeEventPtr = std::shared_ptr<const ChangeEvent>;
+
+/// "OVERWRITE ROI vision/0:3 v2 by segmentor", for messages and logs.
+std::string to_string(const ChangeEvent& x);
+
+} // namespace castor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "castor/wm/type_descriptor.hpp"
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace castor {
+
+class Decoder;
+
+/// What a single field can be compared with. Enumerations are the name of their enumerator (or their
+/// number where it has none), an absent optional is std::monostate.
+using FieldValue =
+  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>;
+
+enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
+
+/// There is no such field, or it cannot be compared with what it was compared with.
+class FieldError : public std::runtime_error {
+public:
+  using runtime_error::runtime_error;
+};
+
+/// Takes one scalar, enumeration or string from `in`. Throws FieldError for other kinds of field.
+FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireType& type);
+
+/// The field at `path` ("pose.position.x") of an encoded value, without decoding the rest of it.
+/// Throws FieldError if there is no such field or it is not a single value, DecodeError if the bytes
+/// are not what the descriptor says.
+FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+                      std::string_view path);
+
+/// Numbers compare by value whatever their types, text by code units, false before true. A comparison
+/// with NaN or with an absent optional is false, but for not_equal. Throws FieldError if a number,
+/// a truth value or a text is compared with another of these.
+bool compare(const FieldValue& a, Comparison op, const FieldValue& b);
+
+} // namespace castor

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "castor/wm/encoding.hpp"
+#include "castor/wm/type_descriptor.hpp"
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <typeinfo>
+#include <utility>
+
+namespace castor {
+
+/// The content of an entry: immutable, shared, of any reflected type.
+///
+/// Copies share one object, so within a process a value is never copied deeply and never changes.
+/// Its bytes are made when somebody first asks for them, and once; a value that arrived as bytes is
+/// decoded when somebody first asks for its C++ type, and once. Safe to use from several threads.
+class Value {
+public:
+  /// No value; `has_value()` is false and nothing else may be called.
+  Value() = default;
+
+  template <ReflectedRecord T>
+  static Value of(T x) {
+    return Value{descriptor_of<T>(), std::make_shared<const T>(std::move(x)), type_operations<T>()};
+  }
+
+  /// A value whose C++ type this process need not have.
+  static Value from_bytes(TypeDescriptorPtr type, Bytes bytes);
+
+  bool has_value() const { return rep_ != nullptr; }
+  const TypeDescriptor& type() const { return *rep_->type; }
+  const TypeDescriptorPtr& type_ptr() const { return rep_->type; }
+  const std::string& type_name() const { return rep_->type->name(); }
+
+  /// The wire form.
+  const Bytes& bytes() const;
+
+  /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if the
+  /// value came as bytes that are no `T`.
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> as() const {
+    auto& wanted = *descriptor_of<T>();
+    if (!type().is_a(wanted.name()))
+      return nullptr;
+    if (rep_->operations)
+      if (auto* object = rep_->operations->upcast(rep_->object.get(), typeid(T)))
+        return {rep_->object, static_cast<const T*>(object)};
+    return decoded<T>(wanted);
+  }
+
+  /// Whether two values have the same type and the same wire form.
+  friend bool operator==(const Value& a, const Value& b);
+
+private:
+  struct Operations {
+    /// The `T` inside the object, or null if the object has no such base.
+    const void* (*upcast)(const void* object, const std::type_info& wanted);
+    Bytes (*encode)(const void* object);
+  };
+
+  struct Rep {
+    TypeDescriptorPtr type;
+    /// The object and what can be done with it; null for a value that came as bytes.
+    std::shared_ptr<const void> object;
+    const Operations* operations = nullptr;
+    std::once_flag encode_once;
+    Bytes bytes;
+    /// What `bytes` was first decoded to.
+    std::mutex decode_mutex;
+    std::shared_ptr<const void> decoded;
+    const std::type_info* decoded_type = nullptr;
+  };
+
+  Value(TypeDescriptorPtr type, std::shared_ptr<const void> object, const Operations* operations);
+
+  template <ReflectedRecord T>
+  static const void* upcast(const void* object, const std::type_info& wanted) {
+    auto* x = static_cast<const T*>(object);
+    if (wanted == typeid(T))
+      return x;
+    using Base = typename decltype(reflection_of<T>())::BaseType;
+    if constexpr (!std::is_void_v<Base>)
+      return upcast<Base>(static_cast<const Base*>(x), wanted);
+    else
+      return nullptr;
+  }
+
+  template <ReflectedRecord T>
+  static const Operations* type_operations() {
+    static constexpr Operations result{
+      &upcast<T>, [](const void* object) { return encode(*static_cast<const T*>(object)); }};
+    return &result;
+  }
+
+  /// Throws DecodeError if this process knows another type by the same name.
+  void check_same_layout(const TypeDescriptor& wanted) const;
+
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> decoded(const TypeDescriptor& wanted) const {
+    check_same_layout(wanted);
+    std::lock_guard guard{rep_->decode_mutex};
+    if (rep_->decoded_type && *rep_->decoded_type == typeid(T))
+      return std::static_pointer_cast<const T>(rep_->decoded);
+    auto result = std::make_shared<const T>(decode<T>(bytes()));
+    if (!rep_->decoded) {
+      rep_->decoded = result;
+      rep_->decoded_type = &typeid(T);
+    }
+    return result;
+  }
+
+  std::shared_ptr<Rep> rep_;
+};
+
+/// Descriptor and content in one piece, for files and pipes.
+Bytes encode_self_described(const Value& x);
+
+/// Throws DecodeError.
+Value decode_self_described(std::span<const std::uint8_t> bytes);
+
+} // namespace castor
