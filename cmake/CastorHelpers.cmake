@@ -7,6 +7,9 @@ set(CASTOR_INCLUDE_ROOT "${PROJECT_BINARY_DIR}/include")
 file(MAKE_DIRECTORY "${CASTOR_INCLUDE_ROOT}")
 file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${CASTOR_INCLUDE_ROOT}/castor" SYMBOLIC)
 
+# All libraries in one place, so that those loaded by name are found beside those that are linked.
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+
 add_library(castor_build_options INTERFACE)
 target_compile_features(castor_build_options INTERFACE cxx_std_20)
 target_compile_options(castor_build_options INTERFACE
@@ -34,8 +37,13 @@ function(castor_library name)
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    BUILD_RPATH "$ORIGIN"
     INSTALL_RPATH "$ORIGIN")
   target_compile_features(${target} PUBLIC cxx_std_20)
+  if(NOT CASTOR_SANITIZE)
+    # A forgotten source file is noticed here, and not when the library is first loaded.
+    target_link_options(${target} PRIVATE LINKER:--no-undefined)
+  endif()
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CASTOR_INCLUDE_ROOT}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "castor/actors/cast/source_location.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor {
+
+/// One option of a component line, such as `--min-area 40`.
+struct OptionSetting {
+  /// As the user wrote it, dashes included.
+  std::string key;
+  /// "true" for a key without a value; quotes removed.
+  std::string value;
+  SourceLocation where;
+
+  /// The key without its leading dashes.
+  std::string_view name() const noexcept;
+};
+
+enum class ComponentKind { working_memory, task_manager, managed, unmanaged, standalone };
+
+enum class Language { cpp, java, python };
+
+/// The words used in JSON and in messages, e.g. "working memory", "C++".
+std::string_view to_string(ComponentKind kind) noexcept;
+std::string_view to_string(Language language) noexcept;
+
+/// Everything a `.cast` file says about one component.
+struct ComponentDescription {
+  ComponentKind kind = ComponentKind::managed;
+  /// Unique in the architecture; `<subarchitecture>_wm` and `<subarchitecture>_tm` for the two that
+  /// the language leaves without a name.
+  std::string name;
+  std::string class_name;
+  Language language = Language::cpp;
+  /// After replacement of `[Name]` and of localhost.
+  std::string host;
+  /// In the order of first appearance; a repeated key holds its last value.
+  std::vector<OptionSetting> options;
+  /// Counts component lines from 0: those of subarchitectures in file order, then stand-alone ones.
+  std::size_t number = 0;
+  /// Empty for a stand-alone component.
+  std::string subarchitecture;
+  SourceLocation where;
+
+  /// @param key_or_name with or without dashes
+  /// @returns null if the option is not set
+  const OptionSetting* option(std::string_view key_or_name) const noexcept;
+};
+
+struct SubarchitectureDescription {
+  std::string name;
+  /// Default host of its component lines.
+  std::string host;
+  ComponentDescription working_memory;
+  ComponentDescription task_manager;
+  /// Managed and unmanaged, in file order.
+  std::vector<ComponentDescription> components;
+  SourceLocation where;
+
+  /// Finds by name, working memory and task manager included.
+  const ComponentDescription* component(std::string_view wanted) const noexcept;
+};
+
+/// Allows components of one subarchitecture to write to the working memory of another.
+struct AccessRule {
+  /// A subarchitecture, or "*" for all.
+  std::string writer;
+  std::string owner;
+  SourceLocation where;
+};
+
+/// A whole system, as a `.cast` file describes it. Pure data: nothing has been looked up outside of
+/// the file.
+struct ArchitectureDescription {
+  /// The main file as it was named to the parser.
+  std::string file;
+  /// Value of CONFIG_DIR: the main file's directory, relative to the working directory if below it.
+  std::string config_dir;
+  std::vector<SubarchitectureDescription> subarchitectures;
+  std::vector<ComponentDescription> standalone;
+  /// Names given by HOSTNAME lines, and what they stand for.
+  std::map<std::string, std::string> host_names;
+  std::vector<AccessRule> access_rules;
+
+  /// All look-ups return null if there is no such name.
+  const SubarchitectureDescription* subarchitecture(std::string_view name) const noexcept;
+  const ComponentDescription* component(std::string_view name) const noexcept;
+
+  /// Whether components of `writer` may write to the working memory of `owner`: at home always,
+  /// elsewhere if an access rule says so.
+  bool may_write(std::string_view writer, std::string_view owner) const noexcept;
+};
+
+} // namespace castor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "castor/actors/cast/surroundings.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace castor::cast {
+
+/// Bounds on what a file may cost. Real files stay far below; beyond them there is an error, never
+/// a hang or a full memory.
+struct Limits {
+  /// Of a line, before and after replacement of variables.
+  std::size_t line_bytes = std::size_t{1} << 20;
+  /// Of all files together; a file counts each time it is included.
+  std::size_t total_bytes = std::size_t{64} << 20;
+  /// Of all files together, counted in the same way.
+  std::size_t lines = 1'000'000;
+  /// Files inside of files.
+  std::size_t include_depth = 64;
+  /// Of all text that replacement of variables produces.
+  std::size_t expanded_bytes = std::size_t{64} << 20;
+  /// Besides a closing note.
+  std::size_t diagnostics = 200;
+};
+
+struct ParseOptions {
+  /// Variables that are defined before the first line is read: VARDEFAULT leaves them alone, SETVAR
+  /// overwrites them and gets a warning for it.
+  std::map<std::string, std::string> variables;
+  Environment environment = process_environment;
+  FileLoader load = read_file;
+  /// What CURRENT_DIR and CONFIG_DIR are relative to; empty means the process's working directory.
+  std::string working_directory;
+  Limits limits;
+};
+
+} // namespace castor::cast

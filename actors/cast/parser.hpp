@@ -1,0 +1,36 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/cast/parse_options.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor::cast {
+
+struct ParseResult {
+  /// Present exactly if no diagnostic is an error.
+  std::optional<ArchitectureDescription> architecture;
+  /// All findings, in the order of the lines they are about.
+  std::vector<Diagnostic> diagnostics;
+  /// The comment lines that begin with `#EXPAND`, with their variables replaced; also there if the
+  /// file has errors.
+  std::vector<std::string> expansions;
+
+  bool ok() const noexcept { return architecture.has_value(); }
+};
+
+/// Reads a `.cast` file and all it includes. Never throws for what the files contain: whatever is
+/// wrong with them, or with reading them, is among the diagnostics. Parses share no state.
+/// @param file absolute, or relative to the process's working directory
+ParseResult parse_file(const std::string& file, const ParseOptions& options = {});
+
+/// Takes `text` for the content of `file_name`, which need not exist. Files that it includes are
+/// looked for in the directory of `file_name`.
+ParseResult parse_string(std::string_view text, const std::string& file_name,
+                         const ParseOptions& options = {});
+
+} // namespace castor::cast

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "castor/actors/cast/diagnostic_log.hpp"
+#include "castor/actors/cast/hosts.hpp"
+#include "castor/actors/cast/parse_options.hpp"
+#include "castor/actors/cast/variables.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace castor::cast {
+
+enum class Remarks { no, yes };
+
+/// Says that localhost takes the place of a host that nobody defined.
+void report_undefined_host(const HostTable& hosts, std::string_view name, const SourceLine& line,
+                           DiagnosticLog& log);
+
+/// The variables and hosts of one parse, the bounds on what replacing them may produce, and what
+/// there is to say about undefined ones.
+class Scope {
+public:
+  Scope(const Limits& limits, DiagnosticLog& log);
+
+  VariableTable& variables() noexcept { return variables_; }
+  HostTable& hosts() noexcept { return hosts_; }
+
+  /// Replaces variables in a piece of `line`. Without remarks, undefined names cause no warnings
+  /// and are not remembered as used.
+  /// @returns nothing, after an error, if the result is longer than the limits allow
+  std::optional<std::string> expand(const SourceLine& line, std::string_view text,
+                                    Undefined undefined, Remarks remarks);
+
+  /// Charges a text that was put together from variables to the limits.
+  /// @returns false, after an error, if it exceeds them
+  bool admit(const SourceLine& line, std::string_view text);
+
+  /// The limit on all expansions together is exceeded: there is no point in going on.
+  bool exhausted() const noexcept { return exhausted_; }
+
+private:
+  void report_undefined_variable(const SourceLine& line, std::string_view name,
+                                 Undefined undefined);
+
+  const Limits& limits_;
+  DiagnosticLog& log_;
+  VariableTable variables_;
+  HostTable hosts_;
+  /// Bytes that replacement of variables may still produce.
+  std::size_t budget_;
+  bool exhausted_ = false;
+};
+
+} // namespace castor::cast

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace castor::cast {
+
+/// Blanks separate words. Other control characters are ordinary.
+constexpr bool is_blank(char c) noexcept {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
+
+/// Letters and digits of ASCII; the language has no others in its names.
+constexpr bool is_letter(char c) noexcept {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+constexpr bool is_digit(char c) noexcept {
+  return c >= '0' && c <= '9';
+}
+
+/// A letter, then letters, digits and underscores: what variables and hosts may be called.
+bool is_identifier(std::string_view text) noexcept;
+
+/// Removes blanks and all other control characters from both ends.
+std::string_view trim(std::string_view text) noexcept;
+
+/// Cuts off and returns the first word; `rest` is left with what follows it. Empty at the end.
+std::string_view take_word(std::string_view& rest) noexcept;
+
+/// Cuts long text at a character boundary and marks the cut, so that a message stays readable.
+std::string shorten(std::string_view text, std::size_t max_bytes);
+
+/// The text in single quotes, shortened: for messages.
+std::string in_quotes(std::string_view text);
+
+/// Replaces control characters, which could drive a terminal, by visible escapes.
+std::string printable(std::string_view text);
+
+std::string lower_case(std::string_view text);
+
+} // namespace castor::cast

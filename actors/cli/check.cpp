@@ -1,0 +1,63 @@
+#include "castor/actors/cast/json.hpp"
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/node/check.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  ArchitectureArguments architecture;
+  bool expand = false;
+  bool json = false;
+};
+
+std::size_t count_components(const ArchitectureDescription& x) {
+  auto result = x.standalone.size();
+  for (auto& subarchitecture : x.subarchitectures)
+    result += subarchitecture.components.size();
+  return result;
+}
+
+int check(const Arguments& arguments) {
+  auto architecture = read_architecture(arguments.architecture, arguments.expand);
+  if (!architecture)
+    return 1;
+  auto problems = check_classes(*architecture);
+  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
+  if (arguments.json)
+    fmt::print("{}\n", to_json(*architecture));
+  if (!problems.empty())
+    return 1;
+  if (!arguments.json && !arguments.expand)
+    fmt::print("{}: {} subarchitectures, {} components, no errors\n", arguments.architecture.file,
+               architecture->subarchitectures.size(), count_components(*architecture));
+  return 0;
+}
+
+} // namespace
+
+void add_check(CLI::App& app, Action& chosen) {
+  auto* command =
+    app.add_subcommand("check", "say what is wrong with a .cast file, without running it");
+  auto arguments = std::make_shared<Arguments>();
+  add_architecture_arguments(*command, arguments->architecture);
+  command->add_flag("--expand", arguments->expand,
+                    "print the file's #EXPAND comments with their variables replaced");
+  command->add_flag("--json", arguments->json, "print the architecture as it was understood");
+  command->footer("Exit status 1 if there is any error. Every error is printed, not only the first.");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return check(*arguments); }; });
+}
+
+} // namespace castor::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+/// The commands of `castor`, each in a source file of its own.
+namespace castor::cli {
+
+/// What to do once the command line is read; returns the exit status.
+using Action = std::function<int()>;
+
+// Each adds a command to `app`; if the user calls for it, `chosen` is what to do.
+void add_run(CLI::App& app, Action& chosen);
+void add_check(CLI::App& app, Action& chosen);
+void add_components(CLI::App& app, Action& chosen);
+
+/// Exit statuses besides those that a component ends a system with.
+enum ExitStatus : int { success = 0, a_component_failed = 1, bad_input = 2 };
+
+} // namespace castor::cli

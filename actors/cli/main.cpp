@@ -1,0 +1,49 @@
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/plugin.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+  using namespace castor;
+  CLI::App app{"Castor runs information-processing architectures for robots: components that meet on "
+               "shared working memories, as a .cast file describes them."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "castor " CASTOR_VERSION);
+  app.get_formatter()->column_width(34);
+  app.footer("`castor COMMAND --help` says more of each command.");
+  app.fallthrough();
+  std::vector<std::string> plugins;
+  app.add_option("--plugin", plugins, "load component classes from a shared library (repeatable)")
+    ->type_name("FILE")
+    ->take_all();
+  cli::Action action;
+  cli::add_run(app, action);
+  cli::add_check(app, action);
+  cli::add_components(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    auto status = app.exit(e);
+    return status == 0 ? cli::success : cli::bad_input;
+  }
+  for (auto& plugin : plugins) {
+    if (auto problem = load_plugin(plugin)) {
+      std::fprintf(stderr, "%s\n", problem->c_str());
+      return cli::bad_input;
+    }
+  }
+  try {
+    return action();
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "castor: %s\n", e.what());
+    return cli::bad_input;
+  }
+}

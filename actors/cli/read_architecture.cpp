@@ -1,0 +1,44 @@
+#include "castor/actors/cli/read_architecture.hpp"
+
+#include "castor/actors/cast/parser.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace castor::cli {
+
+void add_architecture_arguments(CLI::App& command, ArchitectureArguments& arguments) {
+  command.add_option("FILE", arguments.file, "the .cast file of the system")->required();
+  command
+    .add_option("--set", arguments.variables,
+                "define a variable before the file is read (repeatable)")
+    ->type_name("NAME=VALUE")
+    ->expected(1)
+    ->take_all()
+    ->check([](const std::string& x) {
+      return x.find('=') == x.npos || x.front() == '=' ? "write --set NAME=VALUE, not " + x
+                                                        : std::string{};
+    });
+}
+
+std::optional<ArchitectureDescription> read_architecture(const ArchitectureArguments& arguments,
+                                                         bool expand) {
+  cast::ParseOptions options;
+  for (auto& x : arguments.variables) {
+    auto equals = x.find('=');
+    options.variables[x.substr(0, equals)] = x.substr(equals + 1);
+  }
+  auto result = cast::parse_file(arguments.file, options);
+  auto report = cast::render(result.diagnostics, isatty(STDERR_FILENO) != 0);
+  std::fputs(report.c_str(), stderr);
+  if (expand)
+    for (auto& line : result.expansions)
+      std::puts(line.c_str());
+  return std::move(result.architecture);
+}
+
+} // namespace castor::cli

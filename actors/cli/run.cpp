@@ -1,0 +1,182 @@
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/cli/report.hpp"
+#include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cli/timeline.hpp"
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/option.hpp"
+#include "castor/actors/node/system.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  ArchitectureArguments architecture;
+  std::string at_most;
+  std::string quiet;
+  std::filesystem::path output;
+  bool trace = false;
+  bool open_access = false;
+  bool verbose = false;
+};
+
+std::optional<std::chrono::nanoseconds> duration(const std::string& text) {
+  std::chrono::milliseconds result{};
+  if (text.empty() || !detail::parse_option(text, result))
+    return std::nullopt;
+  return result;
+}
+
+std::string check_duration(const std::string& text) {
+  return duration(text) ? std::string{} : "write a duration such as 500ms, 10s or 2min, not " + text;
+}
+
+std::ofstream create(const std::filesystem::path& file) {
+  std::ofstream result{file};
+  if (!result)
+    throw std::runtime_error("cannot write " + file.string());
+  return result;
+}
+
+/// Prints and writes the timeline; used by one thread at a time.
+class Timeline {
+public:
+  explicit Timeline(const Arguments& arguments)
+    : print_(arguments.trace), coloured_(isatty(STDOUT_FILENO) != 0) {
+    if (!arguments.output.empty()) {
+      file_ = create(arguments.output / "timeline.txt");
+      file_ << timeline_head(false) << '\n';
+    }
+    if (print_)
+      std::puts(timeline_head(coloured_).c_str());
+  }
+
+  bool wanted() const { return print_ || file_.is_open(); }
+
+  void add(const ChangeEvent& event) {
+    if (print_) {
+      std::puts(timeline_line(event, coloured_).c_str());
+      // In a pipe too, the reader sees a line when it happens.
+      std::fflush(stdout);
+    }
+    if (file_.is_open())
+      file_ << timeline_line(event, false) << '\n';
+  }
+
+  void close() { file_.close(); }
+
+private:
+  bool print_;
+  bool coloured_;
+  std::ofstream file_;
+};
+
+bool any_failed(const SystemSummary& summary) {
+  for (auto& x : summary.components)
+    if (x->state() == ComponentState::failed)
+      return true;
+  return false;
+}
+
+int run(Arguments arguments) {
+  // Before any thread is made, so that none of them takes the signals.
+  Signals signals;
+  if (!arguments.output.empty()) {
+    std::filesystem::create_directories(arguments.output);
+    arguments.architecture.variables.push_back("output=" + arguments.output.string());
+  }
+  if (arguments.verbose)
+    set_log_level(LogLevel::debug);
+  auto architecture = read_architecture(arguments.architecture);
+  if (!architecture)
+    return bad_input;
+  Timeline timeline{arguments};
+  SystemOptions options;
+  options.open_access = arguments.open_access;
+  if (timeline.wanted())
+    options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
+  options.interrupted = [&] { return signals.count() > 0; };
+  std::unique_ptr<System> system;
+  try {
+    system = std::make_unique<System>(std::move(*architecture), options);
+  } catch (const SystemError& e) {
+    std::fputs(cast::render(e.diagnostics(), isatty(STDERR_FILENO) != 0).c_str(), stderr);
+    return bad_input;
+  }
+  int status = success;
+  auto reason = EndReason::interrupted;
+  if (system->start())
+    reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
+  if (reason == EndReason::interrupted)
+    log(LogLevel::info, "castor", "interrupted: stopping (once more to leave at once)");
+  if (auto ended = system->ended()) {
+    status = ended->first;
+    log(LogLevel::info, "castor", "ended by " + ended->second);
+  }
+  system->stop();
+  timeline.close();
+  auto summary = system->summary();
+  fmt::print("\n{}", report(summary));
+  if (!arguments.output.empty()) {
+    create(arguments.output / "entries.json") << entries_as_json(*system);
+    fmt::print("\nwrote {}\n", arguments.output.string());
+  }
+  if (status == success && any_failed(summary))
+    status = a_component_failed;
+  if (!summary.stuck.empty()) {
+    // Their threads cannot be ended, and destroying the system would wait for them.
+    flush_log();
+    std::fflush(stdout);
+    std::_Exit(status == success ? a_component_failed : status);
+  }
+  return status;
+}
+
+} // namespace
+
+void add_run(CLI::App& app, Action& chosen) {
+  auto* command = app.add_subcommand("run", "run the system that a .cast file describes");
+  auto arguments = std::make_shared<Arguments>();
+  add_architecture_arguments(*command, arguments->architecture);
+  command->add_option("--for", arguments->at_most, "stop after so long")
+    ->type_name("DURATION")
+    ->check(check_duration);
+  command
+    ->add_option("--until-quiet", arguments->quiet,
+                 "stop when for so long no entry changed and no component was busy")
+    ->type_name("DURATION")
+    ->check(check_duration);
+  command
+    ->add_option("--output", arguments->output,
+                 "write the timeline, the entries and what components write into this folder; "
+                 "in the .cast file it is %(output)")
+    ->type_name("DIR");
+  command->add_flag("--trace", arguments->trace, "print every change of every working memory");
+  command->add_flag("--open-access", arguments->open_access,
+                    "let every subarchitecture write to every other, as the original CAST does");
+  command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");
+  command->footer("Ctrl-C stops the components in the reverse order of their start.\n"
+                  "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
+                  "failed; 2 if the system could not be started.\n"
+                  "Example: castor run configs/vision.cast --trace --until-quiet 2s --output out");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace castor::cli

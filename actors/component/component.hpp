@@ -1,0 +1,198 @@
+#pragma once
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/option.hpp"
+#include "castor/actors/component/record.hpp"
+#include "castor/wm/change_event.hpp"
+#include "castor/wm/failure.hpp"
+#include "castor/wm/value.hpp"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace castor {
+
+class ComponentShell;
+
+/// Thrown by whatever a component is waiting in when the component is told to stop. It derives from
+/// nothing, so that a `catch (const std::exception&)` in a component does not swallow it; let it pass.
+struct ComponentStopped {};
+
+/// What happens to change events that arrive while the component is busy.
+enum class EventQueue : std::uint8_t {
+  /// They are delivered one after another.
+  all,
+  /// Only the newest is delivered, the others are dropped.
+  newest,
+};
+CASTOR_REFLECT_ENUM(EventQueue, all, newest)
+
+/// A unit of processing with a thread of its own.
+///
+/// Derive from ManagedComponent or UnmanagedComponent for a component of a subarchitecture, from
+/// StandaloneComponent for one outside (a camera, a motor), and register the class with
+/// CASTOR_COMPONENT. The runtime calls configure, start, run, stop in this order; no component of a
+/// system is started before all are configured, and none is run before all are started.
+///
+/// All of it happens on the component's own thread, and callbacks too: they run inside `sleep_for` and
+/// `wait_for_changes`, and whenever `run()` has returned. Two pieces of a component's code therefore
+/// never run at the same time, and a component needs no locks for its members.
+///
+/// An exception that leaves one of these functions or a callback ends the component, and only it.
+class Component {
+public:
+  Component();
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+  virtual ~Component();
+
+  OptionList& options() { return options_; }
+
+protected:
+  /// Options have their values; nothing else exists yet.
+  virtual void configure() {}
+
+  /// Everything is connected: the place to register change filters and to add first entries.
+  virtual void start() {}
+
+  /// The component's own activity, if it has any of its own accord. May return at any time.
+  virtual void run() {}
+
+  /// The component is about to end. Working memory may still be used. Not called after an exception.
+  virtual void stop() {}
+
+  const std::string& component_name() const;
+
+  /// False from the moment the component was told to stop, also in the middle of a callback. Long
+  /// computations ask now and then.
+  bool is_running();
+
+  /// Lets time pass, delivering what arrives meanwhile; false if the component was told to stop.
+  bool sleep_for(std::chrono::nanoseconds duration);
+
+  /// Since the system began.
+  Timestamp now() const;
+
+  /// Ends the whole system; the process exits with `status`.
+  void end_system(int status, std::string reason);
+
+  template <class... Ts>
+  void trace(fmt::format_string<Ts...> format, Ts&&... xs) {
+    log_at(LogLevel::trace, format, std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  void debug(fmt::format_string<Ts...> format, Ts&&... xs) {
+    log_at(LogLevel::debug, format, std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  void info(fmt::format_string<Ts...> format, Ts&&... xs) {
+    log_at(LogLevel::info, format, std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  void warning(fmt::format_string<Ts...> format, Ts&&... xs) {
+    log_at(LogLevel::warning, format, std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  void error(fmt::format_string<Ts...> format, Ts&&... xs) {
+    log_at(LogLevel::error, format, std::forward<Ts>(xs)...);
+  }
+
+  // -- connections to components outside the schema: images, motor commands and other things that are
+  //    too many or too large for working memory
+
+  /// The newest `T` of the stand-alone component `provider`. Throws ConnectionError if there is no such
+  /// component, if it does not provide a `T`, or if it does not answer within the deadline.
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> pull(const std::string& provider) {
+    return require<T>(provider, pull_value(provider, descriptor_of<T>()));
+  }
+
+  /// Calls `callback` with every `T` that the stand-alone component `provider` pushes from now on.
+  /// Throws like `pull`.
+  template <ReflectedRecord T>
+  void on_push(const std::string& provider,
+               std::function<void(const std::shared_ptr<const T>&)> callback) {
+    subscribe_to_pushes(provider, descriptor_of<T>(),
+                        [this, provider, callback = std::move(callback)](const Value& x) {
+                          callback(require<T>(provider, x));
+                        });
+  }
+
+private:
+  friend class ComponentShell;
+  friend class StandaloneComponent;
+  friend class SubarchitectureComponent;
+  friend class ManagedComponent;
+  friend class TaskManager;
+
+  template <class... Ts>
+  void log_at(LogLevel level, fmt::format_string<Ts...> format, Ts&&... xs) {
+    if (level >= own_log_level_)
+      log(level, log_name_, fmt::format(format, std::forward<Ts>(xs)...));
+  }
+
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> require(const std::string& provider, const Value& x) {
+    if (auto result = x.as<T>())
+      return result;
+    wrong_pull(provider, *descriptor_of<T>(), x.type());
+  }
+
+  [[noreturn]] void wrong_pull(const std::string& provider, const TypeDescriptor& wanted,
+                               const TypeDescriptor& got);
+  Value pull_value(const std::string& provider, const TypeDescriptorPtr& type);
+  void subscribe_to_pushes(const std::string& provider, const TypeDescriptorPtr& type,
+                           std::function<void(const Value&)> callback);
+
+  /// Throws std::logic_error outside the runtime, and in constructors.
+  ComponentShell& shell() const;
+  /// Called by the shell before `configure`.
+  void attach(ComponentShell* shell);
+
+  ComponentShell* shell_ = nullptr;
+  OptionList options_;
+  std::string log_name_;
+  LogLevel own_log_level_ = LogLevel::info;
+
+  // What every component understands.
+  Option<bool> log_{this, "log", false, "log at level debug"};
+  Option<bool> debug_{this, "debug", false, "log at level trace"};
+  Option<std::chrono::milliseconds> deadline_{this, "deadline", std::chrono::seconds{10},
+                                              "how long an operation may take"};
+  Option<std::chrono::milliseconds> budget_{
+    this, "budget", std::chrono::seconds{10},
+    "how long the component's own code may run without a pause before that is reported"};
+};
+
+/// A push or pull connection that cannot be: the message says why.
+class ConnectionError : public std::runtime_error {
+public:
+  using runtime_error::runtime_error;
+};
+
+/// A component outside the subarchitectures, without access to working memory: sensors, effectors,
+/// servers. Components of subarchitectures connect to it by its name.
+class StandaloneComponent : public Component {
+protected:
+  /// Answers pulls of a `T` by calling `make`, on this component's thread.
+  template <ReflectedRecord T>
+  void provide(std::function<T()> make) {
+    provide_value(descriptor_of<T>(), [make = std::move(make)] { return Value::of(make()); });
+  }
+
+  /// Sends `x` to every component that asked for pushes of `T`.
+  template <ReflectedRecord T>
+  void push(T x) {
+    push_value(Value::of(std::move(x)));
+  }
+
+private:
+  void provide_value(const TypeDescriptorPtr& type, std::function<Value()> make);
+  void push_value(Value x);
+};
+
+} // namespace castor

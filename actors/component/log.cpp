@@ -1,0 +1,63 @@
+#include "castor/actors/component/log.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <atomic>
+#include <memory>
+
+namespace castor {
+
+namespace {
+
+std::atomic<LogLevel> threshold{LogLevel::info};
+
+/// Never destroyed: components may log until the very end of the process.
+spdlog::logger& logger() {
+  static auto* result = [] {
+    auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
+    auto* created = new spdlog::logger("castor", std::move(sink));
+    created->set_level(spdlog::level::trace);
+    created->set_pattern("%H:%M:%S.%e %^%-7l%$ %v");
+    return created;
+  }();
+  return *result;
+}
+
+spdlog::level::level_enum to_spdlog(LogLevel x) {
+  switch (x) {
+    case LogLevel::trace:
+      return spdlog::level::trace;
+    case LogLevel::debug:
+      return spdlog::level::debug;
+    case LogLevel::info:
+      return spdlog::level::info;
+    case LogLevel::warning:
+      return spdlog::level::warn;
+    case LogLevel::error:
+      return spdlog::level::err;
+    case LogLevel::off:
+      return spdlog::level::off;
+  }
+  return spdlog::level::info;
+}
+
+} // namespace
+
+void set_log_level(LogLevel level) {
+  threshold = level;
+}
+
+LogLevel log_level() {
+  return threshold;
+}
+
+void log(LogLevel level, std::string_view who, std::string_view what) {
+  logger().log(to_spdlog(level), "[{}] {}", who, what);
+}
+
+void flush_log() {
+  logger().flush();
+}
+
+} // namespace castor

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+/// One log for the whole process, on standard error: time, level, who, what.
+namespace castor {
+
+enum class LogLevel : std::uint8_t { trace, debug, info, warning, error, off };
+
+/// Below this nothing is logged, unless a component asks for more of its own.
+void set_log_level(LogLevel level);
+LogLevel log_level();
+
+void log(LogLevel level, std::string_view who, std::string_view what);
+
+/// Writes out what is still buffered; before a process leaves without its destructors.
+void flush_log();
+
+} // namespace castor

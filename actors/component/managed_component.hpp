@@ -1,0 +1,43 @@
+#pragma once
+
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/actors/task_manager/task.hpp"
+
+#include <functional>
+#include <string>
+#include <unordered_map>
+
+namespace castor {
+
+/// A component whose activity its subarchitecture's task manager controls: for expensive processing on
+/// demand. It proposes what it would do, and does it once that is adopted.
+class ManagedComponent : public SubarchitectureComponent {
+protected:
+  /// Proposes a task to the task manager; the decision arrives as a call of `task_adopted` or
+  /// `task_rejected`.
+  TaskId propose_task(const std::string& name);
+
+  /// Proposes a task that `work` does: called if and when it is adopted. When it returns, the task is
+  /// complete: with success, or with failure if it throws (and then the exception goes on its way).
+  TaskId propose_task(const std::string& name, std::function<void()> work);
+
+  /// Takes a proposal back. No decision on it arrives any more.
+  void retract_task(const TaskId& id);
+
+  /// Tells the task manager that an adopted task is over.
+  void complete_task(const TaskId& id, TaskOutcome outcome);
+
+  virtual void task_adopted(const TaskId&) {}
+  virtual void task_rejected(const TaskId&) {}
+
+private:
+  friend class ComponentShell;
+
+  void decided(const TaskId& id, TaskDecision decision);
+
+  /// Proposed and not complete; what to do on adoption, if `task_adopted` is not to do it.
+  std::unordered_map<TaskId, std::function<void()>> tasks_;
+  std::uint64_t tasks_made_ = 0;
+};
+
+} // namespace castor

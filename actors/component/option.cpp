@@ -1,0 +1,126 @@
+#include "castor/actors/component/option.hpp"
+
+#include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/component/component.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace castor {
+
+OptionBase::OptionBase(Component* owner, std::string name, std::string help)
+  : OptionBase(owner->options(), std::move(name), std::move(help)) {}
+
+OptionBase::OptionBase(OptionList& owner, std::string name, std::string help)
+  : name_(std::move(name)), help_(std::move(help)) {
+  owner.add(*this);
+}
+
+namespace detail {
+
+namespace {
+
+template <class T>
+bool parse_number(std::string_view text, T& out) {
+  T x{};
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (error != std::errc{} || end != text.data() + text.size())
+    return false;
+  out = x;
+  return true;
+}
+
+} // namespace
+
+bool parse_option(std::string_view text, bool& out) {
+  for (auto yes : {"true", "yes", "on", "1"})
+    if (text == yes)
+      return out = true;
+  for (auto no : {"false", "no", "off", "0"}) {
+    if (text == no) {
+      out = false;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool parse_option(std::string_view text, std::int64_t& out) {
+  return parse_number(text, out);
+}
+
+bool parse_option(std::string_view text, double& out) {
+  return parse_number(text, out) && std::isfinite(out);
+}
+
+bool parse_option(std::string_view text, std::chrono::milliseconds& out) {
+  static constexpr std::pair<std::string_view, double> units[] = {
+    {"ms", 1}, {"min", 60'000}, {"s", 1000}, {"h", 3'600'000}};
+  auto digits = text.find_first_not_of("0123456789.");
+  if (digits == text.npos)
+    return false;
+  double number = 0;
+  if (!parse_number(text.substr(0, digits), number))
+    return false;
+  for (auto& [unit, factor] : units) {
+    auto ms = number * factor;
+    if (text.substr(digits) == unit && ms < 1e15) {
+      out = std::chrono::milliseconds{std::llround(ms)};
+      return true;
+    }
+  }
+  return false;
+}
+
+bool parse_option(std::string_view text, std::vector<std::string>& out) {
+  out.clear();
+  while (!text.empty()) {
+    auto comma = std::min(text.find(','), text.size());
+    if (comma > 0)
+      out.emplace_back(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return true;
+}
+
+std::string print_option(double x) {
+  char buffer[32];
+  auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), x);
+  return {buffer, end};
+}
+
+std::string print_option(std::chrono::milliseconds x) {
+  if (x.count() != 0 && x.count() % 1000 == 0)
+    return std::to_string(x.count() / 1000) + "s";
+  return std::to_string(x.count()) + "ms";
+}
+
+std::string print_option(const std::vector<std::string>& x) {
+  std::string result;
+  for (auto& item : x)
+    result += (result.empty() ? "" : ",") + item;
+  return result;
+}
+
+} // namespace detail
+
+std::optional<std::string> OptionList::set(std::string_view name, std::string_view value) {
+  std::vector<std::string_view> names;
+  for (auto* option : options_) {
+    if (option->name() != name) {
+      names.push_back(option->name());
+      continue;
+    }
+    if (option->parse(value))
+      return std::nullopt;
+    return "--" + option->name() + " takes a " + option->kind() + ", not \"" + std::string{value} +
+           "\"";
+  }
+  auto guess = cast::did_you_mean(name, names);
+  return "there is no option --" + std::string{name} + "; " +
+         (guess.empty() ? "`castor components` lists them" : guess);
+}
+
+} // namespace castor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "castor/actors/component/caller_runs.hpp"
+#include "castor/actors/component/record.hpp"
+#include "castor/wm/caf.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace castor {
+
+/// What the components of one process share. Filled before any component is started, and only read
+/// from then on; outlives the actor system.
+struct ComponentServices {
+  /// The moment that times count from.
+  std::chrono::steady_clock::time_point epoch;
+
+  /// Stand-alone components by name.
+  std::unordered_map<std::string, caf::actor> providers;
+
+  /// The working memories of this process, sorted by address.
+  std::vector<caf::resumable*> working_memories;
+
+  /// A working memory still knows the last component that ran it after that component is gone, so
+  /// these stay until the end.
+  std::vector<std::unique_ptr<CallerRuns>> units;
+
+  /// Called from any component's thread when it wants the system to end.
+  std::function<void(int status, const std::string& reason)> end_system;
+};
+
+} // namespace castor

@@ -1,0 +1,477 @@
+#include "castor/actors/component/shell.hpp"
+
+#include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/component/managed_component.hpp"
+#include "castor/actors/task_manager/task_manager.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+using Clock = PumpedActor::Clock;
+
+/// Far enough, and safe to subtract from.
+Clock::time_point never() {
+  return Clock::now() + std::chrono::hours{24 * 365};
+}
+
+std::string phase_name(Phase x) {
+  switch (x) {
+    case Phase::configure:
+      return "configure()";
+    case Phase::start:
+      return "start()";
+    case Phase::run:
+      return "run()";
+  }
+  return {};
+}
+
+/// Runs `f` when the scope is left, whichever way.
+template <class F>
+class AtExit {
+public:
+  explicit AtExit(F f) : f_(std::move(f)) {}
+  AtExit(const AtExit&) = delete;
+  AtExit& operator=(const AtExit&) = delete;
+  ~AtExit() { f_(); }
+
+private:
+  F f_;
+};
+
+} // namespace
+
+ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
+  : PumpedActor(config),
+    component_(std::move(parts.component)),
+    managed_(dynamic_cast<ManagedComponent*>(component_.get())),
+    manager_(dynamic_cast<TaskManager*>(component_.get())),
+    record_(std::move(parts.record)),
+    services_(std::move(parts.services)),
+    unit_(parts.unit),
+    working_memory_(std::move(parts.working_memory)),
+    task_manager_(std::move(parts.task_manager)) {
+  if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get()))
+    queue_mode_ = x->queue_;
+  record_->set_budget(component_->budget_);
+  component_->attach(this);
+}
+
+// -- life
+
+void ComponentShell::act() {
+  context(unit_);
+  if (working_memory_)
+    monitor(working_memory_);
+  try {
+    live();
+  } catch (const ComponentStopped&) {
+    // The normal way to end.
+  } catch (const std::exception& e) {
+    fail(e.what());
+  } catch (...) {
+    fail("an exception that is no std::exception");
+  }
+  if (started_ && record_->state() != ComponentState::failed) {
+    in_stop_hook_ = true;
+    try {
+      user_code("stop()", [this] { component_->stop(); });
+    } catch (const ComponentStopped&) {
+      // It asked once more and was told once more.
+    } catch (const std::exception& e) {
+      fail(e.what());
+    } catch (...) {
+      fail("an exception that is no std::exception");
+    }
+  }
+  record_->set_idle();
+  component_.reset();
+  if (record_->state() != ComponentState::failed)
+    record_->set_state(ComponentState::stopped);
+  else
+    fail_state(caf::make_error(caf::sec::runtime_error, record_->failure()));
+}
+
+void ComponentShell::live() {
+  await_phase(Phase::configure);
+  user_code(phase_name(Phase::configure), [this] { component_->configure(); });
+  record_->set_state(ComponentState::configured);
+  phase_done(Phase::configure, {});
+  await_phase(Phase::start);
+  started_ = true;
+  user_code(phase_name(Phase::start), [this] { component_->start(); });
+  record_->set_state(ComponentState::started);
+  phase_done(Phase::start, {});
+  await_phase(Phase::run);
+  record_->set_state(ComponentState::running);
+  user_code(phase_name(Phase::run), [this] { component_->run(); });
+  while (deliver(never())) {
+    // Only callbacks from now on.
+  }
+}
+
+void ComponentShell::await_phase(Phase phase) {
+  record_->set_idle();
+  while (phases_.empty() || phases_.front() != phase) {
+    if (stopping_)
+      throw ComponentStopped{};
+    if (started_ && !work_.empty()) {
+      auto x = std::move(work_.front());
+      work_.pop_front();
+      work_off(*x);
+    } else {
+      pump(never());
+    }
+  }
+  phases_.pop_front();
+  doing_ = phase_name(phase);
+}
+
+void ComponentShell::phase_done(Phase phase, std::string failure) {
+  if (conductor_)
+    send(conductor_, PhaseDone{identity().number, phase, std::move(failure)});
+}
+
+void ComponentShell::fail(const std::string& what) {
+  auto report = "failed in " + doing_ + ": " + what;
+  log(LogLevel::error, identity().full_name(), report);
+  auto state = record_->state();
+  record_->fail(report);
+  if (state == ComponentState::created)
+    phase_done(Phase::configure, report);
+  else if (state == ComponentState::configured)
+    phase_done(Phase::start, report);
+}
+
+bool ComponentShell::is_running() {
+  file_arrived();
+  return !stopping_;
+}
+
+// -- work
+
+void ComponentShell::file(caf::mailbox_element_ptr x) {
+  auto& content = x->content();
+  if (content.match_elements<ChangeNotice>()) {
+    if (!receiving_)
+      return;
+    ++record_->counters.events_received;
+    if (queue_mode_ == EventQueue::newest) {
+      auto i = std::find_if(work_.begin(), work_.end(), [](auto& y) {
+        return y->content().template match_elements<ChangeNotice>();
+      });
+      if (i != work_.end()) {
+        ++record_->counters.events_discarded;
+        work_.erase(i);
+      }
+    }
+    work_.push_back(std::move(x));
+  } else if (content.match_elements<EnterPhase>()) {
+    auto& command = content.get_as<EnterPhase>(0);
+    conductor_ = command.conductor;
+    phases_.push_back(command.phase);
+  } else if (content.match_elements<caf::exit_msg>()) {
+    stopping_ = true;
+  } else if (content.match_elements<caf::down_msg>()) {
+    if (working_memory_ && content.get_as<caf::down_msg>(0).source == working_memory_.address())
+      working_memory_lost_ = true;
+  } else {
+    work_.push_back(std::move(x));
+  }
+}
+
+bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()>& enough) {
+  record_->leave_user_code();
+  AtExit back_to_user_code{[this] { record_->enter_user_code(Clock::now()); }};
+  for (;;) {
+    file_arrived();
+    if (stopping_)
+      return false;
+    if (working_memory_lost_)
+      throw WorkingMemoryLostException{{FailureKind::working_memory_lost,
+                                        "the working memory of " + identity().subarchitecture +
+                                          " has ended",
+                                        {identity().subarchitecture, {}}}};
+    if (work_.empty()) {
+      record_->set_idle();
+      if (!pump(until))
+        return true;
+      continue;
+    }
+    auto x = std::move(work_.front());
+    work_.pop_front();
+    work_off(*x);
+    if ((enough && enough()) || Clock::now() >= until)
+      return true;
+  }
+}
+
+template <class F>
+void ComponentShell::user_code(const std::string& what, F&& f) {
+  // After an exception `doing_` stays at the innermost call, for the report.
+  auto outer = std::exchange(doing_, what);
+  record_->enter_user_code(Clock::now());
+  f();
+  record_->leave_user_code();
+  doing_ = std::move(outer);
+}
+
+void ComponentShell::work_off(caf::mailbox_element& x) {
+  auto& content = x.content();
+  if (content.match_elements<ChangeNotice>()) {
+    work_off_change(content.get_as<ChangeNotice>(0));
+  } else if (content.match_elements<PullRequest>()) {
+    work_off_pull(x, content.get_as<PullRequest>(0));
+  } else if (content.match_elements<PushRequest>()) {
+    work_off_push_request(x, content.get_as<PushRequest>(0));
+  } else if (content.match_elements<Pushed>()) {
+    work_off_push(content.get_as<Pushed>(0));
+  } else if (managed_ && content.match_elements<TaskDecided>()) {
+    auto& decided = content.get_as<TaskDecided>(0);
+    user_code("task " + decided.id,
+              [&] { managed_->decided(decided.id, decided.decision); });
+  } else if (manager_ && content.match_elements<ProposeTask>()) {
+    auto& proposal = content.get_as<ProposeTask>(0).proposal;
+    proposers_[proposal.id] = caf::actor_cast<caf::actor>(x.sender);
+    user_code("the proposal of " + proposal.component, [&] { manager_->proposed(proposal); });
+  } else if (manager_ && content.match_elements<RetractTask>()) {
+    auto& id = content.get_as<RetractTask>(0).id;
+    proposers_.erase(id);
+    user_code("the retraction of " + id, [&] { manager_->retracted(id); });
+  } else if (manager_ && content.match_elements<CompleteTask>()) {
+    auto& done = content.get_as<CompleteTask>(0);
+    proposers_.erase(done.id);
+    user_code("the completion of " + done.id, [&] { manager_->completed(done.id, done.outcome); });
+  }
+}
+
+void ComponentShell::work_off_change(const ChangeNotice& notice) {
+  // The receivers as they are now; a callback may remove any of them, or add some for later events.
+  std::vector<std::pair<ReceiverId, std::shared_ptr<Receiver>>> called;
+  for (auto id : notice.filters)
+    if (auto i = receivers_.find(id); i != receivers_.end())
+      called.emplace_back(id, i->second);
+  std::sort(called.begin(), called.end(), [](auto& a, auto& b) {
+    if (a.second->priority != b.second->priority)
+      return a.second->priority > b.second->priority;
+    return a.first < b.first;
+  });
+  for (auto& [id, receiver] : called) {
+    if (stopping_)
+      return;
+    if (receivers_.count(id) == 0)
+      continue;
+    ++callbacks_;
+    ++record_->counters.callbacks;
+    user_code("the callback for " + to_string(*notice.event),
+              [&, &r = *receiver] { r.callback(*notice.event); });
+  }
+}
+
+// -- operations
+
+void ComponentShell::check_may_operate() const {
+  if (!working_memory_)
+    throw std::logic_error(identity().full_name() + " is outside the subarchitectures and has no " +
+                           "working memory");
+  if (!started_)
+    throw std::logic_error("working memory is not there yet in configure(): use it from start() on");
+  // Operations on an idle working memory never wait, so this is where a stop ends a loop of them.
+  if (stopping_ && !in_stop_hook_)
+    throw ComponentStopped{};
+}
+
+Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id,
+                                                           const Address& address,
+                                                           std::chrono::nanoseconds patience) {
+  record_->leave_user_code();
+  AtExit leave{[this, id] {
+    close_slot(id);
+    record_->enter_user_code(Clock::now());
+  }};
+  auto until = Clock::now() + patience;
+  file_arrived();
+  while (!slot(id)) {
+    if (stopping_ && !in_stop_hook_)
+      throw ComponentStopped{};
+    if (working_memory_lost_)
+      return Failure{FailureKind::working_memory_lost,
+                     "the working memory of " + identity().subarchitecture +
+                       " ended before it answered",
+                     address};
+    // A stream of events wakes us again and again; the deadline holds all the same.
+    if (!pump(until) || (!slot(id) && Clock::now() >= until))
+      return Failure{FailureKind::no_answer,
+                     identity().full_name() + " got no answer about " + to_string(address) +
+                       " within " + detail::print_option(component_->deadline_.get()) +
+                       ". Its --deadline can be raised",
+                     address};
+  }
+  return std::move(slot(id));
+}
+
+Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
+                                         const Address& address) {
+  auto what = content.match_elements<caf::error>()
+                ? system().render(content.get_as<caf::error>(0))
+                : "an unexpected reply " + content.stringify();
+  return {FailureKind::working_memory_lost,
+          "no result from " + to_string(address) + ": " + what, address};
+}
+
+std::optional<Version> ComponentShell::last_seen(const Address& address) const {
+  auto i = seen_.find(address);
+  return i == seen_.end() ? std::nullopt : std::optional{i->second};
+}
+
+ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallback callback,
+                                        Priority priority) {
+  auto id = ++last_receiver_;
+  receivers_[id] = std::make_shared<Receiver>(Receiver{std::move(callback), priority});
+  Address where{filter.subarchitecture.value_or(identity().subarchitecture), filter.id};
+  auto outcome = finish<Acknowledged>(begin(Subscribe{id, filter}), where);
+  if (!outcome) {
+    receivers_.erase(id);
+    throw_failure(outcome.failure());
+  }
+  return id;
+}
+
+void ComponentShell::remove_receiver(ReceiverId id) {
+  if (receivers_.erase(id) > 0)
+    send(working_memory_, Unsubscribe{id});
+}
+
+// -- tasks
+
+void ComponentShell::propose(const TaskProposal& task) {
+  ++record_->counters.tasks_proposed;
+  send(task_manager_, ProposeTask{task});
+}
+
+void ComponentShell::retract(const TaskId& id) {
+  send(task_manager_, RetractTask{id});
+}
+
+void ComponentShell::complete(const TaskId& id, TaskOutcome outcome) {
+  ++record_->counters.tasks_completed;
+  send(task_manager_, CompleteTask{id, outcome});
+}
+
+void ComponentShell::decide(const TaskId& id, TaskDecision decision) {
+  auto i = proposers_.find(id);
+  if (i == proposers_.end())
+    return;
+  send(i->second, TaskDecided{id, decision});
+  if (decision == TaskDecision::rejected)
+    proposers_.erase(i);
+}
+
+// -- push and pull
+
+caf::actor ComponentShell::find_provider(const std::string& name) const {
+  auto& providers = services_->providers;
+  auto i = providers.find(name);
+  if (i != providers.end())
+    return i->second;
+  std::vector<std::string_view> names;
+  for (auto& [known, actor] : providers)
+    names.push_back(known);
+  auto guess = cast::did_you_mean(name, names);
+  throw ConnectionError("there is no stand-alone component " + name + "; " +
+                        (guess.empty() ? "add a COMPONENT line for it to the system's .cast file"
+                                       : guess));
+}
+
+Outcome<Value> ComponentShell::ask_provider(const std::string& provider, std::uint64_t id) {
+  open_slot(id);
+  auto content = wait_for(id, {provider, {}}, component_->deadline_.get());
+  if (!content)
+    return content.failure();
+  return take<Outcome<Value>>(**content, {provider, {}});
+}
+
+Value ComponentShell::pull(const std::string& provider, const TypeDescriptorPtr& type) {
+  auto actor = find_provider(provider);
+  auto id = request(actor, caf::infinite, PullRequest{type}).id().integer_value();
+  auto outcome = ask_provider(provider, id);
+  if (!outcome)
+    throw ConnectionError("cannot pull a " + type->name() + " from " + provider + ": " +
+                          outcome.failure().message);
+  return *std::move(outcome);
+}
+
+void ComponentShell::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                               std::function<void(const Value&)> callback) {
+  auto actor = find_provider(provider);
+  auto id = request(actor, caf::infinite, PushRequest{type}).id().integer_value();
+  auto outcome = ask_provider(provider, id);
+  if (!outcome)
+    throw ConnectionError("cannot receive pushes of " + type->name() + " from " + provider + ": " +
+                          outcome.failure().message);
+  push_receivers_.push_back({provider, type->name(), std::move(callback)});
+}
+
+void ComponentShell::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
+  provisions_[type->name()].make = std::move(make);
+}
+
+void ComponentShell::push(const Value& x) {
+  for (auto& receiver : provisions_[x.type_name()].subscribers)
+    send(receiver, Pushed{identity().name, x});
+}
+
+void ComponentShell::respond(caf::mailbox_element& x, caf::message reply) {
+  if (x.mid.is_request() && x.sender)
+    x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
+}
+
+void ComponentShell::work_off_pull(caf::mailbox_element& x, const PullRequest& pull_request) {
+  auto i = provisions_.find(pull_request.type->name());
+  Outcome<Value> outcome;
+  if (i == provisions_.end() || !i->second.make) {
+    std::string offered;
+    for (auto& [type, provision] : provisions_)
+      offered += (offered.empty() ? "" : ", ") + type;
+    outcome = Failure{FailureKind::wrong_type,
+                      identity().name + " provides " + (offered.empty() ? "nothing" : offered),
+                      {identity().name, {}}};
+  } else {
+    try {
+      user_code("providing a " + i->first, [&] { outcome = i->second.make(); });
+    } catch (const std::exception& e) {
+      // Who pulls must learn of it too.
+      outcome = Failure{FailureKind::no_answer, e.what(), {identity().name, {}}};
+      respond(x, caf::make_message(std::move(outcome)));
+      throw;
+    }
+  }
+  respond(x, caf::make_message(std::move(outcome)));
+}
+
+void ComponentShell::work_off_push_request(caf::mailbox_element& x,
+                                           const PushRequest& push_request) {
+  provisions_[push_request.type->name()].subscribers.push_back(
+    caf::actor_cast<caf::actor>(x.sender));
+  respond(x, caf::make_message(Outcome<Value>{Value{}}));
+}
+
+void ComponentShell::work_off_push(const Pushed& x) {
+  for (std::size_t i = 0; i < push_receivers_.size(); ++i) {
+    if (push_receivers_[i].provider != x.provider || push_receivers_[i].type != x.value.type_name())
+      continue;
+    ++callbacks_;
+    ++record_->counters.callbacks;
+    auto callback = push_receivers_[i].callback;
+    user_code("the callback for a " + x.value.type_name() + " of " + x.provider,
+              [&] { callback(x.value); });
+  }
+}
+
+} // namespace castor

@@ -1,0 +1,187 @@
+#pragma once
+
+#include "castor/actors/component/component.hpp"
+#include "castor/actors/component/mailbox.hpp"
+#include "castor/actors/component/services.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace castor {
+
+class ManagedComponent;
+class TaskManager;
+
+/// What a component's shell is made of.
+struct ShellParts {
+  std::unique_ptr<Component> component;
+  std::shared_ptr<ComponentRecord> record;
+  std::shared_ptr<ComponentServices> services;
+  /// Owned by `services`.
+  CallerRuns* unit = nullptr;
+  /// Null for a component outside the subarchitectures.
+  WorkingMemoryActor working_memory;
+  /// Null for all but managed components.
+  caf::actor task_manager;
+};
+
+/// The actor around a component: leads it through its life, delivers what arrives, and carries out its
+/// operations.
+class ComponentShell : public PumpedActor {
+public:
+  ComponentShell(caf::actor_config& config, ShellParts parts);
+
+  const char* name() const override { return "component"; }
+
+  // -- for the component, on its own thread
+
+  const ComponentIdentity& identity() const { return record_->identity(); }
+  ComponentServices& services() { return *services_; }
+  ComponentCounters& counters() { return record_->counters; }
+
+  bool is_running();
+
+  /// Delivers work until `until`, or until `enough` says so after a piece of work; false if the
+  /// component was told to stop.
+  bool deliver(Clock::time_point until, const std::function<bool()>& enough = {});
+
+  /// How many change callbacks were called so far.
+  std::uint64_t callbacks() const { return callbacks_; }
+
+  /// Sends an operation to the own working memory; its outcome is taken with `finish`, once.
+  template <class Request>
+  std::uint64_t begin(const Request& request) {
+    check_may_operate();
+    std::uint64_t id = 0;
+    unit_->run([&] { id = this->request(working_memory_, caf::infinite, request).id().integer_value(); });
+    open_slot(id);
+    return id;
+  }
+
+  template <class Reply>
+  Outcome<Reply> finish(std::uint64_t id, const Address& address) {
+    auto content = wait_for(id, address, component_->deadline_.get());
+    if (!content)
+      return content.failure();
+    return take<Outcome<Reply>>(**content, address);
+  }
+
+  void abandon(std::uint64_t id) { close_slot(id); }
+
+  /// The version of the entry that the component last read or wrote.
+  std::optional<Version> last_seen(const Address& address) const;
+  void saw(const Address& address, Version version) { seen_[address] = version; }
+  void forget(const Address& address) { seen_.erase(address); }
+
+  ReceiverId add_receiver(const ChangeFilter& filter, ChangeCallback callback, Priority priority);
+  void remove_receiver(ReceiverId id);
+  std::size_t receiver_count() const { return receivers_.size(); }
+  void receive_changes(bool on) { receiving_ = on; }
+
+  void propose(const TaskProposal& task);
+  void retract(const TaskId& id);
+  void complete(const TaskId& id, TaskOutcome outcome);
+  /// Of a task manager: tells the component that proposed the task.
+  void decide(const TaskId& id, TaskDecision decision);
+
+  Value pull(const std::string& provider, const TypeDescriptorPtr& type);
+  void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                 std::function<void(const Value&)> callback);
+  void provide(const TypeDescriptorPtr& type, std::function<Value()> make);
+  void push(const Value& x);
+
+private:
+  struct Receiver {
+    ChangeCallback callback;
+    Priority priority;
+  };
+
+  struct Provision {
+    std::function<Value()> make;
+    std::vector<caf::actor> subscribers;
+  };
+
+  struct PushReceiver {
+    std::string provider;
+    std::string type;
+    std::function<void(const Value&)> callback;
+  };
+
+  void act() override;
+  void file(caf::mailbox_element_ptr x) override;
+
+  // -- life
+  void live();
+  /// Delivers work, if the component has started, until the next phase is due.
+  void await_phase(Phase phase);
+  void phase_done(Phase phase, std::string failure);
+  void fail(const std::string& what);
+
+  // -- work
+  void work_off(caf::mailbox_element& x);
+  void work_off_change(const ChangeNotice& notice);
+  void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
+  void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
+  void work_off_push(const Pushed& x);
+  template <class F>
+  void user_code(const std::string& what, F&& f);
+  void respond(caf::mailbox_element& x, caf::message reply);
+
+  // -- operations
+  void check_may_operate() const;
+  Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
+                                             std::chrono::nanoseconds patience);
+  Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
+  caf::actor find_provider(const std::string& name) const;
+
+  template <class Result>
+  Result take(caf::mailbox_element& x, const Address& address) {
+    auto& content = x.content();
+    if (content.match_elements<Result>())
+      return content.get_as<Result>(0);
+    return unexpected_reply(content, address);
+  }
+
+  Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
+
+  std::unique_ptr<Component> component_;
+  ManagedComponent* managed_ = nullptr;
+  TaskManager* manager_ = nullptr;
+  std::shared_ptr<ComponentRecord> record_;
+  std::shared_ptr<ComponentServices> services_;
+  CallerRuns* unit_;
+  WorkingMemoryActor working_memory_;
+  caf::actor task_manager_;
+
+  std::deque<caf::mailbox_element_ptr> work_;
+  std::deque<Phase> phases_;
+  caf::actor conductor_;
+  bool stopping_ = false;
+  bool in_stop_hook_ = false;
+  bool working_memory_lost_ = false;
+  bool started_ = false;
+  bool receiving_ = true;
+  EventQueue queue_mode_ = EventQueue::all;
+  /// What the component's own code is being called for, for the report if it throws.
+  std::string doing_;
+  std::uint64_t callbacks_ = 0;
+
+  std::unordered_map<Address, Version> seen_;
+  std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
+  ReceiverId last_receiver_ = 0;
+
+  std::map<std::string, Provision> provisions_;
+  std::vector<PushReceiver> push_receivers_;
+  std::unordered_map<TaskId, caf::actor> proposers_;
+};
+
+} // namespace castor

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "castor/actors/task_manager/task.hpp"
+#include "castor/wm/caf.hpp"
+#include "castor/wm/failure.hpp"
+#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/value.hpp"
+
+#include <cstdint>
+#include <string>
+
+/// What is said to a component, besides what working memories say.
+namespace castor {
+
+enum class Phase : std::uint8_t { configure, start, run };
+
+/// Enter the next phase of life; answered with PhaseDone where the phase ends of itself.
+struct EnterPhase {
+  Phase phase = Phase::configure;
+  caf::actor conductor;
+};
+
+/// To the conductor: the component has configured itself or has started, or failed to.
+struct PhaseDone {
+  std::uint32_t component = 0;
+  Phase phase = Phase::configure;
+  /// Empty if all went well.
+  std::string failure;
+};
+
+/// To a task manager.
+struct ProposeTask {
+  TaskProposal proposal;
+};
+struct RetractTask {
+  TaskId id;
+};
+struct CompleteTask {
+  TaskId id;
+  TaskOutcome outcome = TaskOutcome::success;
+};
+
+/// To a managed component.
+struct TaskDecided {
+  TaskId id;
+  TaskDecision decision = TaskDecision::adopted;
+};
+
+/// To a stand-alone component: answered with its newest value of the type.
+struct PullRequest {
+  TypeDescriptorPtr type;
+};
+
+/// To a stand-alone component: send the sender every value of the type that is pushed.
+struct PushRequest {
+  TypeDescriptorPtr type;
+};
+
+/// From a stand-alone component.
+struct Pushed {
+  std::string provider;
+  Value value;
+};
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::EnterPhase)
+CASTOR_LOCAL_MESSAGE(castor::PhaseDone)
+CASTOR_LOCAL_MESSAGE(castor::ProposeTask)
+CASTOR_LOCAL_MESSAGE(castor::RetractTask)
+CASTOR_LOCAL_MESSAGE(castor::CompleteTask)
+CASTOR_LOCAL_MESSAGE(castor::TaskDecided)
+CASTOR_LOCAL_MESSAGE(castor::PullRequest)
+CASTOR_LOCAL_MESSAGE(castor::PushRequest)
+CASTOR_LOCAL_MESSAGE(castor::Pushed)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Value>)

@@ -1,0 +1,202 @@
+#pragma once
+
+#include "castor/actors/component/component.hpp"
+#include "castor/wm/address.hpp"
+#include "castor/wm/change_filter.hpp"
+#include "castor/wm/entry.hpp"
+#include "castor/wm/entry_store.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// An entry of a known type, as it stood when it was read.
+template <ReflectedRecord T>
+struct EntryOf {
+  Address address;
+  Version version = 0;
+  /// The component that wrote it.
+  std::string writer;
+  std::shared_ptr<const T> object;
+
+  const T& operator*() const { return *object; }
+  const T* operator->() const { return object.get(); }
+};
+
+/// Among the receivers of one event, those of higher priority are called first.
+enum class Priority : std::uint8_t { low = 10, medium = 50, high = 90 };
+
+/// Names a change callback, for its removal.
+using ReceiverId = std::uint32_t;
+
+using ChangeCallback = std::function<void(const ChangeEvent&)>;
+
+/// An operation that was sent and whose result is still to come. Take it once, with `get()`; dropping
+/// it abandons the result, not the operation.
+template <class T>
+class Pending {
+public:
+  explicit Pending(std::function<T()> finish) : finish_(std::move(finish)) {}
+
+  /// Waits for the result; throws what the synchronous operation would throw.
+  T get() { return std::exchange(finish_, nullptr)(); }
+
+private:
+  std::function<T()> finish_;
+};
+
+/// A component of a subarchitecture. It meets the others on working memory only.
+///
+/// Operations take effect in the working memory that owns the entry, in one step, and return when that
+/// has happened. They throw the exceptions of failure.hpp, and ComponentStopped if the component is
+/// told to stop meanwhile. An overwrite is refused unless the component has seen the latest version:
+/// by reading it or by having written it.
+class SubarchitectureComponent : public Component {
+protected:
+  const std::string& subarchitecture() const;
+
+  /// An id that no other component of the system makes.
+  std::string new_id();
+
+  /// Where an entry of the own subarchitecture lies.
+  Address here(std::string id) const { return {subarchitecture(), std::move(id)}; }
+
+  // -- writing
+
+  /// Adds an entry to the own working memory under a new id.
+  template <ReflectedRecord T>
+  Address add(T object) {
+    auto address = here(new_id());
+    write(Operation::add, address, Value::of(std::move(object)));
+    return address;
+  }
+
+  template <ReflectedRecord T>
+  void add(const Address& address, T object) {
+    write(Operation::add, address, Value::of(std::move(object)));
+  }
+
+  /// Returns the new version.
+  template <ReflectedRecord T>
+  Version overwrite(const Address& address, T object) {
+    return write(Operation::overwrite, address, Value::of(std::move(object)));
+  }
+
+  void delete_entry(const Address& address) { write(Operation::remove, address, {}); }
+
+  // -- reading
+
+  template <ReflectedRecord T>
+  EntryOf<T> read(const Address& address) {
+    return typed<T>(read_entry(address));
+  }
+
+  /// The entries of type T, the most recently written first; at most `count`, unless that is 0.
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_all(std::size_t count = 0) {
+    return read_all_in<T>(subarchitecture(), count);
+  }
+
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_all_in(const std::string& subarchitecture_name,
+                                      std::size_t count = 0) {
+    return typed<T>(read_entries({subarchitecture_name, type_name<T>(), count, false}));
+  }
+
+  /// The entries of type T and of all types that derive from it.
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_all_derived(const std::string& subarchitecture_name,
+                                           std::size_t count = 0) {
+    return typed<T>(read_entries({subarchitecture_name, type_name<T>(), count, true}));
+  }
+
+  bool exists(const Address& address);
+
+  /// Also of an entry that was deleted: the last it had.
+  Version version(const Address& address);
+
+  // -- pipelining: the same operations, without waiting for each
+
+  template <ReflectedRecord T>
+  Pending<Version> add_async(const Address& address, T object) {
+    return write_async(Operation::add, address, Value::of(std::move(object)));
+  }
+
+  template <ReflectedRecord T>
+  Pending<Version> overwrite_async(const Address& address, T object) {
+    return write_async(Operation::overwrite, address, Value::of(std::move(object)));
+  }
+
+  Pending<Version> delete_entry_async(const Address& address) {
+    return write_async(Operation::remove, address, {});
+  }
+
+  template <ReflectedRecord T>
+  Pending<EntryOf<T>> read_async(const Address& address) {
+    return Pending<EntryOf<T>>{
+      [this, pending = read_entry_async(address)]() mutable { return typed<T>(pending.get()); }};
+  }
+
+  // -- change events
+
+  /// Calls `callback` for every event that `filter` wants, from now on. May be called at any time from
+  /// `start()` on, also from inside a callback.
+  ReceiverId on_change(const ChangeFilter& filter, ChangeCallback callback,
+                       Priority priority = Priority::medium);
+
+  /// No further calls of that callback, from this moment on. Unknown ids are ignored.
+  void remove_receiver(ReceiverId id);
+
+  std::size_t receiver_count() const;
+
+  /// Delivers what has arrived; if nothing has, waits for it. True once a callback was called, false if
+  /// the time is over or the component was told to stop. An event that arrived before the call counts.
+  bool wait_for_changes(std::optional<std::chrono::nanoseconds> timeout = {});
+
+  /// Switches the delivery of change events off and on; what arrives while it is off is dropped.
+  void receive_changes(bool on);
+
+private:
+  friend class ComponentShell;
+
+  Version write(Operation operation, const Address& address, Value value);
+  Pending<Version> write_async(Operation operation, const Address& address, Value value);
+  EntryPtr read_entry(const Address& address);
+  Pending<EntryPtr> read_entry_async(const Address& address);
+  std::vector<EntryPtr> read_entries(TypeQuery query);
+  [[noreturn]] void wrong_type(const Entry& entry, const TypeDescriptor& wanted) const;
+
+  template <ReflectedRecord T>
+  EntryOf<T> typed(const EntryPtr& entry) const {
+    auto object = entry->value.as<T>();
+    if (!object)
+      wrong_type(*entry, *descriptor_of<T>());
+    return {entry->address, entry->version, entry->writer, std::move(object)};
+  }
+
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> typed(const std::vector<EntryPtr>& entries) const {
+    std::vector<EntryOf<T>> result;
+    result.reserve(entries.size());
+    for (auto& entry : entries)
+      result.push_back(typed<T>(entry));
+    return result;
+  }
+
+  std::uint64_t ids_made_ = 0;
+
+  Option<EventQueue> queue_{this, "queue", EventQueue::all,
+                            "change events that arrive while the component is busy: all are "
+                            "delivered, or only the newest"};
+};
+
+/// A component that runs of its own accord: for frequent, cheap processing.
+class UnmanagedComponent : public SubarchitectureComponent {};
+
+} // namespace castor

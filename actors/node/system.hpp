@@ -1,0 +1,120 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/component/record.hpp"
+#include "castor/wm/change_event.hpp"
+#include "castor/wm/entry.hpp"
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// A system that cannot be run as described: `what()` says why, with places in the file.
+class SystemError : public std::runtime_error {
+public:
+  explicit SystemError(std::vector<cast::Diagnostic> diagnostics);
+
+  const std::vector<cast::Diagnostic>& diagnostics() const { return diagnostics_; }
+
+private:
+  std::vector<cast::Diagnostic> diagnostics_;
+};
+
+struct SystemOptions {
+  /// Every subarchitecture may write to every other, as in the original CAST.
+  bool open_access = false;
+
+  /// How long a component may take to stop before it is given up.
+  std::chrono::milliseconds stop_patience{5000};
+
+  /// Called with every change in every working memory, one at a time, those of one working memory in
+  /// their order; not on any component's thread.
+  std::function<void(const ChangeEvent&)> on_change;
+
+  /// Asked now and then during lengthy work; true makes the system give up waiting.
+  std::function<bool()> interrupted;
+};
+
+/// What a working memory holds and has done.
+struct WorkingMemorySummary {
+  std::string subarchitecture;
+  std::map<std::string, std::uint64_t> entries_by_type;
+  std::uint64_t events = 0;
+  std::uint64_t delivered = 0;
+  std::uint64_t forwarded = 0;
+  std::uint64_t refused = 0;
+};
+
+struct SystemSummary {
+  std::vector<WorkingMemorySummary> working_memories;
+  /// In the order of their start.
+  std::vector<std::shared_ptr<const ComponentRecord>> components;
+  /// Components that did not stop when they were told to; their threads are still running, so the
+  /// process has to leave without destroying the system.
+  std::vector<std::string> stuck;
+};
+
+/// Why `System::wait` returned.
+enum class EndReason { ended_by_component, time_over, quiet, interrupted, all_failed };
+
+/// A whole architecture, running in this process.
+///
+///     System system{architecture};
+///     system.start();
+///     system.wait({.at_most = 10s});
+///     system.stop();
+///
+/// Made, used and destroyed on one thread.
+class System {
+public:
+  /// Throws SystemError if the architecture names classes, options or hosts that are not to be had.
+  explicit System(ArchitectureDescription architecture, SystemOptions options = {});
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+  /// Stops what was not stopped.
+  ~System();
+
+  /// Configures every component, then starts every component, then lets them run. False if it was
+  /// interrupted. A component that fails is reported and the others go on without it.
+  bool start();
+
+  struct Until {
+    /// Nothing: no limit.
+    std::optional<std::chrono::nanoseconds> at_most;
+    /// Until nothing was changed and nobody was busy for so long.
+    std::optional<std::chrono::nanoseconds> quiet;
+  };
+
+  /// Waits until the system ends of itself, or for the other reasons asked for.
+  EndReason wait(const Until& until);
+
+  /// The status and the reason that a component gave when it ended the system.
+  std::optional<std::pair<int, std::string>> ended() const;
+
+  /// Stops the components in the reverse order of their start. Working memories stay readable.
+  void stop();
+
+  SystemSummary summary();
+
+  /// Everything in a subarchitecture's working memory, the most recently written first.
+  std::vector<EntryPtr> entries(const std::string& subarchitecture);
+
+  std::vector<std::string> subarchitectures() const;
+
+  /// The moment that all times of this system count from.
+  std::chrono::steady_clock::time_point epoch() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace castor

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "castor/actors/registry.hpp"
+
+#include <optional>
+#include <string>
+
+namespace castor {
+
+/// Loads a shared library for good, and with it the component classes that it registers. `library` is a
+/// path, or a name that the loader looks for ("robot" for librobot.so). Says what went wrong, if
+/// anything did.
+std::optional<std::string> load_plugin(const std::string& library);
+
+/// Loads the libraries of components that come with Castor.
+void load_bundled_plugins();
+
+/// Where a class was looked for, and what came of it.
+struct ClassLookup {
+  /// Null if there is no such class.
+  const ComponentClass* found = nullptr;
+  /// Why there is none, with what to do; empty if there is one.
+  std::string problem;
+};
+
+/// The class that a .cast file means: one that is loaded, one of those that come with Castor, one in
+/// the library lib<Class>.so, or for "Class@library" the one in that library.
+ClassLookup find_class(const std::string& name);
+
+} // namespace castor

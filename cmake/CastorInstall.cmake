@@ -1,0 +1,15 @@
+# What `cmake --install` adds to the libraries, headers and the executable: configurations, and the
+# package that find_package(castor) finds.
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/castor")
+configure_package_config_file(cmake/castorConfig.cmake.in castorConfig.cmake
+  INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file(castorConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(EXPORT castor NAMESPACE castor:: FILE castorTargets.cmake DESTINATION "${package_dir}")
+install(FILES
+  "${PROJECT_BINARY_DIR}/castorConfig.cmake"
+  "${PROJECT_BINARY_DIR}/castorConfigVersion.cmake"
+  cmake/FindCAF.cmake
+  DESTINATION "${package_dir}")
+install(DIRECTORY configs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/configs")
