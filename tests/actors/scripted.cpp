@@ -1,0 +1,56 @@
+#include "castor/tests/actors/scripted.hpp"
+
+#include "castor/actors/cast/parser.hpp"
+#include "castor/actors/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+namespace castor::test {
+
+class Unmanaged : public UnmanagedScript {};
+class Standalone : public StandaloneScript {};
+
+CASTOR_COMPONENT(Managed, "does what a test says")
+CASTOR_COMPONENT(Unmanaged, "does what a test says")
+CASTOR_COMPONENT(Standalone, "does what a test says")
+
+void clear_scripts() {
+  ManagedScript::scripts().clear();
+  UnmanagedScript::scripts().clear();
+  StandaloneScript::scripts().clear();
+}
+
+ArchitectureDescription architecture(const std::string& text) {
+  auto result = cast::parse_string(text, "test.cast");
+  if (!result.architecture)
+    throw std::runtime_error(cast::render(result.diagnostics));
+  return *std::move(result.architecture);
+}
+
+std::string subarchitecture(const std::string& name) {
+  return "SUBARCHITECTURE " + name +
+         " localhost\nCPP WM SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n";
+}
+
+int run(System& system) {
+  auto status = -1;
+  if (system.start() && system.wait({30s, {}}) == EndReason::ended_by_component)
+    status = system.ended()->first;
+  system.stop();
+  return status;
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  auto until = std::chrono::steady_clock::now() + 30s;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > until)
+      return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+} // namespace castor::test

@@ -1,0 +1,54 @@
+#include "castor/actors/component/seen_versions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace castor {
+
+namespace {
+
+Address at(int i) {
+  return {"a", std::to_string(i)};
+}
+
+TEST(SeenVersions, RemembersTheLatest) {
+  SeenVersions seen;
+  EXPECT_EQ(seen.get(at(1)), std::nullopt);
+  seen.set(at(1), 3);
+  seen.set(at(1), 4);
+  EXPECT_EQ(seen.get(at(1)), 4u);
+  EXPECT_EQ(seen.get({"b", "1"}), std::nullopt) << "another subarchitecture, another entry";
+  seen.erase(at(1));
+  EXPECT_EQ(seen.get(at(1)), std::nullopt);
+}
+
+TEST(SeenVersions, ForgetsOnlyWhatWasNotSeenForLong) {
+  SeenVersions seen{10};
+  for (int i = 0; i < 1000; ++i) {
+    seen.set(at(i), 0);
+    seen.set(at(-1), static_cast<Version>(i));
+    EXPECT_EQ(seen.get(at(-1)), static_cast<Version>(i));
+    for (int k = std::max(0, i - 8); k <= i; ++k)
+      EXPECT_TRUE(seen.get(at(k)).has_value()) << k << " of " << i;
+  }
+  int remembered = 0;
+  for (int i = 0; i < 1000; ++i)
+    remembered += seen.get(at(i)).has_value();
+  EXPECT_LE(remembered, 22);
+}
+
+TEST(SeenVersions, TheNewestCountsAcrossGenerations) {
+  SeenVersions seen{2};
+  seen.set(at(1), 1);
+  seen.set(at(2), 1);
+  seen.set(at(3), 1);
+  seen.set(at(1), 2);
+  EXPECT_EQ(seen.get(at(1)), 2u);
+  seen.erase(at(1));
+  EXPECT_EQ(seen.get(at(1)), std::nullopt);
+}
+
+} // namespace
+
+} // namespace castor

@@ -1,0 +1,185 @@
+#include "castor/tests/support/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace castor::test {
+
+namespace {
+
+/// The castor executable with a plug-in of test components.
+class Castor : public testing::Test {
+protected:
+  void SetUp() override {
+    folder = std::filesystem::temp_directory_path() /
+             ("castor-cli-" + std::to_string(getpid()) + "-" +
+              testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder);
+  }
+
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  static std::vector<std::string> command(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {CASTOR_EXECUTABLE, "--plugin", CASTOR_TEST_PLUGIN});
+    return arguments;
+  }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    auto file = folder / name;
+    std::ofstream{file} << text;
+    return file.string();
+  }
+
+  std::string system(const std::string& components) const {
+    return write("system.cast", "HOST localhost\nSUBARCHITECTURE a\nCPP WM "
+                                "SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n" +
+                                  components);
+  }
+
+  std::string read(const std::filesystem::path& file) const {
+    std::ifstream in{file};
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Castor, SaysWhatItIs) {
+  Process castor{command({"--version"})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_TRUE(std::regex_match(castor.output(), std::regex{"castor \\d+\\.\\d+\\.\\d+\n"}));
+}
+
+TEST_F(Castor, WithoutACommandItExplainsItself) {
+  Process castor{command({})};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_NE(castor.errors().find("subcommand is required"), std::string::npos) << castor.errors();
+}
+
+TEST_F(Castor, ListsComponentsWithTheirOptions) {
+  Process castor{command({"components"})};
+  EXPECT_EQ(castor.wait(), 0);
+  for (auto part : {"Clock", "ticks a few times", "--count", "how often it ticks",
+                    "whole number; 3", "SubarchitectureWorkingMemory",
+                    "AlwaysPositiveTaskManager"})
+    EXPECT_NE(castor.output().find(part), std::string::npos) << part;
+}
+
+TEST_F(Castor, TheTimelineIsPlainInAPipe) {
+  Process castor{command({"run", system("CPP UM clock Clock --count 2 --status 0\n"), "--trace"})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  auto text = castor.output();
+  EXPECT_EQ(text.find('\033'), text.npos);
+  std::smatch match;
+  EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +ADD +Tick +\\S+ +clock +v0\n"}));
+  EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +OVERWRITE +Tick +\\S+ +clock +v2\n"}));
+  EXPECT_TRUE(std::regex_search(text, match, std::regex{"\na +Tick +1\n"})) << text;
+  EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +3 +0\n"}));
+}
+
+TEST_F(Castor, AComponentEndsTheSystemWithItsStatus) {
+  Process castor{command({"run", system("CPP UM clock Clock --status 29\n")})};
+  EXPECT_EQ(castor.wait(), 29);
+  EXPECT_NE(castor.errors().find("ended by a.clock: it has ticked 3 times"), std::string::npos);
+}
+
+TEST_F(Castor, StopsInReverseOrderOnCtrlC) {
+  Process castor{command({"run", system("CPP UM one Clock\nCPP UM two Clock\n"), "--trace"})};
+  ASSERT_TRUE(castor.wait_for_output("two"));
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(castor.errors().find("stopped, in this order: two, one, a_tm"), std::string::npos)
+    << castor.errors();
+  EXPECT_NE(castor.output().find("working memory"), std::string::npos) << "the summary is printed";
+}
+
+TEST_F(Castor, StopsAfterTheTimeGiven) {
+  Process castor{command({"run", system("CPP UM clock Clock\n"), "--for", "200ms"})};
+  EXPECT_EQ(castor.wait(), 0);
+}
+
+TEST_F(Castor, AFailedComponentShowsInReportAndStatus) {
+  Process castor{
+    command({"run", system("CPP UM broken Broken\nCPP UM clock Clock\n"), "--until-quiet", "200ms"})};
+  EXPECT_EQ(castor.wait(), 1);
+  EXPECT_NE(castor.errors().find("[a.broken] failed in run(): the spring is gone"),
+            std::string::npos);
+  EXPECT_NE(castor.output().find("failed in run(): the spring is gone"), std::string::npos);
+}
+
+TEST_F(Castor, LeavesAComponentBehindThatNeverComesBack) {
+  Process castor{command({"run", system("CPP UM endless Endless\n"), "--for", "10ms"})};
+  EXPECT_EQ(castor.wait(), 1);
+  EXPECT_NE(castor.errors().find("endless did not stop"), std::string::npos) << castor.errors();
+}
+
+TEST_F(Castor, WritesItsOutputFolder) {
+  auto output = folder / "out";
+  Process castor{command({"run", system("CPP UM clock Clock --status 0\n"), "--output", output})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(read(output / "timeline.txt").find("OVERWRITE"), std::string::npos);
+  EXPECT_NE(read(output / "entries.json").find("\"value\": {\"number\":3}"), std::string::npos)
+    << read(output / "entries.json");
+}
+
+TEST_F(Castor, SetsVariablesBeforeTheFileIsRead) {
+  auto file = system("VARDEFAULT status=1\nCPP UM clock Clock --status %(status)\n");
+  Process castor{command({"run", file, "--set", "status=5"})};
+  EXPECT_EQ(castor.wait(), 5) << castor.errors();
+}
+
+TEST_F(Castor, ChecksAFileAndReportsAllErrorsAtOnce) {
+  auto file = system("CPP UM clock Clok\nCPP MG other Clock\nCPP UM third Clock --cuont 4\n"
+                     "CPP UM fourth Clock --count many\n");
+  Process castor{command({"check", file})};
+  EXPECT_EQ(castor.wait(), 1);
+  auto text = castor.errors();
+  for (auto part : {":5: error: there is no component class Clok", "did you mean 'Clock'?",
+                    ":6: error: Clock is not for a MG line", ":7: error: Clock of third",
+                    "did you mean 'count'?", ":8: error", "--count takes a whole number"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST_F(Castor, ChecksAGoodFile) {
+  Process castor{command({"check", system("CPP UM clock Clock\n")})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(castor.output().find("no errors"), std::string::npos);
+}
+
+TEST_F(Castor, PrintsTheResolvedArchitecture) {
+  Process castor{command({"check", "--json", system("CPP UM clock Clock --count 4\n")})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(castor.output().find("\"clock\""), std::string::npos);
+}
+
+TEST_F(Castor, ExpandsVariablesInComments) {
+  auto file = system("SETVAR x=42\n#EXPAND the answer is %(x)\nCPP UM clock Clock\n");
+  Process castor{command({"check", "--expand", file})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(castor.output().find("the answer is 42"), std::string::npos) << castor.output();
+}
+
+TEST_F(Castor, AMissingFileIsAnErrorNotACrash) {
+  Process castor{command({"run", (folder / "nowhere.cast").string()})};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_NE(castor.errors().find("nowhere.cast"), std::string::npos);
+}
+
+TEST_F(Castor, AClassCanBeNamedWithItsLibrary) {
+  auto file = system("CPP UM clock Clock@" CASTOR_TEST_PLUGIN " --status 4\n");
+  Process castor{{CASTOR_EXECUTABLE, "run", file}};
+  EXPECT_EQ(castor.wait(), 4) << castor.errors();
+}
+
+} // namespace
+
+} // namespace castor::test

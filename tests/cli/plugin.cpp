@@ -1,0 +1,50 @@
+// Component classes that the castor executable does not have: a library for --plugin.
+#include "castor/actors/registry.hpp"
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+namespace castor::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Tick {
+  int number = 0;
+};
+CASTOR_REFLECT(Tick, number)
+
+class Clock final : public UnmanagedComponent {
+  void run() override {
+    auto address = add(Tick{});
+    for (int i = 1; i <= count_; ++i)
+      overwrite(address, Tick{i});
+    if (status_ >= 0)
+      end_system(status_, "it has ticked " + std::to_string(count_) + " times");
+  }
+
+  Option<int> count_{this, "count", 3, "how often it ticks"};
+  Option<int> status_{this, "status", -1, "status to end the system with; negative: it goes on"};
+};
+CASTOR_COMPONENT(Clock, "ticks a few times")
+
+class Broken final : public UnmanagedComponent {
+  void run() override { throw std::runtime_error("the spring is gone"); }
+};
+CASTOR_COMPONENT(Broken, "fails at once")
+
+class Endless final : public UnmanagedComponent {
+  void run() override {
+    info("busy for ever");
+    for (volatile bool on = true; on;) {
+      // Never asks whether it should stop.
+    }
+  }
+};
+CASTOR_COMPONENT(Endless, "never comes back")
+
+} // namespace
+
+} // namespace castor::test

@@ -1,0 +1,139 @@
+#include "castor/tests/support/process.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace castor::test {
+
+namespace {
+
+/// Both ends close on exec: the child gets copies of those it needs, and no others.
+std::pair<int, int> make_pipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error("no pipe");
+  return {ends[0], ends[1]};
+}
+
+void write_all(int descriptor, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    auto n = write(descriptor, text.data() + done, text.size() - done);
+    if (n <= 0)
+      return; // the process does not want to read it all
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+} // namespace
+
+Process::Process(std::vector<std::string> arguments, std::string input) {
+  std::signal(SIGPIPE, SIG_IGN);
+  auto [in_read, in_write] = make_pipe();
+  auto [out_read, out_write] = make_pipe();
+  auto [err_read, err_write] = make_pipe();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, in_read, 0);
+  posix_spawn_file_actions_adddup2(&actions, out_write, 1);
+  posix_spawn_file_actions_adddup2(&actions, err_write, 2);
+  // A test's own signal mask is nothing to inherit.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  std::vector<char*> argv;
+  for (auto& x : arguments)
+    argv.push_back(x.data());
+  argv.push_back(nullptr);
+  auto error = posix_spawnp(&pid_, argv[0], &actions, &attributes, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  for (int x : {in_read, out_write, err_write})
+    close(x);
+  if (error != 0) {
+    for (int x : {in_write, out_read, err_read})
+      close(x);
+    throw std::runtime_error("cannot start " + arguments.front());
+  }
+  input_ = in_write;
+  output_ = out_read;
+  errors_ = err_read;
+  threads_.emplace_back([this] { gather(output_, output_text_); });
+  threads_.emplace_back([this] { gather(errors_, error_text_); });
+  threads_.emplace_back([this, text = std::move(input)] {
+    write_all(input_, text);
+    close(input_);
+  });
+}
+
+Process::~Process() {
+  if (status_ < 0) {
+    send_signal(SIGKILL);
+    wait();
+  }
+}
+
+bool Process::wait_for_output(const std::string& text, std::chrono::seconds patience) {
+  std::unique_lock guard{mutex_};
+  auto found = [&] {
+    return output_text_.find(text) != text.npos || error_text_.find(text) != text.npos;
+  };
+  changed_.wait_for(guard, patience, [&] { return found() || open_pipes_ == 0; });
+  return found();
+}
+
+void Process::send_signal(int number) {
+  kill(pid_, number);
+}
+
+int Process::wait() {
+  if (status_ >= 0)
+    return status_;
+  for (auto& x : threads_)
+    x.join();
+  close(output_);
+  close(errors_);
+  int state = 0;
+  while (waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
+    // Once more.
+  }
+  status_ = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+  return status_;
+}
+
+std::string Process::output() {
+  std::lock_guard guard{mutex_};
+  return output_text_;
+}
+
+std::string Process::errors() {
+  std::lock_guard guard{mutex_};
+  return error_text_;
+}
+
+void Process::gather(int descriptor, std::string& into) {
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    auto n = read(descriptor, buffer.data(), buffer.size());
+    std::lock_guard guard{mutex_};
+    if (n > 0)
+      into.append(buffer.data(), static_cast<std::size_t>(n));
+    else if (n == 0 || errno != EINTR)
+      --open_pipes_;
+    changed_.notify_all();
+    if (n == 0 || (n < 0 && errno != EINTR))
+      return;
+  }
+}
+
+} // namespace castor::test
