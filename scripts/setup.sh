@@ -1,0 +1,50 @@
+# Sourced by the other scripts: makes sure that everything needed to build is installed.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+packages=(
+  g++ cmake ninja-build pkg-config
+  libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
+)
+test_packages=(
+  libgtest-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev
+)
+
+# install_missing PACKAGE...
+install_missing() {
+  local missing=()
+  local installed
+  installed=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null |
+    sed -n 's/^ii *//p')
+  local package
+  for package in "$@"; do
+    grep -qx -- "$package" <<<"$installed" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "These packages are missing: ${missing[*]}" >&2
+      echo "Run this script as root, or install sudo." >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing: ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# Shows how far a build is and how long it has taken.
+export NINJA_STATUS="[%f/%t, %es] "
+
+# configure PRESET CMAKE-OPTION...: quiet unless it fails.
+configure() {
+  local output
+  output=$(cmake --preset "$@" 2>&1) || {
+    echo "$output" >&2
+    exit 1
+  }
+}
