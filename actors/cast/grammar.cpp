@@ -62,13 +62,13 @@ private:
     auto keyword = match_section_keyword(line.text);
     if (keyword && keyword->glued)
       remark_on_glued(*keyword, line);
+    auto is_component = looks_like_component(line.text) && !is_misspelt_component(line);
     if (keyword)
       begin(keyword->keyword, line);
-    else if (looks_like_component(line.text) && !is_misspelt_component(line))
-      component_line(line);
-    else if (auto word = misspelt_keyword(line); !word.empty())
-      recover(word, line);
-    else if (section_)
+    else if (auto intended = is_component ? std::string_view{} : misspelt_keyword(line);
+             !intended.empty())
+      recover(intended, line);
+    else if (is_component || section_)
       component_line(line);
     else
       report(Severity::error, line, in_quotes(first_word(line)) + " is not a keyword",

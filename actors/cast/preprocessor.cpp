@@ -310,6 +310,11 @@ private:
                   "write one word: an address, or the [Name] of another host");
       return;
     }
+    if (value->starts_with('$')) {
+      log_.report(Severity::error, line, "environment variables are not replaced in HOSTNAME lines",
+                  "write the address, or " + shorten(*value, 80) + " where the host is used");
+      return;
+    }
     auto resolved = scope_.hosts().resolve(*value);
     switch (scope_.hosts().define(name, resolved.host)) {
       case HostTable::Outcome::defined:

@@ -24,7 +24,7 @@ FileContent read_file(const std::string& path, std::size_t max_bytes) {
   if (!file)
     return {std::nullopt, std::generic_category().message(errno)};
   std::string text;
-  constexpr std::size_t chunk = 64 * 1024;
+  constexpr std::size_t chunk = std::size_t{64} << 10;
   while (file && text.size() <= max_bytes) {
     auto old_size = text.size();
     auto wanted = std::min(chunk, max_bytes + 1 - old_size);

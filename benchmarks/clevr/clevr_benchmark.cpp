@@ -1,0 +1,233 @@
+// What the vision core makes of CLEVR images.
+//
+//     clevr_benchmark DIR [--output DIR] [--leave-one-out]
+//
+// DIR holds images and scene graphs in any of CLEVR's layouts. An object is found if a region
+// covers the part of it that is visible with an overlap (intersection by union) of at least 0.5,
+// one to one; what is visible is computed from the scene graph. Colour, shape and size are counted
+// over the objects found. With --leave-one-out, the shape classifier and the camera for each image
+// are estimated anew without that image.
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "evaluation.hpp"
+#include "shape_samples.hpp"
+
+namespace {
+
+using namespace castor;
+using namespace castor::clevr;
+
+struct Arguments {
+  std::filesystem::path folder;
+  std::optional<std::filesystem::path> output;
+  bool leave_one_out = false;
+};
+
+Arguments parse(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--leave-one-out")
+      arguments.leave_one_out = true;
+    else if (argument == "--output" && i + 1 < argc)
+      arguments.output = argv[++i];
+    else if (!argument.starts_with("--") && arguments.folder.empty())
+      arguments.folder = argument;
+    else
+      throw std::invalid_argument("cannot use the argument " + argument);
+  }
+  if (arguments.folder.empty())
+    throw std::invalid_argument("usage: clevr_benchmark DIR [--output DIR] [--leave-one-out]");
+  return arguments;
+}
+
+/// The camera that explains all scenes but `left_out`.
+CameraGuess usual_camera(const std::vector<Scene>& scenes, const Scene* left_out) {
+  std::vector<const Scene*> others;
+  cv::Size size;
+  for (const auto& scene : scenes) {
+    if (&scene == left_out)
+      continue;
+    const cv::Mat image = cv::imread(scene.image.string());
+    if (size.empty())
+      size = image.size();
+    // Pixel coordinates of images of another size do not fit together.
+    if (image.size() == size)
+      others.push_back(&scene);
+  }
+  if (others.empty())
+    return {};
+  return fit_camera(others, {}, 1.0, size.width, size.height);
+}
+
+/// Evaluates each image with what was learned from the others.
+class LeaveOneOut {
+public:
+  explicit LeaveOneOut(const std::vector<Scene>& scenes)
+    : scenes_(scenes), seen_(clevr_samples(scenes, clevr_weight)),
+      rendered_(rendered_samples(rendered_scenes, rendered_seed, scenes.size())) {
+    // nop
+  }
+
+  vision::ShapeNetwork network_without(std::size_t scene) const {
+    std::vector<const Sample*> samples;
+    for (const auto& sample : rendered_)
+      samples.push_back(&sample);
+    for (const auto& sample : seen_) {
+      if (sample.scene != scene)
+        samples.push_back(&sample);
+    }
+    return train(samples, {});
+  }
+
+  std::vector<Outcome> run(const vision::RegionOptions& options) const {
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+      outcomes.push_back(
+        evaluate(scenes_[i], usual_camera(scenes_, &scenes_[i]), options, network_without(i)));
+    return outcomes;
+  }
+
+private:
+  const std::vector<Scene>& scenes_;
+  std::vector<Sample> seen_;
+  std::vector<Sample> rendered_;
+};
+
+void annotate(const Outcome& outcome, const std::filesystem::path& folder) {
+  constexpr int zoom = 3;
+  cv::Mat picture = cv::imread(outcome.scene->image.string());
+  cv::resize(picture, picture, cv::Size(), zoom, zoom, cv::INTER_CUBIC);
+  for (std::size_t i = 0; i < outcome.regions.size(); ++i) {
+    const auto& region = outcome.regions[i];
+    bool right = false;
+    for (const auto& match : outcome.matches) {
+      const Object& object = outcome.scene->objects[match.object];
+      if (match.region == i)
+        right = object.colour == region.colour.value && object.shape == region.shape.value &&
+                object.size == region.size.value;
+    }
+    std::vector<cv::Point> outline;
+    for (const auto& point : region.roi.contour)
+      outline.emplace_back(cvRound(zoom * point.x + 1), cvRound(zoom * point.y + 1));
+    const cv::Scalar colour = right ? cv::Scalar(80, 255, 80) : cv::Scalar(60, 60, 255);
+    cv::polylines(picture, outline, true, colour);
+    const std::string text =
+      region.size.value + " " + region.colour.value + " " + region.shape.value;
+    const cv::Point place(cvRound(zoom * (region.roi.box.center.x - region.roi.box.width / 2)),
+                          cvRound(zoom * (region.roi.box.center.y + region.roi.box.height / 2)) +
+                            12);
+    cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv::LINE_AA);
+  }
+  cv::imwrite((folder / (outcome.scene->image.stem().string() + ".png")).string(), picture);
+}
+
+void print(const char* name, const Tally& tally) {
+  std::printf(
+    "%-34s %5.1f %%  %4zu of %zu\n", name,
+    tally.all == 0 ? 0.0 : 100 * static_cast<double>(tally.hits) / static_cast<double>(tally.all),
+    tally.hits, tally.all);
+}
+
+void print_mistakes(const Outcome& outcome) {
+  const std::string image = outcome.scene->image.filename().string();
+  std::vector<bool> found(outcome.scene->objects.size(), false);
+  std::vector<bool> used(outcome.regions.size(), false);
+  for (const auto& match : outcome.matches) {
+    const Object& object = outcome.scene->objects[match.object];
+    const auto& region = outcome.regions[match.region];
+    found[match.object] = used[match.region] = true;
+    const std::string is = object.size + " " + object.colour + " " + object.shape;
+    const std::string said =
+      region.size.value + " " + region.colour.value + " " + region.shape.value;
+    if (is != said)
+      std::printf("%s: %s %s is called %s\n", image.c_str(), object.material.c_str(), is.c_str(),
+                  said.c_str());
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Object& object = outcome.scene->objects[i];
+    if (!found[i])
+      std::printf("%s: %s %s %s %s is not found\n", image.c_str(), object.size.c_str(),
+                  object.colour.c_str(), object.material.c_str(), object.shape.c_str());
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const auto& box = outcome.regions[i].roi.box;
+    if (!used[i])
+      std::printf("%s: nothing is at (%.0f, %.0f), %.0f x %.0f\n", image.c_str(), box.center.x,
+                  box.center.y, box.width, box.height);
+  }
+}
+
+void print(const Summary& summary, std::size_t images) {
+  std::printf("\n%zu images, %zu objects, %zu regions\n", images, summary.recall.all,
+              summary.precision.all);
+  print("recall (overlap >= 0.5)", summary.recall);
+  print("precision (overlap >= 0.5)", summary.precision);
+  print("recall (overlap >= 0.3)", summary.loose_recall);
+  print("recall (centre in a region's box)", summary.box_recall);
+  print("colour of those found", summary.colour);
+  print("shape of those found", summary.shape);
+  print("size of those found", summary.size);
+  if (summary.recall.hits > 0)
+    std::printf("%-34s %5.3f\n", "mean overlap of those found",
+                summary.overlap_sum / static_cast<double>(summary.recall.hits));
+  std::printf("\n%-10s%8s%10s%8s%8s\n", "is called", "cube", "cylinder", "sphere", "other");
+  const char* const names[] = {"cube", "cylinder", "sphere"};
+  for (std::size_t i = 0; i < summary.shapes.size(); ++i)
+    std::printf("%-10s%8zu%10zu%8zu%8zu\n", names[i], summary.shapes[i][0], summary.shapes[i][1],
+                summary.shapes[i][2], summary.shapes[i][3]);
+  if (!summary.milliseconds.empty()) {
+    const auto last = summary.milliseconds.size() - 1;
+    std::printf("\nms per image, one thread: median %.1f, 95th percentile %.1f\n",
+                summary.milliseconds[last / 2], summary.milliseconds[last * 95 / 100]);
+  }
+}
+
+void run(const Arguments& arguments) {
+  cv::setNumThreads(1);
+  const auto scenes = load_scenes(arguments.folder);
+  if (scenes.empty())
+    throw std::runtime_error("no scene with an image below " + arguments.folder.string());
+  vision::RegionOptions options;
+  options.shape.candidates = {"cube", "cylinder", "sphere"};
+  // The first call of some OpenCV functions builds tables; that is not the time of any image.
+  const CameraGuess usual = usual_camera(scenes, nullptr);
+  evaluate(scenes.front(), usual, options, vision::trained_shape_network());
+  std::vector<Outcome> outcomes;
+  if (arguments.leave_one_out) {
+    outcomes = LeaveOneOut(scenes).run(options);
+  } else {
+    for (const auto& scene : scenes)
+      outcomes.push_back(evaluate(scene, usual, options, vision::trained_shape_network()));
+  }
+  for (const auto& outcome : outcomes) {
+    print_mistakes(outcome);
+    if (arguments.output) {
+      std::filesystem::create_directories(*arguments.output);
+      annotate(outcome, *arguments.output);
+    }
+  }
+  print(summarize(outcomes), scenes.size());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(parse(argc, argv));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "clevr_benchmark: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "castor/perception/vision/types.hpp"
+
+/// CLEVR images and what is known of them: J. Johnson et al., "CLEVR: A diagnostic dataset for
+/// compositional language and elementary visual reasoning", 2017.
+namespace castor::clevr {
+
+/// An object of a scene graph. Lengths are CLEVR's units, pixels those of the image.
+struct Object {
+  std::string shape;
+  std::string colour;
+  std::string material;
+  std::string size;
+  vision::Point3 position;
+  vision::Point2 pixel;
+  /// Along the viewing direction.
+  double distance = 0;
+  /// About the vertical axis. Radians: the number that CLEVR calls degrees was given to Blender,
+  /// and Blender takes radians.
+  double rotation = 0;
+
+  /// Half the edge of a cube, else the radius; a cylinder's height is twice that.
+  double radius() const { return size == "large" ? 0.7 : 0.35; }
+};
+
+struct Scene {
+  std::filesystem::path image;
+  std::vector<Object> objects;
+};
+
+/// All scenes below `folder` whose image is there as well, ordered by image: those in files with a
+/// list of "scenes", and those in files of their own.
+/// \throws std::runtime_error naming the file if a scene lacks what an object needs.
+std::vector<Scene> load_scenes(const std::filesystem::path& folder);
+
+} // namespace castor::clevr

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "castor/perception/vision/types.hpp"
+#include "clevr_scenes.hpp"
+
+namespace castor::clevr {
+
+/// Which object is seen where, as the scene graph has it: a label image with the index of the
+/// object, -1 where there is none. Edges are sharp here and slightly rounded in the images.
+///
+/// \param camera in CLEVR's units.
+cv::Mat_<int> visible_objects(const Scene& scene, const vision::Camera& camera, cv::Size size);
+
+} // namespace castor::clevr

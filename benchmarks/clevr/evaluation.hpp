@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "castor/perception/vision/recognition/regions.hpp"
+#include "clevr_camera.hpp"
+#include "clevr_scenes.hpp"
+#include "matching.hpp"
+
+namespace castor::clevr {
+
+/// CLEVR's unit, so that its two sizes lie on either side of SizeOptions::large_from.
+inline constexpr double metres_per_unit = 0.088;
+
+/// The overlap from which on an object counts as found.
+inline constexpr double found_overlap = 0.5;
+
+/// What was made of one image.
+struct Outcome {
+  const Scene* scene = nullptr;
+  std::vector<vision::Region> regions;
+  /// Pairs that overlap at least `found_overlap`.
+  std::vector<Match> matches;
+  /// How many pairs there are at an overlap of 0.3.
+  std::size_t loose_matches = 0;
+  /// How many objects have their pixel_coords in the box of a region, one to one.
+  std::size_t box_hits = 0;
+  /// From the image to the last decision.
+  double milliseconds = 0;
+};
+
+/// Runs all steps on the scene's image.
+///
+/// \param usual the camera to measure sizes with; the scene's own, from its scene graph, is used
+/// for
+///        nothing but to know which object is seen where.
+/// \throws std::runtime_error if the image cannot be read.
+Outcome evaluate(const Scene& scene, const CameraGuess& usual, const vision::RegionOptions& options,
+                 const vision::ShapeNetwork& network);
+
+/// How many of how many.
+struct Tally {
+  std::size_t hits = 0;
+  std::size_t all = 0;
+
+  void add(bool hit) {
+    hits += hit ? 1 : 0;
+    ++all;
+  }
+};
+
+/// The sums over all images.
+struct Summary {
+  Tally recall;
+  Tally precision;
+  Tally loose_recall;
+  Tally box_recall;
+  /// Of the objects found.
+  Tally colour;
+  Tally shape;
+  Tally size;
+  /// By true shape, then by the decision: cube, cylinder, sphere, anything else.
+  std::array<std::array<std::size_t, 4>, 3> shapes{};
+  std::vector<double> milliseconds;
+  double overlap_sum = 0;
+};
+
+Summary summarize(const std::vector<Outcome>& outcomes);
+
+} // namespace castor::clevr

@@ -1,0 +1,197 @@
+#include "shape_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <stdexcept>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/regions.hpp"
+#include "castor/perception/vision/recognition/shape_evidence.hpp"
+#include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
+#include "clevr_camera.hpp"
+#include "clevr_truth.hpp"
+#include "matching.hpp"
+
+namespace castor::clevr {
+
+namespace {
+
+using vision::Image;
+using vision::TabletopShape;
+
+std::size_t shape_index(const std::string& name) {
+  const auto& names = vision::shape_vocabulary();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw std::runtime_error("there is no shape \"" + name + "\" to train for");
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Image mirrored(const Image& image) {
+  cv::Mat result;
+  cv::flip(vision::as_mat(image), result, 1);
+  return vision::to_image(result);
+}
+
+/// \param shapes of the objects that `labels` count from 0.
+void add_samples(const Image& image, const cv::Mat_<int>& labels,
+                 const std::vector<std::size_t>& shapes, double weight, std::size_t scene,
+                 std::vector<Sample>& samples) {
+  std::vector<vision::ROI> regions;
+  for (const auto& segment : vision::segment(image))
+    regions.push_back(make_roi(image, segment));
+  std::vector<const vision::ROI*> pointers;
+  for (const auto& region : regions)
+    pointers.push_back(&region);
+  for (const auto& match : match_regions(pointers, labels, shapes.size(), sample_overlap)) {
+    const vision::ROI& roi = regions[match.region];
+    const std::size_t shape = shapes[match.object];
+    for (const auto& evidence : {measure_shape(roi.region, roi.mask),
+                                 measure_shape(mirrored(roi.region), mirrored(roi.mask))}) {
+      if (!evidence.empty())
+        samples.push_back({evidence, shape, weight, scene});
+    }
+  }
+}
+
+/// Makes up tables.
+class TableMaker {
+public:
+  explicit TableMaker(std::uint32_t seed) : random_(seed) {
+    // nop
+  }
+
+  vision::TabletopSnapshot scene() {
+    vision::TabletopSnapshot scene;
+    using Material = vision::TableLook::Material;
+    scene.table.material = std::array{Material::wood, Material::cloth, Material::plain}[index(3)];
+    const auto grey = static_cast<std::uint8_t>(between(70, 240));
+    scene.table.colour = index(2) == 0 ? vision::SceneColour{grey, grey, grey} : colour();
+    scene.light = {between(-1.5, 1.5), between(-1.5, 1.5), between(1.2, 2.5)};
+    scene.noise = between(0.5, 3);
+    scene.seed = random_();
+    const auto count = 3 + index(5);
+    for (int attempt = 0; attempt < 60 && scene.objects.size() < count; ++attempt) {
+      const auto candidate = object();
+      const bool free =
+        std::none_of(scene.objects.begin(), scene.objects.end(),
+                     [&](const auto& other) { return vision::overlap(candidate, other); });
+      if (free)
+        scene.objects.push_back(candidate);
+    }
+    return scene;
+  }
+
+  vision::Camera camera() {
+    const double elevation = between(18, 70) * std::numbers::pi / 180;
+    const double azimuth = between(0, 2 * std::numbers::pi);
+    const double distance = between(0.55, 1.2);
+    const double level = distance * std::cos(elevation);
+    return vision::look_at(
+      {level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation)},
+      {between(-0.05, 0.05), between(-0.05, 0.05), 0}, between(28, 45), 320, 240);
+  }
+
+  vision::RenderOptions options() {
+    vision::RenderOptions options;
+    options.lamp_intensity = between(0.5, 0.9);
+    options.ambient_intensity = between(0.15, 0.5);
+    options.lamp_radius = between(0.02, 0.3);
+    options.gloss = between(0, 0.6);
+    options.shadow_samples = 8;
+    options.edge_samples = 4;
+    return options;
+  }
+
+private:
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  std::size_t index(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+  }
+
+  vision::SceneColour colour() {
+    const auto channel = [this] { return static_cast<std::uint8_t>(between(20, 245)); };
+    return {channel(), channel(), channel()};
+  }
+
+  vision::TabletopObject object() {
+    constexpr std::array shapes{TabletopShape::cube,     TabletopShape::cylinder,
+                                TabletopShape::sphere,   TabletopShape::square,
+                                TabletopShape::triangle, TabletopShape::rectangle,
+                                TabletopShape::disc};
+    vision::TabletopObject object;
+    object.shape = shapes[index(shapes.size())];
+    object.colour = colour();
+    object.x = between(-0.3, 0.3);
+    object.y = between(-0.3, 0.3);
+    object.turned_degrees = between(0, 360);
+    const bool flat = vision::is_flat(object.shape);
+    const double side = between(0.04, flat ? 0.14 : 0.11);
+    object.size = {side, side, flat ? 0.005 : side};
+    if (object.shape == TabletopShape::rectangle)
+      object.size.y = side / between(1.5, 3);
+    if (object.shape == TabletopShape::cylinder)
+      object.size.z = side * between(0.8, 1.8);
+    return object;
+  }
+
+  std::mt19937 random_;
+};
+
+std::size_t shape_index(TabletopShape shape) {
+  return shape_index(shape == TabletopShape::disc ? std::string("circle")
+                                                  : std::string(to_string(shape)));
+}
+
+} // namespace
+
+std::vector<Sample> clevr_samples(std::span<const Scene> scenes, double weight) {
+  std::vector<Sample> samples;
+  for (std::size_t index = 0; index < scenes.size(); ++index) {
+    const Scene& scene = scenes[index];
+    const cv::Mat pixels = cv::imread(scene.image.string());
+    if (pixels.empty())
+      throw std::runtime_error("cannot read " + scene.image.string());
+    const Scene* only = &scene;
+    // One object alone leaves room for many cameras; those near the usual one are likelier.
+    const CameraGuess guess = fit_camera({&only, 1}, {}, 0.3, pixels.cols, pixels.rows);
+    const auto camera = make_camera(guess, pixels.cols, pixels.rows, 1);
+    std::vector<std::size_t> shapes;
+    for (const auto& object : scene.objects)
+      shapes.push_back(shape_index(object.shape));
+    add_samples(vision::to_image(pixels), visible_objects(scene, camera, pixels.size()), shapes,
+                weight, index, samples);
+  }
+  return samples;
+}
+
+std::vector<Sample> rendered_samples(int count, std::uint32_t seed, std::size_t first_scene) {
+  std::vector<Sample> samples;
+  TableMaker maker(seed);
+  for (int i = 0; i < count; ++i) {
+    const auto scene = maker.scene();
+    const auto camera = maker.camera();
+    const Image image = render(scene, camera, maker.options());
+    const Image truth = render_labels(scene, camera);
+    cv::Mat_<int> labels;
+    vision::as_mat(truth).convertTo(labels, CV_32S);
+    labels -= 1;
+    std::vector<std::size_t> shapes;
+    for (const auto& object : scene.objects)
+      shapes.push_back(shape_index(object.shape));
+    add_samples(image, labels, shapes, 1, first_scene + static_cast<std::size_t>(i), samples);
+  }
+  return samples;
+}
+
+} // namespace castor::clevr

@@ -1,0 +1,164 @@
+#include "castor/perception/vision/camera/image_source_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "castor/perception/vision/camera/image_source_probe.hpp"
+
+namespace castor::vision {
+
+namespace {
+
+constexpr std::array<std::string_view, 12> image_extensions{".png", ".jpg",  ".jpeg", ".jpe",
+                                                            ".bmp", ".ppm",  ".pgm",  ".pbm",
+                                                            ".pnm", ".webp", ".tif",  ".tiff"};
+constexpr std::array<std::string_view, 11> video_extensions{
+  ".avi", ".mp4", ".m4v", ".mkv", ".mov", ".webm", ".mpg", ".mpeg", ".ogv", ".wmv", ".mjpg"};
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path, const ImageLimits& limits) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    throw ImageSourceError(ImageFault::not_found, path.string(), "there is no such file",
+                           "Check the name and the folder.");
+  if (!std::filesystem::is_regular_file(status))
+    throw ImageSourceError(ImageFault::not_an_image, path.string(), "this is not a file",
+                           "Name a picture file.");
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > limits.max_bytes)
+    throw ImageSourceError(ImageFault::too_large, path.string(),
+                           "the file has " + std::to_string(size) +
+                             " bytes, more than the limit of " + std::to_string(limits.max_bytes),
+                           "Use a smaller picture or raise the limit.");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw ImageSourceError(ImageFault::unreadable, path.string(),
+                           std::string("the file cannot be opened (") + std::strerror(errno) + ")",
+                           "Check that you may read it.");
+  std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (file.bad() || static_cast<std::size_t>(file.gcount()) != bytes.size())
+    throw ImageSourceError(ImageFault::unreadable, path.string(), "reading the file failed",
+                           "Check the disk that it is on.");
+  return bytes;
+}
+
+void check_header(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes,
+                  const ImageLimits& limits) {
+  if (bytes.empty())
+    throw ImageSourceError(ImageFault::truncated, path.string(), "the file is empty",
+                           "Copy or save the picture again.");
+  const auto probe = probe_image(bytes);
+  if (!probe)
+    throw ImageSourceError(ImageFault::not_an_image, path.string(),
+                           "this is no picture in a format that is known here",
+                           "Convert it to PNG or JPEG; BMP, PNM, WebP and TIFF are known as well.");
+  if (probe->complete && (probe->width == 0 || probe->height == 0))
+    throw ImageSourceError(ImageFault::not_an_image, path.string(),
+                           "the picture has a width or height of zero", "Save it again.");
+  if (probe->height > 0 && probe->width > limits.max_pixels / probe->height)
+    throw ImageSourceError(ImageFault::too_large, path.string(),
+                           "the picture has " + std::to_string(probe->width) + " x " +
+                             std::to_string(probe->height) + " pixels, more than the limit of " +
+                             std::to_string(limits.max_pixels),
+                           "Scale it down or raise the limit.");
+  if (!probe->complete)
+    throw ImageSourceError(ImageFault::truncated, path.string(),
+                           "the picture is damaged or ends early", "Copy or save it again.");
+}
+
+} // namespace
+
+Image read_image(const std::filesystem::path& path, const ImageLimits& limits) {
+  const auto bytes = read_bytes(path, limits);
+  check_header(path, bytes, limits);
+  cv::Mat pixels;
+  try {
+    pixels = cv::imdecode(bytes, cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    pixels.release();
+  }
+  if (pixels.empty() || pixels.type() != CV_8UC3)
+    throw ImageSourceError(ImageFault::truncated, path.string(),
+                           "the picture is damaged and cannot be decoded",
+                           "Open it in a picture viewer and save it again, as PNG or JPEG.");
+  Image image;
+  image.width = static_cast<std::uint32_t>(pixels.cols);
+  image.height = static_cast<std::uint32_t>(pixels.rows);
+  image.channels = 3;
+  image.bytes.reserve(pixels.total() * 3);
+  for (int row = 0; row < pixels.rows; ++row)
+    image.bytes.insert(image.bytes.end(), pixels.ptr(row), pixels.ptr(row) + 3 * pixels.cols);
+  return image;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  if (image.width == 0 || image.height == 0 || (image.channels != 1 && image.channels != 3) ||
+      image.bytes.size() != std::size_t{image.width} * image.height * image.channels)
+    throw std::invalid_argument(
+      "write_png: the picture must have 1 or 3 channels and as many bytes "
+      "as its width, height and channels say");
+  const cv::Mat pixels(static_cast<int>(image.height), static_cast<int>(image.width),
+                       image.channels == 1 ? CV_8UC1 : CV_8UC3,
+                       const_cast<std::uint8_t*>(image.bytes.data()));
+  std::vector<std::uint8_t> bytes;
+  try {
+    cv::imencode(".png", pixels, bytes);
+  } catch (const cv::Exception& error) {
+    throw ImageSourceError(ImageFault::unwritable, path.string(),
+                           "the picture cannot be encoded (" + error.err + ")",
+                           "PNG allows for sides of up to 1000000 pixels.");
+  }
+  // Written beside and then renamed: nobody ever reads half a picture.
+  auto beside = path;
+  beside += ".part";
+  errno = 0;
+  std::ofstream file(beside, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  std::error_code error;
+  if (file)
+    std::filesystem::rename(beside, path, error);
+  if (!file || error) {
+    const std::string reason = error ? error.message() : std::strerror(errno);
+    std::filesystem::remove(beside, error);
+    throw ImageSourceError(
+      ImageFault::unwritable, path.string(), "the picture cannot be written (" + reason + ")",
+      "Check that its folder exists, that you may write there and that the disk "
+      "is not full.");
+  }
+}
+
+bool has_image_extension(const std::filesystem::path& path) {
+  const auto extension = lower_extension(path);
+  return std::find(image_extensions.begin(), image_extensions.end(), extension) !=
+         image_extensions.end();
+}
+
+bool has_video_extension(const std::filesystem::path& path) {
+  const auto extension = lower_extension(path);
+  return std::find(video_extensions.begin(), video_extensions.end(), extension) !=
+         video_extensions.end();
+}
+
+} // namespace castor::vision

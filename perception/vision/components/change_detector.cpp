@@ -1,0 +1,71 @@
+#include "castor/actors/registry.hpp"
+#include "castor/perception/vision/scene_watch.hpp"
+#include "castor/perception/vision/types.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <chrono>
+#include <string>
+
+namespace castor::vision {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Watches a camera and keeps one SceneChanged entry up to date.
+class ChangeDetector final : public UnmanagedComponent {
+  void start() override {
+    SceneChanged nothing_yet;
+    nothing_yet.camera = number_;
+    scene_ = add(nothing_yet);
+  }
+
+  void run() override {
+    SceneWatchOptions options;
+    options.pixel_threshold = threshold_;
+    options.changed_share = share_;
+    options.still_frames = still_frames_;
+    options.first_frame_counts = first_frame_;
+    SceneWatch watch{options};
+    do {
+      auto frame = pull<CameraFrame>(camera_);
+      if (auto changed = watch.observe(frame->image)) {
+        changed->camera = number_;
+        write(*changed);
+      }
+    } while (sleep_for(period_.get()));
+  }
+
+  /// Others overwrite the entry too, when they have seen to the change: the newest news counts.
+  void write(const SceneChanged& news) {
+    for (;;) {
+      read<SceneChanged>(scene_);
+      try {
+        overwrite(scene_, news);
+        return;
+      } catch (const ConsistencyException&) {
+        debug("somebody was faster; reading again");
+      }
+    }
+  }
+
+  Option<std::string> camera_{this, "camera", "camera", "the camera component to watch"};
+  Option<int> number_{this, "number", 0, "that camera's number"};
+  Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between looks"};
+  Option<int> threshold_{this, "threshold", SceneWatchOptions{}.pixel_threshold,
+                         "grey levels by which a changed pixel differs, of 255"};
+  Option<double> share_{this, "share", SceneWatchOptions{}.changed_share,
+                        "share of changed pixels in a changed picture"};
+  Option<int> still_frames_{this, "still-frames", SceneWatchOptions{}.still_frames,
+                            "pictures without change after which the scene is still"};
+  Option<bool> first_frame_{this, "first-frame", SceneWatchOptions{}.first_frame_counts,
+                            "whether the first picture counts as a change"};
+
+  Address scene_;
+};
+
+CASTOR_COMPONENT(ChangeDetector, "tells when the scene changes and when it has come to rest")
+
+} // namespace
+
+} // namespace castor::vision

@@ -1,0 +1,74 @@
+#include "castor/actors/registry.hpp"
+#include "castor/perception/vision/recognition/regions.hpp"
+#include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/types.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <string>
+#include <utility>
+
+namespace castor::vision {
+
+namespace {
+
+/// Names the colour, shape and size of scene objects by the features of their regions.
+class Recogniser final : public ManagedComponent {
+  void start() override {
+    on_change(overwritten<ROI>(), [this](const ChangeEvent& event) {
+      propose_task("recognise an object", [this, address = event.address] { recognise(address); });
+    });
+  }
+
+  void recognise(const Address& address) {
+    try {
+      auto roi = read<ROI>(address);
+      if (!roi->has_features)
+        return;
+      // Others refine the object too, and what they wrote meanwhile must not be lost.
+      while (!name(here(roi->object_id), roi->features))
+        debug("{} was changed meanwhile; once more", roi->object_id);
+    } catch (const DoesNotExistOnWM&) {
+      debug("{} is gone before it was recognised", address.id);
+    }
+  }
+
+  /// False if somebody else wrote the object at the same time.
+  bool name(const Address& address, const RegionFeatures& features) {
+    auto before = read<SceneObject>(address);
+    auto after = *before;
+    after.color = best_of(features.colours);
+    after.shape = best_of(features.shapes);
+    SizeOptions size;
+    size.large_from = large_from_;
+    after.size = best_of(judge_size(features.extent, size));
+    after.label = {after.color.value + ' ' + after.shape.value,
+                   after.color.confidence * after.shape.confidence};
+    if (features.extent != ObjectBox{}) {
+      after.box = features.extent;
+      after.pose.position = features.extent.centroid;
+    }
+    SceneObjectUpdate update;
+    update.object_id = address.id;
+    update.color = after.color != before->color;
+    update.shape = after.shape != before->shape;
+    update.size = after.size != before->size;
+    update.label = after.label != before->label;
+    update.position = after.pose != before->pose;
+    try {
+      overwrite(address, std::move(after));
+    } catch (const ConsistencyException&) {
+      return false;
+    }
+    add(std::move(update));
+    return true;
+  }
+
+  Option<double> large_from_{this, "large-from", SizeOptions{}.large_from,
+                             "longest side of a thing from which on it is called large, metres"};
+};
+
+CASTOR_COMPONENT(Recogniser, "names the colour, shape and size of scene objects")
+
+} // namespace
+
+} // namespace castor::vision

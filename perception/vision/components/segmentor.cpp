@@ -1,0 +1,196 @@
+#include "castor/actors/registry.hpp"
+#include "castor/perception/vision/segmentation/background_model.hpp"
+#include "castor/perception/vision/camera/image_source.hpp"
+#include "castor/perception/vision/segmentation/region_matching.hpp"
+#include "castor/perception/vision/recognition/regions.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/types.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::vision {
+
+namespace {
+
+/// Cuts a still scene into regions of interest, and keeps one SceneObject behind each.
+class Segmentor final : public ManagedComponent {
+  void configure() override {
+    segmentation_.min_area = min_area_;
+    segmentation_.max_area = max_area_;
+    segmentation_.working_side = working_side_;
+    segmentation_.max_border = max_border_;
+    if (!background_->empty())
+      learn_background();
+  }
+
+  void start() override {
+    on_change(overwritten<SceneChanged>(), [this](const ChangeEvent& event) {
+      auto scene = *read<SceneChanged>(event.address);
+      if (scene.camera != number_ || !scene.changed || scene.processed)
+        return;
+      // Only the latest still scene is worth the effort.
+      retract_task(task_);
+      task_ = propose_task("segment the scene", [this, address = event.address] { look(address); });
+    });
+  }
+
+  void learn_background() {
+    ImageSourceOptions options;
+    options.at_end = ImageSourceOptions::AtEnd::hold_last;
+    auto source = open_image_source(background_, options);
+    background_model_.emplace();
+    for (int i = 0; i < background_images_; ++i)
+      background_model_->learn(source->next().image);
+    info("learned the background from {} pictures of {}", background_model_->images(),
+         source->description());
+  }
+
+  void look(const Address& scene) {
+    auto frame = pull<CameraFrame>(camera_);
+    auto segments =
+      segment(frame->image, segmentation_, background_model_ ? &*background_model_ : nullptr);
+    std::vector<ROI> fresh;
+    std::vector<ImageBox> fresh_boxes;
+    for (auto& x : segments) {
+      auto& roi = fresh.emplace_back(make_roi(frame->image, x));
+      roi.camera = number_;
+      roi.time = frame->time;
+      fresh_boxes.push_back(roi.box);
+    }
+    auto known = read_all<ROI>();
+    std::erase_if(known, [this](auto& x) { return x->camera != number_; });
+    std::vector<ImageBox> known_boxes;
+    for (auto& x : known)
+      known_boxes.push_back(x->box);
+    auto matches = match_boxes(fresh_boxes, known_boxes, same_overlap_);
+    // Removed before new ones are added: working memory stays small.
+    std::vector<bool> seen(known.size());
+    for (auto& match : matches)
+      if (match)
+        seen[*match] = true;
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (!seen[i])
+        remove(known[i]);
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      if (!matches[i])
+        add_object(std::move(fresh[i]), frame->camera);
+      else
+        update(known[*matches[i]], std::move(fresh[i]), frame->camera);
+    }
+    info("{} regions in the scene", fresh.size());
+    mark_processed(scene);
+  }
+
+  void remove(const EntryOf<ROI>& roi) {
+    auto object = here(roi->object_id);
+    try {
+      if (read<SceneObject>(object)->managing_process != component_name())
+        return; // somebody else, such as a tracker, has taken it over
+      delete_entry(object);
+    } catch (const DoesNotExistOnWM&) {
+      debug("the object of {} is gone already", roi.address.id);
+    }
+    delete_entry(roi.address);
+  }
+
+  std::optional<ObjectBox> place(const ROI& roi, const vision::Camera& camera) const {
+    return extent_on_table(camera, roi.contour, false);
+  }
+
+  void add_object(ROI roi, const vision::Camera& camera) {
+    auto roi_id = new_id();
+    auto object_id = new_id();
+    SceneObject object;
+    object.time = roi.time;
+    object.roi_ids = {roi_id};
+    object.managing_process = component_name();
+    if (auto box = place(roi, camera)) {
+      object.box = *box;
+      object.pose.position = box->centroid;
+    }
+    add(here(object_id), std::move(object));
+    SceneObjectUpdate update;
+    update.object_id = object_id;
+    update.position = true;
+    add(std::move(update));
+    roi.object_id = object_id;
+    add(here(roi_id), std::move(roi));
+  }
+
+  /// A region that is still where it was and looks as it did is left alone, with all that is known of
+  /// it; any other is replaced by its new view.
+  void update(const EntryOf<ROI>& known, ROI fresh, const vision::Camera& camera) {
+    if (overlap(known->box, fresh.box) > unchanged_overlap_ &&
+        colour_distance(*known, fresh) < unchanged_colour_)
+      return;
+    fresh.object_id = known->object_id;
+    try {
+      auto object = *read<SceneObject>(here(fresh.object_id));
+      object.time = fresh.time;
+      if (auto box = place(fresh, camera)) {
+        object.box = *box;
+        object.pose.position = box->centroid;
+      }
+      overwrite(here(fresh.object_id), std::move(object));
+      SceneObjectUpdate update;
+      update.object_id = fresh.object_id;
+      update.position = true;
+      add(std::move(update));
+      read<ROI>(known.address);
+      overwrite(known.address, std::move(fresh));
+    } catch (const ConsistencyException& e) {
+      // Somebody refines the old view; the next change of the scene comes back to it.
+      debug("{}", e.what());
+    }
+  }
+
+  void mark_processed(const Address& address) {
+    auto scene = *read<SceneChanged>(address);
+    if (!scene.changed)
+      return; // it is moving again
+    scene.processed = true;
+    try {
+      overwrite(address, scene);
+    } catch (const ConsistencyException&) {
+      debug("the scene has changed meanwhile");
+    }
+  }
+
+  Option<std::string> camera_{this, "camera", "camera", "the camera component to pull from"};
+  Option<int> number_{this, "number", 0, "that camera's number"};
+  Option<std::string> background_{this, "background", "",
+                                  "pictures of the empty scene (folder or video), if there are any"};
+  Option<int> background_images_{this, "background-images", 30,
+                                 "how many of them to learn from"};
+  Option<double> min_area_{this, "min-area", SegmentationOptions{}.min_area,
+                           "smallest region kept, as a share of the picture"};
+  Option<double> max_area_{this, "max-area", SegmentationOptions{}.max_area,
+                           "largest region kept, as a share of the picture"};
+  Option<double> max_border_{this, "max-border", SegmentationOptions{}.max_border,
+                             "regions with a larger share of their outline on the picture's border "
+                             "are dropped; 1 keeps all"};
+  Option<int> working_side_{this, "working-side", SegmentationOptions{}.working_side,
+                            "larger pictures are shrunk to this length for segmentation, pixels"};
+  Option<double> same_overlap_{this, "same-overlap", 0.5,
+                               "regions that overlap more than this show the same object"};
+  Option<double> unchanged_overlap_{this, "unchanged-overlap", 0.85,
+                                    "and above this it has not moved"};
+  Option<double> unchanged_colour_{this, "unchanged-colour", 12,
+                                   "nor changed, if its mean colour differs by fewer grey levels"};
+
+  SegmentationOptions segmentation_;
+  std::optional<BackgroundModel> background_model_;
+  TaskId task_;
+};
+
+CASTOR_COMPONENT(Segmentor, "cuts a still scene into regions of interest and scene objects")
+
+} // namespace
+
+} // namespace castor::vision

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <stdexcept>
+
+#include <opencv2/core.hpp>
+
+#include "castor/perception/vision/segmentation/grid.hpp"
+#include "castor/perception/vision/types.hpp"
+
+/// Views of our images as OpenCV matrices, without copying. For source files only: no public header
+/// includes OpenCV.
+namespace castor::vision {
+
+/// A matrix over the image's own bytes; valid as long as the image and its bytes stay where they
+/// are.
+/// \throws std::invalid_argument unless there are 1 or 3 channels, and as many bytes as announced.
+inline cv::Mat as_mat(Image& image) {
+  const auto expected = static_cast<std::size_t>(image.width) * image.height * image.channels;
+  if ((image.channels != 1 && image.channels != 3) || image.bytes.size() != expected)
+    throw std::invalid_argument("an image needs 1 or 3 channels and width * height * channels "
+                                "bytes");
+  return {static_cast<int>(image.height), static_cast<int>(image.width),
+          image.channels == 3 ? CV_8UC3 : CV_8UC1, image.bytes.data()};
+}
+
+/// As above, to read from only.
+inline const cv::Mat as_mat(const Image& image) {
+  return as_mat(const_cast<Image&>(image)); // cv::Mat knows no constant pixels
+}
+
+inline cv::Mat as_mat(Grid<float>& grid) {
+  return {grid.height(), grid.width(), CV_32F, grid.data()};
+}
+
+inline cv::Mat as_mat(Grid<Colour>& grid) {
+  return {grid.height(), grid.width(), CV_32FC3, grid.data()};
+}
+
+/// An image of the matrix's pixels: 8 bits, 1 or 3 channels.
+inline Image to_image(const cv::Mat& mat) {
+  Image image{static_cast<std::uint32_t>(mat.cols),
+              static_cast<std::uint32_t>(mat.rows),
+              static_cast<std::uint32_t>(mat.channels()),
+              {}};
+  image.bytes.resize(mat.total() * mat.elemSize());
+  mat.copyTo(as_mat(image));
+  return image;
+}
+
+} // namespace castor::vision

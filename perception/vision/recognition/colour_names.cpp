@@ -1,0 +1,214 @@
+#include "castor/perception/vision/recognition/colour_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "castor/perception/vision/opencv_bridge.hpp"
+
+namespace castor::vision {
+
+namespace {
+
+constexpr int hues = 24;
+constexpr int saturations = 6;
+constexpr int values = 6;
+constexpr std::size_t names = 12;
+
+using Shares = std::array<double, names>;
+
+/// Percentages, by hue, saturation, value and name.
+constexpr std::array<std::uint8_t, hues * saturations * values * names> table{
+#include "castor/perception/vision/recognition/colour_table.inc"
+};
+
+/// The grid's nodes below and above a coordinate, and how much the latter counts.
+struct Between {
+  int below;
+  int above;
+  double weight;
+};
+
+/// \param position in [0, 1].
+Between between(double position, int nodes) {
+  const double scaled = std::clamp(position, 0.0, 1.0) * (nodes - 1);
+  const int below = std::min(static_cast<int>(scaled), nodes - 2);
+  return {below, below + 1, scaled - below};
+}
+
+Between between_hues(double sixths) {
+  const double scaled = sixths / 6 * hues;
+  const int below = static_cast<int>(scaled) % hues;
+  return {below, (below + 1) % hues, scaled - std::floor(scaled)};
+}
+
+/// In sixths of the circle from red over green to blue.
+double hue_of(double b, double g, double r, double value, double range) {
+  if (range <= 0)
+    return 0;
+  if (value == r)
+    return std::fmod((g - b) / range + 6, 6);
+  if (value == g)
+    return (b - r) / range + 2;
+  return (r - g) / range + 4;
+}
+
+void add_node(Shares& shares, int hue, int saturation, int value, double weight) {
+  const auto node = static_cast<std::size_t>((hue * saturations + saturation) * values + value);
+  for (std::size_t name = 0; name < names; ++name)
+    shares[name] += weight * table[node * names + name];
+}
+
+/// Trilinear interpolation in the table; sums to about 100.
+Shares shares_of(double b, double g, double r) {
+  const double value = std::max({b, g, r});
+  const double range = value - std::min({b, g, r});
+  const Between h = between_hues(hue_of(b, g, r, value, range));
+  const Between s = between(value > 0 ? range / value : 0, saturations);
+  const Between v = between(value, values);
+  Shares shares{};
+  for (const auto& [hue, hue_weight] : {std::pair(h.below, 1 - h.weight), {h.above, h.weight}}) {
+    for (const auto& [sat, sat_weight] : {std::pair(s.below, 1 - s.weight), {s.above, s.weight}}) {
+      add_node(shares, hue, sat, v.below, hue_weight * sat_weight * (1 - v.weight));
+      add_node(shares, hue, sat, v.above, hue_weight * sat_weight * v.weight);
+    }
+  }
+  return shares;
+}
+
+/// \pre `values` is not empty.
+double quantile(std::vector<double>& numbers, double share) {
+  const auto last = static_cast<double>(numbers.size() - 1);
+  const auto place = numbers.begin() + std::lround(share * last);
+  std::nth_element(numbers.begin(), place, numbers.end());
+  return *place;
+}
+
+double brightness(const cv::Vec3b& pixel) {
+  return std::max({pixel[0], pixel[1], pixel[2]}) / 255.0;
+}
+
+/// How bright white would be in this light.
+double white_brightness(const cv::Mat_<cv::Vec3b>& pixels, const cv::Mat_<std::uint8_t>& mask,
+                        const ColourOptions& options) {
+  std::vector<double> ground;
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      if (mask(y, x) == 0)
+        ground.push_back(brightness(pixels(y, x)));
+    }
+  }
+  if (ground.empty())
+    return 1;
+  const double level = quantile(ground, 0.5);
+  if (level < options.darkest_ground)
+    return 1;
+  return std::clamp(level / options.ground_brightness, options.min_light, 1.0);
+}
+
+/// The light that the paint itself sends back, in [0, 1] of white; gamma encoded before and after.
+cv::Vec3d paint(const cv::Vec3b& pixel, double white, const ColourOptions& options) {
+  constexpr double gamma = 2.2;
+  cv::Vec3d light;
+  for (int c = 0; c < 3; ++c)
+    light[c] = std::pow(pixel[c] / (255 * white), gamma);
+  const double least = std::min({light[0], light[1], light[2]});
+  const double gloss = std::min(options.gloss, options.max_gloss * least);
+  for (int c = 0; c < 3; ++c)
+    light[c] = std::pow(std::min((light[c] - gloss) / (1 - gloss), 1.0), 1 / gamma);
+  return light;
+}
+
+/// The mask without its rim, unless nothing would remain.
+cv::Mat_<std::uint8_t> inner(const cv::Mat_<std::uint8_t>& mask, int rim) {
+  cv::Mat_<std::uint8_t> framed;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::Mat distance;
+  cv::distanceTransform(framed, distance, cv::DIST_L2, 3);
+  double deepest = 0;
+  cv::minMaxLoc(distance, nullptr, &deepest);
+  const double depth = std::min(static_cast<double>(rim), deepest / 2);
+  const cv::Rect whole(1, 1, mask.cols, mask.rows);
+  cv::Mat_<std::uint8_t> result;
+  cv::compare(distance(whole), depth, result, cv::CMP_GT);
+  return result;
+}
+
+} // namespace
+
+const std::vector<std::string>& colour_vocabulary() {
+  static const std::vector<std::string> vocabulary{"red",   "orange", "yellow", "green",
+                                                   "cyan",  "blue",   "purple", "pink",
+                                                   "brown", "grey",   "black",  "white"};
+  return vocabulary;
+}
+
+std::vector<double> colour_shares(const std::vector<double>& bgr) {
+  if (bgr.size() != 3)
+    throw std::invalid_argument("colour_shares: a colour is blue, green and red");
+  const Shares shares = shares_of(bgr[0], bgr[1], bgr[2]);
+  double sum = 0;
+  for (const double share : shares)
+    sum += share;
+  std::vector<double> result(shares.begin(), shares.end());
+  for (double& share : result)
+    share /= sum;
+  return result;
+}
+
+std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
+                                    const ColourOptions& options) {
+  if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
+    throw std::invalid_argument("name_colour: the mask must have 1 channel and the region's size");
+  cv::Mat_<cv::Vec3b> pixels;
+  if (region.channels == 1)
+    cv::cvtColor(as_mat(region), pixels, cv::COLOR_GRAY2BGR);
+  else
+    pixels = as_mat(region);
+  const cv::Mat_<std::uint8_t> belongs = as_mat(mask);
+  if (pixels.empty() || cv::countNonZero(belongs) == 0)
+    return {};
+  const cv::Mat_<std::uint8_t> counts = inner(belongs, options.rim);
+  std::vector<cv::Vec3b> surface;
+  std::vector<double> levels;
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      if (counts(y, x) != 0) {
+        surface.push_back(pixels(y, x));
+        levels.push_back(brightness(pixels(y, x)));
+      }
+    }
+  }
+  const double darkest = quantile(levels, options.darkest);
+  const double brightest = quantile(levels, options.brightest);
+  const double white = white_brightness(pixels, belongs, options);
+  Shares votes{};
+  for (const auto& pixel : surface) {
+    const double level = brightness(pixel);
+    if (level < darkest || level > brightest)
+      continue;
+    const cv::Vec3d colour = paint(pixel, white, options);
+    const Shares shares = shares_of(colour[0], colour[1], colour[2]);
+    for (std::size_t name = 0; name < names; ++name)
+      votes[name] += shares[name];
+  }
+  double sum = 0;
+  for (const double vote : votes)
+    sum += vote;
+  std::vector<Hypothesis> result;
+  for (std::size_t name = 0; name < names; ++name) {
+    if (votes[name] > 0)
+      result.push_back({colour_vocabulary()[name], votes[name] / sum});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) {
+    return a.confidence > b.confidence;
+  });
+  return result;
+}
+
+} // namespace castor::vision

@@ -1,0 +1,71 @@
+#include "castor/perception/vision/recognition/regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/shape_evidence.hpp"
+
+namespace castor::vision {
+
+ROI make_roi(const Image& image, const Segment& segment) {
+  const auto left = [](double centre, double length) {
+    return static_cast<int>(std::lround(centre - (length - 1) / 2));
+  };
+  const cv::Rect box(left(segment.box.center.x, segment.box.width),
+                     left(segment.box.center.y, segment.box.height),
+                     static_cast<int>(std::lround(segment.box.width)),
+                     static_cast<int>(std::lround(segment.box.height)));
+  const cv::Mat pixels = as_mat(image);
+  if ((box & cv::Rect(0, 0, pixels.cols, pixels.rows)) != box)
+    throw std::invalid_argument("make_roi: the segment's box is not within the image");
+  ROI roi;
+  roi.box = segment.box;
+  roi.region = to_image(pixels(box));
+  roi.mask = segment.mask;
+  roi.contour = segment.contour;
+  return roi;
+}
+
+RegionFeatures measure_region(const ROI& roi, const Camera* camera, const RegionOptions& options,
+                              const ShapeNetwork& network) {
+  RegionFeatures features;
+  features.colours = name_colour(roi.region, roi.mask, options.colour);
+  features.shape_evidence = measure_shape(roi.region, roi.mask);
+  features.shapes = classify_shape(features.shape_evidence, options.shape, network);
+  if (camera != nullptr) {
+    const bool flat = is_flat_shape(best_of(features.shapes).value);
+    features.extent = extent_on_table(*camera, roi.contour, flat).value_or(ObjectBox{});
+  }
+  return features;
+}
+
+Hypothesis best_of(std::span<const Hypothesis> ranked) {
+  return ranked.empty() ? Hypothesis{} : ranked.front();
+}
+
+bool is_flat_shape(const std::string& shape) {
+  constexpr std::array flat{"square", "rectangle", "triangle", "circle"};
+  return std::find(flat.begin(), flat.end(), shape) != flat.end();
+}
+
+std::vector<Region> find_regions(const Image& image, const Camera* camera,
+                                 const RegionOptions& options, const BackgroundModel* background,
+                                 const ShapeNetwork& network) {
+  std::vector<Region> regions;
+  for (const auto& found : segment(image, options.segmentation, background)) {
+    Region region;
+    region.roi = make_roi(image, found);
+    region.roi.features = measure_region(region.roi, camera, options, network);
+    region.roi.has_features = true;
+    region.colour = best_of(region.roi.features.colours);
+    region.shape = best_of(region.roi.features.shapes);
+    region.size = best_of(judge_size(region.roi.features.extent, options.size));
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+} // namespace castor::vision

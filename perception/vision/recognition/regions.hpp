@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "castor/perception/vision/segmentation/background_model.hpp"
+#include "castor/perception/vision/recognition/colour_names.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/recognition/shape_classifier.hpp"
+#include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/types.hpp"
+
+namespace castor::vision {
+
+/// The options of every step from an image to what is in it.
+struct RegionOptions {
+  SegmentationOptions segmentation;
+  ColourOptions colour;
+  ShapeOptions shape;
+  SizeOptions size;
+};
+
+/// A region of interest that shows `segment` of `image`; without features yet.
+/// \throws std::invalid_argument if the segment's box is not within the image.
+ROI make_roi(const Image& image, const Segment& segment);
+
+/// The evidence in a region, for a feature extractor. The extent is all zero without a camera, or
+/// if the region is not seen on the table.
+RegionFeatures measure_region(const ROI& roi, const Camera* camera = nullptr,
+                              const RegionOptions& options = {},
+                              const ShapeNetwork& network = trained_shape_network());
+
+/// The best of ranked hypotheses; "unknown" with confidence 0 if there are none.
+Hypothesis best_of(std::span<const Hypothesis> ranked);
+
+/// Whether a shape of this name lies flat on the table.
+bool is_flat_shape(const std::string& shape);
+
+/// A region with what is believed of it.
+struct Region {
+  ROI roi;
+  Hypothesis colour;
+  Hypothesis shape;
+  /// "unknown" without a camera.
+  Hypothesis size;
+};
+
+/// All steps in one: segments `image`, measures the regions and decides what they are.
+/// \throws std::invalid_argument as segment() does.
+std::vector<Region> find_regions(const Image& image, const Camera* camera = nullptr,
+                                 const RegionOptions& options = {},
+                                 const BackgroundModel* background = nullptr,
+                                 const ShapeNetwork& network = trained_shape_network());
+
+} // namespace castor::vision

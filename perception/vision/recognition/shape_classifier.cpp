@@ -1,0 +1,105 @@
+#include "castor/perception/vision/recognition/shape_classifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "castor/perception/vision/recognition/shape_evidence.hpp"
+
+namespace castor::vision {
+
+namespace {
+
+constexpr int trained_hidden = 24;
+
+} // namespace
+
+const std::vector<std::string>& shape_vocabulary() {
+  static const std::vector<std::string> vocabulary{"cube",      "cylinder", "sphere", "square",
+                                                   "rectangle", "triangle", "circle"};
+  return vocabulary;
+}
+
+std::size_t ShapeNetwork::size() const {
+  return static_cast<std::size_t>(hidden * (inputs + 1) + outputs * (hidden + 1));
+}
+
+const ShapeNetwork& trained_shape_network() {
+  static const ShapeNetwork network{static_cast<int>(shape_measurements().size()),
+                                    trained_hidden,
+                                    static_cast<int>(shape_vocabulary().size()),
+                                    {
+#include "castor/perception/vision/recognition/shape_table.inc"
+                                    }};
+  return network;
+}
+
+std::vector<double> hidden_values(const ShapeNetwork& network, std::span<const double> evidence) {
+  std::vector<double> values;
+  auto weight = network.weights.begin();
+  for (int unit = 0; unit < network.hidden; ++unit) {
+    double sum = *weight++;
+    for (const double number : evidence)
+      sum += number * *weight++;
+    values.push_back(std::tanh(sum));
+  }
+  return values;
+}
+
+std::vector<double> output_values(const ShapeNetwork& network, std::span<const double> hidden) {
+  std::vector<double> values;
+  auto weight = network.weights.begin() + network.hidden * (network.inputs + 1);
+  for (int output = 0; output < network.outputs; ++output) {
+    double sum = *weight++;
+    for (const double number : hidden)
+      sum += number * *weight++;
+    values.push_back(sum);
+  }
+  const double largest = *std::max_element(values.begin(), values.end());
+  double total = 0;
+  for (double& value : values) {
+    value = std::exp(value - largest);
+    total += value;
+  }
+  for (double& value : values)
+    value /= total;
+  return values;
+}
+
+std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
+                                       const ShapeOptions& options, const ShapeNetwork& network) {
+  if (evidence.empty())
+    return {{"unknown", 1}};
+  if (evidence.size() != static_cast<std::size_t>(network.inputs) ||
+      network.weights.size() != network.size())
+    throw std::invalid_argument("classify_shape: the evidence does not fit the network");
+  const auto shares = output_values(network, hidden_values(network, evidence));
+  std::vector<Hypothesis> result;
+  double total = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const auto& name = shape_vocabulary()[i];
+    const auto& candidates = options.candidates;
+    if (!candidates.empty() &&
+        std::find(candidates.begin(), candidates.end(), name) == candidates.end())
+      continue;
+    result.push_back({name, shares[i]});
+    total += shares[i];
+  }
+  if (result.empty())
+    throw std::invalid_argument("classify_shape: no candidate is of the vocabulary");
+  for (auto& hypothesis : result)
+    hypothesis.confidence /= total;
+  std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) {
+    return a.confidence > b.confidence;
+  });
+  const double best = result.front().confidence;
+  if (best < options.min_confidence) {
+    // What is missing to certainty is more than what speaks for any shape.
+    for (auto& hypothesis : result)
+      hypothesis.confidence *= best;
+    result.insert(result.begin(), {"unknown", 1 - best});
+  }
+  return result;
+}
+
+} // namespace castor::vision

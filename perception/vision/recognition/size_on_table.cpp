@@ -1,0 +1,102 @@
+#include "castor/perception/vision/recognition/size_on_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+
+namespace castor::vision {
+
+using namespace vectors;
+
+namespace {
+
+std::optional<ObjectBox> flat_extent(const Camera& camera, std::span<const Point2> contour) {
+  std::optional<ObjectBox> box;
+  Point3 low;
+  Point3 high;
+  for (const auto& pixel : contour) {
+    const auto point = back_project(camera, pixel);
+    if (!point)
+      return std::nullopt;
+    if (!box) {
+      low = high = *point;
+      box.emplace();
+    }
+    low = {std::min(low.x, point->x), std::min(low.y, point->y), 0};
+    high = {std::max(high.x, point->x), std::max(high.y, point->y), 0};
+  }
+  if (box)
+    *box = {0.5 * (low + high), high - low};
+  return box;
+}
+
+/// Where the ray meets the upright plane through `point` with the level normal `normal`.
+std::optional<Point3> meet(const Ray& ray, const Point3& point, const Point3& normal) {
+  const double advance = dot(ray.direction, normal);
+  if (advance <= 0)
+    return std::nullopt;
+  return ray.origin + (dot(point - ray.origin, normal) / advance) * ray.direction;
+}
+
+std::optional<ObjectBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
+  const auto by_x = [](const Point2& a, const Point2& b) { return a.x < b.x; };
+  const auto by_y = [](const Point2& a, const Point2& b) { return a.y < b.y; };
+  const auto [left, right] = std::minmax_element(contour.begin(), contour.end(), by_x);
+  const auto [top, bottom] = std::minmax_element(contour.begin(), contour.end(), by_y);
+  const double middle = (left->x + right->x) / 2;
+  // Contours run through pixel centres; the region reaches half a pixel further.
+  const auto foot = back_project(camera, {middle, bottom->y + 0.5});
+  const auto top_ray = viewing_ray(camera, {middle, top->y - 0.5});
+  const auto left_ray = viewing_ray(camera, {left->x - 0.5, left->y});
+  const auto right_ray = viewing_ray(camera, {right->x + 0.5, right->y});
+  if (!foot || !top_ray || !left_ray || !right_ray)
+    return std::nullopt;
+  const Point3 away{foot->x - camera.pose.position.x, foot->y - camera.pose.position.y, 0};
+  if (norm(away) <= 0)
+    return std::nullopt;
+  const Point3 direction = normalized(away);
+  // The widest part is half its width behind the foot; each round is nearer to what that means.
+  constexpr int rounds = 4;
+  double width = 0;
+  Point3 centre = *foot;
+  for (int round = 0; round < rounds; ++round) {
+    const auto left_end = meet(*left_ray, centre, direction);
+    const auto right_end = meet(*right_ray, centre, direction);
+    if (!left_end || !right_end)
+      return std::nullopt;
+    width = std::hypot(right_end->x - left_end->x, right_end->y - left_end->y);
+    centre = *foot + (width / 2) * direction;
+  }
+  // The upper end of the outline is somewhere between the axis of the solid and its far side.
+  const auto top_end = meet(*top_ray, centre + (width / 4) * direction, direction);
+  const double height = top_end ? std::max(0.0, top_end->z) : 0;
+  return ObjectBox{{centre.x, centre.y, height / 2}, {width, width, height}};
+}
+
+} // namespace
+
+std::optional<ObjectBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
+                                         bool flat) {
+  if (contour.empty())
+    return std::nullopt;
+  return flat ? flat_extent(camera, contour) : solid_extent(camera, contour);
+}
+
+std::vector<Hypothesis> judge_size(const ObjectBox& extent, const SizeOptions& options) {
+  const double longest = std::max({extent.size.x, extent.size.y, extent.size.z});
+  if (longest <= 0)
+    return {};
+  // A logistic function of the logarithm, scaled so that it is 0.9 at the sure factor.
+  const double scaled =
+    std::log(9.0) * std::log(longest / options.large_from) / std::log(options.sure_factor);
+  const double large = 1 / (1 + std::exp(-scaled));
+  std::vector<Hypothesis> result{{"large", large}, {"small", 1 - large}};
+  if (large < 0.5)
+    std::swap(result[0], result[1]);
+  return result;
+}
+
+} // namespace castor::vision

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "castor/perception/vision/types.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace castor::vision {
+
+struct SceneWatchOptions {
+  /// A pixel has changed if its grey level differs by more than this from the last frame; of 255.
+  int pixel_threshold = 20;
+  /// A frame has changed if more than this share of its pixels have.
+  double changed_share = 0.003;
+  /// So many frames without change make the scene still again.
+  int still_frames = 3;
+  /// Whether the first frame counts as a change: nothing was there, and now something is.
+  bool first_frame_counts = true;
+};
+
+/// Notices that a scene changes and comes to rest again, from the differences between frames. The rule
+/// and its numbers are those of the original system's change detector.
+class SceneWatch {
+public:
+  explicit SceneWatch(SceneWatchOptions options = {}) : options_(options) {}
+
+  /// What is to be said of the scene after this frame: that it is changing, or once that it has changed
+  /// and is still. Nothing while nothing happens. A frame of another size is a changed one.
+  std::optional<SceneChanged> observe(const Image& frame);
+
+private:
+  bool differs(const std::vector<std::uint8_t>& grey) const;
+
+  SceneWatchOptions options_;
+  std::vector<std::uint8_t> last_;
+  bool something_happened_ = false;
+  int countdown_ = 0;
+};
+
+} // namespace castor::vision

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "castor/perception/vision/segmentation/area_graph.hpp"
+#include "castor/perception/vision/segmentation/background_model.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+
+namespace castor::vision {
+
+/// Joins areas across weak boundaries, the weakest first.
+void join_weak(AreaGraph& graph, double max_contrast);
+
+/// Joins all that is ground into one area and sets it as the graph's ground.
+void join_ground(AreaGraph& graph, const SegmentationOptions& options);
+
+/// Likewise, where the ground is known: areas most of whose pixels are 0 in `foreground`.
+void join_ground(AreaGraph& graph, const Grid<std::uint8_t>& foreground);
+
+/// Joins areas to objects and shadows to the ground; the graph must know the ground and its
+/// colours.
+void group(AreaGraph& graph, const SegmentationOptions& options);
+
+} // namespace castor::vision

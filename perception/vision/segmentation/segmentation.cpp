@@ -1,0 +1,129 @@
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "castor/perception/vision/segmentation/area_graph.hpp"
+#include "castor/perception/vision/segmentation/ground_colour.hpp"
+#include "castor/perception/vision/segmentation/grouping.hpp"
+#include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/segmentation/surface.hpp"
+#include "castor/perception/vision/segmentation/watershed.hpp"
+#include "castor/perception/vision/segmentation/working_picture.hpp"
+
+namespace castor::vision {
+
+namespace {
+
+/// Contrasts are flooded in steps of this share of the flat contrast.
+constexpr float flood_step = 0.5F;
+
+Grid<std::uint8_t> shrink(Grid<std::uint8_t>& mask, int width, int height) {
+  const cv::Mat source(mask.height(), mask.width(), CV_8U, mask.data());
+  Grid<std::uint8_t> result(width, height);
+  cv::Mat target(height, width, CV_8U, result.data());
+  cv::resize(source, target, target.size(), 0, 0, cv::INTER_NEAREST);
+  return result;
+}
+
+/// What the ground looks like at every pixel: what is seen of it, continued below the rest.
+void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
+  Grid<std::uint8_t> known(picture.colour.width(), picture.colour.height());
+  for (const int cell : graph.area(graph.ground()).cells)
+    known[cell] = 1;
+  Grid<Colour> ground = interpolate(picture.colour, known);
+  Grid<Colour> lab(ground.width(), ground.height());
+  cv::Mat lab_mat = as_mat(lab);
+  cv::cvtColor(as_mat(ground), lab_mat, cv::COLOR_BGR2Lab);
+  graph.set_ground_colours(ground, lab);
+}
+
+bool is_object(const Area& area, double image_pixels, bool ground_is_known,
+               const SegmentationOptions& options) {
+  const double share = area.pixels() / image_pixels;
+  if (share < options.min_area || (!ground_is_known && share > options.max_area))
+    return false;
+  // Pixels on the border of the image, against all pixel pairs along the outline.
+  if (area.border > options.max_border * (area.boundary() + area.border))
+    return false;
+  return ground_is_known || ground_difference(area) >= options.ground_difference;
+}
+
+/// The mask of `area` in image pixels, cut to its box, and the outline.
+std::optional<Segment> make_segment(const Area& area, const WorkingPicture& picture,
+                                    const Image& image) {
+  const int width = picture.colour.width();
+  std::vector<cv::Point> points;
+  points.reserve(area.cells.size());
+  for (const int cell : area.cells)
+    points.emplace_back(cell % width, cell / width);
+  cv::Rect box = cv::boundingRect(points);
+  cv::Mat_<std::uint8_t> mask(box.size(), std::uint8_t{0});
+  for (const auto& point : points)
+    mask(point - box.tl()) = 255;
+  if (picture.scale < 1) {
+    const auto scaled = [&](int value) {
+      return static_cast<int>(std::lround(value / picture.scale));
+    };
+    const cv::Point corner(scaled(box.x), scaled(box.y));
+    const cv::Point end(std::min(scaled(box.br().x), static_cast<int>(image.width)),
+                        std::min(scaled(box.br().y), static_cast<int>(image.height)));
+    box = cv::Rect(corner, end);
+    cv::Mat enlarged;
+    cv::resize(mask, enlarged, box.size(), 0, 0, cv::INTER_LINEAR);
+    cv::threshold(enlarged, mask, 127, 255, cv::THRESH_BINARY);
+  }
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE, box.tl());
+  if (contours.empty())
+    return std::nullopt;
+  const auto longest =
+    std::max_element(contours.begin(), contours.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  Segment segment;
+  segment.box = {{box.x + (box.width - 1) / 2.0, box.y + (box.height - 1) / 2.0},
+                 static_cast<double>(box.width),
+                 static_cast<double>(box.height)};
+  segment.mask = to_image(mask);
+  for (const auto& point : *longest)
+    segment.contour.push_back({static_cast<double>(point.x), static_cast<double>(point.y)});
+  return segment;
+}
+
+} // namespace
+
+std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
+                             const BackgroundModel* background) {
+  const WorkingPicture picture = make_working_picture(image, options);
+  const float flat = picture.flat_contrast;
+  AreaGraph graph(watershed(picture.contrast, flat, flood_step * flat), picture);
+  join_weak(graph, options.edge_factor * static_cast<double>(flat));
+  if (background != nullptr) {
+    Grid<std::uint8_t> foreground = background->foreground(image);
+    join_ground(graph, shrink(foreground, picture.colour.width(), picture.colour.height()));
+  }
+  if (graph.ground() < 0)
+    join_ground(graph, options);
+  learn_ground(graph, picture);
+  group(graph, options);
+  std::vector<Segment> segments;
+  for (int id = 0; id < graph.count(); ++id) {
+    if (!graph.is_part(id) ||
+        !is_object(graph.area(id), graph.labels().size(), background != nullptr, options))
+      continue;
+    if (auto found = make_segment(graph.area(id), picture, image))
+      segments.push_back(std::move(*found));
+  }
+  std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
+    return std::tie(a.box.center.y, a.box.center.x) < std::tie(b.box.center.y, b.box.center.x);
+  });
+  return segments;
+}
+
+} // namespace castor::vision

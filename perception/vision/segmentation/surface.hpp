@@ -1,0 +1,41 @@
+#pragma once
+
+#include "castor/perception/vision/segmentation/area_graph.hpp"
+
+namespace castor::vision {
+
+/// The colour of an area as compared to the ground around it: shading moves it along a ray from
+/// black, mirrored light towards the ground's own hue; the direction away from that hue stays.
+struct Surface {
+  /// Between the colour and the ground's; degrees.
+  double angle = 0;
+  /// The part of the unit colour vector that is orthogonal to the ground's.
+  ColourSum offset{};
+  /// Relative to the ground, on a gamma encoded scale.
+  double brightness = 0;
+};
+
+Surface surface_of(const Area& area);
+
+/// Degrees; differences in the angle to the ground's colour count `saturation_weight`.
+double surface_difference(const Surface& a, const Surface& b, double saturation_weight);
+
+/// Between the mean colours; L*a*b* units.
+double lab_difference(const Area& a, const Area& b);
+
+/// Between the area and the ground at its place; L*a*b* units.
+double ground_difference(const Area& area);
+
+/// The first and the last row of an area.
+struct Extent {
+  int top = 0;
+  int bottom = 0;
+};
+
+/// \param width of the picture, pixels.
+Extent extent_of(const Area& area, int width);
+
+/// The share of an area that its largest inscribed disc fills: 1 for a disc, near 0 for a line.
+double compactness(const Area& area, int width);
+
+} // namespace castor::vision

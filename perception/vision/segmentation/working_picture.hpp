@@ -1,0 +1,31 @@
+#pragma once
+
+#include "castor/perception/vision/segmentation/grid.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+
+namespace castor::vision {
+
+/// What the segmentation looks at instead of the image itself.
+struct WorkingPicture {
+  /// Working pixels per image pixel, at most 1.
+  double scale = 1;
+  /// Smoothed B, G, R in [0, 1], gamma encoded as they came.
+  Grid<Colour> colour;
+  /// The same as CIE L*a*b*.
+  Grid<Colour> lab;
+  /// How fast the colour changes; L*a*b* units per pixel.
+  Grid<float> contrast;
+  /// Contrasts below this are noise or shading.
+  float flat_contrast = 0;
+};
+
+/// \throws std::invalid_argument if `image` is none.
+WorkingPicture make_working_picture(const Image& image, const SegmentationOptions& options);
+
+/// Linear light from gamma encoded values; the square is near enough to the usual encodings to
+/// compare hues.
+inline Colour linear(const Colour& encoded) {
+  return {encoded[0] * encoded[0], encoded[1] * encoded[1], encoded[2] * encoded[2]};
+}
+
+} // namespace castor::vision

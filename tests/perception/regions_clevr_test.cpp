@@ -1,0 +1,42 @@
+// The whole chain on CLEVR images, where there are any.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "castor/benchmarks/clevr/evaluation.hpp"
+
+namespace castor::clevr {
+namespace {
+
+std::filesystem::path data_folder() {
+  const std::filesystem::path source_root =
+    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  return source_root / ".." / "shared" / "data" / "clevr";
+}
+
+double share(const Tally& tally) {
+  return static_cast<double>(tally.hits) / static_cast<double>(tally.all);
+}
+
+TEST(RegionsOnClevr, are_found_and_named) {
+  if (!std::filesystem::exists(data_folder()))
+    GTEST_SKIP() << "there are no CLEVR images at " << data_folder();
+  const auto scenes = load_scenes(data_folder());
+  ASSERT_FALSE(scenes.empty());
+  vision::RegionOptions options;
+  options.shape.candidates = {"cube", "cylinder", "sphere"};
+  std::vector<Outcome> outcomes;
+  for (const auto& scene : scenes)
+    outcomes.push_back(evaluate(scene, CameraGuess{}, options, vision::trained_shape_network()));
+  const Summary summary = summarize(outcomes);
+  EXPECT_GE(share(summary.recall), 0.95);
+  EXPECT_GE(share(summary.precision), 0.95);
+  EXPECT_GE(share(summary.colour), 0.98);
+  // The shapes were trained on these very images; the benchmark leaves each out in turn.
+  EXPECT_GE(share(summary.shape), 0.95);
+  EXPECT_GE(share(summary.size), 0.95);
+}
+
+} // namespace
+} // namespace castor::clevr

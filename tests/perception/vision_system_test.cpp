@@ -1,0 +1,162 @@
+#include "castor/actors/cast/parser.hpp"
+#include "castor/actors/node/system.hpp"
+#include "castor/perception/vision/camera/image_source_file.hpp"
+#include "castor/perception/vision/types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace castor::vision {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The vision subarchitecture as configs/vision.cast has it, on rendered tables.
+class VisionSystem : public testing::Test {
+protected:
+  void SetUp() override {
+    folder = std::filesystem::temp_directory_path() /
+             ("castor-vision-" + std::to_string(getpid()) + "-" +
+              testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder);
+  }
+
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::string scene(const std::string& things) const {
+    auto file = folder / "test.scene";
+    std::ofstream{file} << "table cloth\ncamera 0 -0.62 0.55 looking-at 0 0 0 fov 42\n"
+                           "light 1 -0.8 2\nnoise 2\nseed 5\n"
+                        << things;
+    return "scene:" + file.string();
+  }
+
+  static std::string vision_cast() {
+    std::ifstream in{CASTOR_CONFIGS "/vision.cast"};
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+
+  /// Runs the system in `text` until nothing happens any more.
+  std::unique_ptr<System> watch(const std::string& text,
+                                std::map<std::string, std::string> variables,
+                                SystemOptions options = {},
+                                std::chrono::milliseconds quiet = 1500ms) const {
+    cast::ParseOptions parse_options;
+    parse_options.variables = std::move(variables);
+    auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
+    EXPECT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+    auto system = std::make_unique<System>(parsed.architecture.value(), options);
+    EXPECT_TRUE(system->start());
+    EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);
+    system->stop();
+    for (auto& x : system->summary().components)
+      EXPECT_EQ(x->failure(), "") << x->identity().name;
+    return system;
+  }
+
+  template <class T>
+  static std::vector<T> all(System& system) {
+    std::vector<T> result;
+    for (auto& entry : system.entries("vision"))
+      if (auto x = entry->value.as<T>())
+        result.push_back(*x);
+    return result;
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(VisionSystem, SeesWhatIsOnTheTable) {
+  auto system = watch(vision_cast(), {{"source", scene("red cube at -0.15 0 size 0.07 turned 20\n"
+                                                       "blue square at 0 -0.1 size 0.09\n"
+                                                       "green sphere at 0.15 0.05 size 0.07\n")}});
+  std::set<std::string> names;
+  for (auto& x : all<SceneObject>(*system)) {
+    names.insert(x.label.value);
+    EXPECT_EQ(x.managing_process, "segmentor");
+    // Within the table, and about as large as the scene has it.
+    EXPECT_LT(std::abs(x.pose.position.x), 0.25) << x.label.value;
+    EXPECT_NEAR(x.box.size.x, 0.08, 0.04) << x.label.value;
+    ASSERT_EQ(x.roi_ids.size(), 1u);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"red cube", "blue square", "green sphere"}));
+  auto rois = all<ROI>(*system);
+  EXPECT_EQ(rois.size(), 3u);
+  for (auto& x : rois)
+    EXPECT_TRUE(x.has_features);
+  auto scenes = all<SceneChanged>(*system);
+  ASSERT_EQ(scenes.size(), 1u);
+  EXPECT_TRUE(scenes[0].changed);
+  EXPECT_TRUE(scenes[0].processed);
+}
+
+TEST_F(VisionSystem, ObjectsStayUnknownWithoutTheRecogniser) {
+  auto text = vision_cast();
+  auto line = text.find("CPP MG recogniser");
+  ASSERT_NE(line, text.npos);
+  text.erase(line, text.find('\n', line) - line);
+  auto system = watch(text, {{"source", scene("red cube at 0 0 size 0.07\n")}});
+  auto objects = all<SceneObject>(*system);
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].color.value, "unknown");
+  EXPECT_EQ(objects[0].shape.value, "unknown");
+}
+
+TEST_F(VisionSystem, FollowsTheSceneAsItChanges) {
+  std::vector<std::string> told;
+  SystemOptions options;
+  options.on_change = [&](const ChangeEvent& event) {
+    if (event.type_name() == "SceneObject" && event.operation != Operation::overwrite)
+      told.push_back(std::string{to_string(event.operation)});
+  };
+  auto system = watch(vision_cast(),
+                      {{"source", scene("red cube at -0.15 0 size 0.07\n"
+                                        "after 2s add yellow disc at 0.12 0 size 0.09\n"
+                                        "after 4s remove red cube\n")}},
+                      options, 5s);
+  EXPECT_EQ(told, (std::vector<std::string>{"ADD", "ADD", "DELETE"}));
+  auto objects = all<SceneObject>(*system);
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].label.value, "yellow circle");
+}
+
+TEST_F(VisionSystem, WritesAnnotatedPictures) {
+  watch(vision_cast(), {{"source", scene("red cube at 0 0 size 0.07\n")},
+                        {"output", (folder / "out").string()}});
+  auto picture = read_image(folder / "out" / "pictures-001.png");
+  EXPECT_EQ(picture.width, 640u);
+  EXPECT_EQ(picture.height, 480u);
+}
+
+TEST_F(VisionSystem, AMissingPictureIsAClearFailureOfTheCamera) {
+  cast::ParseOptions parse_options;
+  parse_options.variables = {{"source", (folder / "none.png").string()}};
+  auto parsed = cast::parse_file(CASTOR_CONFIGS "/vision.cast", parse_options);
+  System system{parsed.architecture.value()};
+  ASSERT_TRUE(system.start());
+  system.wait({60s, 500ms});
+  system.stop();
+  auto camera = system.summary().components.front();
+  EXPECT_EQ(camera->identity().name, "camera");
+  EXPECT_NE(camera->failure().find("none.png: there is no such file"), std::string::npos)
+    << camera->failure();
+}
+
+} // namespace
+
+} // namespace castor::vision
