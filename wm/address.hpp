@@ -19,9 +19,10 @@ struct Address {
 
 CASTOR_REFLECT(Address, subarchitecture, id)
 
-/// "vision/0:3", the form in which addresses are printed and typed.
+/// "vision/0:3", the form in which addresses are printed and typed; "vision" for a whole working
+/// memory.
 inline std::string to_string(const Address& x) {
-  return x.subarchitecture + '/' + x.id;
+  return x.id.empty() ? x.subarchitecture : x.subarchitecture + '/' + x.id;
 }
 
 } // namespace castor

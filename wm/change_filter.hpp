@@ -88,8 +88,8 @@ ChangeFilter deleted() {
   return {Operation::remove, type_name<T>(), {}, {}, {}};
 }
 
-/// Whether the filter wants the event. The filter's subarchitecture must have been resolved: one that
-/// is not set matches nothing.
+/// Whether the filter wants the event. The filter's subarchitecture must have been resolved: one
+/// that is not set matches nothing.
 bool matches(const ChangeFilter& filter, const ChangeEvent& event);
 
 /// "OVERWRITE of ROI in vision by tracker", for messages.

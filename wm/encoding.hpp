@@ -2,6 +2,7 @@
 
 #include "castor/wm/type_descriptor.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <span>
@@ -100,7 +101,8 @@ private:
   Bytes& out_;
 };
 
-/// Takes values from a byte sequence; every read is checked against what is left. Throws DecodeError.
+/// Takes values from a byte sequence; every read is checked against what is left. Throws
+/// DecodeError.
 class Decoder {
 public:
   explicit Decoder(std::span<const std::uint8_t> in) : in_(in) {}
@@ -179,7 +181,8 @@ private:
         if (count > 0)
           std::memcpy(x.data(), data.data(), data.size());
       } else {
-        x.reserve(count);
+        // An element may be far larger in memory than on the wire, where it may not even be.
+        x.reserve(std::min(count, inner.remaining() / sizeof(Element) + 1));
         for (std::size_t i = 0; i < count; ++i) {
           Element element{};
           inner.get(element);
@@ -205,8 +208,8 @@ Bytes encode(const T& x) {
   return out;
 }
 
-/// The value whose wire form begins with `bytes`' first bytes: a base is decoded from a derived value.
-/// Throws DecodeError.
+/// The value whose wire form begins with `bytes`' first bytes: a base is decoded from a derived
+/// value. Throws DecodeError.
 template <ReflectedRecord T>
 T decode(std::span<const std::uint8_t> bytes) {
   T x{};

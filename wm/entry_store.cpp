@@ -50,9 +50,9 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      address};
     if (auto failure = check_type(request))
       return *failure;
-    return Effect{Operation::add, std::make_shared<const Entry>(Entry{
-                                    address, version_for_add(address.id), request.value,
-                                    writer.component}),
+    return Effect{Operation::add,
+                  std::make_shared<const Entry>(
+                    Entry{address, version_for_add(address.id), request.value, writer.component}),
                   writer.component};
   }
   if (i == entries_.end())
@@ -81,10 +81,10 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      old.type_name() + ", with a " + request.value.type_name() +
                      ". Delete it and add the new one",
                    address};
-  return Effect{Operation::overwrite, std::make_shared<const Entry>(
-                                        Entry{address, old.version + 1, request.value,
-                                              writer.component}),
-                writer.component};
+  return Effect{
+    Operation::overwrite,
+    std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, writer.component}),
+    writer.component};
 }
 
 ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
@@ -103,7 +103,7 @@ ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
     case Operation::add: {
       if (!table.type)
         table.type = entry->value.type_ptr();
-      tombstones_.erase(id);
+      exhume(id);
       table.recency.push_front(entry);
       entries_[id] = {entry, sequence_, table.recency.begin()};
       break;
@@ -132,9 +132,8 @@ Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
   if (i != entries_.end())
     return i->second.entry;
   Address address{subarchitecture_, id};
-  std::string why = tombstones_.count(id) > 0 ? "it was deleted" : "nothing was added there";
   return Failure{FailureKind::does_not_exist,
-                 "there is no entry " + to_string(address) + " to read: " + why, address};
+                 "there is no entry " + to_string(address) + " to read: " + absence(id), address};
 }
 
 std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
@@ -171,16 +170,23 @@ Outcome<Version> EntryStore::version(const std::string& id) const {
     return i->second.version;
   Address address{subarchitecture_, id};
   return Failure{FailureKind::does_not_exist,
-                 "there never was an entry " + to_string(address) + ", so it has no version",
-                 address};
+                 "there is no version of " + to_string(address) + ": " + absence(id), address};
+}
+
+std::string EntryStore::absence(const std::string& id) const {
+  if (tombstones_.count(id) > 0)
+    return "it was deleted";
+  std::string result = "nothing was added there";
+  if (floor_ > 0)
+    result += ", or it was deleted too long ago to be remembered";
+  return result;
 }
 
 Failure EntryStore::missing(const WriteRequest& request) const {
   auto& address = request.address;
-  bool deleted = tombstones_.count(address.id) > 0;
   return {FailureKind::does_not_exist,
           name_of(request.writer) + " cannot " + std::string{verb(request.operation)} + " " +
-            to_string(address) + ": " + (deleted ? "it was deleted" : "nothing was added there") +
+            to_string(address) + ": " + absence(address.id) +
             (request.operation == Operation::overwrite ? ". Add it first" : ""),
           address};
 }
@@ -190,9 +196,10 @@ std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const
   if (i == types_.end() || !i->second.type || i->second.type->hash == request.value.type().hash)
     return std::nullopt;
   return Failure{FailureKind::wrong_type,
-                 name_of(request.writer) + " writes a type that " + subarchitecture_ +
-                   " knows otherwise: it says " + to_string(request.value.type()) + ", known is " +
-                   to_string(*i->second.type) + ". Build both sides from one declaration",
+                 name_of(request.writer) + " cannot " + std::string{verb(request.operation)} + " " +
+                   to_string(request.address) + ": it says " + to_string(request.value.type()) +
+                   ", but " + subarchitecture_ + " knows " + to_string(*i->second.type) +
+                   ". Build both sides from one declaration",
                  request.address};
 }
 
@@ -202,20 +209,21 @@ Version EntryStore::version_for_add(const std::string& id) const {
 }
 
 void EntryStore::bury(const std::string& id, Version version) {
-  tombstones_[id] = {version, ++buried_};
-  burials_.emplace_back(id, buried_);
-  // A burial whose id was added again since is no tombstone any more and is only taken off the list.
-  while (!burials_.empty() &&
-         (tombstones_.size() > options_.remembered_deletions ||
-          burials_.size() > 2 * options_.remembered_deletions + 16)) {
-    auto& [oldest, number] = burials_.front();
-    auto i = tombstones_.find(oldest);
-    if (i != tombstones_.end() && i->second.number == number) {
-      floor_ = std::max(floor_, i->second.version + 1);
-      tombstones_.erase(i);
-    }
-    burials_.pop_front();
-  }
+  tombstones_[id] = {version, burials_.insert(burials_.end(), id)};
+  if (burials_.size() <= options_.remembered_deletions)
+    return;
+  auto oldest = tombstones_.find(burials_.front());
+  floor_ = std::max(floor_, oldest->second.version + 1);
+  tombstones_.erase(oldest);
+  burials_.pop_front();
+}
+
+void EntryStore::exhume(const std::string& id) {
+  auto i = tombstones_.find(id);
+  if (i == tombstones_.end())
+    return;
+  burials_.erase(i->second.burial);
+  tombstones_.erase(i);
 }
 
 } // namespace castor

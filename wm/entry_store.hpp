@@ -6,7 +6,6 @@
 #include "castor/wm/failure.hpp"
 
 #include <cstddef>
-#include <deque>
 #include <list>
 #include <optional>
 #include <string>
@@ -50,8 +49,9 @@ struct EntryStoreOptions {
 
 /// What a working memory holds, and every rule for changing it.
 ///
-/// A change has two steps: `prepare` makes all checks and touches nothing, `commit` applies what was
-/// prepared and cannot fail. Whatever must happen before a change may be seen stands between the two.
+/// A change has two steps: `prepare` makes all checks and touches nothing, `commit` applies what
+/// was prepared and cannot fail. Whatever must happen before a change may be seen stands between
+/// the two.
 class EntryStore {
 public:
   /// A prepared change.
@@ -64,6 +64,10 @@ public:
   };
 
   explicit EntryStore(std::string subarchitecture, EntryStoreOptions options = {});
+
+  /// The tables point into one another, so a store moves but is never copied.
+  EntryStore(EntryStore&&) = default;
+  EntryStore& operator=(EntryStore&&) = default;
 
   const std::string& subarchitecture() const { return subarchitecture_; }
   AccessRules& access() { return access_; }
@@ -107,13 +111,16 @@ private:
 
   struct Tombstone {
     Version version;
-    std::uint64_t number;
+    std::list<std::string>::iterator burial;
   };
 
+  /// Why there is no entry of that id.
+  std::string absence(const std::string& id) const;
   Failure missing(const WriteRequest& request) const;
   std::optional<Failure> check_type(const WriteRequest& request) const;
   Version version_for_add(const std::string& id) const;
   void bury(const std::string& id, Version version);
+  void exhume(const std::string& id);
 
   std::string subarchitecture_;
   EntryStoreOptions options_;
@@ -121,9 +128,8 @@ private:
   std::unordered_map<std::string, Slot> entries_;
   std::unordered_map<std::string, TypeTable> types_;
   std::unordered_map<std::string, Tombstone> tombstones_;
-  /// (id, number of its tombstone) in the order of deletion.
-  std::deque<std::pair<std::string, std::uint64_t>> burials_;
-  std::uint64_t buried_ = 0;
+  /// The ids of the tombstones, the longest deleted first.
+  std::list<std::string> burials_;
   /// Above every version that was forgotten.
   Version floor_ = 0;
   std::uint64_t sequence_ = 0;

@@ -2,13 +2,17 @@
 
 #include "castor/wm/encoding.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <compare>
 #include <type_traits>
 
 namespace castor {
 
 namespace {
+
+[[noreturn]] void throw_not_single() {
+  throw FieldError("a list or a record cannot be compared as a whole: name one of its fields");
+}
 
 template <class T>
 FieldValue integer(Decoder& in) {
@@ -47,24 +51,24 @@ FieldValue take_scalar(Decoder& in, WireKind kind) {
       return std::string{data.begin(), data.end()};
     }
     default:
-      throw FieldError("a list or a record cannot be compared as a whole: name one of its fields");
+      throw_not_single();
   }
 }
 
 FieldValue enumerator(const EnumDescriptor& descriptor, const FieldValue& number) {
-  // An enumerator beyond the signed range keeps its bits, here as where the descriptor was made.
-  auto value = std::visit(
-    [](const auto& x) -> std::int64_t {
-      if constexpr (std::is_integral_v<std::decay_t<decltype(x)>>)
-        return static_cast<std::int64_t>(x);
-      else
-        return 0;
+  return std::visit(
+    [&](const auto& x) -> FieldValue {
+      if constexpr (std::is_integral_v<std::decay_t<decltype(x)>>) {
+        // An enumerator beyond the signed range keeps its bits, as where the descriptor was made.
+        for (auto& [name, value] : descriptor.enumerators)
+          if (value == static_cast<std::int64_t>(x))
+            return name;
+        return std::to_string(x);
+      } else {
+        return x;
+      }
     },
     number);
-  for (auto& [name, candidate] : descriptor.enumerators)
-    if (candidate == value)
-      return name;
-  return std::to_string(value);
 }
 
 std::string field_names(const RecordDescriptor& record) {
@@ -74,30 +78,49 @@ std::string field_names(const RecordDescriptor& record) {
   return result;
 }
 
-FieldValue read_path(Decoder& in, const TypeDescriptor& descriptor, const RecordDescriptor& record,
-                     std::string_view path) {
-  auto dot = path.find('.');
-  auto head = path.substr(0, dot);
-  for (auto& field : record.fields) {
-    if (field.name != head) {
-      in.skip(descriptor, field.type);
-      continue;
+bool is_single(WireKind kind) {
+  return fixed_size(kind) || kind == WireKind::string || kind == WireKind::enumeration;
+}
+
+const WireType& without_optional(const WireType& type) {
+  auto* result = &type;
+  while (result->kind == WireKind::optional)
+    result = &result->element.front();
+  return *result;
+}
+
+/// Throws FieldError unless `path` leads to a single value. Looks at no value: a mistake in a path
+/// shows whether or not the optionals on its way are there.
+void check_path(const TypeDescriptor& descriptor, std::string_view path) {
+  auto* record = &descriptor.records.front();
+  for (;;) {
+    auto dot = path.find('.');
+    auto head = path.substr(0, dot);
+    auto field = std::find_if(record->fields.begin(), record->fields.end(),
+                              [&](const FieldDescriptor& x) { return x.name == head; });
+    if (field == record->fields.end())
+      throw FieldError(record->name + " has no field " + std::string{head} + "; it has " +
+                       field_names(*record));
+    auto& type = without_optional(field->type);
+    if (dot == path.npos) {
+      if (!is_single(type.kind))
+        throw_not_single();
+      return;
     }
-    const WireType* type = &field.type;
-    if (type->kind == WireKind::optional) {
-      if (in.take_scalar<std::uint8_t>() == 0)
-        return std::monostate{};
-      type = &type->element.front();
-    }
-    if (dot == path.npos)
-      return take_field(in, descriptor, *type);
-    if (type->kind != WireKind::record)
-      throw FieldError(std::string{head} + " of " + record.name + " has no fields of its own");
-    Decoder inner{in.take(in.take_length())};
-    return read_path(inner, descriptor, descriptor.records.at(type->index), path.substr(dot + 1));
+    if (type.kind != WireKind::record)
+      throw FieldError(field->name + " of " + record->name + " has no fields of its own");
+    record = &descriptor.records.at(type.index);
+    path.remove_prefix(dot + 1);
   }
-  throw FieldError(record.name + " has no field " + std::string{head} + "; it has " +
-                   field_names(record));
+}
+
+/// Steps over the fields before the one named, which must be there, and gives its type.
+const WireType& find_field(Decoder& in, const TypeDescriptor& descriptor,
+                           const RecordDescriptor& record, std::string_view name) {
+  auto field = record.fields.begin();
+  for (; field->name != name; ++field)
+    in.skip(descriptor, field->type);
+  return field->type;
 }
 
 template <class T>
@@ -148,8 +171,21 @@ FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireT
 
 FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
                       std::string_view path) {
+  check_path(descriptor, path);
   Decoder in{bytes};
-  return read_path(in, descriptor, descriptor.records.front(), path);
+  auto* record = &descriptor.records.front();
+  for (;;) {
+    auto dot = path.find('.');
+    auto* type = &find_field(in, descriptor, *record, path.substr(0, dot));
+    for (; type->kind == WireKind::optional; type = &type->element.front())
+      if (in.take_scalar<std::uint8_t>() == 0)
+        return std::monostate{};
+    if (dot == path.npos)
+      return take_field(in, descriptor, *type);
+    in = Decoder{in.take(in.take_length())};
+    record = &descriptor.records.at(type->index);
+    path.remove_prefix(dot + 1);
+  }
 }
 
 bool compare(const FieldValue& a, Comparison op, const FieldValue& b) {

@@ -13,8 +13,8 @@ namespace castor {
 
 class Decoder;
 
-/// What a single field can be compared with. Enumerations are the name of their enumerator (or their
-/// number where it has none), an absent optional is std::monostate.
+/// What a single field can be compared with. Enumerations are the name of their enumerator (or
+/// their number where it has none), an absent optional is std::monostate.
 using FieldValue =
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>;
 
@@ -30,14 +30,14 @@ public:
 FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireType& type);
 
 /// The field at `path` ("pose.position.x") of an encoded value, without decoding the rest of it.
-/// Throws FieldError if there is no such field or it is not a single value, DecodeError if the bytes
-/// are not what the descriptor says.
+/// Throws FieldError if there is no such field or it is not a single value, DecodeError if the
+/// bytes are not what the descriptor says.
 FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
                       std::string_view path);
 
-/// Numbers compare by value whatever their types, text by code units, false before true. A comparison
-/// with NaN or with an absent optional is false, but for not_equal. Throws FieldError if a number,
-/// a truth value or a text is compared with another of these.
+/// Numbers compare by value whatever their types, text by code units, false before true. A
+/// comparison with NaN or with an absent optional is false, but for not_equal. Throws FieldError if
+/// a number, a truth value or a text is compared with another of these.
 bool compare(const FieldValue& a, Comparison op, const FieldValue& b);
 
 } // namespace castor

@@ -76,8 +76,8 @@ void FilterIndex::match(const ChangeEvent& event, std::vector<Key>& out) const {
     if (table.empty())
       continue;
     auto look_up = [&](std::string_view type_name) {
-      auto key = key_of(shape, event.operation, id_hash, source_hash, subarchitecture_hash,
-                        hash(type_name));
+      auto key =
+        key_of(shape, event.operation, id_hash, source_hash, subarchitecture_hash, hash(type_name));
       auto [first, last] = table.equal_range(key);
       for (auto i = first; i != last; ++i)
         if (matches(i->second.filter, event) &&

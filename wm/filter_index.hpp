@@ -11,9 +11,10 @@ namespace castor {
 
 /// Finds the filters that want an event without looking at the others.
 ///
-/// A filter asks for equality in some of five fields. Filters that ask for the same fields share one
-/// hash table, keyed by what they ask for; an event is looked up once per table in use (at most 32)
-/// and once per type it has. So the cost grows with the filters that match, not with those registered.
+/// A filter asks for equality in some of five fields. Filters that ask for the same fields share
+/// one hash table, keyed by what they ask for; an event is looked up once per table in use (at most
+/// 32) and once per type it has. So the cost grows with the filters that match, not with those
+/// registered.
 class FilterIndex {
 public:
   /// Chosen by the owner; one key may stand for several filters and then is found once for each.

@@ -68,7 +68,9 @@ private:
       }
       case WireKind::list: {
         Decoder inner{in.take(in.take_length())};
-        return elements(inner, type, inner.take_length());
+        auto result = elements(inner, type, inner.take_length());
+        inner.expect_end();
+        return result;
       }
       case WireKind::array:
         return elements(in, type, type.extent);
@@ -81,6 +83,7 @@ private:
           throw DecodeError("value is nested too deeply");
         Decoder inner{in.take(in.take_length())};
         auto result = record(inner, descriptor_.records.at(type.index));
+        inner.expect_end();
         --depth_;
         return result;
       }
@@ -109,7 +112,9 @@ std::string to_json(const TypeDescriptor& descriptor, std::span<const std::uint8
                     const JsonOptions& options) {
   Decoder in{bytes};
   auto json = Printer{descriptor, options}.record(in, descriptor.records.front());
-  // Entries hold what sensors and people gave them: text that is no UTF-8 must not end the printing.
+  in.expect_end();
+  // Entries hold what sensors and people gave them: text that is no UTF-8 must not end the
+  // printing.
   return json.dump(options.indent, ' ', false, Json::error_handler_t::replace);
 }
 

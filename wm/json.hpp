@@ -18,8 +18,8 @@ struct JsonOptions {
   std::size_t max_bytes = std::numeric_limits<std::size_t>::max();
 };
 
-/// The value as JSON, from its bytes and its descriptor alone. Numbers that JSON lacks (NaN, infinity)
-/// become null. Throws DecodeError if the bytes are not what the descriptor says.
+/// The value as JSON, from its bytes and its descriptor alone. Numbers that JSON lacks (NaN,
+/// infinity) become null. Throws DecodeError if the bytes are not what the descriptor says.
 std::string to_json(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
                     const JsonOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 #include <unordered_set>
 
 namespace castor {
@@ -70,6 +71,28 @@ bool is_integer(WireKind kind) {
 
 bool has_element(WireKind kind) {
   return kind == WireKind::list || kind == WireKind::array || kind == WireKind::optional;
+}
+
+/// What is wrong with the names in a descriptor, or nothing. Where a name stood for two things,
+/// JSON and filters could only mean one of them.
+std::string ambiguity(const TypeDescriptor& descriptor) {
+  std::unordered_set<std::string_view> types;
+  for (auto& record : descriptor.records) {
+    if (!types.insert(record.name).second)
+      return "two different types named " + record.name + " inside " + descriptor.name();
+    std::unordered_set<std::string_view> fields;
+    for (auto& field : record.fields)
+      if (!fields.insert(field.name).second)
+        return "two fields named " + field.name + " in " + record.name + " or its bases";
+  }
+  for (auto& e : descriptor.enums)
+    if (!types.insert(e.name).second)
+      return "two different types named " + e.name + " inside " + descriptor.name();
+  std::unordered_set<std::string_view> ancestry{descriptor.name()};
+  for (auto& name : descriptor.super_types)
+    if (!ancestry.insert(name).second)
+      return "two types named " + name + " among " + descriptor.name() + " and its bases";
+  return {};
 }
 
 /// Descriptors come from other processes: nothing in them is believed unchecked.
@@ -140,6 +163,8 @@ TypeDescriptorPtr decode_descriptor(std::span<const std::uint8_t> bytes) {
   for (auto& record : result->records)
     for (auto& field : record.fields)
       check(*result, field.type);
+  if (auto complaint = ambiguity(*result); !complaint.empty())
+    throw DecodeError("type descriptor has " + complaint);
   result->hash = fnv1a(bytes);
   return result;
 }
@@ -172,12 +197,9 @@ std::uint32_t DescriptorBuilder::add_enum(const void* key, EnumDescriptor x) {
 }
 
 TypeDescriptorPtr DescriptorBuilder::finish(std::vector<std::string> super_types) {
-  std::unordered_set<std::string> names;
-  for (auto& record : result_.records)
-    if (!names.insert(record.name).second)
-      throw std::logic_error("two different types named " + record.name + " inside " +
-                             result_.name());
   result_.super_types = std::move(super_types);
+  if (auto complaint = ambiguity(result_); !complaint.empty())
+    throw std::logic_error(complaint);
   result_.hash = fnv1a(encode_descriptor(result_));
   return std::make_shared<const TypeDescriptor>(std::move(result_));
 }

@@ -74,8 +74,9 @@ struct EnumDescriptor {
   friend bool operator==(const EnumDescriptor&, const EnumDescriptor&) = default;
 };
 
-/// All that a process needs to know of an entry type in order to print, compare and filter its values
-/// without having its C++ type. `records.front()` is the type itself, the others are what it contains.
+/// All that a process needs to know of an entry type in order to print, compare and filter its
+/// values without having its C++ type. `records.front()` is the type itself, the others are what it
+/// contains.
 struct TypeDescriptor {
   std::vector<RecordDescriptor> records;
   std::vector<EnumDescriptor> enums;
@@ -112,7 +113,8 @@ public:
   std::pair<std::uint32_t, bool> begin_record(const void* key, std::string_view name);
   void set_fields(std::uint32_t record, std::vector<FieldDescriptor> fields);
   std::uint32_t add_enum(const void* key, EnumDescriptor x);
-  /// Throws std::logic_error if two types inside have the same name.
+  /// Throws std::logic_error if two types inside, or two fields of one of them, have the same name,
+  /// or the type has the name of one of its bases.
   TypeDescriptorPtr finish(std::vector<std::string> super_types);
 
 private:
@@ -146,7 +148,9 @@ struct ElementOf<std::optional<T>> {
 };
 
 template <class T>
-concept Container = requires { ElementOf<T>::kind; };
+concept Container = requires {
+  ElementOf<T>::kind;
+};
 
 /// A vector of bytes travels in one piece; so images and the like cost a memcpy.
 template <class T>
@@ -181,17 +185,20 @@ WireType describe(DescriptorBuilder& builder) {
     return {WireKind::bytes, 0, 0, {}};
   } else if constexpr (Container<T>) {
     std::uint32_t extent = 0;
-    if constexpr (ElementOf<T>::kind == WireKind::array)
+    if constexpr (ElementOf<T>::kind == WireKind::array) {
+      static_assert(std::tuple_size_v<T> > 0, "an array in an entry has at least one element");
       extent = static_cast<std::uint32_t>(std::tuple_size_v<T>);
+    }
     return {ElementOf<T>::kind, 0, extent, {describe<typename ElementOf<T>::Type>(builder)}};
   } else if constexpr (ReflectedRecord<T>) {
     return {WireKind::record, describe_record<T>(builder), 0, {}};
   } else if constexpr (std::is_enum_v<T>) {
     static_assert(ReflectedEnum<T>, "declare this enumeration with CASTOR_REFLECT_ENUM");
+    static_assert(!std::is_same_v<std::underlying_type_t<T>, bool>,
+                  "an enumeration in an entry is an integer on the wire");
     constexpr auto reflection = reflection_of<T>();
-    EnumDescriptor result{std::string{reflection.name},
-                          scalar_kind<std::underlying_type_t<T>>(),
-                          {}};
+    EnumDescriptor result{
+      std::string{reflection.name}, scalar_kind<std::underlying_type_t<T>>(), {}};
     for (auto& [name, value] : reflection.enumerators)
       result.enumerators.emplace_back(name, static_cast<std::int64_t>(value));
     return {WireKind::enumeration, builder.add_enum(&type_key<T>, std::move(result)), 0, {}};

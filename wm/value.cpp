@@ -1,6 +1,52 @@
 #include "castor/wm/value.hpp"
 
+#include <set>
+
 namespace castor {
+
+namespace {
+
+/// Compares what two descriptors say of a part that they have in common.
+class LayoutComparison {
+public:
+  LayoutComparison(const TypeDescriptor& a, const TypeDescriptor& b) : a_(a), b_(b) {}
+
+  /// Whether `a` begins with the fields of `b`.
+  bool begins_with(const RecordDescriptor& a, const RecordDescriptor& b) {
+    if (a.fields.size() < b.fields.size())
+      return false;
+    for (std::size_t i = 0; i < b.fields.size(); ++i)
+      if (a.fields[i].name != b.fields[i].name || !same(a.fields[i].type, b.fields[i].type))
+        return false;
+    return true;
+  }
+
+private:
+  bool same(const WireType& a, const WireType& b) {
+    if (a.kind != b.kind || a.extent != b.extent)
+      return false;
+    if (a.kind == WireKind::record)
+      return same_record(a.index, b.index);
+    if (a.kind == WireKind::enumeration)
+      return a_.enums.at(a.index) == b_.enums.at(b.index);
+    return a.element.empty() || same(a.element.front(), b.element.front());
+  }
+
+  bool same_record(std::uint32_t a, std::uint32_t b) {
+    // Met before: either found equal, or a recursive type that is being compared further out.
+    if (!seen_.insert({a, b}).second)
+      return true;
+    auto& x = a_.records.at(a);
+    auto& y = b_.records.at(b);
+    return x.name == y.name && x.fields.size() == y.fields.size() && begins_with(x, y);
+  }
+
+  const TypeDescriptor& a_;
+  const TypeDescriptor& b_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_;
+};
+
+} // namespace
 
 Value::Value(TypeDescriptorPtr type, std::shared_ptr<const void> object,
              const Operations* operations)
@@ -33,13 +79,9 @@ bool operator==(const Value& a, const Value& b) {
 
 void Value::check_same_layout(const TypeDescriptor& wanted) const {
   // A base's fields come first, so a derived value must begin with exactly the base's fields.
-  auto& fields = type().records.front().fields;
-  auto& wanted_fields = wanted.records.front().fields;
   bool same = type().name() == wanted.name() ? type().hash == wanted.hash
-                                             : fields.size() >= wanted_fields.size();
-  for (std::size_t i = 0; same && i < wanted_fields.size(); ++i)
-    same = fields[i].name == wanted_fields[i].name &&
-           fields[i].type.kind == wanted_fields[i].type.kind;
+                                             : LayoutComparison{type(), wanted}.begins_with(
+                                                 type().records.front(), wanted.records.front());
   if (!same)
     throw DecodeError("the value is a " + to_string(type()) + " but this process knows " +
                       to_string(wanted));

@@ -8,6 +8,7 @@
 #include <span>
 #include <typeinfo>
 #include <utility>
+#include <vector>
 
 namespace castor {
 
@@ -37,8 +38,8 @@ public:
   /// The wire form.
   const Bytes& bytes() const;
 
-  /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if the
-  /// value came as bytes that are no `T`.
+  /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if
+  /// the value came as bytes that are no `T`.
   template <ReflectedRecord T>
   std::shared_ptr<const T> as() const {
     auto& wanted = *descriptor_of<T>();
@@ -67,10 +68,9 @@ private:
     const Operations* operations = nullptr;
     std::once_flag encode_once;
     Bytes bytes;
-    /// What `bytes` was first decoded to.
+    /// What `bytes` was decoded to: the type itself or one of its bases, each at most once.
     std::mutex decode_mutex;
-    std::shared_ptr<const void> decoded;
-    const std::type_info* decoded_type = nullptr;
+    std::vector<std::pair<const std::type_info*, std::shared_ptr<const void>>> decoded;
   };
 
   Value(TypeDescriptorPtr type, std::shared_ptr<const void> object, const Operations* operations);
@@ -94,20 +94,24 @@ private:
     return &result;
   }
 
-  /// Throws DecodeError if this process knows another type by the same name.
+  /// Throws DecodeError if this process knows another type by the name of the value's type or base.
   void check_same_layout(const TypeDescriptor& wanted) const;
 
   template <ReflectedRecord T>
   std::shared_ptr<const T> decoded(const TypeDescriptor& wanted) const {
-    check_same_layout(wanted);
     std::lock_guard guard{rep_->decode_mutex};
-    if (rep_->decoded_type && *rep_->decoded_type == typeid(T))
-      return std::static_pointer_cast<const T>(rep_->decoded);
-    auto result = std::make_shared<const T>(decode<T>(bytes()));
-    if (!rep_->decoded) {
-      rep_->decoded = result;
-      rep_->decoded_type = &typeid(T);
-    }
+    for (auto& [type, object] : rep_->decoded)
+      if (*type == typeid(T))
+        return std::static_pointer_cast<const T>(object);
+    check_same_layout(wanted);
+    T object{};
+    Decoder in{bytes()};
+    in.get_fields(object);
+    // Only a derived value has more to it than the type asked for.
+    if (type().name() == wanted.name())
+      in.expect_end();
+    auto result = std::make_shared<const T>(std::move(object));
+    rep_->decoded.emplace_back(&typeid(T), result);
     return result;
   }
 

@@ -140,8 +140,9 @@ void withdraw(Self self, const ChangeFilter& filter) {
   state.own_interests.erase(i);
   for (auto& peer : state.peers)
     if (concerns(filter, peer.subarchitecture))
-      self->request(peer.actor, state.options.peer_deadline,
-                    Interest{state.options.subarchitecture, filter, false})
+      self
+        ->request(peer.actor, state.options.peer_deadline,
+                  Interest{state.options.subarchitecture, filter, false})
         .then([](Acknowledged) {}, [](const caf::error&) {});
 }
 
@@ -225,9 +226,8 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
                                 [&] { return self->state.store.read(x.address.id); });
     },
     [self](const TypeQuery& x) {
-      return at_owner<std::vector<EntryPtr>>(self, {x.subarchitecture, {}}, x, [&] {
-        return self->state.store.read_by_type(x);
-      });
+      return at_owner<std::vector<EntryPtr>>(self, {x.subarchitecture, {}}, x,
+                                             [&] { return self->state.store.read_by_type(x); });
     },
     [self](const ExistsQuery& x) {
       return at_owner<bool>(self, x.address, x,

@@ -46,8 +46,8 @@ struct ChangeNotice {
   std::vector<FilterId> filters;
 };
 
-/// From one working memory to another: somebody in `subarchitecture` wants such events, or nobody does
-/// any more.
+/// From one working memory to another: somebody in `subarchitecture` wants such events, or nobody
+/// does any more.
 struct Interest {
   std::string subarchitecture;
   ChangeFilter filter;
@@ -84,8 +84,8 @@ struct WorkingMemoryStatus {
   std::uint64_t refused = 0;
 };
 
-/// Every operation names the address; the working memory of another subarchitecture is reached through
-/// the own one.
+/// Every operation names the address; the working memory of another subarchitecture is reached
+/// through the own one.
 using WorkingMemoryActor = caf::typed_actor<
   // Changes an entry; answers its new version (of a deleted one: the last).
   caf::replies_to<WriteRequest>::with<Outcome<Version>>,
@@ -97,7 +97,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::replies_to<ExistsQuery>::with<Outcome<bool>>,
   // Answers an entry's version, also after its deletion.
   caf::replies_to<VersionQuery>::with<Outcome<Version>>,
-  // Registers a filter of the sender; answers once it is in force in every working memory concerned.
+  // Registers a filter of the sender; answers once it is in force in every working memory
+  // concerned.
   caf::replies_to<Subscribe>::with<Outcome<Acknowledged>>,
   // Withdraws a filter of the sender.
   caf::reacts_to<Unsubscribe>,
