@@ -55,8 +55,8 @@ ClassLookup find_class(const std::string& name) {
       return {nullptr, *problem};
     if (auto* found = registry.find(class_name))
       return {found, {}};
-    return {nullptr, "the library " + name.substr(at + 1) + " registers no component class " +
-                       class_name};
+    return {nullptr,
+            "the library " + name.substr(at + 1) + " registers no component class " + class_name};
   }
   if (auto* found = registry.find(name))
     return {found, {}};

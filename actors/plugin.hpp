@@ -7,9 +7,9 @@
 
 namespace castor {
 
-/// Loads a shared library for good, and with it the component classes that it registers. `library` is a
-/// path, or a name that the loader looks for ("robot" for librobot.so). Says what went wrong, if
-/// anything did.
+/// Loads a shared library for good, and with it the component classes that it registers. `library`
+/// is a path, or a name that the loader looks for ("robot" for librobot.so). Says what went wrong,
+/// if anything did.
 std::optional<std::string> load_plugin(const std::string& library);
 
 /// Loads the libraries of components that come with Castor.
@@ -23,8 +23,8 @@ struct ClassLookup {
   std::string problem;
 };
 
-/// The class that a .cast file means: one that is loaded, one of those that come with Castor, one in
-/// the library lib<Class>.so, or for "Class@library" the one in that library.
+/// The class that a .cast file means: one that is loaded, one of those that come with Castor, one
+/// in the library lib<Class>.so, or for "Class@library" the one in that library.
 ClassLookup find_class(const std::string& name);
 
 } // namespace castor

@@ -24,8 +24,8 @@ struct ComponentClass {
   std::function<std::unique_ptr<Component>()> make;
 };
 
-/// The component classes that this process has. Filled by CASTOR_COMPONENT while libraries are loaded,
-/// which happens on one thread.
+/// The component classes that this process has. Filled by CASTOR_COMPONENT while libraries are
+/// loaded, which happens on one thread.
 class Registry {
 public:
   static Registry& instance();
@@ -68,10 +68,10 @@ bool register_component(std::string name, std::string help) {
 
 } // namespace castor
 
-/// Makes a class known to .cast files by its unqualified name; in a source file, in the namespace of
-/// the class. `help_text` is one line that says what the component does.
-#define CASTOR_COMPONENT(Class, help_text)                                                         \
-  namespace {                                                                                      \
-  [[maybe_unused]] const bool castor_registered_##Class =                                          \
-    ::castor::detail::register_component<Class>(#Class, help_text);                                \
+/// Makes a class known to .cast files by its unqualified name; in a source file, in the namespace
+/// of the class. `help_text` is one line that says what the component does.
+#define CASTOR_COMPONENT(Class, help_text)                          \
+  namespace {                                                       \
+  [[maybe_unused]] const bool castor_registered_##Class =           \
+    ::castor::detail::register_component<Class>(#Class, help_text); \
   }

@@ -52,6 +52,7 @@ public:
 
   ComponentLine run() {
     component_.where = line_.line->where();
+    component_.line = line_.line->text;
     component_.subarchitecture = context_.subarchitecture;
     if (read_host_and_language() && read_kind() && read_name() && read_class()) {
       component_.options = parse_arguments(words_, line_, log_);
@@ -75,9 +76,6 @@ private:
     if (auto language = match_language(*first)) {
       component_.language = *language;
       component_.host = context_.default_host;
-      if (component_.host.empty())
-        fail("there is no host for this component",
-             "write HOST localhost above, or the host at the beginning of the line");
       return true;
     }
     auto second = words_.next();

@@ -16,7 +16,7 @@ namespace castor::cast {
 struct ComponentContext {
   /// Empty for a stand-alone component, whose line has no kind.
   std::string_view subarchitecture;
-  /// For a line without a host of its own; empty if there is none.
+  /// For a line without a host of its own.
   std::string_view default_host;
 };
 

@@ -47,6 +47,8 @@ struct ComponentDescription {
   /// Empty for a stand-alone component.
   std::string subarchitecture;
   SourceLocation where;
+  /// Its line as written.
+  std::string line;
 
   /// @param key_or_name with or without dashes
   /// @returns null if the option is not set

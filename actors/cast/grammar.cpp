@@ -189,11 +189,12 @@ private:
       words.warn_of_rest();
       return used_host(*word, line);
     }
-    if (default_host_.empty() && !section_->is_broken)
-      report(Severity::error, line, "there is no host for this subarchitecture",
-             "write HOST localhost above, or the host behind the name");
-    // An empty host has been reported for the section: no need to repeat it for each of its lines.
-    return default_host_.empty() ? "localhost" : default_host_;
+    return default_host(line);
+  }
+
+  /// That of the last HOST line; systems that name no host run where they are started.
+  std::string default_host(const StructureLine& line) {
+    return default_host_.empty() ? used_host("localhost", line) : default_host_;
   }
 
   void component_line(const StructureLine& line) {
@@ -290,7 +291,8 @@ private:
       WordStream words(*line, environment_, log_);
       words.next();
       auto has_own_host = !match_language(words.peek());
-      auto parsed = parse_component_line(words, *line, {{}, default_host_}, input_.hosts, log_);
+      auto parsed =
+        parse_component_line(words, *line, {{}, default_host(*line)}, input_.hosts, log_);
       note_localhost(parsed, *line);
       if (!parsed.component)
         continue;

@@ -1,7 +1,7 @@
+#include "castor/actors/node/check.hpp"
 #include "castor/actors/cast/json.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
-#include "castor/actors/node/check.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -56,7 +56,8 @@ void add_check(CLI::App& app, Action& chosen) {
   command->add_flag("--expand", arguments->expand,
                     "print the file's #EXPAND comments with their variables replaced");
   command->add_flag("--json", arguments->json, "print the architecture as it was understood");
-  command->footer("Exit status 1 if there is any error. Every error is printed, not only the first.");
+  command->footer(
+    "Exit status 1 if there is any error. Every error is printed, not only the first.");
   command->callback([&chosen, arguments] { chosen = [arguments] { return check(*arguments); }; });
 }
 

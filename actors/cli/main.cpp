@@ -13,8 +13,9 @@
 
 int main(int argc, char** argv) {
   using namespace castor;
-  CLI::App app{"Castor runs information-processing architectures for robots: components that meet on "
-               "shared working memories, as a .cast file describes them."};
+  CLI::App app{
+    "Castor runs information-processing architectures for robots: components that meet on "
+    "shared working memories, as a .cast file describes them."};
   app.require_subcommand(1);
   app.set_version_flag("--version", "castor " CASTOR_VERSION);
   app.get_formatter()->column_width(34);

@@ -21,7 +21,7 @@ void add_architecture_arguments(CLI::App& command, ArchitectureArguments& argume
     ->take_all()
     ->check([](const std::string& x) {
       return x.find('=') == x.npos || x.front() == '=' ? "write --set NAME=VALUE, not " + x
-                                                        : std::string{};
+                                                       : std::string{};
     });
 }
 

@@ -45,7 +45,8 @@ std::optional<std::chrono::nanoseconds> duration(const std::string& text) {
 }
 
 std::string check_duration(const std::string& text) {
-  return duration(text) ? std::string{} : "write a duration such as 500ms, 10s or 2min, not " + text;
+  return duration(text) ? std::string{}
+                        : "write a duration such as 500ms, 10s or 2min, not " + text;
 }
 
 std::ofstream create(const std::filesystem::path& file) {
@@ -172,10 +173,11 @@ void add_run(CLI::App& app, Action& chosen) {
   command->add_flag("--open-access", arguments->open_access,
                     "let every subarchitecture write to every other, as the original CAST does");
   command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");
-  command->footer("Ctrl-C stops the components in the reverse order of their start.\n"
-                  "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
-                  "failed; 2 if the system could not be started.\n"
-                  "Example: castor run configs/vision.cast --trace --until-quiet 2s --output out");
+  command->footer(
+    "Ctrl-C stops the components in the reverse order of their start.\n"
+    "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
+    "failed; 2 if the system could not be started.\n"
+    "Example: castor run configs/vision.cast --trace --until-quiet 2s --output out");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
 }
 

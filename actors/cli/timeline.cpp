@@ -34,8 +34,8 @@ std::string timeline_line(const ChangeEvent& event, bool coloured) {
 }
 
 std::string timeline_head(bool coloured) {
-  auto line = fmt::format("{:>11}  {:<12} {:<9}  {:<18} {:<10} {:<20} {}", "seconds",
-                          "subarch.", "operation", "type", "id", "component", "version");
+  auto line = fmt::format("{:>11}  {:<12} {:<9}  {:<18} {:<10} {:<20} {}", "seconds", "subarch.",
+                          "operation", "type", "id", "component", "version");
   return coloured ? fmt::format("\033[1m{}\033[0m", line) : line;
 }
 

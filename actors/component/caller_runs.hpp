@@ -12,13 +12,13 @@
 
 namespace castor {
 
-/// Lets a component that is about to wait for an idle working memory of its own process run that working
-/// memory itself, which saves waking a pool thread and then itself.
+/// Lets a component that is about to wait for an idle working memory of its own process run that
+/// working memory itself, which saves waking a pool thread and then itself.
 ///
 /// CAF hands an actor that just became ready to its sender's execution unit. This one keeps working
-/// memories that became ready while an operation is being sent, and resumes them on the spot. A busy
-/// working memory never gets here: the thread that runs it takes the message along. So a working memory
-/// stays an ordinary actor with one mailbox, handling one message at a time.
+/// memories that became ready while an operation is being sent, and resumes them on the spot. A
+/// busy working memory never gets here: the thread that runs it takes the message along. So a
+/// working memory stays an ordinary actor with one mailbox, handling one message at a time.
 class CallerRuns : public caf::execution_unit {
 public:
   explicit CallerRuns(caf::actor_system& system) : execution_unit(&system) {}
@@ -26,8 +26,8 @@ public:
   /// The working memories of this process, sorted; fixed before the first call of `run`.
   void set_working_memories(const std::vector<caf::resumable*>* sorted) { known_ = sorted; }
 
-  /// Calls `send` and runs what that made ready, and what these made ready in turn. Nothing may stay
-  /// behind: nobody else would resume it.
+  /// Calls `send` and runs what that made ready, and what these made ready in turn. Nothing may
+  /// stay behind: nobody else would resume it.
   template <class F>
   void run(F&& send) {
     keeping_ = true;

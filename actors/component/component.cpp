@@ -14,8 +14,7 @@ namespace {
 
 /// Least significant digit first, as the original writes its ids.
 std::string base62(std::uint64_t x) {
-  static constexpr char digits[] =
-    "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  static constexpr char digits[] = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
   std::string result;
   do {
     result += digits[x % 62];

@@ -19,7 +19,8 @@ namespace castor {
 class ComponentShell;
 
 /// Thrown by whatever a component is waiting in when the component is told to stop. It derives from
-/// nothing, so that a `catch (const std::exception&)` in a component does not swallow it; let it pass.
+/// nothing, so that a `catch (const std::exception&)` in a component does not swallow it; let it
+/// pass.
 struct ComponentStopped {};
 
 /// What happens to change events that arrive while the component is busy.
@@ -38,9 +39,9 @@ CASTOR_REFLECT_ENUM(EventQueue, all, newest)
 /// CASTOR_COMPONENT. The runtime calls configure, start, run, stop in this order; no component of a
 /// system is started before all are configured, and none is run before all are started.
 ///
-/// All of it happens on the component's own thread, and callbacks too: they run inside `sleep_for` and
-/// `wait_for_changes`, and whenever `run()` has returned. Two pieces of a component's code therefore
-/// never run at the same time, and a component needs no locks for its members.
+/// All of it happens on the component's own thread, and callbacks too: they run inside `sleep_for`
+/// and `wait_for_changes`, and whenever `run()` has returned. Two pieces of a component's code
+/// therefore never run at the same time, and a component needs no locks for its members.
 ///
 /// An exception that leaves one of these functions or a callback ends the component, and only it.
 class Component {
@@ -62,7 +63,8 @@ protected:
   /// The component's own activity, if it has any of its own accord. May return at any time.
   virtual void run() {}
 
-  /// The component is about to end. Working memory may still be used. Not called after an exception.
+  /// The component is about to end. Working memory may still be used. Not called after an
+  /// exception.
   virtual void stop() {}
 
   const std::string& component_name() const;
@@ -101,11 +103,12 @@ protected:
     log_at(LogLevel::error, format, std::forward<Ts>(xs)...);
   }
 
-  // -- connections to components outside the schema: images, motor commands and other things that are
+  // -- connections to components outside the schema: images, motor commands and other things that
+  // are
   //    too many or too large for working memory
 
-  /// The newest `T` of the stand-alone component `provider`. Throws ConnectionError if there is no such
-  /// component, if it does not provide a `T`, or if it does not answer within the deadline.
+  /// The newest `T` of the stand-alone component `provider`. Throws ConnectionError if there is no
+  /// such component, if it does not provide a `T`, or if it does not answer within the deadline.
   template <ReflectedRecord T>
   std::shared_ptr<const T> pull(const std::string& provider) {
     return require<T>(provider, pull_value(provider, descriptor_of<T>()));

@@ -29,8 +29,8 @@ std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) 
     auto duration = x.component->in_user_code_for(now);
     bool over = duration > x.component->budget();
     if (over && !x.reported)
-      result.push_back({x.component.get(),
-                        std::chrono::duration_cast<std::chrono::milliseconds>(duration)});
+      result.push_back(
+        {x.component.get(), std::chrono::duration_cast<std::chrono::milliseconds>(duration)});
     x.reported = over;
   }
   return result;

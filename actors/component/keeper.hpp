@@ -31,8 +31,8 @@ private:
   std::vector<Watched> watched_;
 };
 
-/// The keeper of one process: looks after the components that live in it. It says when one of them has
-/// not come back from its own code within its budget.
+/// The keeper of one process: looks after the components that live in it. It says when one of them
+/// has not come back from its own code within its budget.
 caf::behavior keeper(caf::event_based_actor* self,
                      std::vector<std::shared_ptr<const ComponentRecord>> components);
 

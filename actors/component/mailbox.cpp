@@ -7,8 +7,8 @@ namespace castor {
 bool PumpedActor::pump(Clock::time_point until) {
   if (mailbox().empty()) {
     auto left = until - Clock::now();
-    // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a jump of
-    // that clock delays nothing for long.
+    // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a
+    // jump of that clock delays nothing for long.
     constexpr Clock::duration longest_step = std::chrono::seconds{1};
     if (left <= Clock::duration::zero())
       return false;

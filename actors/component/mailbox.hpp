@@ -16,10 +16,10 @@ namespace castor {
 
 /// A detached actor whose single mailbox is pumped by hand.
 ///
-/// Whatever its thread waits for, it takes every message that arrived out of CAF's mailbox and files it:
-/// replies into the slots of those who asked, work into a queue, stop and loss into flags. So an
-/// operation inside a callback works, a stop is seen inside every operation, deadlines hold under a flood
-/// of events, and filing costs the same however long the queue is.
+/// Whatever its thread waits for, it takes every message that arrived out of CAF's mailbox and
+/// files it: replies into the slots of those who asked, work into a queue, stop and loss into
+/// flags. So an operation inside a callback works, a stop is seen inside every operation, deadlines
+/// hold under a flood of events, and filing costs the same however long the queue is.
 class PumpedActor : public caf::blocking_actor {
 public:
   using Clock = std::chrono::steady_clock;
@@ -27,11 +27,12 @@ public:
   explicit PumpedActor(caf::actor_config& config) : blocking_actor(config) {}
 
 protected:
-  /// Files what has arrived; if nothing has, waits for it. False once `until` has passed without any.
+  /// Files what has arrived; if nothing has, waits for it. False once `until` has passed without
+  /// any.
   bool pump(Clock::time_point until);
 
-  /// Files what has arrived. Bounded, so that a sender faster than this loop cannot keep it from looking
-  /// at what it waits for.
+  /// Files what has arrived. Bounded, so that a sender faster than this loop cannot keep it from
+  /// looking at what it waits for.
   void file_arrived();
 
   /// A reply under way; empty until it has arrived.

@@ -9,16 +9,17 @@
 
 namespace castor {
 
-/// A component whose activity its subarchitecture's task manager controls: for expensive processing on
-/// demand. It proposes what it would do, and does it once that is adopted.
+/// A component whose activity its subarchitecture's task manager controls: for expensive processing
+/// on demand. It proposes what it would do, and does it once that is adopted.
 class ManagedComponent : public SubarchitectureComponent {
 protected:
   /// Proposes a task to the task manager; the decision arrives as a call of `task_adopted` or
   /// `task_rejected`.
   TaskId propose_task(const std::string& name);
 
-  /// Proposes a task that `work` does: called if and when it is adopted. When it returns, the task is
-  /// complete: with success, or with failure if it throws (and then the exception goes on its way).
+  /// Proposes a task that `work` does: called if and when it is adopted. When it returns, the task
+  /// is complete: with success, or with failure if it throws (and then the exception goes on its
+  /// way).
   TaskId propose_task(const std::string& name, std::function<void()> work);
 
   /// Takes a proposal back. No decision on it arrives any more.

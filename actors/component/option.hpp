@@ -17,8 +17,8 @@ namespace castor {
 class Component;
 class OptionList;
 
-/// One thing that a user may set on a component's line of a .cast file. Declared as a member, so that
-/// the class itself says what its options are, what they mean and what they default to:
+/// One thing that a user may set on a component's line of a .cast file. Declared as a member, so
+/// that the class itself says what its options are, what they mean and what they default to:
 ///
 ///     Option<double> min_area_{this, "min-area", 80, "smallest region kept, pixels"};
 ///
@@ -61,8 +61,9 @@ std::string print_option(const std::vector<std::string>& x);
 
 } // namespace detail
 
-/// T is bool, a whole number, double, std::string, std::chrono::milliseconds, std::vector<std::string>
-/// (written with commas), or an enumeration declared with CASTOR_REFLECT_ENUM.
+/// T is bool, a whole number, double, std::string, std::chrono::milliseconds,
+/// std::vector<std::string> (written with commas), or an enumeration declared with
+/// CASTOR_REFLECT_ENUM.
 template <class T>
 class Option final : public OptionBase {
 public:
@@ -143,8 +144,8 @@ public:
   void add(OptionBase& option) { options_.push_back(&option); }
   const std::vector<OptionBase*>& all() const { return options_; }
 
-  /// What is wrong with the setting, with the nearest name or the kind of value expected; nothing if
-  /// it was taken. `name` is without dashes.
+  /// What is wrong with the setting, with the nearest name or the kind of value expected; nothing
+  /// if it was taken. `name` is without dashes.
   std::optional<std::string> set(std::string_view name, std::string_view value);
 
 private:

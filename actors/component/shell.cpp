@@ -48,15 +48,11 @@ private:
 } // namespace
 
 ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
-  : PumpedActor(config),
-    component_(std::move(parts.component)),
+  : PumpedActor(config), component_(std::move(parts.component)),
     managed_(dynamic_cast<ManagedComponent*>(component_.get())),
-    manager_(dynamic_cast<TaskManager*>(component_.get())),
-    record_(std::move(parts.record)),
-    services_(std::move(parts.services)),
-    unit_(parts.unit),
-    working_memory_(std::move(parts.working_memory)),
-    task_manager_(std::move(parts.task_manager)) {
+    manager_(dynamic_cast<TaskManager*>(component_.get())), record_(std::move(parts.record)),
+    services_(std::move(parts.services)), unit_(parts.unit),
+    working_memory_(std::move(parts.working_memory)), task_manager_(std::move(parts.task_manager)) {
   if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get()))
     queue_mode_ = x->queue_;
   record_->set_budget(component_->budget_);
@@ -194,10 +190,10 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
     if (stopping_)
       return false;
     if (working_memory_lost_)
-      throw WorkingMemoryLostException{{FailureKind::working_memory_lost,
-                                        "the working memory of " + identity().subarchitecture +
-                                          " has ended",
-                                        {identity().subarchitecture, {}}}};
+      throw WorkingMemoryLostException{
+        {FailureKind::working_memory_lost,
+         "the working memory of " + identity().subarchitecture + " has ended",
+         {identity().subarchitecture, {}}}};
     if (work_.empty()) {
       record_->set_idle();
       if (!pump(until))
@@ -234,8 +230,7 @@ void ComponentShell::work_off(caf::mailbox_element& x) {
     work_off_push(content.get_as<Pushed>(0));
   } else if (managed_ && content.match_elements<TaskDecided>()) {
     auto& decided = content.get_as<TaskDecided>(0);
-    user_code("task " + decided.id,
-              [&] { managed_->decided(decided.id, decided.decision); });
+    user_code("task " + decided.id, [&] { managed_->decided(decided.id, decided.decision); });
   } else if (manager_ && content.match_elements<ProposeTask>()) {
     auto& proposal = content.get_as<ProposeTask>(0).proposal;
     proposers_[proposal.id] = caf::actor_cast<caf::actor>(x.sender);
@@ -281,14 +276,14 @@ void ComponentShell::check_may_operate() const {
     throw std::logic_error(identity().full_name() + " is outside the subarchitectures and has no " +
                            "working memory");
   if (!started_)
-    throw std::logic_error("working memory is not there yet in configure(): use it from start() on");
+    throw std::logic_error(
+      "working memory is not there yet in configure(): use it from start() on");
   // Operations on an idle working memory never wait, so this is where a stop ends a loop of them.
   if (stopping_ && !in_stop_hook_)
     throw ComponentStopped{};
 }
 
-Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id,
-                                                           const Address& address,
+Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id, const Address& address,
                                                            std::chrono::nanoseconds patience) {
   record_->leave_user_code();
   AtExit leave{[this, id] {
@@ -318,16 +313,13 @@ Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id,
 
 Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
                                          const Address& address) {
-  auto what = content.match_elements<caf::error>()
-                ? system().render(content.get_as<caf::error>(0))
-                : "an unexpected reply " + content.stringify();
-  return {FailureKind::working_memory_lost,
-          "no result from " + to_string(address) + ": " + what, address};
-}
-
-std::optional<Version> ComponentShell::last_seen(const Address& address) const {
-  auto i = seen_.find(address);
-  return i == seen_.end() ? std::nullopt : std::optional{i->second};
+  std::string what = "it sent " + content.stringify();
+  if (content.match_elements<caf::error>()) {
+    auto& e = content.get_as<caf::error>(0);
+    what = e == caf::sec::request_receiver_down ? "it has ended" : system().render(e);
+  }
+  return {FailureKind::working_memory_lost, "no result from " + to_string(address) + ": " + what,
+          address};
 }
 
 ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallback callback,
@@ -384,9 +376,9 @@ caf::actor ComponentShell::find_provider(const std::string& name) const {
   for (auto& [known, actor] : providers)
     names.push_back(known);
   auto guess = cast::did_you_mean(name, names);
-  throw ConnectionError("there is no stand-alone component " + name + "; " +
-                        (guess.empty() ? "add a COMPONENT line for it to the system's .cast file"
-                                       : guess));
+  throw ConnectionError(
+    "there is no stand-alone component " + name + "; " +
+    (guess.empty() ? "add a COMPONENT line for it to the system's .cast file" : guess));
 }
 
 Outcome<Value> ComponentShell::ask_provider(const std::string& provider, std::uint64_t id) {

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/mailbox.hpp"
+#include "castor/actors/component/seen_versions.hpp"
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
@@ -13,7 +14,6 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace castor {
@@ -34,8 +34,8 @@ struct ShellParts {
   caf::actor task_manager;
 };
 
-/// The actor around a component: leads it through its life, delivers what arrives, and carries out its
-/// operations.
+/// The actor around a component: leads it through its life, delivers what arrives, and carries out
+/// its operations.
 class ComponentShell : public PumpedActor {
 public:
   ComponentShell(caf::actor_config& config, ShellParts parts);
@@ -62,7 +62,8 @@ public:
   std::uint64_t begin(const Request& request) {
     check_may_operate();
     std::uint64_t id = 0;
-    unit_->run([&] { id = this->request(working_memory_, caf::infinite, request).id().integer_value(); });
+    unit_->run(
+      [&] { id = this->request(working_memory_, caf::infinite, request).id().integer_value(); });
     open_slot(id);
     return id;
   }
@@ -78,8 +79,8 @@ public:
   void abandon(std::uint64_t id) { close_slot(id); }
 
   /// The version of the entry that the component last read or wrote.
-  std::optional<Version> last_seen(const Address& address) const;
-  void saw(const Address& address, Version version) { seen_[address] = version; }
+  std::optional<Version> last_seen(const Address& address) const { return seen_.get(address); }
+  void saw(const Address& address, Version version) { seen_.set(address, version); }
   void forget(const Address& address) { seen_.erase(address); }
 
   ReceiverId add_receiver(const ChangeFilter& filter, ChangeCallback callback, Priority priority);
@@ -175,7 +176,7 @@ private:
   std::string doing_;
   std::uint64_t callbacks_ = 0;
 
-  std::unordered_map<Address, Version> seen_;
+  SeenVersions seen_;
   std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
   ReceiverId last_receiver_ = 0;
 

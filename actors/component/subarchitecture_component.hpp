@@ -37,8 +37,8 @@ using ReceiverId = std::uint32_t;
 
 using ChangeCallback = std::function<void(const ChangeEvent&)>;
 
-/// An operation that was sent and whose result is still to come. Take it once, with `get()`; dropping
-/// it abandons the result, not the operation.
+/// An operation that was sent and whose result is still to come. Take it once, with `get()`;
+/// dropping it abandons the result, not the operation.
 template <class T>
 class Pending {
 public:
@@ -53,10 +53,10 @@ private:
 
 /// A component of a subarchitecture. It meets the others on working memory only.
 ///
-/// Operations take effect in the working memory that owns the entry, in one step, and return when that
-/// has happened. They throw the exceptions of failure.hpp, and ComponentStopped if the component is
-/// told to stop meanwhile. An overwrite is refused unless the component has seen the latest version:
-/// by reading it or by having written it.
+/// Operations take effect in the working memory that owns the entry, in one step, and return when
+/// that has happened. They throw the exceptions of failure.hpp, and ComponentStopped if the
+/// component is told to stop meanwhile. An overwrite is refused unless the component has seen the
+/// latest version: by reading it or by having written it.
 class SubarchitectureComponent : public Component {
 protected:
   const std::string& subarchitecture() const;
@@ -145,8 +145,8 @@ protected:
 
   // -- change events
 
-  /// Calls `callback` for every event that `filter` wants, from now on. May be called at any time from
-  /// `start()` on, also from inside a callback.
+  /// Calls `callback` for every event that `filter` wants, from now on. May be called at any time
+  /// from `start()` on, also from inside a callback.
   ReceiverId on_change(const ChangeFilter& filter, ChangeCallback callback,
                        Priority priority = Priority::medium);
 
@@ -155,8 +155,9 @@ protected:
 
   std::size_t receiver_count() const;
 
-  /// Delivers what has arrived; if nothing has, waits for it. True once a callback was called, false if
-  /// the time is over or the component was told to stop. An event that arrived before the call counts.
+  /// Delivers what has arrived; if nothing has, waits for it. True once a callback was called,
+  /// false if the time is over or the component was told to stop. An event that arrived before the
+  /// call counts.
   bool wait_for_changes(std::optional<std::chrono::nanoseconds> timeout = {});
 
   /// Switches the delivery of change events off and on; what arrives while it is off is dropped.

@@ -16,8 +16,10 @@ namespace {
 
 using Diagnostics = std::vector<cast::Diagnostic>;
 
-void add(Diagnostics& out, const SourceLocation& where, std::string message, std::string remedy) {
-  out.push_back({cast::Severity::error, where, {}, {}, std::move(message), std::move(remedy)});
+void add(Diagnostics& out, const ComponentDescription& x, std::string message,
+         std::string remedy = {}) {
+  out.push_back(
+    {cast::Severity::error, x.where, x.line, {}, std::move(message), std::move(remedy)});
 }
 
 /// The word for a kind on a component line.
@@ -47,17 +49,17 @@ bool is_this_machine(const std::string& host) {
 void check_options(Diagnostics& out, const ComponentDescription& x, OptionList& options) {
   for (auto& setting : x.options)
     if (auto problem = options.set(setting.name(), setting.value))
-      add(out, setting.where, x.class_name + " of " + x.name + ": " + *problem, {});
+      add(out, x, x.class_name + " of " + x.name + ": " + *problem);
 }
 
 void check_component(Diagnostics& out, const ComponentDescription& x) {
   if (!is_this_machine(x.host))
-    add(out, x.where, x.name + " is to run on the host " + x.host + ", which is not this machine",
+    add(out, x, x.name + " is to run on the host " + x.host + ", which is not this machine",
         "systems run in one process so far: name no host, or localhost");
   if (x.kind == ComponentKind::working_memory) {
     WorkingMemoryClass wm;
     if (x.class_name != wm.name)
-      add(out, x.where, "there is no working memory class " + x.class_name,
+      add(out, x, "there is no working memory class " + x.class_name,
           std::string{"write CPP WM "} + wm.name);
     else
       check_options(out, x, wm.options);
@@ -65,14 +67,13 @@ void check_component(Diagnostics& out, const ComponentDescription& x) {
   }
   auto lookup = find_class(x.class_name);
   if (!lookup.found) {
-    add(out, x.where, lookup.problem, {});
+    add(out, x, lookup.problem);
     return;
   }
   if (lookup.found->kind != x.kind) {
-    add(out, x.where,
+    add(out, x,
         x.class_name + " is not for a " + keyword(x.kind) + " line: it is made for " +
-          keyword(lookup.found->kind),
-        {});
+          keyword(lookup.found->kind));
     return;
   }
   auto component = lookup.found->make();

@@ -26,8 +26,8 @@ using namespace std::chrono_literals;
 /// How often the main thread looks up from waiting.
 constexpr auto glance = 50ms;
 
-/// A component that was busy for longer than this when looked at keeps a system from being quiet; one
-/// that merely polls does not.
+/// A component that was busy for longer than this when looked at keeps a system from being quiet;
+/// one that merely polls does not.
 constexpr auto polling = 200ms;
 
 using FlushAtom = caf::atom_constant<caf::atom("flush")>;
@@ -158,7 +158,8 @@ public:
     if (!order.empty())
       log(LogLevel::info, "castor", "stopped, in this order: " + order);
     for (auto& name : stuck_)
-      log(LogLevel::error, "castor", name + " did not stop: it has not come back from its own code");
+      log(LogLevel::error, "castor",
+          name + " did not stop: it has not come back from its own code");
     if (observer_)
       self_->request(observer_, caf::infinite, FlushAtom::value)
         .receive([](bool) {}, [](const caf::error&) {});
@@ -254,8 +255,7 @@ private:
     parts.record = std::make_shared<ComponentRecord>(ComponentIdentity{
       x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number)});
     parts.services = services_;
-    parts.unit =
-      services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
+    parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
     parts.unit->set_working_memories(&services_->working_memories);
     parts.working_memory = std::move(wm);
     parts.task_manager = std::move(manager);
@@ -274,9 +274,8 @@ private:
     bool done = false;
     auto next_report = Clock::now() + 5s;
     while (!done && x.record->state() != ComponentState::failed) {
-      self_->receive(
-        [&](const PhaseDone& y) { done = y.component == x.record->identity().number; },
-        caf::after(glance) >> [] {});
+      self_->receive([&](const PhaseDone& y) { done = y.component == x.record->identity().number; },
+                     caf::after(glance) >> [] {});
       if (interrupted())
         return false;
       if (!done && Clock::now() >= next_report) {
@@ -334,9 +333,8 @@ private:
     auto until = Clock::now() + options_.stop_patience;
     bool down = false;
     while (!down && Clock::now() < until && !(interrupted() && Clock::now() > until - 4s))
-      self_->receive(
-        [&](const caf::down_msg& y) { down = y.source == x.actor.address(); },
-        [](const PhaseDone&) {}, caf::after(glance) >> [] {});
+      self_->receive([&](const caf::down_msg& y) { down = y.source == x.actor.address(); },
+                     [](const PhaseDone&) {}, caf::after(glance) >> [] {});
     return down;
   }
 
@@ -363,8 +361,8 @@ private:
 };
 
 System::System(ArchitectureDescription architecture, SystemOptions options)
-  : implementation_(
-      std::make_unique<Implementation>(std::move(architecture), std::move(options))) {}
+  : implementation_(std::make_unique<Implementation>(std::move(architecture), std::move(options))) {
+}
 
 System::~System() = default;
 

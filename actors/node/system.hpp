@@ -35,8 +35,8 @@ struct SystemOptions {
   /// How long a component may take to stop before it is given up.
   std::chrono::milliseconds stop_patience{5000};
 
-  /// Called with every change in every working memory, one at a time, those of one working memory in
-  /// their order; not on any component's thread.
+  /// Called with every change in every working memory, one at a time, those of one working memory
+  /// in their order; not on any component's thread.
   std::function<void(const ChangeEvent&)> on_change;
 
   /// Asked now and then during lengthy work; true makes the system give up waiting.

@@ -12,7 +12,10 @@ struct WorkingMemoryClass {
 
   OptionList options;
   Option<std::vector<std::string>> ignore{
-    options, "ignore", {}, "changes in these subarchitectures are not told to this one's components"};
+    options,
+    "ignore",
+    {},
+    "changes in these subarchitectures are not told to this one's components"};
 };
 
 } // namespace castor

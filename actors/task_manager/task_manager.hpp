@@ -8,8 +8,8 @@
 
 namespace castor {
 
-/// Decides which of the tasks that a subarchitecture's managed components propose are done, and when.
-/// It sees proposals, not working memory.
+/// Decides which of the tasks that a subarchitecture's managed components propose are done, and
+/// when. It sees proposals, not working memory.
 class TaskManager : public Component {
 protected:
   /// A task was proposed. Decide now or later; a task that is not decided waits.

@@ -41,8 +41,8 @@ TEST_F(ChangeEvents, EveryChangeIsToldOnceAndInOrder) {
     EXPECT_TRUE(seen.empty()) << "callbacks run when the component lets them, not before";
     while (seen.size() < 5)
       ASSERT_TRUE(self.wait_for_changes(10s));
-    EXPECT_EQ(seen, (std::vector<std::string>{"ADD0", "OVERWRITE1", "OVERWRITE2", "DELETE2",
-                                              "ADD3"}));
+    EXPECT_EQ(seen,
+              (std::vector<std::string>{"ADD0", "OVERWRITE1", "OVERWRITE2", "DELETE2", "ADD3"}));
   });
 }
 
@@ -61,9 +61,11 @@ TEST_F(ChangeEvents, AnEventThatCameBeforeTheWaitIsNotMissed) {
 TEST_F(ChangeEvents, SeveralReceiversAreCalledByPriority) {
   run_component([](auto& self) {
     std::string order;
-    self.on_change(added<Note>(), [&](const ChangeEvent&) { order += "l"; }, Priority::low);
+    self.on_change(
+      added<Note>(), [&](const ChangeEvent&) { order += "l"; }, Priority::low);
     self.on_change(added<Note>(), [&](const ChangeEvent&) { order += "m"; });
-    self.on_change(changed<Note>(), [&](const ChangeEvent&) { order += "h"; }, Priority::high);
+    self.on_change(
+      changed<Note>(), [&](const ChangeEvent&) { order += "h"; }, Priority::high);
     self.on_change(any_change(), [&](const ChangeEvent&) { order += "n"; });
     self.add(Note{});
     ASSERT_TRUE(self.wait_for_changes(10s));
@@ -136,7 +138,8 @@ TEST_F(ChangeEvents, FiltersOfEveryKind) {
     self.on_change(any_change().in("elsewhere"), count("elsewhere"));
     self.on_change(any_change().anywhere(), count("anywhere"));
     int all = 0;
-    self.on_change(any_change(), [&](const ChangeEvent&) { ++all; }, Priority::low);
+    self.on_change(
+      any_change(), [&](const ChangeEvent&) { ++all; }, Priority::low);
     self.add(special, Note{});
     self.add(Remark{});
     self.overwrite(special, Note{});
@@ -199,8 +202,9 @@ TEST_F(ChangeEvents, OtherSubarchitecturesHearThroughTheirWorkingMemory) {
     self.on_change(added<Note>(), [&](const ChangeEvent&) { ++local; });
   };
   UnmanagedScript::scripts()["writer"].run = [](auto& self) { self.add(Note{42, ""}); };
-  System system{architecture(subarchitecture("a") + "CPP UM near Unmanaged\nCPP UM writer Unmanaged\n" +
-                             subarchitecture("b") + "CPP UM far Unmanaged\n" + subarchitecture("c"))};
+  System system{
+    architecture(subarchitecture("a") + "CPP UM near Unmanaged\nCPP UM writer Unmanaged\n" +
+                 subarchitecture("b") + "CPP UM far Unmanaged\n" + subarchitecture("c"))};
   ASSERT_TRUE(system.start());
   EXPECT_TRUE(eventually([&] { return local == 1 && remote == 1; }));
   auto wms = system.summary().working_memories;

@@ -60,18 +60,18 @@ TEST_F(LifeCycle, PhasesComeInTheOrderThatTheOriginalHas) {
   keep_diary<UnmanagedScript>("u1");
   keep_diary<UnmanagedScript>("u2");
   keep_diary<StandaloneScript>("camera");
-  System system{architecture("HOST localhost\nCOMPONENT CPP camera Standalone\n" + subarchitecture("a") +
-                             "CPP UM u1 Unmanaged\nCPP MG m1 Managed\n" + subarchitecture("b") +
-                             "CPP MG m2 Managed\nCPP UM u2 Unmanaged\n")};
+  System system{architecture("HOST localhost\nCOMPONENT CPP camera Standalone\n" +
+                             subarchitecture("a") + "CPP UM u1 Unmanaged\nCPP MG m1 Managed\n" +
+                             subarchitecture("b") + "CPP MG m2 Managed\nCPP UM u2 Unmanaged\n")};
   ASSERT_TRUE(system.start());
   ASSERT_TRUE(eventually([&] { return diary.lines_with("run").size() == 5; }));
   system.stop();
   EXPECT_EQ(diary.lines_with("configure"),
             (std::vector<std::string>{"configure m1", "configure u1", "configure m2",
                                       "configure u2", "configure camera"}));
-  EXPECT_EQ(diary.lines_with("start"),
-            (std::vector<std::string>{"start camera", "start m1", "start u1", "start m2",
-                                      "start u2"}));
+  EXPECT_EQ(
+    diary.lines_with("start"),
+    (std::vector<std::string>{"start camera", "start m1", "start u1", "start m2", "start u2"}));
   EXPECT_EQ(diary.lines_with("stop"),
             (std::vector<std::string>{"stop u2", "stop m2", "stop u1", "stop m1", "stop camera"}));
   auto lines = diary.lines();
@@ -91,7 +91,8 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
     other_ran = true;
     self.end_system(7, "seen enough");
   };
-  System system{architecture(subarchitecture("a") + "CPP UM bad Unmanaged\nCPP UM good Unmanaged\n")};
+  System system{
+    architecture(subarchitecture("a") + "CPP UM bad Unmanaged\nCPP UM good Unmanaged\n")};
   EXPECT_EQ(run(system), 7);
   EXPECT_TRUE(other_ran);
   EXPECT_EQ(system.summary().components.at(1)->failure(), "failed in start(): no eyes");
@@ -100,7 +101,8 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
 TEST_F(LifeCycle, AFailureInConfigureIsReportedAndTheSystemStarts) {
   UnmanagedScript::scripts()["bad"].configure = [](auto&) { throw std::logic_error("no map"); };
   UnmanagedScript::scripts()["good"].run = [](auto& self) { self.end_system(0, "done"); };
-  System system{architecture(subarchitecture("a") + "CPP UM bad Unmanaged\nCPP UM good Unmanaged\n")};
+  System system{
+    architecture(subarchitecture("a") + "CPP UM bad Unmanaged\nCPP UM good Unmanaged\n")};
   EXPECT_EQ(run(system), 0);
   auto components = system.summary().components;
   auto failed = std::count_if(components.begin(), components.end(),
@@ -148,15 +150,14 @@ TEST_F(LifeCycle, StopReachesAComponentInsideAnOperationAndASwallowingCatch) {
 
 TEST_F(LifeCycle, StopHookMayStillUseWorkingMemory) {
   std::atomic<bool> deleted{false};
-  UnmanagedScript::scripts()["tidy"] = {
-    {},
-    [](auto& self) { self.add(self.here("mine"), Note{}); },
-    {},
-    [&](auto& self) {
-      EXPECT_FALSE(self.is_running());
-      self.delete_entry(self.here("mine"));
-      deleted = !self.exists(self.here("mine"));
-    }};
+  UnmanagedScript::scripts()["tidy"] = {{},
+                                        [](auto& self) { self.add(self.here("mine"), Note{}); },
+                                        {},
+                                        [&](auto& self) {
+                                          EXPECT_FALSE(self.is_running());
+                                          self.delete_entry(self.here("mine"));
+                                          deleted = !self.exists(self.here("mine"));
+                                        }};
   System system{architecture(subarchitecture("a") + "CPP UM tidy Unmanaged\n")};
   ASSERT_TRUE(system.start());
   system.stop();

@@ -22,8 +22,8 @@ protected:
       body(self);
       self.end_system(0, "done");
     };
-    System system{architecture(head + subarchitecture("b") + subarchitecture("a") +
-                               "CPP UM c Unmanaged\n")};
+    System system{
+      architecture(head + subarchitecture("b") + subarchitecture("a") + "CPP UM c Unmanaged\n")};
     ASSERT_TRUE(system.start());
     ASSERT_EQ(system.wait({30s, {}}), EndReason::ended_by_component)
       << system.summary().components.back()->failure();
@@ -91,23 +91,25 @@ TEST_F(Operations, ReadingByTypeGivesTheNewestFirst) {
 TEST_F(Operations, FailuresAreThePapersExceptionsAndSaySo) {
   run_component([](auto& self) {
     auto address = self.here("x");
-    EXPECT_NE(message_of<DoesNotExistOnWM>([&] { self.template read<Note>(address); })
-                .find("a/x"),
+    EXPECT_NE(message_of<DoesNotExistOnWM>([&] { self.template read<Note>(address); }).find("a/x"),
               std::string::npos);
     EXPECT_NE(message_of<DoesNotExistOnWM>([&] { self.overwrite(address, Note{}); }).find("Add it"),
               std::string::npos);
     self.add(address, Note{});
-    EXPECT_NE(message_of<AlreadyExistsOnWM>([&] { self.add(address, Note{}); }).find("c put a Note"),
-              std::string::npos);
-    EXPECT_NE(message_of<TypeMismatchException>([&] { self.template read<Other>(address); })
-                .find("put a Note"),
+    EXPECT_NE(
+      message_of<AlreadyExistsOnWM>([&] { self.add(address, Note{}); }).find("c put a Note"),
+      std::string::npos);
+    EXPECT_NE(message_of<TypeMismatchException>([&] {
+                self.template read<Other>(address);
+              }).find("put a Note"),
               std::string::npos);
     EXPECT_NE(message_of<UnknownSubarchitectureException>([&] {
                 self.template read<Note>(Address{"c", "x"});
               }).find("there are: a, b"),
               std::string::npos);
-    EXPECT_NE(message_of<PermissionException>([&] { self.add(Address{"b", "y"}, Note{}); })
-                .find("ACCESS a WRITES b"),
+    EXPECT_NE(message_of<PermissionException>([&] {
+                self.add(Address{"b", "y"}, Note{});
+              }).find("ACCESS a WRITES b"),
               std::string::npos);
   });
 }
@@ -142,23 +144,23 @@ TEST_F(Operations, PipelinedWritesAllTakeEffectInOrder) {
 
 TEST_F(Operations, AStaleOverwriteIsRefusedAndARereadCuresIt) {
   std::atomic<int> step{0};
-  UnmanagedScript::scripts()["other"] = {
-    {},
-    [&](auto& self) {
-      self.on_change(added<Note>(), [&](const ChangeEvent& e) {
-        self.template read<Note>(e.address);
-        self.overwrite(e.address, Note{2, "other"});
-        step = 1;
-      });
-    },
-    {},
-    {}};
+  UnmanagedScript::scripts()["other"] = {{},
+                                         [&](auto& self) {
+                                           self.on_change(added<Note>(), [&](const ChangeEvent& e) {
+                                             self.template read<Note>(e.address);
+                                             self.overwrite(e.address, Note{2, "other"});
+                                             step = 1;
+                                           });
+                                         },
+                                         {},
+                                         {}};
   UnmanagedScript::scripts()["c"].run = [&](auto& self) {
     auto address = self.add(Note{1, "mine"});
     while (step == 0 && self.is_running())
       self.sleep_for(1ms);
-    auto message =
-      message_of<ConsistencyException>([&] { self.overwrite(address, Note{3, "mine"}); });
+    auto message = message_of<ConsistencyException>([&] {
+      self.overwrite(address, Note{3, "mine"});
+    });
     EXPECT_NE(message.find("version 0"), std::string::npos) << message;
     EXPECT_NE(message.find("other has since written version 1"), std::string::npos) << message;
     EXPECT_EQ(self.template read<Note>(address)->text, "other");
@@ -173,8 +175,9 @@ TEST_F(Operations, AStaleOverwriteIsRefusedAndARereadCuresIt) {
 TEST_F(Operations, AnEmptyHandedOverwriteIsRefused) {
   UnmanagedScript::scripts()["writer"].start = [](auto& self) { self.add(self.here("x"), Note{}); };
   UnmanagedScript::scripts()["c"].run = [](auto& self) {
-    EXPECT_NE(message_of<ConsistencyException>([&] { self.overwrite(self.here("x"), Note{}); })
-                .find("never read"),
+    EXPECT_NE(message_of<ConsistencyException>([&] {
+                self.overwrite(self.here("x"), Note{});
+              }).find("never read"),
               std::string::npos);
     self.end_system(0, "done");
   };

@@ -38,15 +38,14 @@ TEST_F(Options, HaveTheirDefaults) {
 }
 
 TEST_F(Options, TakeWhatUsersWrite) {
-  for (auto& [key, value] : std::vector<std::pair<std::string, std::string>>{
-         {"flag", "true"},
-         {"count", "-12"},
-         {"small", "255"},
-         {"ratio", "1e-3"},
-         {"name", "the box"},
-         {"period", "1.5s"},
-         {"friends", "a,b,,c"},
-         {"side", "right"}})
+  for (auto& [key, value] : std::vector<std::pair<std::string, std::string>>{{"flag", "true"},
+                                                                             {"count", "-12"},
+                                                                             {"small", "255"},
+                                                                             {"ratio", "1e-3"},
+                                                                             {"name", "the box"},
+                                                                             {"period", "1.5s"},
+                                                                             {"friends", "a,b,,c"},
+                                                                             {"side", "right"}})
     EXPECT_EQ(list.set(key, value), std::nullopt) << key;
   EXPECT_TRUE(flag);
   EXPECT_EQ(count, -12);
@@ -59,20 +58,20 @@ TEST_F(Options, TakeWhatUsersWrite) {
 }
 
 TEST_F(Options, RefuseWhatIsNoSuchValueAndKeepTheOld) {
-  for (auto& [key, value] : std::vector<std::pair<std::string, std::string>>{
-         {"flag", "maybe"},
-         {"count", "3.5"},
-         {"count", "99999999999"},
-         {"count", ""},
-         {"small", "256"},
-         {"small", "-1"},
-         {"ratio", "inf"},
-         {"ratio", "0.5x"},
-         {"period", "10"},
-         {"period", "10 s"},
-         {"period", "-1s"},
-         {"period", "s"},
-         {"side", "up"}}) {
+  for (auto& [key, value] :
+       std::vector<std::pair<std::string, std::string>>{{"flag", "maybe"},
+                                                        {"count", "3.5"},
+                                                        {"count", "99999999999"},
+                                                        {"count", ""},
+                                                        {"small", "256"},
+                                                        {"small", "-1"},
+                                                        {"ratio", "inf"},
+                                                        {"ratio", "0.5x"},
+                                                        {"period", "10"},
+                                                        {"period", "10 s"},
+                                                        {"period", "-1s"},
+                                                        {"period", "s"},
+                                                        {"side", "up"}}) {
     auto problem = list.set(key, value);
     ASSERT_TRUE(problem) << key << " " << value;
     EXPECT_NE(problem->find("--" + key + " takes a"), std::string::npos) << *problem;

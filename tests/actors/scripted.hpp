@@ -193,8 +193,8 @@ ArchitectureDescription architecture(const std::string& text);
 /// "CPP WM ..." and "CPP TM ..." for a subarchitecture, to be followed by its components.
 std::string subarchitecture(const std::string& name);
 
-/// Runs the system until it ends itself, and stops it; the status it ended with, or -1 if it did not
-/// end within 30 s.
+/// Runs the system until it ends itself, and stops it; the status it ended with, or -1 if it did
+/// not end within 30 s.
 int run(System& system);
 
 /// Waits until the condition holds; false if it does not within 30 s.

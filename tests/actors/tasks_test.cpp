@@ -46,9 +46,9 @@ protected:
       body(self);
       self.end_system(0, "done");
     };
-    System system{architecture(
-      "SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\nCPP TM " + manager +
-      "\nCPP MG m Managed\n")};
+    System system{
+      architecture("SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\nCPP TM " +
+                   manager + "\nCPP MG m Managed\n")};
     EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
   }
 };

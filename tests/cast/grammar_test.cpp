@@ -105,11 +105,11 @@ TEST(Subarchitectures, NeedDifferentNames) {
   EXPECT_EQ(test::count(result, Severity::error), 1U);
 }
 
-TEST(Subarchitectures, NeedAHost) {
-  auto result = parse("SUBARCHITECTURE s\n" + wm + tm);
-  EXPECT_TRUE(reports(result, Severity::error, 1, "no host for this subarchitecture",
-                      "write HOST localhost above"));
-  EXPECT_EQ(test::count(result, Severity::error), 1U);
+TEST(Subarchitectures, AreOnThisMachineIfNoHostIsNamed) {
+  auto result = parse("SUBARCHITECTURE s\n" + wm + tm + "CPP MG a A\n");
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result.diagnostics.empty());
+  EXPECT_EQ(result.architecture->component("a")->host, "localhost");
 }
 
 TEST(Subarchitectures, NeedAWorkingMemoryAndATaskManager) {
@@ -194,9 +194,10 @@ TEST(StandaloneComponents, SeeTheLastHostOfTheFile) {
   EXPECT_EQ(test::count(result, Severity::warning), 1U);
 }
 
-TEST(StandaloneComponents, NeedAHost) {
-  EXPECT_TRUE(reports(parse("COMPONENT CPP x X"), Severity::error, 1, "no host for this component",
-                      "write HOST localhost"));
+TEST(StandaloneComponents, AreOnThisMachineIfNoHostIsNamed) {
+  auto result = parse("COMPONENT CPP x X");
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result.architecture->component("x")->host, "localhost");
 }
 
 TEST(Hosts, NeedAName) {
@@ -280,7 +281,7 @@ TEST(Errors, AreReportedAllAtOnceInFileOrder) {
   std::vector<std::size_t> lines;
   for (const auto& diagnostic : result.diagnostics)
     lines.push_back(diagnostic.where.line());
-  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 2, 3, 3, 4, 5, 6, 6, 7, 8, 8, 9, 10}))
+  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 2, 3, 3, 4, 5, 6, 7, 8, 8, 9, 10}))
     << render(result.diagnostics);
   EXPECT_FALSE(result.architecture);
 }

@@ -69,8 +69,7 @@ TEST_F(Castor, ListsComponentsWithTheirOptions) {
   Process castor{command({"components"})};
   EXPECT_EQ(castor.wait(), 0);
   for (auto part : {"Clock", "ticks a few times", "--count", "how often it ticks",
-                    "whole number; 3", "SubarchitectureWorkingMemory",
-                    "AlwaysPositiveTaskManager"})
+                    "whole number; 3", "SubarchitectureWorkingMemory", "AlwaysPositiveTaskManager"})
     EXPECT_NE(castor.output().find(part), std::string::npos) << part;
 }
 
@@ -108,8 +107,8 @@ TEST_F(Castor, StopsAfterTheTimeGiven) {
 }
 
 TEST_F(Castor, AFailedComponentShowsInReportAndStatus) {
-  Process castor{
-    command({"run", system("CPP UM broken Broken\nCPP UM clock Clock\n"), "--until-quiet", "200ms"})};
+  Process castor{command(
+    {"run", system("CPP UM broken Broken\nCPP UM clock Clock\n"), "--until-quiet", "200ms"})};
   EXPECT_EQ(castor.wait(), 1);
   EXPECT_NE(castor.errors().find("[a.broken] failed in run(): the spring is gone"),
             std::string::npos);

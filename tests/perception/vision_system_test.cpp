@@ -136,8 +136,8 @@ TEST_F(VisionSystem, FollowsTheSceneAsItChanges) {
 }
 
 TEST_F(VisionSystem, WritesAnnotatedPictures) {
-  watch(vision_cast(), {{"source", scene("red cube at 0 0 size 0.07\n")},
-                        {"output", (folder / "out").string()}});
+  watch(vision_cast(),
+        {{"source", scene("red cube at 0 0 size 0.07\n")}, {"output", (folder / "out").string()}});
   auto picture = read_image(folder / "out" / "pictures-001.png");
   EXPECT_EQ(picture.width, 640u);
   EXPECT_EQ(picture.height, 480u);

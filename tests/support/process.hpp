@@ -20,8 +20,8 @@ public:
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// Waits until `text` stands in what was written so far, on standard output or error; false if the
-  /// process ends or the time is over before.
+  /// Waits until `text` stands in what was written so far, on standard output or error; false if
+  /// the process ends or the time is over before.
   bool wait_for_output(const std::string& text,
                        std::chrono::seconds patience = std::chrono::seconds{30});
 
