@@ -1,5 +1,5 @@
-// What operations on working memory cost, as ratios to a bare blocking request of the actor framework
-// measured in the same run, and how long a change takes to another component's callback.
+// What operations on working memory cost, as ratios to a bare blocking request of the actor
+// framework measured in the same run, and how long a change takes to another component's callback.
 //
 //   working_memory_benchmark [REPETITIONS]
 #include "castor/actors/cast/parser.hpp"

@@ -38,7 +38,8 @@ void run(const char* folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fprintf(stderr, "usage: train_shapes DIR > perception/vision/recognition/shape_table.inc\n");
+    std::fprintf(stderr,
+                 "usage: train_shapes DIR > perception/vision/recognition/shape_table.inc\n");
     return 1;
   }
   try {

@@ -19,14 +19,14 @@ struct SceneWatchOptions {
   bool first_frame_counts = true;
 };
 
-/// Notices that a scene changes and comes to rest again, from the differences between frames. The rule
-/// and its numbers are those of the original system's change detector.
+/// Notices that a scene changes and comes to rest again, from the differences between frames. The
+/// rule and its numbers are those of the original system's change detector.
 class SceneWatch {
 public:
   explicit SceneWatch(SceneWatchOptions options = {}) : options_(options) {}
 
-  /// What is to be said of the scene after this frame: that it is changing, or once that it has changed
-  /// and is still. Nothing while nothing happens. A frame of another size is a changed one.
+  /// What is to be said of the scene after this frame: that it is changing, or once that it has
+  /// changed and is still. Nothing while nothing happens. A frame of another size is a changed one.
   std::optional<SceneChanged> observe(const Image& frame);
 
 private:

@@ -45,7 +45,8 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// Pixels in rows from the top; `bytes` has width * height * channels of them, 3 channels are B, G, R.
+/// Pixels in rows from the top; `bytes` has width * height * channels of them, 3 channels are B, G,
+/// R.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -110,8 +111,8 @@ struct CameraFrame {
   std::uint64_t index = 0;
 };
 
-/// One entry per camera, only ever overwritten: is the scene moving, has it come to rest changed, has
-/// that change been seen to?
+/// One entry per camera, only ever overwritten: is the scene moving, has it come to rest changed,
+/// has that change been seen to?
 struct SceneChanged {
   bool changing = false;
   bool changed = false;
@@ -134,7 +135,8 @@ struct RegionFeatures {
 /// A region of interest: a part of an image in which something stands out from the background.
 struct ROI {
   ImageBox box;
-  /// The pixels in `box` (3 channels), and which of them belong to the region (1 channel, 0 or 255).
+  /// The pixels in `box` (3 channels), and which of them belong to the region (1 channel, 0 or
+  /// 255).
   Image region;
   Image mask;
   /// The outline in image coordinates.

@@ -19,8 +19,8 @@ using namespace std::chrono_literals;
 enum class AfterLast { loop, hold };
 CASTOR_REFLECT_ENUM(AfterLast, loop, hold)
 
-/// The video server: takes pictures at its own pace, gives the newest to whoever pulls and pushes each
-/// to whoever asked for that.
+/// The video server: takes pictures at its own pace, gives the newest to whoever pulls and pushes
+/// each to whoever asked for that.
 class Camera final : public StandaloneComponent {
   void configure() override {
     ImageSourceOptions options;
@@ -73,8 +73,8 @@ class Camera final : public StandaloneComponent {
     frame_.index = next.index;
   }
 
-  Option<std::string> source_{this, "source", "",
-                              "a picture, a folder of pictures, a video, /dev/videoN or scene:FILE"};
+  Option<std::string> source_{
+    this, "source", "", "a picture, a folder of pictures, a video, /dev/videoN or scene:FILE"};
   Option<std::string> base_{this, "base", "",
                             "folder in which a relative source is looked for too"};
   Option<std::string> calibration_{this, "calibration", "",

@@ -1,10 +1,10 @@
 #include "castor/actors/registry.hpp"
-#include "castor/perception/vision/segmentation/background_model.hpp"
 #include "castor/perception/vision/camera/image_source.hpp"
-#include "castor/perception/vision/segmentation/region_matching.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
-#include "castor/perception/vision/segmentation/segmentation.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/segmentation/background_model.hpp"
+#include "castor/perception/vision/segmentation/region_matching.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/failure.hpp"
 
@@ -123,8 +123,8 @@ class Segmentor final : public ManagedComponent {
     add(here(roi_id), std::move(roi));
   }
 
-  /// A region that is still where it was and looks as it did is left alone, with all that is known of
-  /// it; any other is replaced by its new view.
+  /// A region that is still where it was and looks as it did is left alone, with all that is known
+  /// of it; any other is replaced by its new view.
   void update(const EntryOf<ROI>& known, ROI fresh, const vision::Camera& camera) {
     if (overlap(known->box, fresh.box) > unchanged_overlap_ &&
         colour_distance(*known, fresh) < unchanged_colour_)
@@ -164,10 +164,9 @@ class Segmentor final : public ManagedComponent {
 
   Option<std::string> camera_{this, "camera", "camera", "the camera component to pull from"};
   Option<int> number_{this, "number", 0, "that camera's number"};
-  Option<std::string> background_{this, "background", "",
-                                  "pictures of the empty scene (folder or video), if there are any"};
-  Option<int> background_images_{this, "background-images", 30,
-                                 "how many of them to learn from"};
+  Option<std::string> background_{
+    this, "background", "", "pictures of the empty scene (folder or video), if there are any"};
+  Option<int> background_images_{this, "background-images", 30, "how many of them to learn from"};
   Option<double> min_area_{this, "min-area", SegmentationOptions{}.min_area,
                            "smallest region kept, as a share of the picture"};
   Option<double> max_area_{this, "max-area", SegmentationOptions{}.max_area,

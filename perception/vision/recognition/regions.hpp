@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "castor/perception/vision/segmentation/background_model.hpp"
 #include "castor/perception/vision/recognition/colour_names.hpp"
-#include "castor/perception/vision/segmentation/segmentation.hpp"
 #include "castor/perception/vision/recognition/shape_classifier.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/segmentation/background_model.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
 #include "castor/perception/vision/types.hpp"
 
 namespace castor::vision {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "castor/perception/vision/text_file.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
+#include "castor/perception/vision/text_file.hpp"
 
 /// The scene language. A scene file has one statement per line; `#` begins a comment, capital
 /// letters do not matter. Lengths are metres, or have a unit: 0.06, 6cm, 60mm. The table's middle

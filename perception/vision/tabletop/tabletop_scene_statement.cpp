@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "castor/perception/vision/text_file.hpp"
 #include "castor/perception/vision/camera/camera_model_vectors.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
+#include "castor/perception/vision/text_file.hpp"
 
 namespace castor::vision {
 
