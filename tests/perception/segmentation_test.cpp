@@ -96,6 +96,52 @@ TEST(Segmentation, takes_a_hard_shadow_at_the_foot_of_a_thing_for_ground) {
   EXPECT_TRUE(box_is(found[0], {130, 100, 41, 41}));
 }
 
+TEST(Segmentation, takes_a_large_hard_shadow_on_a_coloured_ground_for_ground) {
+  cv::Mat picture(240, 320, CV_8UC3, {50, 170, 60});
+  cv::circle(picture, {200, 150}, 30, cv::Scalar(50, 170, 60) * 0.6, cv::FILLED);
+  const cv::Rect thing(130, 110, 50, 50);
+  cv::rectangle(picture, thing, {30, 30, 150}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], thing));
+  SegmentationOptions options;
+  options.shadow_angle = 0;
+  EXPECT_EQ(segments_of(picture, options).size(), 2U);
+}
+
+/// Noise as strong as the differences in colour, instead of a texture.
+void roughen(cv::Mat& picture) {
+  cv::Mat noise(picture.size(), CV_16SC3);
+  cv::RNG(1).fill(noise, cv::RNG::NORMAL, cv::Scalar::all(0), cv::Scalar::all(60));
+  cv::add(picture, noise, picture, cv::noArray(), CV_8UC3);
+}
+
+TEST(Segmentation, finds_a_rough_thing_among_others_that_fill_the_frame) {
+  cv::Mat picture(240, 320, CV_8UC3);
+  picture(cv::Rect(0, 0, 160, 120)).setTo(cv::Scalar(160, 60, 60));
+  picture(cv::Rect(160, 0, 160, 120)).setTo(cv::Scalar(60, 60, 170));
+  picture(cv::Rect(0, 120, 160, 120)).setTo(cv::Scalar(60, 170, 60));
+  picture(cv::Rect(160, 120, 160, 120)).setTo(cv::Scalar(70, 70, 70));
+  cv::circle(picture, {160, 120}, 60, {70, 200, 220}, cv::FILLED);
+  roughen(picture);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], {100, 60, 121, 121}, 6));
+}
+
+TEST(Segmentation, finds_rough_things_on_a_rough_ground) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(200));
+  const cv::Rect left(30, 60, 100, 120);
+  const cv::Rect right(180, 60, 100, 120);
+  cv::rectangle(picture, left, {60, 60, 160}, cv::FILLED);
+  cv::rectangle(picture, right, {60, 150, 60}, cv::FILLED);
+  roughen(picture);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(box_is(found[0], left, 6) || box_is(found[0], right, 6));
+  EXPECT_TRUE(box_is(found[1], left, 6) || box_is(found[1], right, 6));
+}
+
 TEST(Segmentation, divides_touching_things_of_different_colours) {
   cv::Mat picture = shaded_sheet();
   const cv::Rect left(100, 80, 40, 40);

@@ -12,6 +12,10 @@ TEST(Address, PrintsTheSubarchitectureBeforeTheId) {
   EXPECT_EQ(to_string(Address{"vision", "0:3"}), "vision/0:3");
 }
 
+TEST(Address, WithoutAnIdPrintsTheSubarchitectureAlone) {
+  EXPECT_EQ(to_string(Address{"vision", ""}), "vision");
+}
+
 TEST(Address, OrdersBySubarchitectureThenId) {
   EXPECT_LT((Address{"a", "z"}), (Address{"b", "a"}));
   EXPECT_LT((Address{"a", "a"}), (Address{"a", "b"}));

@@ -298,6 +298,17 @@ TEST_F(EntryStoreRules, StartsAForgottenIdAboveEveryForgottenVersion) {
   EXPECT_EQ(add("never seen").version, 3u);
 }
 
+TEST_F(EntryStoreRules, SaysThatADeletionMayBeForgotten) {
+  constexpr auto perhaps = "deleted too long ago to be remembered";
+  EXPECT_THAT(store.read("a").failure().message, Not(HasSubstr(perhaps)));
+  store = EntryStore{"vision", {.remembered_deletions = 0}};
+  add("a");
+  remove("a");
+  EXPECT_THAT(store.read("a").failure().message, HasSubstr(perhaps));
+  EXPECT_THAT(store.version("a").failure().message, HasSubstr(perhaps));
+  EXPECT_THAT(refused(request(Operation::remove, "a")).message, HasSubstr(perhaps));
+}
+
 TEST_F(EntryStoreRules, MayBeToldToRememberNoDeletions) {
   store = EntryStore{"vision", {.remembered_deletions = 0}};
   add("a");

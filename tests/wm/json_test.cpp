@@ -188,6 +188,12 @@ TEST(Json, RefusesAListThatClaimsMoreThanItHas) {
     DecodeError);
 }
 
+TEST(Json, PrintsAnyNumberOfRecordsSideBySide) {
+  Tree tree{"root", {}};
+  tree.children.resize(1000);
+  EXPECT_EQ(nlohmann::json::parse(json_of(tree))["children"].size(), 1000u);
+}
+
 TEST(Json, RefusesDeepNesting) {
   Tree tree{"leaf", {}};
   for (int i = 0; i < 200; ++i) {

@@ -156,6 +156,17 @@ void join_surfaces(AreaGraph& graph, const SegmentationOptions& options) {
   }
 }
 
+/// Whether the colour alone tells: on a coloured ground no paint looks like that ground in the
+/// dark.
+bool has_shadow_colour(const AreaGraph& graph, int id, const Contact& caster,
+                       const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  return ground_colourfulness(area) > options.colour_angle &&
+         surface_of(area).angle <= options.shadow_angle &&
+         surface_of(graph.area(caster.area)).angle > options.colour_angle &&
+         caster.length >= options.shadow_contact * area.boundary();
+}
+
 bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
   const Contact* outline = graph.contact(id, graph.ground());
@@ -166,8 +177,11 @@ bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& option
   if (surface.angle > options.shade_angle || surface.brightness > 1 ||
       surface.brightness < options.shadow_brightness)
     return false;
+  const Contact& contact = *graph.contact(id, caster_id);
+  if (has_shadow_colour(graph, id, contact, options))
+    return true;
   const Area& caster = graph.area(caster_id);
-  const double softness = outline->mean_contrast() / graph.contact(id, caster_id)->mean_contrast();
+  const double softness = outline->mean_contrast() / contact.mean_contrast();
   const bool caster_is_coloured = surface_of(caster).angle > options.colour_angle;
   if (softness >= (caster_is_coloured ? 1.0 : options.shadow_softness) ||
       area.pixels() >= options.shadow_area * caster.pixels())
@@ -213,19 +227,36 @@ bool is_inset(AreaGraph& graph, int id, const SegmentationOptions& options) {
          graph.hull_rest(id, host).ground <= 2 * options.concavity;
 }
 
-void join_insets(AreaGraph& graph, const SegmentationOptions& options) {
+/// Likewise where there is no ground: then the border and third areas count as the ground does.
+bool is_enclosed(const AreaGraph& graph, int id, const SegmentationOptions& options) {
+  const int host = main_neighbour(graph, id);
+  if (host == none)
+    return false;
+  const Area& area = graph.area(id);
+  const double boundary = area.boundary() + area.border;
+  return graph.contact(id, host)->length > (1 - options.inset_ground) * boundary &&
+         area.pixels() < options.inset_area * graph.area(host).pixels();
+}
+
+/// Joins the areas that `belongs` is true of to their main neighbours, the smallest first.
+template <class Predicate>
+void join_to_neighbours(AreaGraph& graph, Predicate belongs) {
   for (;;) {
     int smallest = none;
     for (int id = 0; id < graph.count(); ++id) {
       if (graph.is_part(id) &&
           (smallest == none || graph.area(id).cells.size() < graph.area(smallest).cells.size()) &&
-          is_inset(graph, id, options))
+          belongs(id))
         smallest = id;
     }
     if (smallest == none)
       return;
     graph.join(smallest, main_neighbour(graph, smallest));
   }
+}
+
+void join_insets(AreaGraph& graph, const SegmentationOptions& options) {
+  join_to_neighbours(graph, [&](int id) { return is_inset(graph, id, options); });
 }
 
 } // namespace
@@ -266,12 +297,17 @@ void join_weak(AreaGraph& graph, double max_contrast) {
   }
 }
 
-void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
-  int ground = 0;
+int widest_on_border(const AreaGraph& graph) {
+  int widest = 0;
   for (int id = 0; id < graph.count(); ++id) {
-    if (graph.area(id).border > graph.area(ground).border)
-      ground = id;
+    if (graph.area(id).border > graph.area(widest).border)
+      widest = id;
   }
+  return widest;
+}
+
+void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
+  const int ground = widest_on_border(graph);
   const double border = 2.0 * (graph.labels().width() + graph.labels().height());
   const double size = graph.labels().size();
   graph.set_ground(ground);
@@ -305,6 +341,11 @@ void group(AreaGraph& graph, const SegmentationOptions& options) {
   join_shadows(graph, options);
   join_insets(graph, options);
   join_surfaces(graph, options);
+}
+
+void group_without_ground(AreaGraph& graph, const SegmentationOptions& options) {
+  join_crumbs(graph, options);
+  join_to_neighbours(graph, [&](int id) { return is_enclosed(graph, id, options); });
 }
 
 } // namespace castor::vision

@@ -9,6 +9,9 @@ namespace castor::vision {
 /// Joins areas across weak boundaries, the weakest first.
 void join_weak(AreaGraph& graph, double max_contrast);
 
+/// The area that holds most of the image's border.
+int widest_on_border(const AreaGraph& graph);
+
 /// Joins all that is ground into one area and sets it as the graph's ground.
 void join_ground(AreaGraph& graph, const SegmentationOptions& options);
 
@@ -18,5 +21,8 @@ void join_ground(AreaGraph& graph, const Grid<std::uint8_t>& foreground);
 /// Joins areas to objects and shadows to the ground; the graph must know the ground and its
 /// colours.
 void group(AreaGraph& graph, const SegmentationOptions& options);
+
+/// Joins crumbs and insets to what they are on, where there is no ground.
+void group_without_ground(AreaGraph& graph, const SegmentationOptions& options);
 
 } // namespace castor::vision

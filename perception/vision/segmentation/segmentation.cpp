@@ -9,10 +9,10 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/segmentation/area_graph.hpp"
 #include "castor/perception/vision/segmentation/ground_colour.hpp"
 #include "castor/perception/vision/segmentation/grouping.hpp"
-#include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/segmentation/surface.hpp"
 #include "castor/perception/vision/segmentation/watershed.hpp"
 #include "castor/perception/vision/segmentation/working_picture.hpp"
@@ -44,15 +44,18 @@ void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
   graph.set_ground_colours(ground, lab);
 }
 
-bool is_object(const Area& area, double image_pixels, bool ground_is_known,
+/// What is known of the ground.
+enum class Ground { unknown, seen, learned };
+
+bool is_object(const Area& area, double image_pixels, Ground ground,
                const SegmentationOptions& options) {
   const double share = area.pixels() / image_pixels;
-  if (share < options.min_area || (!ground_is_known && share > options.max_area))
+  if (share < options.min_area || (ground != Ground::learned && share > options.max_area))
     return false;
   // Pixels on the border of the image, against all pixel pairs along the outline.
   if (area.border > options.max_border * (area.boundary() + area.border))
     return false;
-  return ground_is_known || ground_difference(area) >= options.ground_difference;
+  return ground != Ground::seen || ground_difference(area) >= options.ground_difference;
 }
 
 /// The mask of `area` in image pixels, cut to its box, and the outline.
@@ -96,26 +99,12 @@ std::optional<Segment> make_segment(const Area& area, const WorkingPicture& pict
   return segment;
 }
 
-} // namespace
-
-std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
-                             const BackgroundModel* background) {
-  const WorkingPicture picture = make_working_picture(image, options);
-  const float flat = picture.flat_contrast;
-  AreaGraph graph(watershed(picture.contrast, flat, flood_step * flat), picture);
-  join_weak(graph, options.edge_factor * static_cast<double>(flat));
-  if (background != nullptr) {
-    Grid<std::uint8_t> foreground = background->foreground(image);
-    join_ground(graph, shrink(foreground, picture.colour.width(), picture.colour.height()));
-  }
-  if (graph.ground() < 0)
-    join_ground(graph, options);
-  learn_ground(graph, picture);
-  group(graph, options);
+std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& picture,
+                                const Image& image, Ground ground,
+                                const SegmentationOptions& options) {
   std::vector<Segment> segments;
   for (int id = 0; id < graph.count(); ++id) {
-    if (!graph.is_part(id) ||
-        !is_object(graph.area(id), graph.labels().size(), background != nullptr, options))
+    if (!graph.is_part(id) || !is_object(graph.area(id), graph.labels().size(), ground, options))
       continue;
     if (auto found = make_segment(graph.area(id), picture, image))
       segments.push_back(std::move(*found));
@@ -124,6 +113,62 @@ std::vector<Segment> segment(const Image& image, const SegmentationOptions& opti
     return std::tie(a.box.center.y, a.box.center.x) < std::tie(b.box.center.y, b.box.center.x);
   });
   return segments;
+}
+
+AreaGraph divide(const WorkingPicture& picture, double edge_factor) {
+  const float flat = picture.flat_contrast;
+  AreaGraph graph(watershed(picture.contrast, flat, flood_step * flat), picture);
+  join_weak(graph, edge_factor * static_cast<double>(flat));
+  return graph;
+}
+
+/// Whether the area that would be ground is one surface.
+bool has_coherent_ground(const AreaGraph& graph, const WorkingPicture& picture,
+                         const SegmentationOptions& options) {
+  const Area& ground = graph.area(widest_on_border(graph));
+  return colour_spread(ground, picture.lab) <= options.ground_spread;
+}
+
+std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions options) {
+  const CloseUpOptions& close_up = options.close_up;
+  options.working_side = std::min(options.working_side, close_up.working_side);
+  options.smoothing = close_up.smoothing;
+  options.noise_factor = close_up.noise_factor;
+  options.min_area = std::max(options.min_area, close_up.min_area);
+  options.max_area = std::max(options.max_area, close_up.max_area);
+  options.max_border = std::max(options.max_border, close_up.max_border);
+  const WorkingPicture picture = make_working_picture(image, options);
+  AreaGraph graph = divide(picture, close_up.edge_factor);
+  const int widest = widest_on_border(graph);
+  const double border = 2.0 * (graph.labels().width() + graph.labels().height());
+  if (graph.area(widest).border <= close_up.ground_border * border) {
+    group_without_ground(graph, options);
+    return objects_of(graph, picture, image, Ground::unknown, options);
+  }
+  graph.set_ground(widest);
+  learn_ground(graph, picture);
+  group(graph, options);
+  return objects_of(graph, picture, image, Ground::seen, options);
+}
+
+} // namespace
+
+std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
+                             const BackgroundModel* background) {
+  const WorkingPicture picture = make_working_picture(image, options);
+  AreaGraph graph = divide(picture, options.edge_factor);
+  if (background != nullptr) {
+    Grid<std::uint8_t> foreground = background->foreground(image);
+    join_ground(graph, shrink(foreground, picture.colour.width(), picture.colour.height()));
+  } else if (!has_coherent_ground(graph, picture, options)) {
+    return segment_close_up(image, options);
+  }
+  if (graph.ground() < 0)
+    join_ground(graph, options);
+  learn_ground(graph, picture);
+  group(graph, options);
+  return objects_of(graph, picture, image, background != nullptr ? Ground::learned : Ground::seen,
+                    options);
 }
 
 } // namespace castor::vision

@@ -7,6 +7,23 @@
 
 namespace castor::vision {
 
+/// How a close-up is looked at, in which textured things fill the frame: from so far off that their
+/// texture vanishes, and only for what is large.
+struct CloseUpOptions {
+  /// See SegmentationOptions.
+  int working_side = 128;
+  double smoothing = 1.5;
+  double noise_factor = 1.0;
+  double edge_factor = 2.2;
+  /// An area with a larger share of the image's border than this is the ground; without one, all
+  /// areas are things.
+  double ground_border = 0.5;
+  /// As in SegmentationOptions; most things in a close-up are large and many are cut off.
+  double min_area = 0.02;
+  double max_area = 0.7;
+  double max_border = 0.45;
+};
+
 /// What decides how an image falls apart. Contrasts are CIE L*a*b* units per pixel of the smoothed
 /// working image, with a* and b* stretched by `chroma_weight`; angles are degrees between linear
 /// (B, G, R) vectors; areas are shares of the image unless they say pixels.
@@ -61,6 +78,11 @@ struct SegmentationOptions {
   double shadow_compactness = 0.65;
   /// Beside a thing that is itself a shade of the ground, a shadow must be softer by this factor.
   double shadow_softness = 0.55;
+  /// On a coloured ground beside a thing of another colour, a darker area that has the ground's own
+  /// colour to within this angle is a shadow whatever its size, shape and edges, if it meets that
+  /// thing along this share of its boundary: few things have the very colour of what they are on.
+  double shadow_angle = 3.0;
+  double shadow_contact = 0.15;
   /// A piece of less than `inset_area` times its neighbour is part of it (a highlight, a mirrored
   /// thing) if at most this share of its boundary meets the ground and most of it the neighbour.
   double inset_area = 0.35;
@@ -71,6 +93,11 @@ struct SegmentationOptions {
   /// Objects with a larger share of their outline on the border of the image are dropped: what is
   /// cut off is not seen well enough. 1 keeps them all.
   double max_border = 0.2;
+  /// How far the colours of an area without edges may spread (standard deviation; L*a*b* units) if
+  /// it is to be one surface.
+  double ground_spread = 20.0;
+  /// What applies instead where no ground is found because texture drowns the edges.
+  CloseUpOptions close_up;
 };
 
 /// A part of an image in which something stands out from the ground.
@@ -90,6 +117,10 @@ struct Segment {
 /// shadows and the hues of things are judged against the ground right there. Other areas are joined
 /// to objects where hue agrees (a surface keeps its hue in light and shade) and where the union is
 /// convex, except for what hides behind other objects.
+///
+/// If the area that would be ground is not of one colour, texture has drowned the edges, and the
+/// image is divided anew as a close-up. Then ground is only what holds most of the border, and if
+/// nothing does, all large areas are objects.
 ///
 /// \param background what the place looks like with nothing on it, if that is known: then ground is
 /// what looks like that, at any size, and objects may even be the larger part of the image.

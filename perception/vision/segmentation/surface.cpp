@@ -52,6 +52,11 @@ Surface surface_of(const Area& area) {
   return surface;
 }
 
+double ground_colourfulness(const Area& area) {
+  const ColourSum white = direction({1, 1, 1});
+  return degrees * std::acos(std::min(1.0, dot(direction(area.ground_light), white)));
+}
+
 double surface_difference(const Surface& a, const Surface& b, double saturation_weight) {
   const double product = norm(a.offset) * norm(b.offset);
   const double cosine = product > 0 ? dot(a.offset, b.offset) / product : 1;
@@ -66,6 +71,17 @@ double lab_difference(const Area& a, const Area& b) {
 
 double ground_difference(const Area& area) {
   return mean_difference(area.lab, area.pixels(), area.ground_lab, area.pixels());
+}
+
+double colour_spread(const Area& area, const Grid<Colour>& lab) {
+  double squares = 0;
+  for (const int cell : area.cells) {
+    for (std::size_t c = 0; c < area.lab.size(); ++c) {
+      const double difference = static_cast<double>(lab[cell][c]) - area.lab[c] / area.pixels();
+      squares += difference * difference;
+    }
+  }
+  return std::sqrt(squares / area.pixels());
 }
 
 Extent extent_of(const Area& area, int width) {

@@ -17,6 +17,9 @@ struct Surface {
 
 Surface surface_of(const Area& area);
 
+/// Between the ground's colour at the area and white; degrees.
+double ground_colourfulness(const Area& area);
+
 /// Degrees; differences in the angle to the ground's colour count `saturation_weight`.
 double surface_difference(const Surface& a, const Surface& b, double saturation_weight);
 
@@ -25,6 +28,9 @@ double lab_difference(const Area& a, const Area& b);
 
 /// Between the area and the ground at its place; L*a*b* units.
 double ground_difference(const Area& area);
+
+/// The standard deviation of the colours within an area; L*a*b* units.
+double colour_spread(const Area& area, const Grid<Colour>& lab);
 
 /// The first and the last row of an area.
 struct Extent {
