@@ -20,7 +20,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(CASTOR_SANITIZE)
   target_compile_options(castor_build_options INTERFACE
-    -fsanitize=${CASTOR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    -fsanitize=${CASTOR_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
 endif()
 

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <barrier>
+#include <functional>
 #include <thread>
 
 namespace castor::test {
@@ -46,6 +48,20 @@ struct GiftBox : Box {
 CASTOR_REFLECT_DERIVED(GiftBox, Box, ribbon)
 
 } // namespace other
+
+struct Kit {
+  std::vector<int> list;
+  std::array<std::int16_t, 2> pair{};
+  Side side = Side::left;
+  Pose pose;
+  Tree tree;
+};
+CASTOR_REFLECT(Kit, list, pair, side, pose, tree)
+
+struct BigKit : Kit {
+  bool big = true;
+};
+CASTOR_REFLECT_DERIVED(BigKit, Kit, big)
 
 /// The value as another process gets it.
 Value arrived(const Value& x) {
@@ -140,6 +156,43 @@ TEST(Value, RefusesABaseThatDiffersDeepInside) {
   EXPECT_THAT([&] { theirs.as<Box>(); },
               ThrowsMessage<DecodeError>(
                 AllOf(HasSubstr("GiftBox"), HasSubstr("Box"), HasSubstr("this process knows"))));
+}
+
+TEST(Value, RefusesABaseWithAnyDifference) {
+  // What another build may have changed in the base of a type that only it has.
+  using Change = std::function<void(TypeDescriptor&)>;
+  auto fields = [](TypeDescriptor & x) -> auto& {
+    return x.records.front().fields;
+  };
+  auto record = [](TypeDescriptor& x, std::string_view name) -> RecordDescriptor& {
+    return *std::find_if(x.records.begin(), x.records.end(),
+                         [&](auto& candidate) { return candidate.name == name; });
+  };
+  auto as_kit = [](const Change& change) {
+    auto type = *descriptor_of<BigKit>();
+    type.records.front().name = "HugeKit";
+    change(type);
+    auto there = Value::from_bytes(std::make_shared<const TypeDescriptor>(type), encode(BigKit{}));
+    return there.as<Kit>();
+  };
+  EXPECT_TRUE(as_kit([](auto&) {}));
+  EXPECT_TRUE(as_kit([&](auto& x) { fields(x)[5].name = "what only the derived type has"; }));
+  for (auto& change : std::vector<Change>{
+         [&](auto& x) { fields(x)[0].name = "renamed"; },
+         [&](auto& x) { fields(x)[0].type.element[0].kind = WireKind::float32; },
+         [&](auto& x) { fields(x)[1].type.extent = 3; }, [&](auto& x) { fields(x).resize(4); },
+         [&](auto& x) { std::swap(fields(x)[3], fields(x)[4]); },
+         [&](auto& x) { x.enums[0].enumerators[0].first = "renamed"; },
+         [&](auto& x) { x.enums[0].enumerators[0].second = 5; },
+         [&](auto& x) { x.enums[0].underlying = WireKind::int8; },
+         [&](auto& x) { record(x, "Pose").name = "Renamed"; },
+         [&](auto& x) {
+           record(x, "Pose").fields.push_back({"more", fields(x)[0].type});
+         },
+         [&](auto& x) { record(x, "Point").fields[2].type.kind = WireKind::int32; },
+         [&](auto& x) { record(x, "Tree").fields[0].name = "renamed"; }})
+    EXPECT_THAT([&] { as_kit(change); },
+                ThrowsMessage<DecodeError>(HasSubstr("this process knows Kit {")));
 }
 
 TEST(Value, RefusesAnotherTypeOfItsNameFromItsOwnProcessToo) {
