@@ -88,10 +88,20 @@ void ComponentShell::act() {
   }
   record_->set_idle();
   component_.reset();
+  let_go();
   if (record_->state() != ComponentState::failed)
     record_->set_state(ComponentState::stopped);
   else
     fail_state(caf::make_error(caf::sec::runtime_error, record_->failure()));
+}
+
+void ComponentShell::let_go() {
+  work_.clear();
+  proposers_.clear();
+  provisions_.clear();
+  push_receivers_.clear();
+  conductor_ = nullptr;
+  task_manager_ = nullptr;
 }
 
 void ComponentShell::live() {

@@ -125,6 +125,8 @@ private:
   /// Delivers work, if the component has started, until the next phase is due.
   void await_phase(Phase phase);
   void phase_done(Phase phase, std::string failure);
+  /// Gives up all handles of other actors: two that hold each other would live for ever.
+  void let_go();
   void fail(const std::string& what);
 
   // -- work

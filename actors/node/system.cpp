@@ -74,6 +74,8 @@ public:
   ~Implementation() {
     if (!stopped_)
       stop();
+    // Components hold the services, and these hold components.
+    services_->providers.clear();
     for (auto& wm : working_memories_)
       caf::anon_send_exit(wm.actor, caf::exit_reason::user_shutdown);
     caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
