@@ -8,14 +8,15 @@ packages=(
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
 )
 test_packages=(
-  libgtest-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev
 )
 
 # install_missing PACKAGE...
 install_missing() {
   local missing=()
   local installed
-  installed=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null |
+  # dpkg-query fails if it does not know one of them; what it knows it prints all the same.
+  installed=$({ dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null || true; } |
     sed -n 's/^ii *//p')
   local package
   for package in "$@"; do
