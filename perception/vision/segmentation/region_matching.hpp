@@ -12,13 +12,13 @@ namespace castor::vision {
 /// The area that two boxes share, as a share of the area that they cover together; 0 to 1.
 double overlap(const ImageBox& a, const ImageBox& b);
 
-/// For each new box the old one that it is a new view of, if there is one: the pairs with the largest
-/// overlap first, each box in one pair at most, none with an overlap of `least` or less.
+/// For each new box the old one that it is a new view of, if there is one: the pairs with the
+/// largest overlap first, each box in one pair at most, none with an overlap of `least` or less.
 std::vector<std::optional<std::size_t>> match_boxes(std::span<const ImageBox> fresh,
                                                     std::span<const ImageBox> old, double least);
 
-/// How much two regions differ in what is seen: the distance of their mean colours, in grey levels of
-/// 255.
+/// How much two regions differ in what is seen: the distance of their mean colours, in grey levels
+/// of 255.
 double colour_distance(const ROI& a, const ROI& b);
 
 } // namespace castor::vision
