@@ -2,6 +2,7 @@
 
 #include "castor/wm/address.hpp"
 #include "castor/wm/entry.hpp"
+#include "castor/wm/timestamp.hpp"
 #include "castor/wm/type_descriptor.hpp"
 
 #include <chrono>
@@ -16,9 +17,6 @@ enum class Operation : std::uint8_t { add, overwrite, remove };
 
 /// "ADD", "OVERWRITE" or "DELETE".
 std::string_view to_string(Operation x);
-
-/// Time since the system began.
-using Timestamp = std::chrono::microseconds;
 
 /// What happened to an entry. It says nothing of the content: who wants that reads the entry.
 struct ChangeEvent {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/wm/address.hpp"
+#include "castor/wm/timestamp.hpp"
 #include "castor/wm/value.hpp"
 
 #include <cstdint>
@@ -12,6 +13,14 @@ namespace castor {
 /// 0 when an entry is first added, one more with every overwrite; deletion does not reset it.
 using Version = std::uint64_t;
 
+/// What ends an entry besides its deletion.
+struct EntryLife {
+  /// It is forgotten so long after it was last written; 0 for never.
+  Timestamp time_to_live{0};
+  /// It goes when the component that added it goes.
+  bool ephemeral = false;
+};
+
 /// An entry as it stood at one moment; never changes afterwards.
 struct Entry {
   Address address;
@@ -19,6 +28,7 @@ struct Entry {
   Value value;
   /// The component that added or last overwrote it.
   std::string writer;
+  EntryLife life = {};
 
   const std::string& type_name() const { return value.type_name(); }
 };

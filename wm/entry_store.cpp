@@ -7,12 +7,6 @@ namespace castor {
 
 namespace {
 
-std::string name_of(const Writer& x) {
-  if (x.subarchitecture.empty())
-    return x.component;
-  return x.component + " of " + x.subarchitecture;
-}
-
 std::string_view verb(Operation x) {
   switch (x) {
     case Operation::add:
@@ -31,60 +25,91 @@ EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
   : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_) {}
 
 Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) const {
-  auto& writer = request.writer;
+  auto& client = *request.client;
   auto& address = request.address;
-  if (!access_.may_write(writer.subarchitecture))
+  if (auto failure = check_address(request))
+    return *failure;
+  if (!access_.may_write(client.subarchitecture))
     return Failure{FailureKind::not_permitted,
-                   name_of(writer) + " may not " + std::string{verb(request.operation)} + " " +
+                   to_string(client) + " may not " + std::string{verb(request.operation)} + " " +
                      to_string(address) + ": only components of " + subarchitecture_ +
-                     " write there. To allow it, put ACCESS " + writer.subarchitecture +
-                     " WRITES " + subarchitecture_ + " into the system's .cast file",
+                     " write there. To allow it, put ACCESS " + client.subarchitecture +
+                     " WRITES " + subarchitecture_ +
+                     " into the system's .cast file, or run it with --open-access",
                    address};
   auto i = entries_.find(address.id);
   if (request.operation == Operation::add) {
     if (i != entries_.end())
       return Failure{FailureKind::already_exists,
-                     name_of(writer) + " cannot add " + to_string(address) + ": " +
+                     to_string(client) + " cannot add " + to_string(address) + ": " +
                        i->second.entry->writer + " put a " + i->second.entry->type_name() +
                        " there. Overwrite it, or add under a new id",
                      address};
-    if (auto failure = check_type(request))
+    if (auto failure = check_value(request))
       return *failure;
+    auto life = request.life.value_or(EntryLife{});
     return Effect{Operation::add,
-                  std::make_shared<const Entry>(
-                    Entry{address, version_for_add(address.id), request.value, writer.component}),
-                  writer.component};
+                  std::make_shared<const Entry>(Entry{address, version_for_add(address.id),
+                                                      request.value, client.component, life}),
+                  client.component,
+                  {},
+                  life.ephemeral ? request.client : nullptr};
   }
   if (i == entries_.end())
     return missing(request);
   auto& old = *i->second.entry;
   if (request.operation == Operation::remove)
-    return Effect{Operation::remove, i->second.entry, writer.component};
+    return Effect{Operation::remove, i->second.entry, client.component};
   if (!request.last_seen)
     return Failure{FailureKind::inconsistent,
-                   name_of(writer) + " cannot overwrite " + to_string(address) +
+                   to_string(client) + " cannot overwrite " + to_string(address) +
                      ", which it has never read; " + old.writer + " wrote version " +
                      std::to_string(old.version) + ". Read it first",
                    address};
   if (*request.last_seen != old.version)
     return Failure{FailureKind::inconsistent,
-                   name_of(writer) + " cannot overwrite " + to_string(address) + ": it has seen " +
-                     "version " + std::to_string(*request.last_seen) + ", but " + old.writer +
-                     " has since written version " + std::to_string(old.version) +
+                   to_string(client) + " cannot overwrite " + to_string(address) +
+                     ": it has seen " + "version " + std::to_string(*request.last_seen) + ", but " +
+                     old.writer + " has since written version " + std::to_string(old.version) +
                      ". Read it again and redo the change",
                    address};
-  if (auto failure = check_type(request))
+  if (auto failure = check_value(request))
     return *failure;
   if (request.value.type_name() != old.type_name())
     return Failure{FailureKind::wrong_type,
-                   name_of(writer) + " cannot overwrite " + to_string(address) + ", a " +
+                   to_string(client) + " cannot overwrite " + to_string(address) + ", a " +
                      old.type_name() + ", with a " + request.value.type_name() +
                      ". Delete it and add the new one",
                    address};
   return Effect{
     Operation::overwrite,
-    std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, writer.component}),
-    writer.component};
+    std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, client.component,
+                                        request.life.value_or(old.life)}),
+    client.component, i->second.entry};
+}
+
+Outcome<std::vector<EntryStore::Effect>>
+EntryStore::prepare(const std::vector<WriteRequest>& requests) const {
+  std::vector<Effect> result;
+  std::set<std::string_view> ids;
+  for (auto& request : requests) {
+    if (request.address.subarchitecture != subarchitecture_)
+      return Failure{FailureKind::not_atomic,
+                     to_string(*request.client) + " cannot write " + to_string(request.address) +
+                       " and entries of " + subarchitecture_ +
+                       " at once: an atomic write stays within one working memory",
+                     request.address};
+    if (!ids.insert(request.address.id).second)
+      return Failure{FailureKind::not_atomic,
+                     to_string(*request.client) + " cannot write " + to_string(request.address) +
+                       " twice in one atomic write",
+                     request.address};
+    auto effect = prepare(request);
+    if (!effect)
+      return effect.failure();
+    result.push_back(*std::move(effect));
+  }
+  return result;
 }
 
 ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
@@ -105,7 +130,11 @@ ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
         table.type = entry->value.type_ptr();
       exhume(id);
       table.recency.push_front(entry);
-      entries_[id] = {entry, sequence_, table.recency.begin()};
+      auto& slot = entries_[id];
+      slot = {entry, sequence_, table.recency.begin(), {}, expiry_source, effect.owner};
+      if (effect.owner)
+        ephemeral_.insert(id);
+      set_due_after(slot, now);
       break;
     }
     case Operation::overwrite: {
@@ -114,17 +143,72 @@ ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
       table.recency.splice(table.recency.begin(), table.recency, slot.position);
       slot.entry = entry;
       slot.written = sequence_;
+      if (slot.due_source == expiry_source)
+        set_due_after(slot, now);
       break;
     }
     case Operation::remove: {
       auto i = entries_.find(id);
       table.recency.erase(i->second.position);
+      set_due(i->second, std::nullopt);
+      if (i->second.owner)
+        ephemeral_.erase(id);
       bury(id, entry->version);
       entries_.erase(i);
       break;
     }
   }
   return event;
+}
+
+ClientPtr EntryStore::owner(const std::string& id) const {
+  auto i = entries_.find(id);
+  return i == entries_.end() ? nullptr : i->second.owner;
+}
+
+void EntryStore::end_owner(const Client& owner, Timestamp now) {
+  for (auto& id : ephemeral_) {
+    auto& slot = entries_.at(id);
+    if (*slot.owner == owner)
+      set_due(slot, now, owner_ended_source);
+  }
+}
+
+std::optional<Timestamp> EntryStore::next_due() const {
+  return due_.empty() ? std::nullopt : std::optional{due_.begin()->first};
+}
+
+std::vector<std::string> EntryStore::due(Timestamp now) const {
+  std::vector<std::string> result;
+  for (auto i = due_.begin(); i != due_.end() && i->first <= now; ++i)
+    result.push_back(i->second);
+  return result;
+}
+
+void EntryStore::postpone(const std::string& id, Timestamp until) {
+  auto& slot = entries_.at(id);
+  set_due(slot, until, slot.due_source);
+}
+
+EntryStore::Effect EntryStore::prepare_forgetting(const std::string& id) const {
+  auto& slot = entries_.at(id);
+  return {Operation::remove, slot.entry, slot.due_source};
+}
+
+void EntryStore::set_due_after(Slot& slot, Timestamp now) {
+  auto time_to_live = slot.entry->life.time_to_live;
+  if (slot.due || time_to_live.count() > 0)
+    set_due(slot, time_to_live.count() > 0 ? std::optional{now + time_to_live} : std::nullopt);
+}
+
+void EntryStore::set_due(Slot& slot, std::optional<Timestamp> due, const char* source) {
+  auto& id = slot.entry->address.id;
+  if (slot.due)
+    due_.erase({*slot.due, id});
+  slot.due = due;
+  slot.due_source = source;
+  if (due)
+    due_.emplace(*due, id);
 }
 
 Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
@@ -185,10 +269,31 @@ std::string EntryStore::absence(const std::string& id) const {
 Failure EntryStore::missing(const WriteRequest& request) const {
   auto& address = request.address;
   return {FailureKind::does_not_exist,
-          name_of(request.writer) + " cannot " + std::string{verb(request.operation)} + " " +
+          to_string(*request.client) + " cannot " + std::string{verb(request.operation)} + " " +
             to_string(address) + ": " + absence(address.id) +
             (request.operation == Operation::overwrite ? ". Add it first" : ""),
           address};
+}
+
+std::optional<Failure> EntryStore::check_address(const WriteRequest& request) const {
+  if (!request.address.id.empty())
+    return std::nullopt;
+  return Failure{FailureKind::bad_address,
+                 to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
+                   " an entry of " + subarchitecture_ + " without an id; new_id() makes one",
+                 request.address};
+}
+
+std::optional<Failure> EntryStore::check_value(const WriteRequest& request) const {
+  if (auto size = request.value.encoded_size(); size > options_.largest_value)
+    return Failure{FailureKind::too_large,
+                   to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
+                     " " + to_string(request.address) + ": its " + request.value.type_name() +
+                     " takes " + std::to_string(size) + " bytes, but " + subarchitecture_ +
+                     " takes at most " + std::to_string(options_.largest_value) +
+                     ". Put --largest-entry on its WM line to allow more",
+                   request.address};
+  return check_type(request);
 }
 
 std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const {
@@ -196,10 +301,10 @@ std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const
   if (i == types_.end() || !i->second.type || i->second.type->hash == request.value.type().hash)
     return std::nullopt;
   return Failure{FailureKind::wrong_type,
-                 name_of(request.writer) + " cannot " + std::string{verb(request.operation)} + " " +
-                   to_string(request.address) + ": it says " + to_string(request.value.type()) +
-                   ", but " + subarchitecture_ + " knows " + to_string(*i->second.type) +
-                   ". Build both sides from one declaration",
+                 to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
+                   " " + to_string(request.address) + ": it says " +
+                   to_string(request.value.type()) + ", but " + subarchitecture_ + " knows " +
+                   to_string(*i->second.type) + ". Build both sides from one declaration",
                  request.address};
 }
 

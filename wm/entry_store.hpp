@@ -2,23 +2,21 @@
 
 #include "castor/wm/access_rules.hpp"
 #include "castor/wm/change_event.hpp"
+#include "castor/wm/client.hpp"
 #include "castor/wm/entry.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/lease.hpp"
 
 #include <cstddef>
 #include <list>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace castor {
-
-/// The component behind an operation.
-struct Writer {
-  std::string component;
-  std::string subarchitecture;
-};
 
 /// A wish to change an entry.
 struct WriteRequest {
@@ -28,8 +26,16 @@ struct WriteRequest {
   Value value;
   /// For an overwrite: the version that the component last read or wrote; nothing if it never did.
   std::optional<Version> last_seen;
-  Writer writer;
+  ClientPtr client;
+  /// Of the lease that the client believes to hold on the entry; 0 for none.
+  LeaseToken token = 0;
+  /// For an overwrite, nothing: as it was; whose end ends the entry stays as it was in any case.
+  std::optional<EntryLife> life = {};
 };
+
+/// Sources of the deletions that no component makes.
+inline constexpr const char* expiry_source = "(time to live is over)";
+inline constexpr const char* owner_ended_source = "(its owner has ended)";
 
 /// Which entries a reader wants.
 struct TypeQuery {
@@ -45,6 +51,8 @@ struct TypeQuery {
 struct EntryStoreOptions {
   /// How many deleted ids keep their version; beyond that the oldest are forgotten.
   std::size_t remembered_deletions = 100'000;
+  /// The largest value that is taken, in bytes of its wire form.
+  std::size_t largest_value = std::size_t{256} << 20;
 };
 
 /// What a working memory holds, and every rule for changing it.
@@ -61,6 +69,10 @@ public:
     EntryPtr entry;
     /// The component that makes the change.
     std::string source;
+    /// As it was; for an overwrite.
+    EntryPtr before = {};
+    /// Whose end ends the entry; for the addition of an ephemeral one.
+    ClientPtr owner = {};
   };
 
   explicit EntryStore(std::string subarchitecture, EntryStoreOptions options = {});
@@ -76,6 +88,31 @@ public:
 
   /// Applies an effect of `prepare`, with no other commit in between, and says what happened.
   ChangeEventPtr commit(Effect effect, Timestamp now);
+
+  /// The effects of several writes of different entries, or the failure of the first that fails.
+  Outcome<std::vector<Effect>> prepare(const std::vector<WriteRequest>& requests) const;
+
+  // -- entries that end of themselves
+
+  /// Whose end ends the entry; null if nobody's does, or if there is no entry.
+  ClientPtr owner(const std::string& id) const;
+
+  /// From now on the ephemeral entries of this client are due.
+  void end_owner(const Client& owner, Timestamp now);
+
+  /// When the next entry is due to be forgotten.
+  std::optional<Timestamp> next_due() const;
+
+  /// The ids of the entries that are due, the longest due first.
+  std::vector<std::string> due(Timestamp now) const;
+
+  /// An entry that is due is kept until then.
+  void postpone(const std::string& id, Timestamp until);
+
+  /// The deletion of an entry that is due.
+  Effect prepare_forgetting(const std::string& id) const;
+
+  // -- reading
 
   Outcome<EntryPtr> read(const std::string& id) const;
 
@@ -102,6 +139,10 @@ private:
     /// When it was last written, as a count of writes.
     std::uint64_t written = 0;
     Recency::iterator position;
+    /// When it is to be forgotten, and what then stands as the source.
+    std::optional<Timestamp> due;
+    const char* due_source = expiry_source;
+    ClientPtr owner;
   };
 
   struct TypeTable {
@@ -117,10 +158,15 @@ private:
   /// Why there is no entry of that id.
   std::string absence(const std::string& id) const;
   Failure missing(const WriteRequest& request) const;
+  std::optional<Failure> check_address(const WriteRequest& request) const;
+  std::optional<Failure> check_value(const WriteRequest& request) const;
   std::optional<Failure> check_type(const WriteRequest& request) const;
   Version version_for_add(const std::string& id) const;
   void bury(const std::string& id, Version version);
   void exhume(const std::string& id);
+  /// What a write at that time means for the entry's end.
+  void set_due_after(Slot& slot, Timestamp now);
+  void set_due(Slot& slot, std::optional<Timestamp> due, const char* source = expiry_source);
 
   std::string subarchitecture_;
   EntryStoreOptions options_;
@@ -130,6 +176,10 @@ private:
   std::unordered_map<std::string, Tombstone> tombstones_;
   /// The ids of the tombstones, the longest deleted first.
   std::list<std::string> burials_;
+  /// By the time at which they are due.
+  std::set<std::pair<Timestamp, std::string>> due_;
+  /// The ids of ephemeral entries.
+  std::set<std::string> ephemeral_;
   /// Above every version that was forgotten.
   Version floor_ = 0;
   std::uint64_t sequence_ = 0;

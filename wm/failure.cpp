@@ -20,6 +20,22 @@ void throw_failure(const Failure& failure) {
       throw DeadlineException{failure};
     case FailureKind::working_memory_lost:
       throw WorkingMemoryLostException{failure};
+    case FailureKind::leased:
+      throw PermissionException{failure};
+    case FailureKind::lease_lost:
+      throw LeaseLostException{failure};
+    case FailureKind::deadlock:
+      throw DeadlockException{failure};
+    case FailureKind::bad_address:
+      throw BadAddressException{failure};
+    case FailureKind::too_large:
+      throw EntryTooLargeException{failure};
+    case FailureKind::bad_predicate:
+      throw PredicateException{failure};
+    case FailureKind::not_atomic:
+      throw NotAtomicException{failure};
+    case FailureKind::call_failed:
+      throw CallException{failure};
   }
   throw WorkingMemoryException{failure};
 }

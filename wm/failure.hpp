@@ -21,6 +21,14 @@ enum class FailureKind : std::uint8_t {
   wrong_type,
   no_answer,
   working_memory_lost,
+  leased,
+  lease_lost,
+  deadlock,
+  bad_address,
+  too_large,
+  bad_predicate,
+  not_atomic,
+  call_failed,
 };
 
 struct Failure {
@@ -79,7 +87,8 @@ class ConsistencyException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The component's subarchitecture may not write to that working memory.
+/// The component's subarchitecture may not write to that working memory, or another component holds
+/// a lease of the entry that forbids it.
 class PermissionException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
@@ -101,6 +110,41 @@ class DeadlineException : public WorkingMemoryException {
 
 /// The working memory ended while the operation was under way, or before.
 class WorkingMemoryLostException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// The lease under which the component writes, or which it gives back, is no longer its own.
+class LeaseLostException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// The component waited for one that waited, directly or through others, for it.
+class DeadlockException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// An address without an id or without a subarchitecture.
+class BadAddressException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// The value is larger than the working memory takes.
+class EntryTooLargeException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// A condition that does not fit the type it is asked of.
+class PredicateException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// An atomic write that reaches across working memories, or writes an entry twice.
+class NotAtomicException : public WorkingMemoryException {
+  using WorkingMemoryException::WorkingMemoryException;
+};
+
+/// Whoever served a call failed, or went away.
+class CallException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 

@@ -38,6 +38,8 @@ public:
   /// The wire form.
   const Bytes& bytes() const;
 
+  std::size_t encoded_size() const { return bytes().size(); }
+
   /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if
   /// the value came as bytes that are no `T`.
   template <ReflectedRecord T>

@@ -2,12 +2,15 @@
 
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/filter_index.hpp"
+#include "castor/wm/lease_table.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -24,6 +27,7 @@ struct WorkingMemoryOptions {
   /// How long another working memory may take to take note of a filter.
   std::chrono::milliseconds peer_deadline{5000};
   EntryStoreOptions store;
+  LeaseTableOptions leases;
 };
 
 struct WorkingMemoryState {
@@ -37,23 +41,49 @@ struct WorkingMemoryState {
   struct Peer {
     std::string subarchitecture;
     WorkingMemoryActor actor;
+    /// What it wants of this one.
+    std::map<InterestId, ChangeFilter> interests;
+  };
+
+  /// What components here want of the other working memories, and which filters that comes from.
+  struct OwnInterest {
+    InterestId id = 0;
+    std::vector<FilterIndex::Key> filters;
+  };
+
+  /// An operation that waits for a lease to end: component, incarnation, number.
+  using WaitKey = std::tuple<std::string, std::uint64_t, WaitNumber>;
+
+  struct Wait {
+    std::string id;
+    std::function<void(const SettledWait&)> finish;
   };
 
   WorkingMemoryOptions options;
   EntryStore store{""};
 
+  // -- leases
+  LeaseTable leases;
+  std::map<WaitKey, Wait> waits;
+  /// When the alarm clock rings next.
+  Timestamp alarm = Timestamp::max();
+
+  // -- who holds something here, or waits, or owns an entry
+  std::map<caf::actor_addr, ClientPtr> clients;
+  std::set<caf::actor_addr> monitored;
+
+  // -- events
   /// Filters of the own components; a key is the subscriber's number above its filter's id.
   FilterIndex local_index;
   std::map<std::uint32_t, Subscriber> subscribers;
   std::unordered_map<caf::actor_addr, std::uint32_t> subscriber_numbers;
   std::uint32_t last_subscriber = 0;
-
-  /// What the other subarchitectures want; a key is an index into `peers`.
+  /// What the other subarchitectures want; a key is the index into `peers` above the interest's id.
   FilterIndex peer_index;
   std::vector<Peer> peers;
-  std::vector<std::set<ChangeFilter>> peer_interests;
-  /// How many own filters ask the other subarchitectures for the same.
-  std::map<ChangeFilter, std::size_t> own_interests;
+  std::map<ChangeFilter, OwnInterest> own_interests;
+  std::unordered_map<InterestId, const OwnInterest*> interests_by_id;
+  InterestId last_interest = 0;
 
   WorkingMemoryStatus counters;
   std::vector<FilterIndex::Key> matched;

@@ -3,12 +3,16 @@
 #include "castor/wm/caf.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/change_filter.hpp"
+#include "castor/wm/deadlock_probe.hpp"
 #include "castor/wm/entry.hpp"
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/lease.hpp"
+#include "castor/wm/lease_table.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +22,79 @@ namespace castor {
 /// A component's name for one of its filters.
 using FilterId = std::uint32_t;
 
+/// Several writes, of different entries of one working memory: all of them or none.
+struct BatchRequest {
+  std::string subarchitecture;
+  std::vector<WriteRequest> writes;
+};
+
+/// One of a client's operations that may have to wait for a lease to end; the number is the
+/// client's own and never used twice.
+struct Patience {
+  ClientPtr client;
+  WaitNumber number = 0;
+  /// How long, at most.
+  Timestamp at_most{0};
+};
+
 struct ReadRequest {
   Address address;
+  Patience patience;
+};
+
+/// Reads the entries that a query finds, all as they stand at one moment.
+struct QueryRequest {
+  TypeQuery query;
+  Patience patience;
+};
+
+/// Asks for a lease; with no patience at all it is refused rather than waited for.
+struct LockRequest {
+  Address address;
+  LockLevel level = LockLevel::o;
+  Patience patience;
+};
+
+/// Gives back what one lock request obtained.
+struct UnlockRequest {
+  Address address;
+  ClientPtr client;
+  LeaseToken token = 0;
+};
+
+/// The client waits no longer; if it was granted the lease meanwhile, it does not want it.
+struct CancelWait {
+  Address address;
+  ClientPtr client;
+  WaitNumber number = 0;
+};
+
+struct HeldToken {
+  std::string id;
+  LeaseToken token = 0;
+};
+
+/// On behalf of living clients: they still need these leases.
+struct RenewRequest {
+  ClientPtr client;
+  std::vector<HeldToken> leases;
+};
+
+/// Which of the leases are not the client's any more.
+struct RenewReply {
+  std::vector<HeldToken> lost;
+};
+
+struct LockQuery {
+  Address address;
+};
+
+/// Who holds a lease of an entry, if anybody does.
+struct LockStatus {
+  std::optional<LockLevel> level;
+  ClientPtr holder;
+  /// How many wait for it.
+  std::uint64_t waiting = 0;
 };
 
 struct ExistsQuery {
@@ -46,17 +121,32 @@ struct ChangeNotice {
   std::vector<FilterId> filters;
 };
 
+/// To a component: what an atomic write did, in one piece.
+struct ChangeNotices {
+  std::vector<ChangeNotice> notices;
+};
+
+/// A working memory's name for something that its components want of the others.
+using InterestId = std::uint32_t;
+
 /// From one working memory to another: somebody in `subarchitecture` wants such events, or nobody
 /// does any more.
 struct Interest {
   std::string subarchitecture;
+  InterestId id = 0;
   ChangeFilter filter;
   bool wanted = true;
 };
 
-/// From one working memory to another that wants the event.
+/// An event, and which interests of the receiving working memory it meets.
 struct ForwardedEvent {
   ChangeEventPtr event;
+  std::vector<InterestId> interests;
+};
+
+/// From one working memory to another that wants them: the events of one write.
+struct ForwardedEvents {
+  std::vector<ForwardedEvent> events;
 };
 
 /// The working memories of the other subarchitectures.
@@ -67,6 +157,9 @@ struct Peers {
 struct Acknowledged {};
 
 struct StatusQuery {};
+
+/// To a working memory from itself: something may be due.
+struct WakeUp {};
 
 /// How a working memory is doing.
 struct WorkingMemoryStatus {
@@ -82,6 +175,9 @@ struct WorkingMemoryStatus {
   std::uint64_t forwarded = 0;
   /// Operations refused.
   std::uint64_t refused = 0;
+  /// Leases held now, and operations that wait for one to end.
+  std::uint64_t leases = 0;
+  std::uint64_t waiting = 0;
 };
 
 /// Every operation names the address; the working memory of another subarchitecture is reached
@@ -89,14 +185,31 @@ struct WorkingMemoryStatus {
 using WorkingMemoryActor = caf::typed_actor<
   // Changes an entry; answers its new version (of a deleted one: the last).
   caf::replies_to<WriteRequest>::with<Outcome<Version>>,
-  // Answers the entry at an address.
+  // Changes several entries at once; answers their new versions.
+  caf::replies_to<BatchRequest>::with<Outcome<std::vector<Version>>>,
+  // Answers the entry at an address, once it is not leased at level ODR.
   caf::replies_to<ReadRequest>::with<Outcome<EntryPtr>>,
-  // Answers the entries of a type, the most recently written first.
-  caf::replies_to<TypeQuery>::with<Outcome<std::vector<EntryPtr>>>,
+  // Answers the entries of a type, the most recently written first, once none of them is leased at
+  // level ODR.
+  caf::replies_to<QueryRequest>::with<Outcome<std::vector<EntryPtr>>>,
   // Answers whether there is an entry at an address.
   caf::replies_to<ExistsQuery>::with<Outcome<bool>>,
   // Answers an entry's version, also after its deletion.
   caf::replies_to<VersionQuery>::with<Outcome<Version>>,
+  // Answers the lease, once it is the sender's turn.
+  caf::replies_to<LockRequest>::with<Outcome<Lease>>,
+  // Gives a lease back.
+  caf::replies_to<UnlockRequest>::with<Outcome<Acknowledged>>,
+  // Ends a wait of the sender.
+  caf::reacts_to<CancelWait>,
+  // Extends leases; answers which are lost.
+  caf::replies_to<RenewRequest>::with<RenewReply>,
+  // Answers who holds the lease of an entry.
+  caf::replies_to<LockQuery>::with<Outcome<LockStatus>>,
+  // Looks for a cycle of waits.
+  caf::reacts_to<DeadlockProbe>,
+  // The working memory's own alarm clock.
+  caf::reacts_to<WakeUp>,
   // Registers a filter of the sender; answers once it is in force in every working memory
   // concerned.
   caf::replies_to<Subscribe>::with<Outcome<Acknowledged>>,
@@ -104,8 +217,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<Unsubscribe>,
   // Another working memory says what its subarchitecture wants.
   caf::replies_to<Interest>::with<Acknowledged>,
-  // A change in another subarchitecture that somebody here wants to hear of.
-  caf::reacts_to<ForwardedEvent>,
+  // Changes in another subarchitecture that somebody here wants to hear of.
+  caf::reacts_to<ForwardedEvents>,
   // Introduces the other working memories.
   caf::replies_to<Peers>::with<Acknowledged>,
   // Answers how it is doing.
@@ -115,14 +228,24 @@ using WorkingMemoryActor = caf::typed_actor<
 
 CASTOR_LOCAL_MESSAGE(castor::WriteRequest)
 CASTOR_LOCAL_MESSAGE(castor::ReadRequest)
-CASTOR_LOCAL_MESSAGE(castor::TypeQuery)
+CASTOR_LOCAL_MESSAGE(castor::BatchRequest)
+CASTOR_LOCAL_MESSAGE(castor::QueryRequest)
+CASTOR_LOCAL_MESSAGE(castor::LockRequest)
+CASTOR_LOCAL_MESSAGE(castor::UnlockRequest)
+CASTOR_LOCAL_MESSAGE(castor::CancelWait)
+CASTOR_LOCAL_MESSAGE(castor::RenewRequest)
+CASTOR_LOCAL_MESSAGE(castor::RenewReply)
+CASTOR_LOCAL_MESSAGE(castor::LockQuery)
+CASTOR_LOCAL_MESSAGE(castor::DeadlockProbe)
+CASTOR_LOCAL_MESSAGE(castor::WakeUp)
 CASTOR_LOCAL_MESSAGE(castor::ExistsQuery)
 CASTOR_LOCAL_MESSAGE(castor::VersionQuery)
 CASTOR_LOCAL_MESSAGE(castor::Subscribe)
 CASTOR_LOCAL_MESSAGE(castor::Unsubscribe)
 CASTOR_LOCAL_MESSAGE(castor::ChangeNotice)
+CASTOR_LOCAL_MESSAGE(castor::ChangeNotices)
 CASTOR_LOCAL_MESSAGE(castor::Interest)
-CASTOR_LOCAL_MESSAGE(castor::ForwardedEvent)
+CASTOR_LOCAL_MESSAGE(castor::ForwardedEvents)
 CASTOR_LOCAL_MESSAGE(castor::Peers)
 CASTOR_LOCAL_MESSAGE(castor::Acknowledged)
 CASTOR_LOCAL_MESSAGE(castor::StatusQuery)
@@ -130,5 +253,8 @@ CASTOR_LOCAL_MESSAGE(castor::WorkingMemoryStatus)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Version>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::EntryPtr>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<std::vector<castor::EntryPtr>>)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<std::vector<castor::Version>>)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Lease>)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::LockStatus>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<bool>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Acknowledged>)

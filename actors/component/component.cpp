@@ -74,8 +74,7 @@ bool Component::sleep_for(std::chrono::nanoseconds duration) {
 }
 
 Timestamp Component::now() const {
-  return std::chrono::duration_cast<Timestamp>(std::chrono::steady_clock::now() -
-                                               shell().services().epoch);
+  return shell().now();
 }
 
 void Component::end_system(int status, std::string reason) {
@@ -118,46 +117,80 @@ std::string SubarchitectureComponent::new_id() {
   return base62(ids_made_++) + ':' + base62(shell().identity().number);
 }
 
-Version SubarchitectureComponent::write(Operation operation, const Address& address, Value value) {
-  return write_async(operation, address, std::move(value)).get();
+namespace {
+
+WriteRequest write_request(ComponentShell& s, Operation operation, const Address& address,
+                           Value value, std::optional<EntryLife> life) {
+  return {operation,
+          address,
+          std::move(value),
+          operation == Operation::overwrite ? s.last_seen(address) : std::nullopt,
+          s.client(),
+          s.leases().token(address),
+          life};
 }
 
+/// What a component remembers of a write that was made.
+void note_write(ComponentShell& s, Operation operation, const Address& address, Version version) {
+  auto& counters = s.counters();
+  switch (operation) {
+    case Operation::add:
+      ++counters.adds;
+      s.saw(address, version);
+      break;
+    case Operation::overwrite:
+      ++counters.overwrites;
+      s.saw(address, version);
+      break;
+    case Operation::remove:
+      ++counters.deletes;
+      s.forget(address);
+      s.leases().forget(address);
+      break;
+  }
+}
+
+} // namespace
+
 Pending<Version> SubarchitectureComponent::write_async(Operation operation, const Address& address,
-                                                       Value value) {
+                                                       Value value, std::optional<EntryLife> life) {
   auto& s = shell();
-  auto last_seen = s.last_seen(address);
-  auto id = s.begin(WriteRequest{operation,
-                                 address,
-                                 std::move(value),
-                                 operation == Operation::overwrite ? last_seen : std::nullopt,
-                                 {s.identity().name, s.identity().subarchitecture}});
+  auto request = write_request(s, operation, address, std::move(value), life);
+  auto last_seen = request.last_seen;
+  auto id = s.begin(request);
   // The next operation in the pipeline counts on this one; should it fail, so will they.
-  if (operation == Operation::overwrite && last_seen)
+  if (last_seen)
     s.saw(address, *last_seen + 1);
   auto claim = std::make_shared<Claim>(s, id);
   return Pending<Version>{[&s, claim, operation, address, last_seen] {
+    auto seen_meanwhile = s.last_seen(address);
     auto outcome = s.finish<Version>(claim->take(), address);
     if (!outcome) {
-      if (operation == Operation::overwrite && last_seen)
+      if (last_seen)
         s.saw(address, *last_seen);
       throw_failure(outcome.failure());
     }
-    auto& counters = s.counters();
-    switch (operation) {
-      case Operation::add:
-        ++counters.adds;
-        s.saw(address, *outcome);
-        break;
-      case Operation::overwrite:
-        ++counters.overwrites;
-        break;
-      case Operation::remove:
-        ++counters.deletes;
-        s.forget(address);
-        break;
-    }
+    note_write(s, operation, address, *outcome);
+    // Of several overwrites in flight, the latest counts.
+    if (operation == Operation::overwrite && seen_meanwhile && *seen_meanwhile > *outcome)
+      s.saw(address, *seen_meanwhile);
     return *outcome;
   }};
+}
+
+std::vector<Version> SubarchitectureComponent::write(const WriteBatch& batch) {
+  auto& items = batch.items();
+  if (items.empty())
+    return {};
+  auto& s = shell();
+  BatchRequest request{items.front().address.subarchitecture, {}};
+  for (auto& x : items)
+    request.writes.push_back(write_request(s, x.operation, x.address, x.value, x.life));
+  auto versions =
+    value_or_throw(s.finish<std::vector<Version>>(s.begin(request), {request.subarchitecture, {}}));
+  for (std::size_t i = 0; i < items.size(); ++i)
+    note_write(s, items[i].operation, items[i].address, versions[i]);
+  return versions;
 }
 
 EntryPtr SubarchitectureComponent::read_entry(const Address& address) {
@@ -166,9 +199,13 @@ EntryPtr SubarchitectureComponent::read_entry(const Address& address) {
 
 Pending<EntryPtr> SubarchitectureComponent::read_entry_async(const Address& address) {
   auto& s = shell();
-  auto claim = std::make_shared<Claim>(s, s.begin(ReadRequest{address}));
-  return Pending<EntryPtr>{[&s, claim, address] {
-    auto outcome = s.finish<EntryPtr>(claim->take(), address);
+  auto patience = s.patience(s.deadline());
+  auto claim = std::make_shared<Claim>(s, s.begin(ReadRequest{address, patience}));
+  return Pending<EntryPtr>{[&s, claim, address, patience] {
+    WaitEdge wait;
+    wait.kind = WaitEdge::Kind::read;
+    wait.address = address;
+    auto outcome = s.finish_wait<EntryPtr>(claim->take(), std::move(wait), patience);
     if (!outcome) {
       if (outcome.failure().kind == FailureKind::does_not_exist)
         s.forget(address);
@@ -182,8 +219,12 @@ Pending<EntryPtr> SubarchitectureComponent::read_entry_async(const Address& addr
 
 std::vector<EntryPtr> SubarchitectureComponent::read_entries(TypeQuery query) {
   auto& s = shell();
-  Address where{query.subarchitecture, {}};
-  auto entries = value_or_throw(s.finish<std::vector<EntryPtr>>(s.begin(query), where));
+  WaitEdge wait;
+  wait.kind = WaitEdge::Kind::read;
+  wait.address = {query.subarchitecture, {}};
+  auto patience = s.patience(s.deadline());
+  auto entries = value_or_throw(s.finish_wait<std::vector<EntryPtr>>(
+    s.begin(QueryRequest{std::move(query), patience}), std::move(wait), patience));
   s.counters().reads += entries.size();
   for (auto& entry : entries)
     s.saw(entry->address, entry->version);
@@ -198,6 +239,64 @@ bool SubarchitectureComponent::exists(const Address& address) {
 Version SubarchitectureComponent::version(const Address& address) {
   auto& s = shell();
   return value_or_throw(s.finish<Version>(s.begin(VersionQuery{address}), address));
+}
+
+const Address& SubarchitectureComponent::require_target(const Address& address) const {
+  if (address.id.empty())
+    throw BadAddressException{{FailureKind::bad_address,
+                               component_name() + " follows a pointer that leads nowhere",
+                               address}};
+  return address;
+}
+
+// leases
+
+void SubarchitectureComponent::lock_entry(const Address& address, LockLevel level,
+                                          std::optional<std::chrono::nanoseconds> timeout) {
+  auto& s = shell();
+  auto patience = s.patience(timeout.value_or(s.deadline()));
+  WaitEdge wait;
+  wait.kind = WaitEdge::Kind::lock;
+  wait.address = address;
+  auto lease = value_or_throw(s.finish_wait<Lease>(s.begin(LockRequest{address, level, patience}),
+                                                   std::move(wait), patience));
+  s.leases().add(address, lease.token);
+}
+
+bool SubarchitectureComponent::try_lock_entry(const Address& address, LockLevel level) {
+  auto& s = shell();
+  auto outcome = s.finish<Lease>(s.begin(LockRequest{address, level, s.patience({})}), address);
+  if (!outcome && outcome.failure().kind == FailureKind::leased)
+    return false;
+  s.leases().add(address, value_or_throw(std::move(outcome)).token);
+  return true;
+}
+
+void SubarchitectureComponent::unlock_entry(const Address& address) {
+  if (auto held = shell().leases().remove(address))
+    value_or_throw(shell().try_unlock(address, held->token));
+}
+
+LockGuard SubarchitectureComponent::guard(const Address& address) const {
+  return {shell(), address};
+}
+
+std::optional<LockLevel> SubarchitectureComponent::foreign_lease(const Address& address) {
+  auto& s = shell();
+  auto status = value_or_throw(s.finish<LockStatus>(s.begin(LockQuery{address}), address));
+  return status.holder && !(*status.holder == *s.client()) ? status.level : std::nullopt;
+}
+
+bool SubarchitectureComponent::is_overwritable(const Address& address) {
+  return !foreign_lease(address);
+}
+
+bool SubarchitectureComponent::is_deletable(const Address& address) {
+  return foreign_lease(address).value_or(LockLevel::o) == LockLevel::o;
+}
+
+bool SubarchitectureComponent::is_readable(const Address& address) {
+  return foreign_lease(address).value_or(LockLevel::o) != LockLevel::odr;
 }
 
 void SubarchitectureComponent::wrong_type(const Entry& entry, const TypeDescriptor& wanted) const {

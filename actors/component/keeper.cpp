@@ -15,6 +15,29 @@ namespace {
 using TickAtom = caf::atom_constant<caf::atom("tick")>;
 
 constexpr std::chrono::milliseconds period{250};
+constexpr std::chrono::seconds patience{5};
+
+/// Renews what one component holds, and tells it what it has lost.
+void renew_leases(caf::event_based_actor* self, const KeeperParts& parts,
+                  const std::shared_ptr<ComponentRecord>& component) {
+  for (auto& [subarchitecture, leases] : component->leases.to_renew()) {
+    auto wm = parts.working_memories.find(subarchitecture);
+    if (wm == parts.working_memories.end())
+      continue;
+    RenewRequest request{component->client(), {}};
+    for (auto& [id, token] : leases)
+      request.leases.push_back({id, token});
+    self->request(wm->second, patience, std::move(request))
+      .then(
+        [component, name = subarchitecture](const RenewReply& x) {
+          for (auto& [id, token] : x.lost)
+            component->leases.mark_lost({name, id}, token);
+        },
+        [](const caf::error&) {
+          // The leases run out, and the component will hear of that from whoever holds them next.
+        });
+  }
+}
 
 } // namespace
 
@@ -26,28 +49,31 @@ BudgetWatch::BudgetWatch(std::vector<std::shared_ptr<const ComponentRecord>> com
 std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) {
   std::vector<Overrun> result;
   for (auto& x : watched_) {
-    auto duration = x.component->in_user_code_for(now);
-    bool over = duration > x.component->budget();
+    bool over = !is_responsive(*x.component, now);
     if (over && !x.reported)
-      result.push_back(
-        {x.component.get(), std::chrono::duration_cast<std::chrono::milliseconds>(duration)});
+      result.push_back({x.component.get(), std::chrono::duration_cast<std::chrono::milliseconds>(
+                                             x.component->in_user_code_for(now))});
     x.reported = over;
   }
   return result;
 }
 
-caf::behavior keeper(caf::event_based_actor* self,
-                     std::vector<std::shared_ptr<const ComponentRecord>> components) {
-  auto watch = std::make_shared<BudgetWatch>(std::move(components));
+caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
+  auto watch = std::make_shared<BudgetWatch>(std::vector<std::shared_ptr<const ComponentRecord>>(
+    parts.components.begin(), parts.components.end()));
   self->delayed_send(self, period, TickAtom::value);
   return {
-    [self, watch](TickAtom) {
-      for (auto& x : watch->check(ComponentRecord::Clock::now()))
+    [self, watch, parts = std::move(parts)](TickAtom) {
+      auto now = ComponentRecord::Clock::now();
+      for (auto& x : watch->check(now))
         log(LogLevel::warning, x.component->identity().full_name(),
             fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
-                        "hears neither events nor a stop meanwhile",
+                        "hears neither events nor a stop meanwhile, and its leases run out",
                         std::chrono::duration<double>(x.duration).count(),
                         std::chrono::duration<double>(x.component->budget()).count()));
+      for (auto& x : parts.components)
+        if (BudgetWatch::is_responsive(*x, now))
+          renew_leases(self, parts, x);
       self->delayed_send(self, period, TickAtom::value);
     },
   };

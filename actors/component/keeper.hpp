@@ -1,10 +1,12 @@
 #pragma once
 
 #include "castor/actors/component/record.hpp"
-#include "castor/wm/caf.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace castor {
@@ -22,6 +24,11 @@ public:
 
   std::vector<Overrun> check(ComponentRecord::Clock::time_point now);
 
+  /// Whether the component was within its budget when last looked at.
+  static bool is_responsive(const ComponentRecord& x, ComponentRecord::Clock::time_point now) {
+    return x.in_user_code_for(now) <= x.budget();
+  }
+
 private:
   struct Watched {
     std::shared_ptr<const ComponentRecord> component;
@@ -31,9 +38,14 @@ private:
   std::vector<Watched> watched_;
 };
 
-/// The keeper of one process: looks after the components that live in it. It says when one of them
-/// has not come back from its own code within its budget.
-caf::behavior keeper(caf::event_based_actor* self,
-                     std::vector<std::shared_ptr<const ComponentRecord>> components);
+struct KeeperParts {
+  std::vector<std::shared_ptr<ComponentRecord>> components;
+  /// By subarchitecture.
+  std::map<std::string, WorkingMemoryActor> working_memories;
+};
+
+/// The keeper of one process: looks after the components that live in it. It renews their leases
+/// while they come back from their own code within their budget, and says so when one does not.
+caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts);
 
 } // namespace castor

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "castor/actors/component/held_leases.hpp"
+#include "castor/wm/client.hpp"
 #include "castor/wm/reflect.hpp"
 
 #include <atomic>
@@ -19,6 +21,8 @@ struct ComponentIdentity {
   std::string class_name;
   /// Position in the system's file, from 0; part of the ids that the component makes.
   std::uint32_t number = 0;
+  /// Which of its lives this is, from 1.
+  std::uint64_t incarnation = 1;
 
   /// "vision.segmentor", as logs have it.
   std::string full_name() const {
@@ -55,11 +59,18 @@ class ComponentRecord {
 public:
   using Clock = std::chrono::steady_clock;
 
-  explicit ComponentRecord(ComponentIdentity identity) : identity_(std::move(identity)) {}
+  explicit ComponentRecord(ComponentIdentity identity)
+    : identity_(std::move(identity)),
+      client_(std::make_shared<const Client>(
+        Client{identity_.name, identity_.subarchitecture, identity_.incarnation})) {}
 
   const ComponentIdentity& identity() const { return identity_; }
 
+  /// The component, as working memories know it.
+  const ClientPtr& client() const { return client_; }
+
   ComponentCounters counters;
+  HeldLeases leases;
 
   ComponentState state() const { return state_.load(); }
   void set_state(ComponentState x) { state_.store(x); }
@@ -113,6 +124,7 @@ private:
   }
 
   const ComponentIdentity identity_;
+  const ClientPtr client_;
   std::atomic<ComponentState> state_{ComponentState::created};
   std::atomic<std::chrono::milliseconds> budget_{std::chrono::milliseconds::max()};
   std::atomic<std::int64_t> busy_since_{0};

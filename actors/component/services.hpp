@@ -2,10 +2,11 @@
 
 #include "castor/actors/component/caller_runs.hpp"
 #include "castor/actors/component/record.hpp"
-#include "castor/wm/caf.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -24,6 +25,9 @@ struct ComponentServices {
 
   /// The working memories of this process, sorted by address.
   std::vector<caf::resumable*> working_memories;
+
+  /// All working memories of the system.
+  std::map<std::string, WorkingMemoryActor> by_subarchitecture;
 
   /// A working memory still knows the last component that ran it after that component is gone, so
   /// these stay until the end.

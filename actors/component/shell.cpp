@@ -130,7 +130,7 @@ void ComponentShell::await_phase(Phase phase) {
     if (started_ && !work_.empty()) {
       auto x = std::move(work_.front());
       work_.pop_front();
-      work_off(*x);
+      work_off(x);
     } else {
       pump(never());
     }
@@ -165,19 +165,12 @@ bool ComponentShell::is_running() {
 void ComponentShell::file(caf::mailbox_element_ptr x) {
   auto& content = x->content();
   if (content.match_elements<ChangeNotice>()) {
-    if (!receiving_)
-      return;
-    ++record_->counters.events_received;
-    if (queue_mode_ == EventQueue::newest) {
-      auto i = std::find_if(work_.begin(), work_.end(), [](auto& y) {
-        return y->content().template match_elements<ChangeNotice>();
-      });
-      if (i != work_.end()) {
-        ++record_->counters.events_discarded;
-        work_.erase(i);
-      }
-    }
-    work_.push_back(std::move(x));
+    file_change(std::move(content.get_mutable_as<ChangeNotice>(0)));
+  } else if (content.match_elements<ChangeNotices>()) {
+    for (auto& notice : content.get_mutable_as<ChangeNotices>(0).notices)
+      file_change(std::move(notice));
+  } else if (content.match_elements<DeadlockProbe>()) {
+    receive_probe(content.get_as<DeadlockProbe>(0));
   } else if (content.match_elements<EnterPhase>()) {
     auto& command = content.get_as<EnterPhase>(0);
     conductor_ = command.conductor;
@@ -190,6 +183,28 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
   } else {
     work_.push_back(std::move(x));
   }
+}
+
+void ComponentShell::file_change(ChangeNotice notice) {
+  std::erase_if(notice.filters, [&](FilterId id) {
+    auto listener = listeners_.find(id);
+    if (listener == listeners_.end())
+      return false;
+    listener->second(*notice.event);
+    return true;
+  });
+  if (!receiving_ || notice.filters.empty())
+    return;
+  ++record_->counters.events_received;
+  if (queue_mode_ == EventQueue::newest) {
+    auto i = std::find_if(work_.begin(), work_.end(),
+                          [](auto& x) { return std::holds_alternative<ChangeNotice>(x); });
+    if (i != work_.end()) {
+      ++record_->counters.events_discarded;
+      work_.erase(i);
+    }
+  }
+  work_.push_back(std::move(notice));
 }
 
 bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()>& enough) {
@@ -212,7 +227,7 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
     }
     auto x = std::move(work_.front());
     work_.pop_front();
-    work_off(*x);
+    work_off(x);
     if ((enough && enough()) || Clock::now() >= until)
       return true;
   }
@@ -228,11 +243,16 @@ void ComponentShell::user_code(const std::string& what, F&& f) {
   doing_ = std::move(outer);
 }
 
-void ComponentShell::work_off(caf::mailbox_element& x) {
+void ComponentShell::work_off(Work& x) {
+  if (auto* notice = std::get_if<ChangeNotice>(&x))
+    work_off_change(*notice);
+  else
+    work_off_message(*std::get<caf::mailbox_element_ptr>(x));
+}
+
+void ComponentShell::work_off_message(caf::mailbox_element& x) {
   auto& content = x.content();
-  if (content.match_elements<ChangeNotice>()) {
-    work_off_change(content.get_as<ChangeNotice>(0));
-  } else if (content.match_elements<PullRequest>()) {
+  if (content.match_elements<PullRequest>()) {
     work_off_pull(x, content.get_as<PullRequest>(0));
   } else if (content.match_elements<PushRequest>()) {
     work_off_push_request(x, content.get_as<PushRequest>(0));
@@ -293,32 +313,104 @@ void ComponentShell::check_may_operate() const {
     throw ComponentStopped{};
 }
 
-Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id, const Address& address,
-                                                           std::chrono::nanoseconds patience) {
+Patience ComponentShell::patience(std::chrono::nanoseconds at_most) {
+  return {client(), ++last_wait_, std::chrono::duration_cast<Timestamp>(at_most)};
+}
+
+std::optional<Failure>
+ComponentShell::wait_until(const std::function<bool()>& done, Clock::time_point until,
+                           const std::function<std::optional<WaitEdge>()>& wait) {
+  // Long enough for most waits to end of themselves, short enough for a deadlock to be found within
+  // a second.
+  constexpr std::chrono::milliseconds between_probes{200};
   record_->leave_user_code();
-  AtExit leave{[this, id] {
-    close_slot(id);
+  AtExit leave{[this] {
+    waiting_.reset();
+    deadlock_.clear();
     record_->enter_user_code(Clock::now());
   }};
-  auto until = Clock::now() + patience;
+  auto next_probe = Clock::now() + between_probes;
   file_arrived();
-  while (!slot(id)) {
+  while (!done()) {
     if (stopping_ && !in_stop_hook_)
       throw ComponentStopped{};
     if (working_memory_lost_)
       return Failure{FailureKind::working_memory_lost,
                      "the working memory of " + identity().subarchitecture +
                        " ended before it answered",
-                     address};
+                     {identity().subarchitecture, {}}};
+    if (!deadlock_.empty())
+      return Failure{FailureKind::deadlock,
+                     identity().full_name() +
+                       " gives up waiting, because it waits for itself: " + deadlock_,
+                     waiting_->address};
+    pump(wait ? std::min(until, next_probe) : until);
     // A stream of events wakes us again and again; the deadline holds all the same.
-    if (!pump(until) || (!slot(id) && Clock::now() >= until))
-      return Failure{FailureKind::no_answer,
-                     identity().full_name() + " got no answer about " + to_string(address) +
-                       " within " + detail::print_option(component_->deadline_.get()) +
-                       ". Its --deadline can be raised",
-                     address};
+    auto time = Clock::now();
+    if (!done() && time >= until)
+      return Failure{FailureKind::no_answer, {}, {}};
+    if (!wait || time < next_probe)
+      continue;
+    next_probe = time + between_probes;
+    waiting_ = wait();
+    if (waiting_)
+      send(working_memory_, DeadlockProbe{{*waiting_}, 0});
   }
-  return std::move(slot(id));
+  return std::nullopt;
+}
+
+Outcome<caf::mailbox_element_ptr> ComponentShell::wait_for(std::uint64_t id, const Address& address,
+                                                           std::chrono::nanoseconds patience,
+                                                           const WaitEdge* wait) {
+  bool answered = false;
+  AtExit leave{[&] {
+    close_slot(id);
+    if (wait && !answered && !working_memory_lost_)
+      send(working_memory_, CancelWait{wait->address, wait->waiter, wait->number});
+  }};
+  std::function<std::optional<WaitEdge>()> edge;
+  if (wait)
+    edge = [wait] { return std::optional{*wait}; };
+  auto failure = wait_until([&] { return slot(id) != nullptr; }, Clock::now() + patience, edge);
+  answered = slot(id) != nullptr;
+  if (answered)
+    return std::move(slot(id));
+  if (failure->kind == FailureKind::no_answer)
+    failure->message = identity().full_name() + " got no answer about " + to_string(address) +
+                       " within " + detail::print_option(deadline()) +
+                       ". Its --deadline can be raised";
+  failure->address = address;
+  return *failure;
+}
+
+void ComponentShell::receive_probe(DeadlockProbe probe) {
+  if (!waiting_)
+    return;
+  switch (castor::receive_probe(probe, *waiting_)) {
+    case ProbeVerdict::drop:
+      break;
+    case ProbeVerdict::pass_on:
+      send(working_memory_, std::move(probe));
+      break;
+    case ProbeVerdict::deadlock:
+      deadlock_ = cycle_of(probe);
+      break;
+  }
+}
+
+Outcome<Acknowledged> ComponentShell::try_unlock(const Address& address, LeaseToken token) {
+  UnlockRequest request{address, client(), token};
+  file_arrived();
+  if (stopping_) {
+    unit_->run([&] { send(working_memory_, request); });
+    return Acknowledged{};
+  }
+  try {
+    return finish<Acknowledged>(begin(request), address);
+  } catch (const ComponentStopped&) {
+    // The request is on its way.
+    return Acknowledged{};
+  }
 }
 
 Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
@@ -332,17 +424,29 @@ Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
           address};
 }
 
+FilterId ComponentShell::subscribe(const ChangeFilter& filter) {
+  auto id = ++last_filter_;
+  Address where{filter.subarchitecture.value_or(identity().subarchitecture), filter.id};
+  value_or_throw(finish<Acknowledged>(begin(Subscribe{id, filter}), where));
+  return id;
+}
+
 ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallback callback,
                                         Priority priority) {
-  auto id = ++last_receiver_;
+  // Events may arrive before the answer does.
+  auto id = last_filter_ + 1;
   receivers_[id] = std::make_shared<Receiver>(Receiver{std::move(callback), priority});
-  Address where{filter.subarchitecture.value_or(identity().subarchitecture), filter.id};
-  auto outcome = finish<Acknowledged>(begin(Subscribe{id, filter}), where);
-  if (!outcome) {
+  try {
+    return subscribe(filter);
+  } catch (const WorkingMemoryException&) {
     receivers_.erase(id);
-    throw_failure(outcome.failure());
+    throw;
   }
-  return id;
+}
+
+void ComponentShell::add_listener(const ChangeFilter& filter, ChangeCallback f) {
+  listeners_[last_filter_ + 1] = std::move(f);
+  subscribe(filter);
 }
 
 void ComponentShell::remove_receiver(ReceiverId id) {
@@ -393,7 +497,7 @@ caf::actor ComponentShell::find_provider(const std::string& name) const {
 
 Outcome<Value> ComponentShell::ask_provider(const std::string& provider, std::uint64_t id) {
   open_slot(id);
-  auto content = wait_for(id, {provider, {}}, component_->deadline_.get());
+  auto content = wait_for(id, {provider, {}}, deadline(), nullptr);
   if (!content)
     return content.failure();
   return take<Outcome<Value>>(**content, {provider, {}});

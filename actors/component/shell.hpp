@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 namespace castor {
@@ -57,6 +58,15 @@ public:
   /// How many change callbacks were called so far.
   std::uint64_t callbacks() const { return callbacks_; }
 
+  const ClientPtr& client() const { return record_->client(); }
+  HeldLeases& leases() { return record_->leases; }
+
+  /// How long operations may take.
+  std::chrono::milliseconds deadline() const { return component_->deadline_.get(); }
+
+  /// For an operation that may have to wait for a lease to end.
+  Patience patience(std::chrono::nanoseconds at_most);
+
   /// Sends an operation to the own working memory; its outcome is taken with `finish`, once.
   template <class Request>
   std::uint64_t begin(const Request& request) {
@@ -70,12 +80,35 @@ public:
 
   template <class Reply>
   Outcome<Reply> finish(std::uint64_t id, const Address& address) {
-    auto content = wait_for(id, address, component_->deadline_.get());
-    if (!content)
-      return content.failure();
-    return take<Outcome<Reply>>(**content, address);
+    return finish<Reply>(id, address, deadline(), nullptr);
   }
 
+  /// Of an operation that may have to wait for a lease to end; `wait` says what for.
+  template <class Reply>
+  Outcome<Reply> finish_wait(std::uint64_t id, WaitEdge wait, const Patience& patience) {
+    // The working memory knows better why it took too long, so it is let to say so first.
+    constexpr std::chrono::seconds grace{1};
+    wait.waiter = client();
+    wait.number = patience.number;
+    wait.since = now();
+    return finish<Reply>(id, wait.address, patience.at_most + grace, &wait);
+  }
+
+  /// Calls `done` after every message that arrives until it says true. Nothing if all went well.
+  std::optional<Failure> wait_until(const std::function<bool()>& done, Clock::time_point until,
+                                    const std::function<std::optional<WaitEdge>()>& wait);
+
+  /// Since the system began.
+  Timestamp now() const {
+    return std::chrono::duration_cast<Timestamp>(Clock::now() - services_->epoch);
+  }
+
+  /// Gives a lease back. While the component stops, without waiting for the answer.
+  Outcome<Acknowledged> try_unlock(const Address& address, LeaseToken token);
+
+  /// Calls `f` as soon as an event that the filter wants arrives, in the middle of whatever the
+  /// component does: only for the runtime's own bookkeeping.
+  void add_listener(const ChangeFilter& filter, ChangeCallback f);
   void abandon(std::uint64_t id) { close_slot(id); }
 
   /// The version of the entry that the component last read or wrote.
@@ -111,6 +144,9 @@ private:
     std::vector<caf::actor> subscribers;
   };
 
+  /// Something to be done when there is time: an event to deliver, or another message to answer.
+  using Work = std::variant<ChangeNotice, caf::mailbox_element_ptr>;
+
   struct PushReceiver {
     std::string provider;
     std::string type;
@@ -119,6 +155,7 @@ private:
 
   void act() override;
   void file(caf::mailbox_element_ptr x) override;
+  void file_change(ChangeNotice notice);
 
   // -- life
   void live();
@@ -130,7 +167,8 @@ private:
   void fail(const std::string& what);
 
   // -- work
-  void work_off(caf::mailbox_element& x);
+  void work_off(Work& x);
+  void work_off_message(caf::mailbox_element& x);
   void work_off_change(const ChangeNotice& notice);
   void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
   void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
@@ -141,8 +179,20 @@ private:
 
   // -- operations
   void check_may_operate() const;
+  template <class Reply>
+  Outcome<Reply> finish(std::uint64_t id, const Address& address, std::chrono::nanoseconds patience,
+                        const WaitEdge* wait) {
+    auto content = wait_for(id, address, patience, wait);
+    if (!content)
+      return content.failure();
+    return take<Outcome<Reply>>(**content, address);
+  }
+
   Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
-                                             std::chrono::nanoseconds patience);
+                                             std::chrono::nanoseconds patience,
+                                             const WaitEdge* wait);
+  FilterId subscribe(const ChangeFilter& filter);
+  void receive_probe(DeadlockProbe probe);
   Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
   caf::actor find_provider(const std::string& name) const;
 
@@ -165,7 +215,8 @@ private:
   WorkingMemoryActor working_memory_;
   caf::actor task_manager_;
 
-  std::deque<caf::mailbox_element_ptr> work_;
+  /// What arrived, oldest first.
+  std::deque<Work> work_;
   std::deque<Phase> phases_;
   caf::actor conductor_;
   bool stopping_ = false;
@@ -180,7 +231,14 @@ private:
 
   SeenVersions seen_;
   std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
-  ReceiverId last_receiver_ = 0;
+  std::map<FilterId, ChangeCallback> listeners_;
+  FilterId last_filter_ = 0;
+
+  WaitNumber last_wait_ = 0;
+  /// What the component waits for now, if that could be a cycle.
+  std::optional<WaitEdge> waiting_;
+  /// The cycle that its wait has to be given up for; empty for none.
+  std::string deadlock_;
 
   std::map<std::string, Provision> provisions_;
   std::vector<PushReceiver> push_receivers_;

@@ -1,11 +1,16 @@
 #pragma once
 
 #include "castor/actors/component/component.hpp"
+#include "castor/actors/component/entry_pointer.hpp"
+#include "castor/actors/component/lock_guard.hpp"
+#include "castor/actors/component/write_batch.hpp"
 #include "castor/wm/address.hpp"
 #include "castor/wm/change_filter.hpp"
 #include "castor/wm/entry.hpp"
 #include "castor/wm/entry_store.hpp"
+#include "castor/wm/lease.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -69,26 +74,32 @@ protected:
 
   // -- writing
 
-  /// Adds an entry to the own working memory under a new id.
+  /// Adds an entry to the own working memory under a new id. It may end of itself:
+  ///
+  ///     add(Sighting{...}, {.time_to_live = 5s});
   template <ReflectedRecord T>
-  Address add(T object) {
+  Address add(T object, EntryLife life = {}) {
     auto address = here(new_id());
-    write(Operation::add, address, Value::of(std::move(object)));
+    add(address, std::move(object), life);
     return address;
   }
 
   template <ReflectedRecord T>
-  void add(const Address& address, T object) {
-    write(Operation::add, address, Value::of(std::move(object)));
+  void add(const Address& address, T object, EntryLife life = {}) {
+    write_async(Operation::add, address, Value::of(std::move(object)), life).get();
   }
 
   /// Returns the new version.
   template <ReflectedRecord T>
   Version overwrite(const Address& address, T object) {
-    return write(Operation::overwrite, address, Value::of(std::move(object)));
+    return overwrite_async(address, std::move(object)).get();
   }
 
-  void delete_entry(const Address& address) { write(Operation::remove, address, {}); }
+  void delete_entry(const Address& address) { delete_entry_async(address).get(); }
+
+  /// Makes all the writes of the batch, or none of them; nobody sees some without the others.
+  /// Returns the new versions, in the batch's order.
+  std::vector<Version> write(const WriteBatch& batch);
 
   // -- reading
 
@@ -116,10 +127,49 @@ protected:
     return typed<T>(read_entries({subarchitecture_name, type_name<T>(), count, true}));
   }
 
+  /// The entry that a pointer leads to. Throws BadAddressException for one that leads nowhere.
+  template <ReflectedRecord T>
+  EntryOf<T> read(const EntryPointer<T>& pointer) {
+    return read<T>(require_target(pointer.address));
+  }
+
   bool exists(const Address& address);
 
   /// Also of an entry that was deleted: the last it had.
   Version version(const Address& address);
+
+  // -- leases
+
+  /// Waits until it is this component's turn, then keeps others from writing, deleting or reading
+  /// the entry, as the level says, for as long as the guard lives. A component may lock what it has
+  /// locked already. Throws DoesNotExistOnWM if the entry is deleted meanwhile, DeadlineException,
+  /// and DeadlockException if the component would wait for itself.
+  LockGuard lock(const Address& address, LockLevel level,
+                 std::optional<std::chrono::nanoseconds> timeout = {}) {
+    lock_entry(address, level, timeout);
+    return guard(address);
+  }
+
+  /// The same without waiting; nothing if somebody else holds a lease.
+  std::optional<LockGuard> try_lock(const Address& address, LockLevel level) {
+    if (!try_lock_entry(address, level))
+      return std::nullopt;
+    return guard(address);
+  }
+
+  /// Without a guard: every lock is to be followed by an unlock.
+  void lock_entry(const Address& address, LockLevel level,
+                  std::optional<std::chrono::nanoseconds> timeout = {});
+  bool try_lock_entry(const Address& address, LockLevel level);
+
+  /// Does nothing if the component has not locked the entry. Throws LeaseLostException if the lease
+  /// had ended before, DoesNotExistOnWM if the entry was deleted.
+  void unlock_entry(const Address& address);
+
+  /// Whether the leases of others would let this component do so now.
+  bool is_overwritable(const Address& address);
+  bool is_deletable(const Address& address);
+  bool is_readable(const Address& address);
 
   // -- pipelining: the same operations, without waiting for each
 
@@ -166,8 +216,12 @@ protected:
 private:
   friend class ComponentShell;
 
-  Version write(Operation operation, const Address& address, Value value);
-  Pending<Version> write_async(Operation operation, const Address& address, Value value);
+  Pending<Version> write_async(Operation operation, const Address& address, Value value,
+                               std::optional<EntryLife> life = {});
+  LockGuard guard(const Address& address) const;
+  /// The level of somebody else's lease, if there is one.
+  std::optional<LockLevel> foreign_lease(const Address& address);
+  const Address& require_target(const Address& address) const;
   EntryPtr read_entry(const Address& address);
   Pending<EntryPtr> read_entry_async(const Address& address);
   std::vector<EntryPtr> read_entries(TypeQuery query);

@@ -76,6 +76,7 @@ public:
       stop();
     // Components hold the services, and these hold components.
     services_->providers.clear();
+    services_->by_subarchitecture.clear();
     for (auto& wm : working_memories_)
       caf::anon_send_exit(wm.actor, caf::exit_reason::user_shutdown);
     caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
@@ -188,7 +189,7 @@ public:
     std::vector<EntryPtr> result;
     self_
       ->request(working_memory_of(subarchitecture), caf::infinite,
-                TypeQuery{subarchitecture, {}, 0, false})
+                QueryRequest{{subarchitecture, {}, 0, false}, {}})
       .receive(
         [&](const Outcome<std::vector<EntryPtr>>& x) {
           if (x)
@@ -225,6 +226,8 @@ private:
       options.subarchitecture = x.name;
       options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
       options.epoch = services_->epoch;
+      options.leases.duration = wm_class.lease.get();
+      options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
       if (options_.open_access)
         options.writers.insert("*");
       for (auto& rule : architecture_.access_rules)
@@ -233,6 +236,7 @@ private:
       auto actor = system_.spawn(working_memory, std::move(options));
       working_memories_.push_back({x.name, actor});
       peers.working_memories[x.name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
+      services_->by_subarchitecture[x.name] = actor;
       services_->working_memories.push_back(
         dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(actor)));
     }
@@ -301,10 +305,11 @@ private:
   }
 
   void start_keeper() {
-    std::vector<std::shared_ptr<const ComponentRecord>> records;
+    KeeperParts parts;
     for (auto& x : running_)
-      records.push_back(x.record);
-    keeper_ = system_.spawn(keeper, std::move(records));
+      parts.components.push_back(x.record);
+    parts.working_memories = services_->by_subarchitecture;
+    keeper_ = system_.spawn(keeper, std::move(parts));
   }
 
   std::uint64_t count_events() {

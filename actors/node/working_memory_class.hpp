@@ -2,6 +2,9 @@
 
 #include "castor/actors/component/option.hpp"
 
+#include <chrono>
+#include <cstdint>
+
 namespace castor {
 
 /// The one class that WM lines may name, and its options.
@@ -16,6 +19,11 @@ struct WorkingMemoryClass {
     "ignore",
     {},
     "changes in these subarchitectures are not told to this one's components"};
+  Option<std::chrono::milliseconds> lease{
+    options, "lease", std::chrono::seconds{2},
+    "how long the lease of an entry outlives the last sign of life of its holder"};
+  Option<std::int64_t> largest_entry{options, "largest-entry", 256,
+                                     "the largest entry that is taken, MB"};
 };
 
 } // namespace castor

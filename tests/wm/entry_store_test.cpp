@@ -33,7 +33,11 @@ protected:
   WriteRequest request(Operation operation, const std::string& id, Value value = {},
                        std::optional<Version> last_seen = {},
                        const std::string& writer = "segmentor") {
-    return {operation, {"vision", id}, std::move(value), last_seen, {writer, "vision"}};
+    return {operation,
+            {"vision", id},
+            std::move(value),
+            last_seen,
+            std::make_shared<const Client>(Client{writer, "vision"})};
   }
 
   /// Prepares and commits what must succeed.
@@ -239,7 +243,11 @@ TEST_F(EntryStoreRules, RefusesEveryWriteFromASubarchitectureWithoutAccess) {
   for (auto [operation, verb] :
        {std::pair(Operation::add, "add"), std::pair(Operation::overwrite, "overwrite"),
         std::pair(Operation::remove, "delete")}) {
-    WriteRequest x{operation, {"vision", "0:1"}, Value::of(Box{}), 0, {"planner", "planning"}};
+    WriteRequest x{operation,
+                   {"vision", "0:1"},
+                   Value::of(Box{}),
+                   0,
+                   std::make_shared<const Client>(Client{"planner", "planning"})};
     auto failure = refused(x);
     EXPECT_EQ(failure.kind, FailureKind::not_permitted);
     EXPECT_EQ(failure.address, x.address);
@@ -251,7 +259,11 @@ TEST_F(EntryStoreRules, RefusesEveryWriteFromASubarchitectureWithoutAccess) {
 }
 
 TEST_F(EntryStoreRules, TakesWritesFromASubarchitectureWithAccess) {
-  write({Operation::add, {"vision", "0:1"}, Value::of(Box{}), {}, {"mapper", "spatial"}});
+  write({Operation::add,
+         {"vision", "0:1"},
+         Value::of(Box{}),
+         {},
+         std::make_shared<const Client>(Client{"mapper", "spatial"})});
   EXPECT_EQ((*store.read("0:1"))->writer, "mapper");
 }
 

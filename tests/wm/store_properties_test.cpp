@@ -92,7 +92,7 @@ rc::Gen<FilterStep> filter_step() {
 struct StoreStep {
   Operation operation = Operation::add;
   std::string id;
-  Writer writer;
+  Client writer;
   int type = 0;
   /// What the writer says it has seen: nothing, what it really saw, or a guess.
   enum { nothing, truth, guess } seen = nothing;
@@ -115,8 +115,8 @@ rc::Gen<StoreStep> store_step() {
                  element(Operation::add, Operation::add, Operation::overwrite, Operation::overwrite,
                          Operation::overwrite, Operation::remove)),
     rc::gen::set(&StoreStep::id, element<std::string>("a", "b", "c", "d", "e")),
-    rc::gen::set(&StoreStep::writer, element(Writer{"p", "vision"}, Writer{"q", "vision"},
-                                             Writer{"r", "spatial"}, Writer{"s", "planning"})),
+    rc::gen::set(&StoreStep::writer, element(Client{"p", "vision"}, Client{"q", "vision"},
+                                             Client{"r", "spatial"}, Client{"s", "planning"})),
     // Boxes above all, so that most overwrites are of the right type.
     rc::gen::set(&StoreStep::type, element(0, 0, 0, 0, 1, 1, 2, 3, 4)),
     rc::gen::set(&StoreStep::seen, element(StoreStep::nothing, StoreStep::truth, StoreStep::truth,
@@ -153,7 +153,7 @@ public:
 
   /// Why the request must be refused, or nothing.
   std::optional<FailureKind> refusal(const WriteRequest& x) const {
-    if (x.writer.subarchitecture != "vision" && x.writer.subarchitecture != "spatial")
+    if (x.client->subarchitecture != "vision" && x.client->subarchitecture != "spatial")
       return FailureKind::not_permitted;
     auto i = find(x.address.id);
     if (x.operation == Operation::add && i != entries_.end())
@@ -194,7 +194,7 @@ public:
       std::erase_if(deleted_, [&](auto& d) { return d.first == id; });
     layouts_.push_back(x.value.type_ptr());
     auto entry =
-      std::make_shared<const Entry>(Entry{x.address, version, x.value, x.writer.component});
+      std::make_shared<const Entry>(Entry{x.address, version, x.value, x.client->component});
     entries_.insert(entries_.begin(), entry);
     return entry;
   }
@@ -332,7 +332,8 @@ RC_GTEST_PROP(EntryStoreProperties, DoesWhatANaiveStoreDoes, ()) {
   std::size_t refused = 0;
   std::size_t time = 0;
   for (auto& step : steps(store_step())) {
-    WriteRequest request{step.operation, {"vision", step.id}, {}, {}, step.writer};
+    WriteRequest request{
+      step.operation, {"vision", step.id}, {}, {}, std::make_shared<const Client>(step.writer)};
     if (step.operation != Operation::remove)
       request.value = value_of_type(step.type);
     auto known = seen.find({step.writer.component, step.id});
@@ -378,8 +379,11 @@ RC_GTEST_PROP(EntryStoreProperties, NeverGivesAVersionOfAnIdTwice, ()) {
   std::map<std::string, std::set<Version>> given;
   std::uint64_t sequence = 0;
   for (auto& step : steps(store_step())) {
-    WriteRequest request{
-      step.operation, {"vision", step.id}, Value::of(Box{}), {}, {"p", "vision"}};
+    WriteRequest request{step.operation,
+                         {"vision", step.id},
+                         Value::of(Box{}),
+                         {},
+                         std::make_shared<const Client>(Client{"p", "vision"})};
     if (auto entry = store.read(step.id))
       request.last_seen = (*entry)->version;
     auto effect = store.prepare(request);

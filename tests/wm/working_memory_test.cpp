@@ -77,7 +77,7 @@ protected:
   }
 
   Outcome<Version> write(const std::string& via, WriteRequest request) {
-    request.writer = {"tester", via};
+    request.client = std::make_shared<const Client>(Client{"tester", via});
     return ask<Outcome<Version>>(wm.at(via), request);
   }
 
@@ -238,14 +238,14 @@ TEST_F(WorkingMemories, LetAFilterBeReplacedUnderItsId) {
 
 TEST_F(WorkingMemories, HandOperationsOnToTheirOwner) {
   ASSERT_TRUE(write("a", {Operation::add, {"b", "x"}, Value::of(Thing{4}), {}, {}}));
-  auto entry = ask<Outcome<EntryPtr>>(wm.at("c"), ReadRequest{{"b", "x"}});
+  auto entry = ask<Outcome<EntryPtr>>(wm.at("c"), ReadRequest{{"b", "x"}, {}});
   ASSERT_TRUE(entry);
   EXPECT_EQ((*entry)->value.as<Thing>()->number, 4);
   EXPECT_EQ((*entry)->address, (Address{"b", "x"}));
   EXPECT_TRUE(*ask<Outcome<bool>>(wm.at("c"), ExistsQuery{{"b", "x"}}));
   EXPECT_EQ(*ask<Outcome<Version>>(wm.at("c"), VersionQuery{{"b", "x"}}), 0u);
   EXPECT_EQ(
-    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), TypeQuery{"b", "Thing", 0, false})->size(), 1u);
+    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})->size(), 1u);
 }
 
 TEST_F(WorkingMemories, KeepWritersOutThatAreNotAllowed) {
@@ -257,7 +257,7 @@ TEST_F(WorkingMemories, KeepWritersOutThatAreNotAllowed) {
 }
 
 TEST_F(WorkingMemories, NameTheSubarchitecturesThereAre) {
-  auto outcome = ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{{"vison", "x"}});
+  auto outcome = ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{{"vison", "x"}, {}});
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.failure().kind, FailureKind::unknown_subarchitecture);
   EXPECT_NE(outcome.failure().message.find("a, b, c"), std::string::npos);

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "castor/wm/address.hpp"
+#include "castor/wm/lease.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// The leases that a component has in hand, as far as its process knows: the component uses them,
+/// the keeper renews them. Safe from any thread.
+class HeldLeases {
+public:
+  /// A lease was obtained, for the first time or once more.
+  void add(const Address& address, LeaseToken token) {
+    std::lock_guard guard{mutex_};
+    auto& x = leases_[address];
+    if (x.token != token)
+      x = {token, 0, false};
+    ++x.times;
+    count_ = leases_.size();
+  }
+
+  /// One lock request's worth of the lease is given back; what is known of it before.
+  struct Held {
+    LeaseToken token = 0;
+    /// How often it was obtained and not given back.
+    std::size_t times = 0;
+    bool lost = false;
+  };
+  std::optional<Held> remove(const Address& address) {
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    if (i == leases_.end())
+      return std::nullopt;
+    auto result = i->second;
+    if (--i->second.times == 0)
+      leases_.erase(i);
+    count_ = leases_.size();
+    return result;
+  }
+
+  /// The entry is gone, and its lease with it.
+  void forget(const Address& address) {
+    if (count_ == 0)
+      return;
+    std::lock_guard guard{mutex_};
+    leases_.erase(address);
+    count_ = leases_.size();
+  }
+
+  std::optional<Held> find(const Address& address) const {
+    if (count_ == 0)
+      return std::nullopt;
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    return i == leases_.end() ? std::nullopt : std::optional{i->second};
+  }
+
+  /// The token to write with; of a lost lease too, so that the write is refused. 0 for none.
+  LeaseToken token(const Address& address) const {
+    auto x = find(address);
+    return x ? x->token : 0;
+  }
+
+  void mark_lost(const Address& address, LeaseToken token) {
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    if (i != leases_.end() && i->second.token == token)
+      i->second.lost = true;
+  }
+
+  /// Those not known to be lost, by subarchitecture.
+  std::map<std::string, std::vector<std::pair<std::string, LeaseToken>>> to_renew() const {
+    std::map<std::string, std::vector<std::pair<std::string, LeaseToken>>> result;
+    if (count_ == 0)
+      return result;
+    std::lock_guard guard{mutex_};
+    for (auto& [address, x] : leases_)
+      if (!x.lost)
+        result[address.subarchitecture].emplace_back(address.id, x.token);
+    return result;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  std::map<Address, Held> leases_;
+  /// Of `leases_`, so that who holds none pays nothing.
+  std::atomic<std::size_t> count_{0};
+};
+
+} // namespace castor

@@ -1,0 +1,35 @@
+#include "castor/actors/component/lock_guard.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/shell.hpp"
+
+namespace castor {
+
+LockGuard::~LockGuard() {
+  if (!shell_)
+    return;
+  auto held = shell_->leases().remove(address_);
+  if (!held)
+    return;
+  auto outcome = shell_->try_unlock(address_, held->token);
+  if (!outcome)
+    log(LogLevel::warning, shell_->identity().full_name(),
+        "a lease did not last as long as its guard: " + outcome.failure().message);
+}
+
+bool LockGuard::held() const {
+  if (!shell_)
+    return false;
+  auto x = shell_->leases().find(address_);
+  return x && !x->lost;
+}
+
+void LockGuard::unlock() {
+  auto* shell = std::exchange(shell_, nullptr);
+  if (!shell)
+    return;
+  if (auto held = shell->leases().remove(address_))
+    value_or_throw(shell->try_unlock(address_, held->token));
+}
+
+} // namespace castor

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "castor/wm/address.hpp"
+
+#include <utility>
+
+namespace castor {
+
+class ComponentShell;
+
+/// A lease in hand, given back when the guard goes out of scope.
+///
+/// The runtime renews the lease while the component is alive and responsive. Should the lease end
+/// all the same, writes under it are refused with LeaseLostException, `held()` turns false as soon
+/// as this process knows, `unlock()` throws, and the destructor says so in the log.
+class [[nodiscard]] LockGuard {
+public:
+  /// Made by the components' `lock` and `try_lock`.
+  LockGuard(ComponentShell& shell, Address address)
+    : shell_(&shell), address_(std::move(address)) {}
+
+  LockGuard(LockGuard&& other) noexcept
+    : shell_(std::exchange(other.shell_, nullptr)), address_(std::move(other.address_)) {}
+
+  LockGuard& operator=(LockGuard&& other) noexcept {
+    std::swap(shell_, other.shell_);
+    std::swap(address_, other.address_);
+    return *this;
+  }
+
+  ~LockGuard();
+
+  const Address& address() const { return address_; }
+
+  /// False once the lease was given back or is known to be lost.
+  bool held() const;
+
+  /// Gives the lease back now. Throws LeaseLostException if it was lost meanwhile.
+  void unlock();
+
+private:
+  ComponentShell* shell_;
+  Address address_;
+};
+
+} // namespace castor

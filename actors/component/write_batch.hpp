@@ -1,0 +1,50 @@
+#pragma once
+
+#include "castor/wm/address.hpp"
+#include "castor/wm/change_event.hpp"
+#include "castor/wm/entry.hpp"
+#include "castor/wm/value.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// Writes that are to happen together: all or none, in one step. They write different entries of
+/// one working memory.
+///
+///     write(WriteBatch{}.overwrite(left, moved).overwrite(right, moved).delete_entry(gap));
+class WriteBatch {
+public:
+  struct Item {
+    Operation operation = Operation::add;
+    Address address;
+    Value value;
+    std::optional<EntryLife> life;
+  };
+
+  template <ReflectedRecord T>
+  WriteBatch& add(Address address, T object, EntryLife life = {}) {
+    items_.push_back({Operation::add, std::move(address), Value::of(std::move(object)), life});
+    return *this;
+  }
+
+  template <ReflectedRecord T>
+  WriteBatch& overwrite(Address address, T object) {
+    items_.push_back({Operation::overwrite, std::move(address), Value::of(std::move(object)), {}});
+    return *this;
+  }
+
+  WriteBatch& delete_entry(Address address) {
+    items_.push_back({Operation::remove, std::move(address), {}, {}});
+    return *this;
+  }
+
+  const std::vector<Item>& items() const { return items_; }
+
+private:
+  std::vector<Item> items_;
+};
+
+} // namespace castor

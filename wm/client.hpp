@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace castor {
+
+/// The component behind an operation. A component that is started again is another client: what its
+/// predecessor held is not its own.
+struct Client {
+  std::string component;
+  /// Empty for one outside the subarchitectures.
+  std::string subarchitecture;
+  /// Which of the component's lives this is.
+  std::uint64_t incarnation = 0;
+
+  friend bool operator==(const Client& a, const Client& b) {
+    return a.component == b.component && a.incarnation == b.incarnation;
+  }
+};
+
+/// Every operation names its client, so they share one object.
+using ClientPtr = std::shared_ptr<const Client>;
+
+/// "segmentor of vision", for messages.
+inline std::string to_string(const Client& x) {
+  return x.subarchitecture.empty() ? x.component : x.component + " of " + x.subarchitecture;
+}
+
+} // namespace castor

@@ -1,0 +1,234 @@
+#include "castor/wm/working_memory_parts.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace castor::working_memory_parts {
+
+namespace {
+
+FilterIndex::Key key_of(std::uint32_t number, std::uint32_t id) {
+  return static_cast<FilterIndex::Key>(number) << 32 | id;
+}
+
+/// The filters of one receiver that want an event, of keys in order.
+template <class F>
+void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
+  for (std::size_t i = 0; i < keys.size();) {
+    auto number = static_cast<std::uint32_t>(keys[i] >> 32);
+    std::vector<std::uint32_t> ids;
+    for (; i < keys.size() && keys[i] >> 32 == number; ++i)
+      ids.push_back(static_cast<std::uint32_t>(keys[i]));
+    f(number, std::move(ids));
+  }
+}
+
+void sort_unique(std::vector<FilterIndex::Key>& keys) {
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+bool is_ignored(const WorkingMemoryState& state, const ChangeEvent& event) {
+  return state.options.ignored.count(event.address.subarchitecture) > 0;
+}
+
+/// What each component is to be told.
+using Notices = std::map<std::uint32_t, std::vector<ChangeNotice>>;
+
+void send_notices(WorkingMemoryState& state, Notices notices) {
+  for (auto& [number, list] : notices) {
+    state.counters.delivered += list.size();
+    auto& actor = state.subscribers.at(number).actor;
+    if (list.size() == 1)
+      caf::anon_send(actor, std::move(list.front()));
+    else
+      caf::anon_send(actor, ChangeNotices{std::move(list)});
+  }
+}
+
+/// Whether a filter can match events of another subarchitecture's working memory.
+bool concerns(const ChangeFilter& filter, const std::string& subarchitecture) {
+  return filter.subarchitecture->empty() || *filter.subarchitecture == subarchitecture;
+}
+
+/// Tells the other working memories, and answers when the last of them has taken note.
+caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filter,
+                                            FilterIndex::Key key) {
+  auto& state = self->state;
+  struct Pending {
+    caf::typed_response_promise<Outcome<Acknowledged>> promise;
+    std::size_t missing = 0;
+  };
+  std::size_t concerned = 0;
+  for (auto& peer : state.peers)
+    if (concerns(filter, peer.subarchitecture))
+      ++concerned;
+  if (concerned == 0)
+    return Outcome<Acknowledged>{Acknowledged{}};
+  auto& interest = state.own_interests[filter];
+  if (interest.filters.empty()) {
+    interest.id = ++state.last_interest;
+    state.interests_by_id[interest.id] = &interest;
+  }
+  interest.filters.push_back(key);
+  auto pending = std::make_shared<Pending>();
+  pending->promise = self->make_response_promise<Outcome<Acknowledged>>();
+  pending->missing = concerned;
+  for (auto& peer : state.peers) {
+    if (!concerns(filter, peer.subarchitecture))
+      continue;
+    self
+      ->request(peer.actor, state.options.peer_deadline,
+                Interest{state.options.subarchitecture, interest.id, filter, true})
+      .then(
+        [pending](Acknowledged) {
+          if (--pending->missing == 0)
+            pending->promise.deliver(Outcome<Acknowledged>{Acknowledged{}});
+        },
+        [pending, name = peer.subarchitecture](const caf::error&) {
+          pending->promise.deliver(Outcome<Acknowledged>{
+            Failure{FailureKind::no_answer,
+                    "the working memory of " + name + " did not take note of a change filter",
+                    {name, {}}}});
+        });
+  }
+  return pending->promise;
+}
+
+void withdraw(Self self, const ChangeFilter& filter, FilterIndex::Key key) {
+  auto& state = self->state;
+  auto i = state.own_interests.find(filter);
+  if (i == state.own_interests.end())
+    return;
+  auto& interest = i->second;
+  std::erase(interest.filters, key);
+  if (!interest.filters.empty())
+    return;
+  for (auto& peer : state.peers)
+    if (concerns(filter, peer.subarchitecture))
+      self
+        ->request(peer.actor, state.options.peer_deadline,
+                  Interest{state.options.subarchitecture, interest.id, filter, false})
+        .then([](Acknowledged) {}, [](const caf::error&) {});
+  state.interests_by_id.erase(interest.id);
+  state.own_interests.erase(i);
+}
+
+std::uint32_t subscriber_number(Self self, const caf::strong_actor_ptr& who) {
+  auto& state = self->state;
+  auto [i, is_new] =
+    state.subscriber_numbers.try_emplace(caf::actor_cast<caf::actor_addr>(who), 0u);
+  if (is_new) {
+    i->second = ++state.last_subscriber;
+    state.subscribers[i->second].actor = caf::actor_cast<caf::actor>(who);
+    monitor(self, who);
+  }
+  return i->second;
+}
+
+void remove_filter(Self self, std::uint32_t number, FilterId id) {
+  auto& state = self->state;
+  auto& filters = state.subscribers.at(number).filters;
+  auto i = filters.find(id);
+  if (i == filters.end())
+    return;
+  state.local_index.erase(key_of(number, id), i->second);
+  withdraw(self, i->second, key_of(number, id));
+  filters.erase(i);
+}
+
+} // namespace
+
+void emit(Self self, const std::vector<ChangeEventPtr>& events) {
+  auto& state = self->state;
+  auto& keys = state.matched;
+  Notices notices;
+  std::map<std::uint32_t, std::vector<ForwardedEvent>> forwarded;
+  for (auto& event : events) {
+    if (!is_ignored(state, *event)) {
+      keys.clear();
+      state.local_index.match(*event, keys);
+      sort_unique(keys);
+      for_each_receiver(keys, [&](std::uint32_t number, std::vector<FilterId> ids) {
+        notices[number].push_back({event, std::move(ids)});
+      });
+    }
+    keys.clear();
+    state.peer_index.match(*event, keys);
+    sort_unique(keys);
+    for_each_receiver(keys, [&](std::uint32_t number, std::vector<InterestId> ids) {
+      forwarded[number].push_back({event, std::move(ids)});
+    });
+  }
+  send_notices(state, std::move(notices));
+  for (auto& [number, list] : forwarded) {
+    state.counters.forwarded += list.size();
+    self->send(state.peers[number].actor, ForwardedEvents{std::move(list)});
+  }
+}
+
+void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
+  auto& state = self->state;
+  auto& keys = state.matched;
+  Notices notices;
+  for (auto& [event, interests] : forwarded.events) {
+    if (is_ignored(state, *event))
+      continue;
+    keys.clear();
+    for (auto id : interests)
+      if (auto i = state.interests_by_id.find(id); i != state.interests_by_id.end())
+        keys.insert(keys.end(), i->second->filters.begin(), i->second->filters.end());
+    sort_unique(keys);
+    for_each_receiver(keys, [&, &e = event](std::uint32_t number, std::vector<FilterId> ids) {
+      notices[number].push_back({e, std::move(ids)});
+    });
+  }
+  send_notices(state, std::move(notices));
+}
+
+caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request) {
+  auto& state = self->state;
+  auto filter = request.filter;
+  if (!filter.subarchitecture)
+    filter.subarchitecture = state.options.subarchitecture;
+  auto number = subscriber_number(self, self->current_sender());
+  remove_filter(self, number, request.id);
+  state.local_index.insert(key_of(number, request.id), filter);
+  state.subscribers.at(number).filters[request.id] = filter;
+  return announce(self, filter, key_of(number, request.id));
+}
+
+void unsubscribe(Self self, const Unsubscribe& request) {
+  auto& numbers = self->state.subscriber_numbers;
+  auto i = numbers.find(caf::actor_cast<caf::actor_addr>(self->current_sender()));
+  if (i != numbers.end())
+    remove_filter(self, i->second, request.id);
+}
+
+void set_interest(WorkingMemoryState& state, const Interest& interest) {
+  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
+    auto& [subarchitecture, actor, interests] = state.peers[i];
+    if (subarchitecture != interest.subarchitecture)
+      continue;
+    auto key = key_of(i, interest.id);
+    if (interest.wanted && interests.emplace(interest.id, interest.filter).second)
+      state.peer_index.insert(key, interest.filter);
+    else if (!interest.wanted && interests.erase(interest.id) > 0)
+      state.peer_index.erase(key, interest.filter);
+  }
+}
+
+void end_subscriber(Self self, const caf::actor_addr& who) {
+  auto& state = self->state;
+  auto i = state.subscriber_numbers.find(who);
+  if (i == state.subscriber_numbers.end())
+    return;
+  auto& filters = state.subscribers.at(i->second).filters;
+  while (!filters.empty())
+    remove_filter(self, i->second, filters.begin()->first);
+  state.subscribers.erase(i->second);
+  state.subscriber_numbers.erase(i);
+}
+
+} // namespace castor::working_memory_parts
