@@ -71,7 +71,8 @@ public:
 
   bool wanted() const { return print_ || file_.is_open(); }
 
-  void add(const ChangeEvent& event) {
+  template <class Event>
+  void add(const Event& event) {
     if (print_) {
       std::puts(timeline_line(event, coloured_).c_str());
       // In a pipe too, the reader sees a line when it happens.
@@ -111,8 +112,10 @@ int run(Arguments arguments) {
   Timeline timeline{arguments};
   SystemOptions options;
   options.open_access = arguments.open_access;
-  if (timeline.wanted())
+  if (timeline.wanted()) {
     options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
+    options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
+  }
   options.interrupted = [&] { return signals.count() > 0; };
   std::unique_ptr<System> system;
   try {
@@ -169,7 +172,8 @@ void add_run(CLI::App& app, Action& chosen) {
                  "write the timeline, the entries and what components write into this folder; "
                  "in the .cast file it is %(output)")
     ->type_name("DIR");
-  command->add_flag("--trace", arguments->trace, "print every change of every working memory");
+  command->add_flag("--trace", arguments->trace,
+                    "print every change of every working memory, and what becomes of every task");
   command->add_flag("--open-access", arguments->open_access,
                     "let every subarchitecture write to every other, as the original CAST does");
   command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");

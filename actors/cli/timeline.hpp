@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
 
 #include <string>
@@ -8,6 +9,10 @@ namespace castor::cli {
 
 /// One line of the timeline: time, subarchitecture, operation, type, id, component, version.
 std::string timeline_line(const ChangeEvent& event, bool coloured);
+
+/// The same columns: time, subarchitecture, what became of the task, its name, id, component, and
+/// the reason or the outcome.
+std::string timeline_line(const TaskEvent& event, bool coloured);
 
 /// What the columns are.
 std::string timeline_head(bool coloured);

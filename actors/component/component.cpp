@@ -3,7 +3,6 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/task_manager/task_manager.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -334,14 +333,15 @@ void SubarchitectureComponent::receive_changes(bool on) {
 
 // -- ManagedComponent
 
-TaskId ManagedComponent::propose_task(const std::string& name) {
-  return propose_task(name, nullptr);
+TaskId ManagedComponent::propose_task(const std::string& name, TaskOptions options) {
+  return propose_task(name, nullptr, std::move(options));
 }
 
-TaskId ManagedComponent::propose_task(const std::string& name, std::function<void()> work) {
+TaskId ManagedComponent::propose_task(const std::string& name, std::function<void()> work,
+                                      TaskOptions options) {
   auto id = "task:" + component_name() + ":" + std::to_string(++tasks_made_);
   tasks_[id] = std::move(work);
-  shell().propose({id, name, component_name()});
+  shell().propose({id, name, component_name(), std::move(options)});
   return id;
 }
 
@@ -355,15 +355,17 @@ void ManagedComponent::complete_task(const TaskId& id, TaskOutcome outcome) {
     shell().complete(id, outcome);
 }
 
-void ManagedComponent::decided(const TaskId& id, TaskDecision decision) {
+void ManagedComponent::decided(const TaskDecided& x) {
+  auto& id = x.id;
   auto i = tasks_.find(id);
   if (i == tasks_.end())
     return; // retracted meanwhile
-  switch (decision) {
+  switch (x.decision) {
     case TaskDecision::waiting:
-      debug("{} has to wait", id);
+      debug("{} has to wait: {}", id, x.reason);
       break;
     case TaskDecision::rejected:
+      debug("{} is rejected: {}", id, x.reason);
       tasks_.erase(i);
       task_rejected(id);
       break;
@@ -381,31 +383,6 @@ void ManagedComponent::decided(const TaskId& id, TaskDecision decision) {
       }
       break;
   }
-}
-
-// -- TaskManager
-
-void TaskManager::decide(const TaskId& id, TaskDecision decision) {
-  if (tasks_.count(id) == 0)
-    return;
-  shell().decide(id, decision);
-  if (decision == TaskDecision::rejected)
-    tasks_.erase(id);
-}
-
-void TaskManager::proposed(TaskProposal task) {
-  auto i = tasks_.insert_or_assign(task.id, std::move(task)).first;
-  task_proposed(TaskProposal{i->second});
-}
-
-void TaskManager::retracted(const TaskId& id) {
-  if (auto node = tasks_.extract(id))
-    task_retracted(node.mapped());
-}
-
-void TaskManager::completed(const TaskId& id, TaskOutcome outcome) {
-  if (auto node = tasks_.extract(id))
-    task_completed(node.mapped(), outcome);
 }
 
 } // namespace castor

@@ -14,13 +14,16 @@ namespace castor {
 class ManagedComponent : public SubarchitectureComponent {
 protected:
   /// Proposes a task to the task manager; the decision arrives as a call of `task_adopted` or
-  /// `task_rejected`.
-  TaskId propose_task(const std::string& name);
+  /// `task_rejected`. What a scheduling task manager should know stands in the options:
+  ///
+  ///     propose_task("grasp", {.priority = 2, .cost = 0.5, .after = {reach}});
+  TaskId propose_task(const std::string& name, TaskOptions options = {});
 
   /// Proposes a task that `work` does: called if and when it is adopted. When it returns, the task
   /// is complete: with success, or with failure if it throws (and then the exception goes on its
   /// way).
-  TaskId propose_task(const std::string& name, std::function<void()> work);
+  TaskId propose_task(const std::string& name, std::function<void()> work,
+                      TaskOptions options = {});
 
   /// Takes a proposal back. No decision on it arrives any more.
   void retract_task(const TaskId& id);
@@ -34,7 +37,7 @@ protected:
 private:
   friend class ComponentShell;
 
-  void decided(const TaskId& id, TaskDecision decision);
+  void decided(const TaskDecided& x);
 
   /// Proposed and not complete; what to do on adoption, if `task_adopted` is not to do it.
   std::unordered_map<TaskId, std::function<void()>> tasks_;

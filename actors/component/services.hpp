@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/caller_runs.hpp"
 #include "castor/actors/component/record.hpp"
+#include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
@@ -35,6 +36,9 @@ struct ComponentServices {
 
   /// Called from any component's thread when it wants the system to end.
   std::function<void(int status, const std::string& reason)> end_system;
+
+  /// Called from task managers' threads, if anybody watches.
+  std::function<void(TaskEvent)> on_task;
 };
 
 } // namespace castor

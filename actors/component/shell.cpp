@@ -98,6 +98,7 @@ void ComponentShell::act() {
 void ComponentShell::let_go() {
   work_.clear();
   proposers_.clear();
+  watched_.clear();
   provisions_.clear();
   push_receivers_.clear();
   conductor_ = nullptr;
@@ -180,6 +181,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
   } else if (content.match_elements<caf::down_msg>()) {
     if (working_memory_ && content.get_as<caf::down_msg>(0).source == working_memory_.address())
       working_memory_lost_ = true;
+    else if (manager_)
+      work_.push_back(std::move(x)); // in its turn: after the last words of who has ended
   } else {
     work_.push_back(std::move(x));
   }
@@ -260,10 +263,12 @@ void ComponentShell::work_off_message(caf::mailbox_element& x) {
     work_off_push(content.get_as<Pushed>(0));
   } else if (managed_ && content.match_elements<TaskDecided>()) {
     auto& decided = content.get_as<TaskDecided>(0);
-    user_code("task " + decided.id, [&] { managed_->decided(decided.id, decided.decision); });
+    user_code("task " + decided.id, [&] { managed_->decided(decided); });
   } else if (manager_ && content.match_elements<ProposeTask>()) {
     auto& proposal = content.get_as<ProposeTask>(0).proposal;
-    proposers_[proposal.id] = caf::actor_cast<caf::actor>(x.sender);
+    auto& proposer = proposers_[proposal.id] = caf::actor_cast<caf::actor>(x.sender);
+    if (watched_.insert(proposer.address()).second)
+      monitor(proposer);
     user_code("the proposal of " + proposal.component, [&] { manager_->proposed(proposal); });
   } else if (manager_ && content.match_elements<RetractTask>()) {
     auto& id = content.get_as<RetractTask>(0).id;
@@ -273,6 +278,8 @@ void ComponentShell::work_off_message(caf::mailbox_element& x) {
     auto& done = content.get_as<CompleteTask>(0);
     proposers_.erase(done.id);
     user_code("the completion of " + done.id, [&] { manager_->completed(done.id, done.outcome); });
+  } else if (manager_ && content.match_elements<caf::down_msg>()) {
+    work_off_end(content.get_as<caf::down_msg>(0));
   }
 }
 
@@ -470,13 +477,24 @@ void ComponentShell::complete(const TaskId& id, TaskOutcome outcome) {
   send(task_manager_, CompleteTask{id, outcome});
 }
 
-void ComponentShell::decide(const TaskId& id, TaskDecision decision) {
-  auto i = proposers_.find(id);
+void ComponentShell::decide(const TaskDecided& x) {
+  auto i = proposers_.find(x.id);
   if (i == proposers_.end())
     return;
-  send(i->second, TaskDecided{id, decision});
-  if (decision == TaskDecision::rejected)
+  send(i->second, x);
+  if (x.decision == TaskDecision::rejected)
     proposers_.erase(i);
+}
+
+void ComponentShell::work_off_end(const caf::down_msg& x) {
+  watched_.erase(x.source);
+  std::vector<TaskId> left;
+  for (auto& [id, proposer] : proposers_)
+    if (proposer.address() == x.source)
+      left.push_back(id);
+  for (auto& id : left)
+    proposers_.erase(id);
+  user_code("the end of a component", [&] { manager_->abandoned(left, bool{x.reason}); });
 }
 
 // -- push and pull

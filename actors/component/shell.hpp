@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <variant>
@@ -125,7 +126,7 @@ public:
   void retract(const TaskId& id);
   void complete(const TaskId& id, TaskOutcome outcome);
   /// Of a task manager: tells the component that proposed the task.
-  void decide(const TaskId& id, TaskDecision decision);
+  void decide(const TaskDecided& x);
 
   Value pull(const std::string& provider, const TypeDescriptorPtr& type);
   void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
@@ -173,6 +174,7 @@ private:
   void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
   void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
   void work_off_push(const Pushed& x);
+  void work_off_end(const caf::down_msg& x);
   template <class F>
   void user_code(const std::string& what, F&& f);
   void respond(caf::mailbox_element& x, caf::message reply);
@@ -242,7 +244,9 @@ private:
 
   std::map<std::string, Provision> provisions_;
   std::vector<PushReceiver> push_receivers_;
-  std::unordered_map<TaskId, caf::actor> proposers_;
+  std::map<TaskId, caf::actor> proposers_;
+  /// Components whose end this task manager will be told.
+  std::set<caf::actor_addr> watched_;
 };
 
 } // namespace castor

@@ -40,12 +40,6 @@ struct CompleteTask {
   TaskOutcome outcome = TaskOutcome::success;
 };
 
-/// To a managed component.
-struct TaskDecided {
-  TaskId id;
-  TaskDecision decision = TaskDecision::adopted;
-};
-
 /// To a stand-alone component: answered with its newest value of the type.
 struct PullRequest {
   TypeDescriptorPtr type;

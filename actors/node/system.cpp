@@ -16,6 +16,8 @@
 #include <thread>
 #include <utility>
 
+CASTOR_LOCAL_MESSAGE(castor::TaskEvent)
+
 namespace castor {
 
 namespace {
@@ -40,10 +42,10 @@ struct ActorSystemConfig : caf::actor_system_config {
   }
 };
 
-caf::behavior observer(caf::event_based_actor*,
-                       const std::function<void(const ChangeEvent&)>& on_change) {
+caf::behavior observer(caf::event_based_actor*, const SystemOptions& options) {
   return {
-    [&on_change](const ChangeNotice& x) { on_change(*x.event); },
+    [&options](const ChangeNotice& x) { options.on_change(*x.event); },
+    [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},
     [](FlushAtom) { return true; },
   };
@@ -84,8 +86,7 @@ public:
   }
 
   bool start() {
-    if (options_.on_change)
-      observe();
+    observe();
     for (auto& subarchitecture : architecture_.subarchitectures) {
       auto& wm = working_memory_of(subarchitecture.name);
       auto manager = spawn(subarchitecture.task_manager, wm, {});
@@ -295,7 +296,13 @@ private:
   }
 
   void observe() {
-    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_.on_change));
+    if (!options_.on_change && !options_.on_task)
+      return;
+    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_));
+    if (options_.on_task)
+      services_->on_task = [this](TaskEvent x) { caf::anon_send(observer_, std::move(x)); };
+    if (!options_.on_change)
+      return;
     for (auto& wm : working_memories_)
       caf::send_as(observer_, wm.actor, Subscribe{1, any_change()});
     // Subscriptions are in force once the working memories have answered anything sent after them.

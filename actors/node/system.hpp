@@ -3,6 +3,7 @@
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/component/record.hpp"
+#include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/entry.hpp"
 
@@ -38,6 +39,10 @@ struct SystemOptions {
   /// Called with every change in every working memory, one at a time, those of one working memory
   /// in their order; not on any component's thread.
   std::function<void(const ChangeEvent&)> on_change;
+
+  /// Called with what becomes of every proposed task, those of one task manager in their order;
+  /// never at the same time as `on_change`.
+  std::function<void(const TaskEvent&)> on_task;
 
   /// Asked now and then during lengthy work; true makes the system give up waiting.
   std::function<bool()> interrupted;

@@ -69,7 +69,8 @@ TEST_F(Castor, ListsComponentsWithTheirOptions) {
   Process castor{command({"components"})};
   EXPECT_EQ(castor.wait(), 0);
   for (auto part : {"Clock", "ticks a few times", "--count", "how often it ticks",
-                    "whole number; 3", "SubarchitectureWorkingMemory", "AlwaysPositiveTaskManager"})
+                    "whole number; 3", "SubarchitectureWorkingMemory", "AlwaysPositiveTaskManager",
+                    "SchedulingTaskManager", "--resource-budget", "--backfill"})
     EXPECT_NE(castor.output().find(part), std::string::npos) << part;
 }
 
@@ -83,6 +84,26 @@ TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +OVERWRITE +Tick +\\S+ +clock +v2\n"}));
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"\na +Tick +1\n"})) << text;
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +3 +0\n"}));
+}
+
+TEST_F(Castor, TheTimelineShowsWhatBecomesOfTasks) {
+  auto file =
+    write("tasks.cast", "SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\n"
+                        "CPP TM SchedulingTaskManager --resource-budget 1\n"
+                        "CPP MG worker Worker\n");
+  auto output = folder / "out";
+  Process castor{command({"run", file, "--trace", "--output", output})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  for (auto& text : {castor.output(), read(output / "timeline.txt")})
+    for (auto line : {
+           "a +TASK ADOPTED +look +task:worker:1 +worker\n",
+           "a +TASK WAITING +reach +task:worker:2 +worker +it costs 1, and 1 of the budget of 1 is",
+           "a +TASK WAITING +grasp +task:worker:3 +worker +it waits for task:worker:2\n",
+           "a +TASK REJECTED +carry everything +task:worker:4 +worker +it costs 100, more than the",
+           "a +TASK COMPLETED +look +task:worker:1 +worker +success\n",
+           "a +TASK ADOPTED +grasp +task:worker:3 +worker\n",
+         })
+      EXPECT_TRUE(std::regex_search(text, std::regex{line})) << line << " in\n" << text;
 }
 
 TEST_F(Castor, AComponentEndsTheSystemWithItsStatus) {

@@ -30,6 +30,17 @@ class Clock final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Clock, "ticks a few times")
 
+class Worker final : public ManagedComponent {
+  void start() override {
+    propose_task("look", [this] { debug("looks"); }, {.priority = 1});
+    auto reach = propose_task("reach", [this] { debug("reaches"); });
+    propose_task("grasp", [this] { end_system(0, "it has grasped"); }, {.after = {reach}});
+    propose_task("carry everything", {.cost = 100});
+    propose_task("wait for ever", {.priority = -1, .after = {"task:nobody:1"}});
+  }
+};
+CASTOR_COMPONENT(Worker, "proposes tasks that depend on each other")
+
 class Broken final : public UnmanagedComponent {
   void run() override { throw std::runtime_error("the spring is gone"); }
 };
