@@ -1,134 +1,14 @@
-#include "castor/wm/working_memory.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
-#include <caf/scoped_actor.hpp>
+#include "castor/tests/wm/working_memories.hpp"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-namespace castor {
+namespace castor::test {
 
 namespace {
-
-using namespace std::chrono_literals;
-
-struct Thing {
-  int number = 0;
-};
-CASTOR_REFLECT(Thing, number)
-
-struct Gadget : Thing {
-  bool on = false;
-};
-CASTOR_REFLECT_DERIVED(Gadget, Thing, on)
-
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
-/// What a stand-in for a component received.
-struct Listener {
-  caf::actor actor;
-  std::vector<ChangeNotice> notices;
-  int subscribed = 0;
-};
-
-/// Working memories of the subarchitectures a, b and c on CAF's test coordinator: nothing runs but
-/// when the test says so, and time passes only there.
-class WorkingMemories : public testing::Test {
-protected:
-  WorkingMemories()
-    : scheduler(dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler())) {
-    Peers peers;
-    for (auto name : {"a", "b", "c"}) {
-      WorkingMemoryOptions options;
-      options.subarchitecture = name;
-      options.epoch = scheduler.clock().now();
-      if (name == std::string{"b"})
-        options.writers = {"a"};
-      wm[name] = system.spawn(working_memory, options);
-      peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(wm[name]);
-    }
-    for (auto& [name, actor] : wm)
-      ask<Acknowledged>(actor, peers);
-  }
-
-  ~WorkingMemories() override {
-    for (auto& x : listeners)
-      caf::anon_send_exit(x->actor, caf::exit_reason::user_shutdown);
-    for (auto& [name, actor] : wm)
-      caf::anon_send_exit(actor, caf::exit_reason::user_shutdown);
-    scheduler.run();
-  }
-
-  template <class Reply, class Request>
-  Reply ask(const WorkingMemoryActor& to, const Request& request) {
-    std::optional<Reply> result;
-    auto handle = self->request(to, caf::infinite, request);
-    scheduler.run();
-    handle.receive([&](const Reply& x) { result = x; },
-                   [&](const caf::error& e) { ADD_FAILURE() << system.render(e); });
-    return result.value();
-  }
-
-  Outcome<Version> write(const std::string& via, WriteRequest request) {
-    request.client = std::make_shared<const Client>(Client{"tester", via});
-    return ask<Outcome<Version>>(wm.at(via), request);
-  }
-
-  Outcome<Version> add(const Address& at, int number = 0) {
-    return write(at.subarchitecture, {Operation::add, at, Value::of(Thing{number}), {}, {}});
-  }
-
-  Outcome<Version> overwrite(const Address& at, std::optional<Version> last_seen, int number = 0) {
-    return write(at.subarchitecture,
-                 {Operation::overwrite, at, Value::of(Thing{number}), last_seen, {}});
-  }
-
-  Outcome<Version> remove(const Address& at) {
-    return write(at.subarchitecture, {Operation::remove, at, {}, {}, {}});
-  }
-
-  Listener& listen() {
-    auto& result = *listeners.emplace_back(std::make_unique<Listener>());
-    result.actor = system.spawn([&result](caf::event_based_actor*) -> caf::behavior {
-      return {[&result](const ChangeNotice& x) { result.notices.push_back(x); },
-              [&result](const Outcome<Acknowledged>&) { ++result.subscribed; }};
-    });
-    return result;
-  }
-
-  void subscribe(Listener& who, const std::string& at, FilterId id, const ChangeFilter& filter) {
-    caf::send_as(who.actor, wm.at(at), Subscribe{id, filter});
-    scheduler.run();
-  }
-
-  static std::vector<std::string> told(const Listener& x) {
-    std::vector<std::string> result;
-    for (auto& notice : x.notices)
-      result.push_back(std::string{to_string(notice.event->operation)} + ' ' +
-                       to_string(notice.event->address));
-    return result;
-  }
-
-  WorkingMemoryStatus status(const std::string& name) {
-    return ask<WorkingMemoryStatus>(wm.at(name), StatusQuery{});
-  }
-
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler;
-  caf::scoped_actor self{system};
-  std::map<std::string, WorkingMemoryActor> wm;
-  std::vector<std::unique_ptr<Listener>> listeners;
-};
-
-using Told = std::vector<std::string>;
 
 TEST_F(WorkingMemories, TellOwnComponentsOfWhatTheyAskedFor) {
   auto& all = listen();
@@ -245,7 +125,9 @@ TEST_F(WorkingMemories, HandOperationsOnToTheirOwner) {
   EXPECT_TRUE(*ask<Outcome<bool>>(wm.at("c"), ExistsQuery{{"b", "x"}}));
   EXPECT_EQ(*ask<Outcome<Version>>(wm.at("c"), VersionQuery{{"b", "x"}}), 0u);
   EXPECT_EQ(
-    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})->size(), 1u);
+    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})
+      ->size(),
+    1u);
 }
 
 TEST_F(WorkingMemories, KeepWritersOutThatAreNotAllowed) {
@@ -297,4 +179,4 @@ TEST_F(WorkingMemories, CountWhatTheyDo) {
 
 } // namespace
 
-} // namespace castor
+} // namespace castor::test

@@ -1,0 +1,141 @@
+#pragma once
+
+#include "castor/wm/working_memory.hpp"
+
+#include <caf/scheduler/test_coordinator.hpp>
+#include <caf/scoped_actor.hpp>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Working memory actors on CAF's test coordinator.
+namespace castor::test {
+
+using namespace std::chrono_literals;
+
+struct Thing {
+  int number = 0;
+};
+CASTOR_REFLECT(Thing, number)
+
+struct Gadget : Thing {
+  bool on = false;
+};
+CASTOR_REFLECT_DERIVED(Gadget, Thing, on)
+
+struct TestConfig : caf::actor_system_config {
+  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
+};
+
+/// What a stand-in for a component received.
+struct Listener {
+  caf::actor actor;
+  std::vector<ChangeNotice> notices;
+  int subscribed = 0;
+  /// How often several came in one piece.
+  int batches = 0;
+};
+
+/// Working memories of the subarchitectures a, b and c on CAF's test coordinator: nothing runs but
+/// when the test says so, and time passes only there.
+class WorkingMemories : public testing::Test {
+protected:
+  WorkingMemories()
+    : scheduler(dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler())) {
+    Peers peers;
+    for (auto name : {"a", "b", "c"}) {
+      WorkingMemoryOptions options;
+      options.subarchitecture = name;
+      options.epoch = scheduler.clock().now();
+      if (name == std::string{"b"})
+        options.writers = {"a"};
+      wm[name] = system.spawn(working_memory, options);
+      peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(wm[name]);
+    }
+    for (auto& [name, actor] : wm)
+      ask<Acknowledged>(actor, peers);
+  }
+
+  ~WorkingMemories() override {
+    for (auto& x : listeners)
+      caf::anon_send_exit(x->actor, caf::exit_reason::user_shutdown);
+    for (auto& [name, actor] : wm)
+      caf::anon_send_exit(actor, caf::exit_reason::user_shutdown);
+    scheduler.run();
+  }
+
+  template <class Reply, class Request>
+  Reply ask(const WorkingMemoryActor& to, const Request& request) {
+    std::optional<Reply> result;
+    auto handle = self->request(to, caf::infinite, request);
+    scheduler.run();
+    handle.receive([&](const Reply& x) { result = x; },
+                   [&](const caf::error& e) { ADD_FAILURE() << system.render(e); });
+    return result.value();
+  }
+
+  Outcome<Version> write(const std::string& via, WriteRequest request) {
+    request.client = std::make_shared<const Client>(Client{"tester", via});
+    return ask<Outcome<Version>>(wm.at(via), request);
+  }
+
+  Outcome<Version> add(const Address& at, int number = 0) {
+    return write(at.subarchitecture, {Operation::add, at, Value::of(Thing{number}), {}, {}});
+  }
+
+  Outcome<Version> overwrite(const Address& at, std::optional<Version> last_seen, int number = 0) {
+    return write(at.subarchitecture,
+                 {Operation::overwrite, at, Value::of(Thing{number}), last_seen, {}});
+  }
+
+  Outcome<Version> remove(const Address& at) {
+    return write(at.subarchitecture, {Operation::remove, at, {}, {}, {}});
+  }
+
+  Listener& listen() {
+    auto& result = *listeners.emplace_back(std::make_unique<Listener>());
+    result.actor = system.spawn([&result](caf::event_based_actor*) -> caf::behavior {
+      return {[&result](const ChangeNotice& x) { result.notices.push_back(x); },
+              [&result](const ChangeNotices& x) {
+                ++result.batches;
+                result.notices.insert(result.notices.end(), x.notices.begin(), x.notices.end());
+              },
+              [&result](const Outcome<Acknowledged>&) { ++result.subscribed; }};
+    });
+    return result;
+  }
+
+  void subscribe(Listener& who, const std::string& at, FilterId id, const ChangeFilter& filter) {
+    caf::send_as(who.actor, wm.at(at), Subscribe{id, filter});
+    scheduler.run();
+  }
+
+  static std::vector<std::string> told(const Listener& x) {
+    std::vector<std::string> result;
+    for (auto& notice : x.notices)
+      result.push_back(std::string{to_string(notice.event->operation)} + ' ' +
+                       to_string(notice.event->address));
+    return result;
+  }
+
+  WorkingMemoryStatus status(const std::string& name) {
+    return ask<WorkingMemoryStatus>(wm.at(name), StatusQuery{});
+  }
+
+  TestConfig config;
+  caf::actor_system system{config};
+  caf::scheduler::test_coordinator& scheduler;
+  caf::scoped_actor self{system};
+  std::map<std::string, WorkingMemoryActor> wm;
+  std::vector<std::unique_ptr<Listener>> listeners;
+};
+
+using Told = std::vector<std::string>;
+
+} // namespace castor::test
