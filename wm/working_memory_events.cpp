@@ -192,6 +192,9 @@ caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request
   auto filter = request.filter;
   if (!filter.subarchitecture)
     filter.subarchitecture = state.options.subarchitecture;
+  if (auto& of = *filter.subarchitecture;
+      !of.empty() && of != state.options.subarchitecture && !find_peer(state, of))
+    return Outcome<Acknowledged>{unknown_subarchitecture(state, {of, filter.id})};
   auto number = subscriber_number(self, self->current_sender());
   remove_filter(self, number, request.id);
   state.local_index.insert(key_of(number, request.id), filter);

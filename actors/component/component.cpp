@@ -204,6 +204,7 @@ Pending<EntryPtr> SubarchitectureComponent::read_entry_async(const Address& addr
     WaitEdge wait;
     wait.kind = WaitEdge::Kind::read;
     wait.address = address;
+    wait.what = "waits to read " + to_string(address);
     auto outcome = s.finish_wait<EntryPtr>(claim->take(), std::move(wait), patience);
     if (!outcome) {
       if (outcome.failure().kind == FailureKind::does_not_exist)
@@ -221,6 +222,7 @@ std::vector<EntryPtr> SubarchitectureComponent::read_entries(TypeQuery query) {
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::read;
   wait.address = {query.subarchitecture, {}};
+  wait.what = "waits to read every " + query.type + " of " + query.subarchitecture;
   auto patience = s.patience(s.deadline());
   auto entries = value_or_throw(s.finish_wait<std::vector<EntryPtr>>(
     s.begin(QueryRequest{std::move(query), patience}), std::move(wait), patience));
@@ -248,6 +250,20 @@ const Address& SubarchitectureComponent::require_target(const Address& address) 
   return address;
 }
 
+Calls& SubarchitectureComponent::calls() {
+  if (!calls_)
+    calls_ = std::make_unique<Calls>(*this, shell());
+  return *calls_;
+}
+
+void SubarchitectureComponent::wrong_reply(const TypeDescriptor& got,
+                                           const TypeDescriptor& wanted) const {
+  throw TypeMismatchException{{FailureKind::wrong_type,
+                               component_name() + " was replied a " + got.name() + " where a " +
+                                 wanted.name() + " was expected",
+                               {}}};
+}
+
 // leases
 
 void SubarchitectureComponent::lock_entry(const Address& address, LockLevel level,
@@ -257,6 +273,7 @@ void SubarchitectureComponent::lock_entry(const Address& address, LockLevel leve
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::lock;
   wait.address = address;
+  wait.what = "waits to lock " + to_string(address);
   auto lease = value_or_throw(s.finish_wait<Lease>(s.begin(LockRequest{address, level, patience}),
                                                    std::move(wait), patience));
   s.leases().add(address, lease.token);

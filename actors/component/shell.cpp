@@ -360,6 +360,8 @@ ComponentShell::wait_until(const std::function<bool()>& done, Clock::time_point 
       continue;
     next_probe = time + between_probes;
     waiting_ = wait();
+    // Finding that out may have been an operation of its own.
+    record_->leave_user_code();
     if (waiting_)
       send(working_memory_, DeadlockProbe{{*waiting_}, 0});
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/calls.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/actors/component/lock_guard.hpp"
@@ -11,11 +12,14 @@
 #include "castor/wm/lease.hpp"
 
 #include <chrono>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -133,6 +137,36 @@ protected:
     return read<T>(require_target(pointer.address));
   }
 
+  /// The entries of type T, or of types that derive from it, whose content meets the predicate, the
+  /// most recently written first. The working memory that holds them evaluates it.
+  ///
+  ///     read_where<SceneObject>(field(&SceneObject::confidence) > 0.8)
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_where(PredicateOf<T> predicate, std::size_t count = 0) {
+    return read_where_in<T>(subarchitecture(), std::move(predicate), count);
+  }
+
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_where_in(const std::string& subarchitecture_name,
+                                        PredicateOf<T> predicate, std::size_t count = 0) {
+    return typed<T>(
+      read_entries({subarchitecture_name, type_name<T>(), count, true, std::move(predicate)}));
+  }
+
+  /// The same, for a predicate in words: `confidence > 0.8 && label == "box"`. Throws
+  /// PredicateException if it is none, or asks for what T does not have.
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_where(std::string_view predicate, std::size_t count = 0) {
+    return read_where_in<T>(subarchitecture(), predicate, count);
+  }
+
+  template <ReflectedRecord T>
+  std::vector<EntryOf<T>> read_where_in(const std::string& subarchitecture_name,
+                                        std::string_view predicate, std::size_t count = 0) {
+    return typed<T>(read_entries({subarchitecture_name, type_name<T>(), count, true,
+                                  parse_predicate(predicate, *descriptor_of<T>())}));
+  }
+
   bool exists(const Address& address);
 
   /// Also of an entry that was deleted: the last it had.
@@ -170,6 +204,37 @@ protected:
   bool is_overwritable(const Address& address);
   bool is_deletable(const Address& address);
   bool is_readable(const Address& address);
+
+  // -- calls over working memory
+
+  /// Has a component of another subarchitecture (or of this one) do something, and waits for its
+  /// reply. Request and reply are entries, so everybody can see what goes on. Throws CallException
+  /// if the server fails, with its text, or goes away; DeadlineException; DeadlockException if the
+  /// server waits for this component.
+  template <ReflectedRecord Request, ReflectedRecord Reply>
+  Reply call(const std::string& subarchitecture_name, Request request, CallOptions options = {}) {
+    auto value = calls().call(subarchitecture_name, Value::of(std::move(request)),
+                              *descriptor_of<Reply>(), options);
+    auto reply = value.as<Reply>();
+    if (!reply)
+      wrong_reply(value.type(), *descriptor_of<Reply>());
+    return *reply;
+  }
+
+  /// Serves calls with requests of that type, those waiting already too: `handler` is called with
+  /// each and returns the reply. What it throws is the caller's CallException, and this component
+  /// goes on.
+  template <ReflectedRecord Request, std::invocable<const Request&> F>
+  void on_call(F handler) {
+    using Reply = std::invoke_result_t<F, const Request&>;
+    calls().serve(*descriptor_of<Request>(), *descriptor_of<Reply>(),
+                  [handler = std::move(handler)](const Value& request) {
+                    return Value::of(handler(*request.as<Request>()));
+                  });
+  }
+
+  /// Inside a handler of `on_call`: the caller has gone or waits no longer.
+  bool call_cancelled() const { return calls_ && calls_->is_cancelled(); }
 
   // -- pipelining: the same operations, without waiting for each
 
@@ -214,6 +279,7 @@ protected:
   void receive_changes(bool on);
 
 private:
+  friend class Calls;
   friend class ComponentShell;
 
   Pending<Version> write_async(Operation operation, const Address& address, Value value,
@@ -244,7 +310,12 @@ private:
     return result;
   }
 
+  Calls& calls();
+  [[noreturn]] void wrong_reply(const TypeDescriptor& got, const TypeDescriptor& wanted) const;
+
   std::uint64_t ids_made_ = 0;
+  /// Made with the first call.
+  std::unique_ptr<Calls> calls_;
 
   Option<EventQueue> queue_{this, "queue", EventQueue::all,
                             "change events that arrive while the component is busy: all are "

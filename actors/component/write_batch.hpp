@@ -26,7 +26,12 @@ public:
 
   template <ReflectedRecord T>
   WriteBatch& add(Address address, T object, EntryLife life = {}) {
-    items_.push_back({Operation::add, std::move(address), Value::of(std::move(object)), life});
+    return add_value(std::move(address), Value::of(std::move(object)), life);
+  }
+
+  /// An entry whose C++ type need not be known here.
+  WriteBatch& add_value(Address address, Value value, EntryLife life = {}) {
+    items_.push_back({Operation::add, std::move(address), std::move(value), life});
     return *this;
   }
 

@@ -73,6 +73,10 @@ public:
   auto read(Ts&&... xs) {
     return Base::template read<T>(std::forward<Ts>(xs)...);
   }
+  template <class T>
+  auto read(const EntryPointer<T>& x) {
+    return Base::read(x);
+  }
   template <class T, class... Ts>
   auto read_all(Ts&&... xs) {
     return Base::template read_all<T>(std::forward<Ts>(xs)...);
@@ -117,6 +121,50 @@ public:
   auto version(Ts&&... xs) {
     return Base::version(std::forward<Ts>(xs)...);
   }
+  template <class... Ts>
+  auto write(Ts&&... xs) {
+    return Base::write(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  auto lock(Ts&&... xs) {
+    return Base::lock(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  auto try_lock(Ts&&... xs) {
+    return Base::try_lock(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  auto lock_entry(Ts&&... xs) {
+    return Base::lock_entry(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  auto try_lock_entry(Ts&&... xs) {
+    return Base::try_lock_entry(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
+  auto unlock_entry(Ts&&... xs) {
+    return Base::unlock_entry(std::forward<Ts>(xs)...);
+  }
+  auto is_overwritable(const Address& x) { return Base::is_overwritable(x); }
+  auto is_deletable(const Address& x) { return Base::is_deletable(x); }
+  auto is_readable(const Address& x) { return Base::is_readable(x); }
+  template <class T, class... Ts>
+  auto read_where(Ts&&... xs) {
+    return Base::template read_where<T>(std::forward<Ts>(xs)...);
+  }
+  template <class T, class... Ts>
+  auto read_where_in(Ts&&... xs) {
+    return Base::template read_where_in<T>(std::forward<Ts>(xs)...);
+  }
+  template <class Request, class Reply, class... Ts>
+  auto call(Ts&&... xs) {
+    return Base::template call<Request, Reply>(std::forward<Ts>(xs)...);
+  }
+  template <class Request, class F>
+  auto on_call(F f) {
+    return Base::template on_call<Request>(std::move(f));
+  }
+  auto call_cancelled() const { return Base::call_cancelled(); }
   template <class... Ts>
   auto wait_for_changes(Ts&&... xs) {
     return Base::wait_for_changes(std::forward<Ts>(xs)...);

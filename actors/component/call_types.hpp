@@ -1,0 +1,49 @@
+#pragma once
+
+#include "castor/wm/address.hpp"
+#include "castor/wm/reflect.hpp"
+
+#include <cstdint>
+#include <string>
+
+/// The entries that a call over working memory consists of, besides the request and the reply
+/// themselves. The caller writes to its own working memory, the server to its own; each ends with
+/// the component that wrote it.
+namespace castor {
+
+/// A component wants something done.
+struct Call {
+  /// Who shall do it: any component of that subarchitecture that serves such requests.
+  std::string subarchitecture;
+  std::string request_type;
+  std::string reply_type;
+  Address request;
+  std::string caller;
+};
+CASTOR_REFLECT(Call, subarchitecture, request_type, reply_type, request, caller)
+
+enum class CallState : std::uint8_t { taken, done, failed };
+CASTOR_REFLECT_ENUM(CallState, taken, done, failed)
+
+/// What became of a call.
+struct CallProgress {
+  Address call;
+  std::string caller;
+  std::string server;
+  CallState state = CallState::taken;
+  /// Once it is done.
+  Address reply;
+  /// Why it failed.
+  std::string error;
+};
+CASTOR_REFLECT(CallProgress, call, caller, server, state, reply, error)
+
+/// A component that serves calls.
+struct CallServer {
+  std::string component;
+  std::string request_type;
+  std::string reply_type;
+};
+CASTOR_REFLECT(CallServer, component, request_type, reply_type)
+
+} // namespace castor

@@ -1,0 +1,242 @@
+#include "castor/actors/component/calls.hpp"
+
+#include "castor/actors/component/shell.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+namespace {
+
+constexpr const char* progress_suffix = ":progress";
+constexpr const char* reply_suffix = ":reply";
+constexpr EntryLife with_its_writer{.ephemeral = true};
+
+} // namespace
+
+// -- the calling side
+
+Value Calls::call(const std::string& subarchitecture, const Value& request,
+                  const TypeDescriptor& reply_type, const CallOptions& options) {
+  listen_to(subarchitecture);
+  auto until = ComponentShell::Clock::now() + options.timeout.value_or(shell_.deadline());
+  for (int attempt = 0;; ++attempt) {
+    auto made = make(subarchitecture, request, reply_type);
+    auto& open = open_[made.call.id];
+    std::optional<Value> reply;
+    try {
+      reply = await_reply(subarchitecture, made, request, open, until);
+    } catch (...) {
+      open_.erase(made.call.id);
+      take_back(made);
+      throw;
+    }
+    open_.erase(made.call.id);
+    take_back(made);
+    if (reply)
+      return *std::move(reply);
+    if (attempt >= options.retries)
+      throw CallException{{FailureKind::call_failed,
+                           "the component of " + subarchitecture + " that served the " +
+                             request.type_name() + " of " + shell_.identity().full_name() +
+                             " ended while it worked on it. A call that may be served twice can "
+                             "be given retries",
+                           made.call}};
+  }
+}
+
+void Calls::listen_to(const std::string& subarchitecture) {
+  if (!listened_to_.insert(subarchitecture).second)
+    return;
+  shell_.add_listener(changed<CallProgress>()
+                        .in(subarchitecture)
+                        .where(&CallProgress::caller, shell_.identity().name),
+                      [this](const ChangeEvent& event) { note_progress(event); });
+}
+
+void Calls::note_progress(const ChangeEvent& event) {
+  auto& id = event.address.id;
+  auto i = open_.find(id.substr(0, id.rfind(progress_suffix)));
+  if (i == open_.end())
+    return;
+  i->second.taken = true;
+  if (event.operation == Operation::overwrite)
+    i->second.settled = true;
+  else if (event.operation == Operation::remove)
+    i->second.settled = i->second.server_ended = true;
+}
+
+Calls::Made Calls::make(const std::string& subarchitecture, const Value& request,
+                        const TypeDescriptor& reply_type) {
+  Made made{component_.here(component_.new_id()), component_.here(component_.new_id())};
+  component_.write(
+    WriteBatch{}
+      .add_value(made.request, request, with_its_writer)
+      .add(made.call,
+           Call{subarchitecture, request.type_name(), reply_type.name(), made.request,
+                shell_.identity().name},
+           with_its_writer));
+  return made;
+}
+
+void Calls::take_back(const Made& made) {
+  // If the component stops now, its entries go with it.
+  if (!shell_.is_running())
+    return;
+  try {
+    component_.write(WriteBatch{}.delete_entry(made.call).delete_entry(made.request));
+  } catch (const WorkingMemoryException& e) {
+    log(LogLevel::debug, shell_.identity().full_name(), e.what());
+  } catch (const ComponentStopped&) {
+    // The next operation will say so.
+  }
+}
+
+std::optional<Value> Calls::await_reply(const std::string& subarchitecture, const Made& made,
+                                        const Value& request, const Open& open,
+                                        std::chrono::steady_clock::time_point until) {
+  WaitEdge wait;
+  wait.kind = WaitEdge::Kind::owner;
+  wait.waiter = shell_.client();
+  wait.number = shell_.patience({}).number;
+  wait.since = shell_.now();
+  wait.what = "waits for a reply to its " + request.type_name();
+  auto failure = shell_.wait_until([&] { return open.settled; }, until,
+                                   [&]() -> std::optional<WaitEdge> {
+                                     auto address =
+                                       obstacle(subarchitecture, made, request.type_name(), open);
+                                     if (!address)
+                                       return std::nullopt;
+                                     wait.address = *address;
+                                     return wait;
+                                   });
+  if (failure)
+    throw_failure(not_served(*failure, subarchitecture, request.type_name(), open));
+  if (open.server_ended)
+    return std::nullopt;
+  try {
+    auto progress =
+      component_.read<CallProgress>({subarchitecture, made.call.id + progress_suffix});
+    if (progress->state == CallState::done)
+      return component_.read_entry(progress->reply)->value;
+    throw CallException{{FailureKind::call_failed,
+                         progress->server + " of " + subarchitecture + " could not serve the " +
+                           request.type_name() + " of " + shell_.identity().full_name() + ": " +
+                           progress->error,
+                         made.call}};
+  } catch (const DoesNotExistOnWM&) {
+    return std::nullopt; // it ended after all, and took its answer along
+  }
+}
+
+Failure Calls::not_served(Failure failure, const std::string& subarchitecture,
+                          const std::string& request_type, const Open& open) {
+  failure.address = {subarchitecture, {}};
+  if (failure.kind == FailureKind::no_answer)
+    failure.message = shell_.identity().full_name() + " got no reply to its " + request_type +
+                      " in time: " +
+                      (open.taken ? "a component of " + subarchitecture + " is still at work on it"
+                                  : "no component of " + subarchitecture +
+                                      " took it. Does one of them call on_call<" + request_type +
+                                      ">()?");
+  return failure;
+}
+
+std::optional<Address> Calls::obstacle(const std::string& subarchitecture, const Made& made,
+                                       const std::string& request_type, const Open& open) {
+  if (open.taken)
+    return Address{subarchitecture, made.call.id + progress_suffix};
+  // Whoever could take it is in the way, if there is only one.
+  std::optional<Address> result;
+  for (auto& server : component_.read_all_in<CallServer>(subarchitecture)) {
+    if (server->request_type != request_type)
+      continue;
+    if (result)
+      return std::nullopt;
+    result = server.address;
+  }
+  return result;
+}
+
+// -- the serving side
+
+void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
+                  Handler handler) {
+  listen_for_cancellations();
+  auto& subarchitecture = shell_.identity().subarchitecture;
+  auto mine = field(&Call::subarchitecture) == subarchitecture &&
+              field(&Call::request_type) == request_type.name();
+  component_.add(CallServer{shell_.identity().name, request_type.name(), reply_type.name()},
+                 with_its_writer);
+  component_.on_change(added<Call>().anywhere().where(mine),
+                       [this, handler](const ChangeEvent& event) { take(event.address, handler); });
+  // Some may have been waiting for somebody like this component.
+  for (auto& [name, working_memory] : shell_.services().by_subarchitecture) {
+    auto waiting = component_.read_where_in<Call>(name, mine);
+    std::for_each(waiting.rbegin(), waiting.rend(),
+                  [&](auto& call) { take(call.address, handler); });
+  }
+}
+
+void Calls::listen_for_cancellations() {
+  if (std::exchange(serving_, true))
+    return;
+  auto gone = deleted<Call>().anywhere().where(&Call::subarchitecture,
+                                               shell_.identity().subarchitecture);
+  shell_.add_listener(gone, [this](const ChangeEvent& event) {
+    if (current_ == event.address)
+      cancelled_.insert(event.address);
+  });
+  component_.on_change(gone, [this](const ChangeEvent& event) { clean_up(event.address); });
+}
+
+void Calls::take(const Address& call_at, const Handler& handler) {
+  try {
+    auto call = component_.read<Call>(call_at);
+    CallProgress progress{call_at, call->caller, shell_.identity().name, CallState::taken, {}, {}};
+    component_.add(progress_of(call_at), progress, with_its_writer);
+    served_.insert(call_at);
+    answer(call_at, *call, std::move(progress), handler);
+  } catch (const DoesNotExistOnWM&) {
+    // Taken back before it was taken.
+  } catch (const AlreadyExistsOnWM&) {
+    // Somebody else was faster.
+  }
+}
+
+void Calls::answer(const Address& call_at, const Call& call, CallProgress progress,
+                   const Handler& handler) {
+  auto outer = std::exchange(current_, call_at);
+  try {
+    auto reply = handler(component_.read_entry(call.request)->value);
+    progress.state = CallState::done;
+    progress.reply = component_.here(call_at.id + reply_suffix);
+    component_.write(WriteBatch{}
+                       .add_value(progress.reply, reply, with_its_writer)
+                       .overwrite(progress_of(call_at), progress));
+  } catch (const std::exception& e) {
+    progress.state = CallState::failed;
+    progress.reply = {};
+    progress.error = e.what();
+    component_.overwrite(progress_of(call_at), progress);
+  }
+  cancelled_.erase(call_at);
+  current_ = outer;
+}
+
+void Calls::clean_up(const Address& call_at) {
+  if (served_.erase(call_at) == 0)
+    return;
+  for (auto& address : {progress_of(call_at), component_.here(call_at.id + reply_suffix)})
+    if (component_.exists(address))
+      component_.delete_entry(address);
+}
+
+Address Calls::progress_of(const Address& call) const {
+  return component_.here(call.id + progress_suffix);
+}
+
+} // namespace castor

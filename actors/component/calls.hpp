@@ -1,0 +1,96 @@
+#pragma once
+
+#include "castor/actors/component/call_types.hpp"
+#include "castor/wm/address.hpp"
+#include "castor/wm/failure.hpp"
+#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/value.hpp"
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace castor {
+
+class ComponentShell;
+class SubarchitectureComponent;
+struct ChangeEvent;
+struct WaitEdge;
+
+struct CallOptions {
+  /// Nothing: the component's deadline.
+  std::optional<std::chrono::nanoseconds> timeout = {};
+  /// How often the call is made again if its server goes away while it works on it. Only for
+  /// requests that may be served twice.
+  int retries = 0;
+};
+
+/// The calls over working memory that one component makes and serves.
+class Calls {
+public:
+  using Handler = std::function<Value(const Value& request)>;
+
+  Calls(SubarchitectureComponent& component, ComponentShell& shell)
+    : component_(component), shell_(shell) {}
+
+  /// Throws CallException, DeadlineException, DeadlockException.
+  Value call(const std::string& subarchitecture, const Value& request,
+             const TypeDescriptor& reply_type, const CallOptions& options);
+
+  void serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type, Handler handler);
+
+  /// Whether the call that is being served has been taken back.
+  bool is_cancelled() const { return current_ && cancelled_.count(*current_) > 0; }
+
+private:
+  /// A call of this component that is under way.
+  struct Open {
+    bool taken = false;
+    bool settled = false;
+    bool server_ended = false;
+  };
+
+  struct Made {
+    Address call;
+    Address request;
+  };
+
+  void listen_to(const std::string& subarchitecture);
+  void note_progress(const ChangeEvent& event);
+  Made make(const std::string& subarchitecture, const Value& request,
+            const TypeDescriptor& reply_type);
+  void take_back(const Made& made);
+  /// The reply, or nothing if the server went away.
+  std::optional<Value> await_reply(const std::string& subarchitecture, const Made& made,
+                                   const Value& request, const Open& open,
+                                   std::chrono::steady_clock::time_point until);
+  Failure not_served(Failure failure, const std::string& subarchitecture,
+                     const std::string& request_type, const Open& open);
+  /// Whoever could end the wait for a call, as far as one component can be named.
+  std::optional<Address> obstacle(const std::string& subarchitecture, const Made& made,
+                                  const std::string& request_type, const Open& open);
+
+  void listen_for_cancellations();
+  void take(const Address& call, const Handler& handler);
+  void answer(const Address& call_at, const Call& call, CallProgress progress,
+              const Handler& handler);
+  void clean_up(const Address& call);
+  Address progress_of(const Address& call) const;
+
+  SubarchitectureComponent& component_;
+  ComponentShell& shell_;
+
+  std::map<std::string, Open> open_;
+  std::set<std::string> listened_to_;
+
+  bool serving_ = false;
+  std::optional<Address> current_;
+  /// Calls that this component has taken, and whose entries are still there.
+  std::set<Address> served_;
+  std::set<Address> cancelled_;
+};
+
+} // namespace castor
