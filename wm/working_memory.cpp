@@ -43,12 +43,12 @@ caf::result<Outcome<Reply>> at_owner(Self self, const Address& address, const Re
 }
 
 /// Sends an event to every own component that wants it.
-void deliver(WorkingMemoryState& state, const ChangeEventPtr& event) {
+void deliver(WorkingMemoryState& state, const ChangeEventPtr& event, const Value& content) {
   if (state.options.ignored.count(event->address.subarchitecture) > 0)
     return;
   auto& keys = state.matched;
   keys.clear();
-  state.local_index.match(*event, keys);
+  state.local_index.match(*event, content, keys);
   std::sort(keys.begin(), keys.end());
   for (std::size_t i = 0; i < keys.size();) {
     auto number = static_cast<std::uint32_t>(keys[i] >> 32);
@@ -61,15 +61,15 @@ void deliver(WorkingMemoryState& state, const ChangeEventPtr& event) {
 }
 
 /// Sends an event of this working memory to every other one that wants it.
-void forward(Self self, const ChangeEventPtr& event) {
+void forward(Self self, const ChangeEventPtr& event, const Value& content) {
   auto& state = self->state;
   auto& keys = state.matched;
   keys.clear();
-  state.peer_index.match(*event, keys);
+  state.peer_index.match(*event, content, keys);
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   for (auto key : keys) {
-    self->send(state.peers[key].actor, ForwardedEvent{event});
+    self->send(state.peers[key].actor, ForwardedEvent{event, content});
     ++state.counters.forwarded;
   }
 }
@@ -82,10 +82,11 @@ Outcome<Version> write(Self self, const WriteRequest& request) {
     return effect.failure();
   }
   auto version = effect->entry->version;
+  auto content = effect->entry->value;
   auto now = std::chrono::duration_cast<Timestamp>(self->clock().now() - state.options.epoch);
   auto event = state.store.commit(*std::move(effect), now);
-  deliver(state, event);
-  forward(self, event);
+  deliver(state, event, content);
+  forward(self, event, content);
   return version;
 }
 
@@ -258,7 +259,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
       set_interest(self->state, x);
       return Acknowledged{};
     },
-    [self](const ForwardedEvent& x) { deliver(self->state, x.event); },
+    [self](const ForwardedEvent& x) { deliver(self->state, x.event, x.content); },
     [self](const Peers& x) {
       auto& s = self->state;
       for (auto& [name, actor] : x.working_memories) {

@@ -57,6 +57,8 @@ struct Interest {
 /// From one working memory to another that wants the event.
 struct ForwardedEvent {
   ChangeEventPtr event;
+  /// What the filters there are matched against.
+  Value content;
 };
 
 /// The working memories of the other subarchitectures.
