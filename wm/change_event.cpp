@@ -15,8 +15,14 @@ std::string_view to_string(Operation x) {
 }
 
 std::string to_string(const ChangeEvent& x) {
-  return std::string{to_string(x.operation)} + ' ' + x.type_name() + ' ' + to_string(x.address) +
-         " v" + std::to_string(x.version) + " by " + x.source;
+  auto result = std::string{to_string(x.operation)} + ' ' + x.type_name() + ' ' +
+                to_string(x.address) + " v" + std::to_string(x.version) + " by " + x.source;
+  const char* separator = ", changed ";
+  for (auto& name : x.changed_fields()) {
+    result += separator + name;
+    separator = " and ";
+  }
+  return result;
 }
 
 } // namespace castor

@@ -2,6 +2,8 @@
 
 #include "castor/wm/address.hpp"
 #include "castor/wm/entry.hpp"
+#include "castor/wm/field_mask.hpp"
+#include "castor/wm/field_name.hpp"
 #include "castor/wm/timestamp.hpp"
 #include "castor/wm/type_descriptor.hpp"
 
@@ -10,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace castor {
 
@@ -31,13 +34,25 @@ struct ChangeEvent {
   /// Counts the events of one working memory, from 1 without gaps.
   std::uint64_t sequence = 0;
   Timestamp time{0};
+  /// For an overwrite, the fields that differ from before; otherwise none.
+  FieldMask changed = 0;
 
   const std::string& type_name() const { return type->name(); }
+
+  /// Their names.
+  std::vector<std::string> changed_fields() const { return field_names(*type, changed); }
+
+  /// Whether an overwrite changed a field, of the entry's type or one of its super types:
+  /// `event.has_changed(&SceneObject::pose)`.
+  template <ReflectedRecord T, class Member>
+  bool has_changed(Member T::*member) const {
+    return (changed & field_bit(*type, field_name(member))) != 0;
+  }
 };
 
 using ChangeEventPtr = std::shared_ptr<const ChangeEvent>;
 
-/// "OVERWRITE ROI vision/0:3 v2 by segmentor", for messages and logs.
+/// "OVERWRITE ROI vision/0:3 v2 by segmentor, changed area", for messages and logs.
 std::string to_string(const ChangeEvent& x);
 
 } // namespace castor

@@ -1,5 +1,7 @@
 #include "castor/wm/entry_store.hpp"
 
+#include "castor/wm/bound_predicate.hpp"
+
 #include <algorithm>
 #include <queue>
 
@@ -112,7 +114,7 @@ EntryStore::prepare(const std::vector<WriteRequest>& requests) const {
   return result;
 }
 
-ChangeEventPtr EntryStore::commit(Effect effect, Timestamp now) {
+std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
   auto& entry = effect.entry;
   auto event = std::make_shared<ChangeEvent>();
   event->operation = effect.operation;
@@ -226,23 +228,34 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
     std::uint64_t written;
     Recency::const_iterator at;
     const Recency* list;
+    std::shared_ptr<const BoundPredicate> predicate;
     bool operator<(const Cursor& other) const { return written < other.written; }
   };
   std::priority_queue<Cursor> cursors;
-  auto push = [&](const Recency& list, Recency::const_iterator at) {
-    if (at != list.end())
-      cursors.push({entries_.at((*at)->address.id).written, at, &list});
+  auto push = [&](Cursor cursor) {
+    while (cursor.at != cursor.list->end() && !cursor.predicate->matches((*cursor.at)->value))
+      ++cursor.at;
+    if (cursor.at == cursor.list->end())
+      return;
+    cursor.written = entries_.at((*cursor.at)->address.id).written;
+    cursors.push(std::move(cursor));
   };
-  for (auto& [name, table] : types_)
-    if (query.type.empty() || name == query.type ||
-        (query.with_derived && table.type->is_a(query.type)))
-      push(table.recency, table.recency.begin());
+  for (auto& [name, table] : types_) {
+    bool wanted = query.type.empty() || name == query.type ||
+                  (query.with_derived && table.type->is_a(query.type));
+    if (!wanted || table.recency.empty())
+      continue;
+    if (auto bound = BoundPredicate::try_bind(query.predicate, *table.type))
+      push({0, table.recency.begin(), &table.recency,
+            std::make_shared<const BoundPredicate>(*std::move(bound))});
+  }
   std::vector<EntryPtr> result;
   while (!cursors.empty() && (query.count == 0 || result.size() < query.count)) {
     auto next = cursors.top();
     cursors.pop();
     result.push_back(*next.at);
-    push(*next.list, std::next(next.at));
+    ++next.at;
+    push(std::move(next));
   }
   return result;
 }

@@ -6,9 +6,11 @@
 #include "castor/wm/entry.hpp"
 #include "castor/wm/failure.hpp"
 #include "castor/wm/lease.hpp"
+#include "castor/wm/predicate.hpp"
 
 #include <cstddef>
 #include <list>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -46,6 +48,8 @@ struct TypeQuery {
   std::size_t count = 0;
   /// Whether entries of types that derive from `type` count too.
   bool with_derived = false;
+  /// What must be true of their content; entries that lack the fields do not count.
+  Predicate predicate = {};
 };
 
 struct EntryStoreOptions {
@@ -86,8 +90,9 @@ public:
 
   Outcome<Effect> prepare(const WriteRequest& request) const;
 
-  /// Applies an effect of `prepare`, with no other commit in between, and says what happened.
-  ChangeEventPtr commit(Effect effect, Timestamp now);
+  /// Applies an effect of `prepare`, with no other commit in between, and says what happened; which
+  /// fields changed is left out.
+  std::shared_ptr<ChangeEvent> commit(Effect effect, Timestamp now);
 
   /// The effects of several writes of different entries, or the failure of the first that fails.
   Outcome<std::vector<Effect>> prepare(const std::vector<WriteRequest>& requests) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <limits>
 #include <type_traits>
 
 namespace castor {
@@ -78,10 +79,6 @@ std::string field_names(const RecordDescriptor& record) {
   return result;
 }
 
-bool is_single(WireKind kind) {
-  return fixed_size(kind) || kind == WireKind::string || kind == WireKind::enumeration;
-}
-
 const WireType& without_optional(const WireType& type) {
   auto* result = &type;
   while (result->kind == WireKind::optional)
@@ -89,38 +86,37 @@ const WireType& without_optional(const WireType& type) {
   return *result;
 }
 
-/// Throws FieldError unless `path` leads to a single value. Looks at no value: a mistake in a path
-/// shows whether or not the optionals on its way are there.
-void check_path(const TypeDescriptor& descriptor, std::string_view path) {
-  auto* record = &descriptor.records.front();
-  for (;;) {
-    auto dot = path.find('.');
-    auto head = path.substr(0, dot);
-    auto field = std::find_if(record->fields.begin(), record->fields.end(),
-                              [&](const FieldDescriptor& x) { return x.name == head; });
-    if (field == record->fields.end())
-      throw FieldError(record->name + " has no field " + std::string{head} + "; it has " +
-                       field_names(*record));
-    auto& type = without_optional(field->type);
-    if (dot == path.npos) {
-      if (!is_single(type.kind))
-        throw_not_single();
-      return;
-    }
-    if (type.kind != WireKind::record)
-      throw FieldError(field->name + " of " + record->name + " has no fields of its own");
-    record = &descriptor.records.at(type.index);
-    path.remove_prefix(dot + 1);
-  }
+/// Takes the marks of optionals up to what they hold; null if one of them is empty.
+const WireType* enter_optional(Decoder& in, const WireType* type) {
+  for (; type->kind == WireKind::optional; type = &type->element.front())
+    if (in.take_scalar<std::uint8_t>() == 0)
+      return nullptr;
+  return type;
 }
 
-/// Steps over the fields before the one named, which must be there, and gives its type.
-const WireType& find_field(Decoder& in, const TypeDescriptor& descriptor,
-                           const RecordDescriptor& record, std::string_view name) {
-  auto field = record.fields.begin();
-  for (; field->name != name; ++field)
-    in.skip(descriptor, field->type);
-  return field->type;
+/// Steps over everything before the field and gives its type; null if it is absent.
+const WireType* seek(Decoder& in, const TypeDescriptor& descriptor, const FieldPath& path) {
+  auto* record = &descriptor.records.front();
+  const WireType* type = nullptr;
+  for (auto step : path) {
+    if (type && type->kind == WireKind::array) {
+      for (std::uint32_t i = 0; i < step; ++i)
+        in.skip(descriptor, type->element.front());
+      type = &type->element.front();
+    } else {
+      if (type) {
+        in = Decoder{in.take(in.take_length())};
+        record = &descriptor.records.at(type->index);
+      }
+      for (std::uint32_t i = 0; i < step; ++i)
+        in.skip(descriptor, record->fields[i].type);
+      type = &record->fields[step].type;
+    }
+    type = enter_optional(in, type);
+    if (!type)
+      return nullptr;
+  }
+  return type;
 }
 
 template <class T>
@@ -169,23 +165,51 @@ FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireT
   return enumerator(e, take_scalar(in, e.underlying));
 }
 
-FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
-                      std::string_view path) {
-  check_path(descriptor, path);
-  Decoder in{bytes};
+bool is_single(WireKind kind) {
+  return fixed_size(kind) || kind == WireKind::string || kind == WireKind::enumeration;
+}
+
+FieldPlace find_field(const TypeDescriptor& descriptor, std::string_view path) {
+  FieldPlace result;
   auto* record = &descriptor.records.front();
   for (;;) {
     auto dot = path.find('.');
-    auto* type = &find_field(in, descriptor, *record, path.substr(0, dot));
-    for (; type->kind == WireKind::optional; type = &type->element.front())
-      if (in.take_scalar<std::uint8_t>() == 0)
-        return std::monostate{};
+    auto head = path.substr(0, dot);
+    auto field = std::find_if(record->fields.begin(), record->fields.end(),
+                              [&](const FieldDescriptor& x) { return x.name == head; });
+    if (field == record->fields.end())
+      throw FieldError(record->name + " has no field " + std::string{head} + "; it has " +
+                       field_names(*record));
+    result.path.push_back(static_cast<std::uint32_t>(field - record->fields.begin()));
+    result.type = &without_optional(field->type);
     if (dot == path.npos)
-      return take_field(in, descriptor, *type);
-    in = Decoder{in.take(in.take_length())};
-    record = &descriptor.records.at(type->index);
+      return result;
+    if (result.type->kind != WireKind::record)
+      throw FieldError(field->name + " of " + record->name + " has no fields of its own");
+    record = &descriptor.records.at(result.type->index);
     path.remove_prefix(dot + 1);
   }
+}
+
+FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+                      const FieldPath& path) {
+  Decoder in{bytes};
+  auto* type = seek(in, descriptor, path);
+  return type ? take_field(in, descriptor, *type) : FieldValue{};
+}
+
+bool has_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+               const FieldPath& path) {
+  Decoder in{bytes};
+  return seek(in, descriptor, path) != nullptr;
+}
+
+FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+                      std::string_view path) {
+  auto place = find_field(descriptor, path);
+  if (!is_single(place.type->kind))
+    throw_not_single();
+  return read_field(descriptor, bytes, place.path);
 }
 
 bool compare(const FieldValue& a, Comparison op, const FieldValue& b) {
@@ -205,6 +229,23 @@ bool compare(const FieldValue& a, Comparison op, const FieldValue& b) {
       return order >= 0;
   }
   return false;
+}
+
+FieldValue normalised(FieldValue x) {
+  if (auto* real = std::get_if<double>(&x)) {
+    // 2^63 and 2^64, where the integers end.
+    if (*real >= -0x1p63 && *real < 0x1p63) {
+      auto integer = static_cast<std::int64_t>(*real);
+      if (static_cast<double>(integer) == *real)
+        x = integer;
+    } else if (*real >= 0x1p63 && *real < 0x1p64) {
+      x = static_cast<std::uint64_t>(*real);
+    }
+  } else if (auto* natural = std::get_if<std::uint64_t>(&x)) {
+    if (*natural <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+      x = static_cast<std::int64_t>(*natural);
+  }
+  return x;
 }
 
 } // namespace castor

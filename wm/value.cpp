@@ -1,10 +1,34 @@
 #include "castor/wm/value.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace castor {
 
 namespace {
+
+/// Takes the bytes of one field.
+std::span<const std::uint8_t> take_bytes(Decoder& in, std::span<const std::uint8_t> all,
+                                         const TypeDescriptor& type, const FieldDescriptor& field) {
+  auto begin = all.size() - in.remaining();
+  in.skip(type, field.type);
+  return all.subspan(begin, all.size() - in.remaining() - begin);
+}
+
+/// Compares the bytes of two values field by field.
+FieldMask changed_fields(const TypeDescriptor& type, std::span<const std::uint8_t> before,
+                         std::span<const std::uint8_t> after) {
+  FieldMask result = 0;
+  std::size_t index = 0;
+  Decoder a{before};
+  Decoder b{after};
+  for (auto& field : type.records.front().fields) {
+    auto bit = field_bit(index++);
+    if (!std::ranges::equal(take_bytes(a, before, type, field), take_bytes(b, after, type, field)))
+      result |= bit;
+  }
+  return result;
+}
 
 /// Compares what two descriptors say of a part that they have in common.
 class LayoutComparison {
@@ -67,6 +91,32 @@ const Bytes& Value::bytes() const {
     std::call_once(rep_->encode_once,
                    [this] { rep_->bytes = rep_->operations->encode(rep_->object.get()); });
   return rep_->bytes;
+}
+
+std::size_t Value::encoded_size() const {
+  return rep_->operations ? rep_->operations->encoded_size(rep_->object.get()) : rep_->bytes.size();
+}
+
+FieldValue Value::field(const FieldPath& path) const {
+  if (!rep_->operations)
+    return read_field(type(), rep_->bytes, path);
+  auto found = part(path);
+  return found.data ? found.operations->read(found.data) : FieldValue{};
+}
+
+bool Value::has_field(const FieldPath& path) const {
+  return rep_->operations ? part(path).data != nullptr
+                          : castor::has_field(type(), rep_->bytes, path);
+}
+
+FieldMask changed_fields(const Value& before, const Value& after) {
+  auto& a = *before.rep_;
+  auto& b = *after.rep_;
+  if (a.type->hash != b.type->hash || a.type->name() != b.type->name())
+    return all_fields(*b.type);
+  if (a.operations && a.operations == b.operations)
+    return a.object == b.object ? 0 : a.operations->differ(a.object.get(), b.object.get());
+  return changed_fields(*b.type, before.bytes(), after.bytes());
 }
 
 bool operator==(const Value& a, const Value& b) {

@@ -1,7 +1,12 @@
 #pragma once
 
+#include "castor/wm/encoded_size.hpp"
 #include "castor/wm/encoding.hpp"
+#include "castor/wm/field_access.hpp"
+#include "castor/wm/field_mask.hpp"
+#include "castor/wm/object_access.hpp"
 #include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/wire_equality.hpp"
 
 #include <memory>
 #include <mutex>
@@ -38,7 +43,15 @@ public:
   /// The wire form.
   const Bytes& bytes() const;
 
-  std::size_t encoded_size() const { return bytes().size(); }
+  /// The size of the wire form, which is not made for this.
+  std::size_t encoded_size() const;
+
+  /// The single field at a place of the value's type (`find_field`); read from the object where
+  /// there is one. Throws DecodeError if the value came as bytes that are not what its type says.
+  FieldValue field(const FieldPath& path) const;
+
+  /// Whether no optional on the way to a place, nor the field itself, is empty. Throws as `field`.
+  bool has_field(const FieldPath& path) const;
 
   /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if
   /// the value came as bytes that are no `T`.
@@ -56,11 +69,20 @@ public:
   /// Whether two values have the same type and the same wire form.
   friend bool operator==(const Value& a, const Value& b);
 
+  /// The fields by which two values of one type differ in wire form, which is not made for this
+  /// where both are objects; of different types: all. Throws DecodeError if a value came as bytes
+  /// that are not what its type says.
+  friend FieldMask changed_fields(const Value& before, const Value& after);
+
 private:
   struct Operations {
     /// The `T` inside the object, or null if the object has no such base.
     const void* (*upcast)(const void* object, const std::type_info& wanted);
     Bytes (*encode)(const void* object);
+    std::size_t (*encoded_size)(const void* object);
+    FieldMask (*differ)(const void* a, const void* b);
+    /// For access to the fields.
+    const ObjectOperations* parts;
   };
 
   struct Rep {
@@ -92,8 +114,17 @@ private:
   template <ReflectedRecord T>
   static const Operations* type_operations() {
     static constexpr Operations result{
-      &upcast<T>, [](const void* object) { return encode(*static_cast<const T*>(object)); }};
+      &upcast<T>, [](const void* object) { return encode(*static_cast<const T*>(object)); },
+      [](const void* object) { return castor::encoded_size(*static_cast<const T*>(object)); },
+      [](const void* a, const void* b) {
+        return fields_that_differ(*static_cast<const T*>(a), *static_cast<const T*>(b));
+      },
+      &detail::object_operations<T>};
     return &result;
+  }
+
+  ObjectPart part(const FieldPath& path) const {
+    return find_part({rep_->object.get(), rep_->operations->parts}, path);
   }
 
   /// Throws DecodeError if this process knows another type by the name of the value's type or base.
@@ -119,6 +150,8 @@ private:
 
   std::shared_ptr<Rep> rep_;
 };
+
+FieldMask changed_fields(const Value& before, const Value& after);
 
 /// Descriptor and content in one piece, for files and pipes.
 Bytes encode_self_described(const Value& x);

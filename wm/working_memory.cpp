@@ -39,17 +39,18 @@ void monitor(Self self, const caf::strong_actor_ptr& who) {
 void commit(Self self, std::vector<EntryStore::Effect> effects) {
   auto& state = self->state;
   auto time = now(self);
-  std::vector<ChangeEventPtr> events;
-  events.reserve(effects.size());
+  std::vector<Change> changes;
+  changes.reserve(effects.size());
   for (auto& effect : effects) {
     if (effect.owner)
       remember_client(self, effect.owner);
-    auto removed = effect.operation == Operation::remove ? effect.entry : nullptr;
-    events.push_back(state.store.commit(std::move(effect), time));
-    if (removed)
-      state.leases.erase(removed->address.id);
+    Change change{nullptr, effect.entry->value, effect.before};
+    change.event = state.store.commit(std::move(effect), time);
+    if (change.event->operation == Operation::remove)
+      state.leases.erase(change.event->address.id);
+    changes.push_back(std::move(change));
   }
-  emit(self, events);
+  emit(self, changes);
   settle(self);
   set_alarm(self);
 }

@@ -87,6 +87,7 @@ struct WorkingMemoryState {
 
   WorkingMemoryStatus counters;
   std::vector<FilterIndex::Key> matched;
+  std::vector<FilterIndex::Key> matched_by_peers;
 };
 
 /// The working memory of one subarchitecture.

@@ -140,25 +140,36 @@ void remove_filter(Self self, std::uint32_t number, FilterId id) {
 
 } // namespace
 
-void emit(Self self, const std::vector<ChangeEventPtr>& events) {
+void emit(Self self, const std::vector<Change>& changes) {
   auto& state = self->state;
-  auto& keys = state.matched;
   Notices notices;
   std::map<std::uint32_t, std::vector<ForwardedEvent>> forwarded;
-  for (auto& event : events) {
-    if (!is_ignored(state, *event)) {
-      keys.clear();
-      state.local_index.match(*event, keys);
-      sort_unique(keys);
-      for_each_receiver(keys, [&](std::uint32_t number, std::vector<FilterId> ids) {
-        notices[number].push_back({event, std::move(ids)});
-      });
-    }
-    keys.clear();
-    state.peer_index.match(*event, keys);
-    sort_unique(keys);
-    for_each_receiver(keys, [&](std::uint32_t number, std::vector<InterestId> ids) {
-      forwarded[number].push_back({event, std::move(ids)});
+  for (auto& [event, content, before] : changes) {
+    // Comparing two large values is worth it only if somebody hears of the event.
+    bool compared = before == nullptr;
+    auto compare = [&, &e = *event, &now = content, &old = before] {
+      if (!std::exchange(compared, true))
+        e.changed = changed_fields(old->value, now);
+    };
+    if (state.local_index.wants_changed_fields(*event) ||
+        state.peer_index.wants_changed_fields(*event))
+      compare();
+    auto& local = state.matched;
+    local.clear();
+    if (!is_ignored(state, *event))
+      state.local_index.match(*event, content, local);
+    auto& foreign = state.matched_by_peers;
+    foreign.clear();
+    state.peer_index.match(*event, content, foreign);
+    if (!local.empty() || !foreign.empty())
+      compare();
+    sort_unique(local);
+    for_each_receiver(local, [&, &e = event](std::uint32_t number, std::vector<FilterId> ids) {
+      notices[number].push_back({e, std::move(ids)});
+    });
+    sort_unique(foreign);
+    for_each_receiver(foreign, [&, &e = event](std::uint32_t number, std::vector<InterestId> ids) {
+      forwarded[number].push_back({e, std::move(ids)});
     });
   }
   send_notices(state, std::move(notices));

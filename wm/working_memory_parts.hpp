@@ -2,6 +2,7 @@
 
 #include "castor/wm/working_memory.hpp"
 
+#include <memory>
 #include <vector>
 
 /// What the working memory actor is put together from; of no use outside.
@@ -69,8 +70,17 @@ void follow(Self self, DeadlockProbe probe);
 
 // -- change events
 
+/// An event that is to be told, which has all but the fields that changed.
+struct Change {
+  std::shared_ptr<ChangeEvent> event;
+  /// Of the entry: the new one, or that before its deletion.
+  Value content;
+  /// Before an overwrite.
+  EntryPtr before;
+};
+
 /// Sends the events of one write to the components and working memories that want them.
-void emit(Self self, const std::vector<ChangeEventPtr>& events);
+void emit(Self self, const std::vector<Change>& changes);
 void receive_forwarded(Self self, const ForwardedEvents& forwarded);
 caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request);
 void unsubscribe(Self self, const Unsubscribe& request);

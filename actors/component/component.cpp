@@ -250,6 +250,17 @@ const Address& SubarchitectureComponent::require_target(const Address& address) 
   return address;
 }
 
+Predicate SubarchitectureComponent::parse_predicate(std::string_view text,
+                                                    const TypeDescriptor& type) {
+  try {
+    auto result = Predicate::parse(text);
+    result.check(type);
+    return result;
+  } catch (const std::runtime_error& e) {
+    throw PredicateException{{FailureKind::bad_predicate, e.what(), {}}};
+  }
+}
+
 Calls& SubarchitectureComponent::calls() {
   if (!calls_)
     calls_ = std::make_unique<Calls>(*this, shell());

@@ -11,7 +11,7 @@
 namespace castor {
 
 /// A field of an entry that leads to another entry, in whatever working memory (the paper's pointer
-/// entries). `read(pointer)` follows it and checks the type.
+/// entries). `follow(pointer)` reads it and checks the type.
 template <class T>
 struct EntryPointer {
   Address address;

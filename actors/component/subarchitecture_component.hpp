@@ -10,6 +10,7 @@
 #include "castor/wm/entry.hpp"
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/lease.hpp"
+#include "castor/wm/predicate_builder.hpp"
 
 #include <chrono>
 #include <concepts>
@@ -133,7 +134,7 @@ protected:
 
   /// The entry that a pointer leads to. Throws BadAddressException for one that leads nowhere.
   template <ReflectedRecord T>
-  EntryOf<T> read(const EntryPointer<T>& pointer) {
+  EntryOf<T> follow(const EntryPointer<T>& pointer) {
     return read<T>(require_target(pointer.address));
   }
 
@@ -215,7 +216,7 @@ protected:
   Reply call(const std::string& subarchitecture_name, Request request, CallOptions options = {}) {
     auto value = calls().call(subarchitecture_name, Value::of(std::move(request)),
                               *descriptor_of<Reply>(), options);
-    auto reply = value.as<Reply>();
+    auto reply = value.template as<Reply>();
     if (!reply)
       wrong_reply(value.type(), *descriptor_of<Reply>());
     return *reply;
@@ -229,7 +230,7 @@ protected:
     using Reply = std::invoke_result_t<F, const Request&>;
     calls().serve(*descriptor_of<Request>(), *descriptor_of<Reply>(),
                   [handler = std::move(handler)](const Value& request) {
-                    return Value::of(handler(*request.as<Request>()));
+                    return Value::of(handler(*request.template as<Request>()));
                   });
   }
 
@@ -309,6 +310,9 @@ private:
       result.push_back(typed<T>(entry));
     return result;
   }
+
+  /// Throws PredicateException unless the text is a predicate over that type.
+  static Predicate parse_predicate(std::string_view text, const TypeDescriptor& type);
 
   Calls& calls();
   [[noreturn]] void wrong_reply(const TypeDescriptor& got, const TypeDescriptor& wanted) const;

@@ -363,9 +363,9 @@ TEST_F(Locks, BadInputIsNamedAndHarmsNobody) {
                       HasSubstr("--largest-entry")));
     self.add(self.here("1"), Note{});
     EXPECT_THROW(self.template read<Other>(self.here("1")), TypeMismatchException);
-    EXPECT_THROW(self.read(EntryPointer<Note>{}), BadAddressException);
-    EXPECT_EQ(self.read(EntryPointer<Note>{self.here("1")})->number, 0);
-    EXPECT_THROW(self.read(AnyEntryPointer{EntryPointer<Note>{self.here("1")}}.as<Other>()),
+    EXPECT_THROW(self.follow(EntryPointer<Note>{}), BadAddressException);
+    EXPECT_EQ(self.follow(EntryPointer<Note>{self.here("1")})->number, 0);
+    EXPECT_THROW(self.follow(AnyEntryPointer{EntryPointer<Note>{self.here("1")}}.as<Other>()),
                  TypeMismatchException);
     EXPECT_THROW(self.template read_where<Note>("colour == 1"), PredicateException);
     EXPECT_THROW(self.template read_where<Note>("number =="), PredicateException);

@@ -74,8 +74,8 @@ public:
     return Base::template read<T>(std::forward<Ts>(xs)...);
   }
   template <class T>
-  auto read(const EntryPointer<T>& x) {
-    return Base::read(x);
+  auto follow(const EntryPointer<T>& x) {
+    return Base::follow(x);
   }
   template <class T, class... Ts>
   auto read_all(Ts&&... xs) {

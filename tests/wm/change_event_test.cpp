@@ -1,4 +1,5 @@
 #include "castor/wm/change_event.hpp"
+#include "castor/wm/value.hpp"
 
 #include "test_types.hpp"
 
@@ -22,6 +23,26 @@ TEST(ChangeEvent, PrintsWhatHappenedWhereAndByWhom) {
   event.version = 2;
   EXPECT_EQ(to_string(event), "OVERWRITE Box vision/0:3 v2 by segmentor");
   EXPECT_EQ(event.type_name(), "Box");
+}
+
+TEST(ChangeEvent, SaysWhichFieldsAnOverwriteChanged) {
+  ChangeEvent event;
+  event.operation = Operation::overwrite;
+  event.address = {"vision", "0:3"};
+  event.source = "segmentor";
+  event.type = descriptor_of<SignedBox>();
+  auto after = signed_box();
+  after.label = "coffee";
+  after.signature.reset();
+  event.changed = changed_fields(Value::of(signed_box()), Value::of(after));
+  EXPECT_EQ(event.changed_fields(), (std::vector<std::string>{"label", "signature"}));
+  EXPECT_TRUE(event.has_changed(&SignedBox::label));
+  EXPECT_TRUE(event.has_changed(&SignedBox::signature));
+  EXPECT_FALSE(event.has_changed(&SignedBox::pose));
+  EXPECT_FALSE(event.has_changed(&SignedBox::side));
+  EXPECT_FALSE(event.has_changed(&Tree::name));
+  EXPECT_EQ(to_string(event),
+            "OVERWRITE SignedBox vision/0:3 v0 by segmentor, changed label and signature");
 }
 
 } // namespace castor::test

@@ -2,6 +2,7 @@
 
 #include "test_types.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace castor::test {
@@ -17,6 +18,30 @@ ChangeEvent event() {
   result.type = descriptor_of<SignedBox>();
   return result;
 }
+
+/// Whether a filter wants an event as far as it can tell without the content.
+bool matches(const ChangeFilter& filter, const ChangeEvent& x) {
+  return castor::matches(filter, x, Value{});
+}
+
+bool matches(const ChangeFilter& filter, const SignedBox& content) {
+  return castor::matches(filter.anywhere(), event(), Value::of(content));
+}
+
+template <class Filter, class Condition>
+concept TakesCondition = requires(const Filter& filter, const Condition& condition) {
+  filter.where(condition);
+};
+
+template <class Filter, class Member, class V>
+concept TakesEquality = requires(const Filter& filter, Member member, const V& value) {
+  filter.where(member, value);
+};
+
+template <class Filter, class Member>
+concept TakesChanging = requires(const Filter& filter, Member member) {
+  filter.changing(member);
+};
 
 } // namespace
 
@@ -110,6 +135,115 @@ TEST(ChangeFilter, PrintsWhatItWants) {
   EXPECT_EQ(to_string(deleted<Box>().anywhere()), "DELETE of Box anywhere");
   EXPECT_EQ(to_string(changes_of({"vision", "0:3"})),
             "any change of any type with id 0:3 in vision");
+}
+
+TEST(ChangeFilter, WantsTheContentThatItAsksFor) {
+  auto filter = changed<SignedBox>().where(field(&SignedBox::side) == Side::right);
+  EXPECT_TRUE(matches(filter, signed_box()));
+  auto other = signed_box();
+  other.side = Side::left;
+  EXPECT_FALSE(matches(filter, other));
+  EXPECT_TRUE(matches(changed<SignedBox>().where(&SignedBox::label, "tea"), signed_box()));
+  EXPECT_FALSE(matches(changed<SignedBox>().where(&SignedBox::label, "coffee"), signed_box()));
+  EXPECT_TRUE(matches(changed<SignedBox>().where("pose.heading > 2"), signed_box()));
+  EXPECT_TRUE(matches(any_change().where("pose.heading > 2"), signed_box()));
+  EXPECT_FALSE(matches(any_change().where("pose.heading > 4"), signed_box()));
+}
+
+TEST(ChangeFilter, NeedsAllOfItsConditions) {
+  auto filter = changed<SignedBox>().where(&SignedBox::label, "tea").where("pose.heading > 2");
+  EXPECT_EQ(filter.predicate.text(), "label == \"tea\" && pose.heading > 2");
+}
+
+TEST(ChangeFilter, DoesNotWantATypeThatLacksTheField) {
+  EXPECT_FALSE(matches(any_change().where("confidence > 2"), signed_box()));
+  EXPECT_FALSE(matches(any_change().where("!(confidence > 2)"), signed_box()));
+}
+
+TEST(ChangeFilter, WithAConditionWantsNothingWithoutContent) {
+  EXPECT_FALSE(matches(changed<SignedBox>().anywhere().where("label != \"x\""), event()));
+}
+
+TEST(ChangeFilter, TakesOnlyConditionsOnItsTypeOrABaseOfIt) {
+  using Signed = ChangeFilterOf<SignedBox>;
+  static_assert(TakesCondition<Signed, PredicateOf<SignedBox>>);
+  static_assert(TakesCondition<Signed, PredicateOf<Box>>);
+  static_assert(!TakesCondition<ChangeFilterOf<Box>, PredicateOf<SignedBox>>);
+  static_assert(!TakesCondition<Signed, PredicateOf<Pose>>);
+  static_assert(!TakesCondition<Signed, Predicate>);
+  static_assert(TakesCondition<ChangeFilter, Predicate>);
+  static_assert(TakesCondition<ChangeFilterOf<Numbers>, Field<Numbers, bool>>);
+  static_assert(!TakesCondition<ChangeFilterOf<Numbers>, Field<Numbers, double>>);
+  static_assert(TakesEquality<Signed, Side SignedBox::*, Side>);
+  static_assert(TakesEquality<Signed, std::string Box::*, const char*>);
+  static_assert(!TakesEquality<Signed, Side SignedBox::*, Trend>);
+  static_assert(!TakesEquality<Signed, std::string Box::*, int>);
+  static_assert(!TakesEquality<ChangeFilterOf<Box>, Side SignedBox::*, Side>);
+  static_assert(TakesChanging<Signed, std::string Box::*>);
+  static_assert(!TakesChanging<ChangeFilterOf<Box>, Side SignedBox::*>);
+}
+
+TEST(ChangeFilter, ChecksATextAgainstItsTypeAtOnce) {
+  EXPECT_THROW(changed<Box>().where("colour == 3"), FieldError);
+  EXPECT_THROW(changed<Box>().where("label == 3"), FieldError);
+  EXPECT_THROW(changed<Box>().where("label =="), PredicateError);
+  EXPECT_THROW(any_change().where("label =="), PredicateError);
+  EXPECT_NO_THROW(changed<SignedBox>().where("label == \"a\" && side == \"left\""));
+}
+
+TEST(ChangeFilter, WantsOverwritesThatChangedOneOfItsFields) {
+  auto x = event();
+  x.changed = field_bit(*x.type, "pose") | field_bit(*x.type, "side");
+  EXPECT_TRUE(matches(changed(&Box::pose).anywhere(), x));
+  EXPECT_TRUE(matches(changed(&SignedBox::side).anywhere(), x));
+  EXPECT_TRUE(matches(changed(&SignedBox::side, &Box::label).anywhere(), x));
+  EXPECT_FALSE(matches(changed(&Box::label).anywhere(), x));
+  EXPECT_FALSE(matches(changed(&SignedBox::signature, &Box::label).anywhere(), x));
+  x.changed = 0;
+  EXPECT_FALSE(matches(changed(&Box::pose).anywhere(), x));
+}
+
+TEST(ChangeFilter, ThatWaitsForChangedFieldsWantsOnlyOverwrites) {
+  auto filter = changed<Box>().changing(&Box::pose).anywhere();
+  auto x = event();
+  x.changed = all_fields(*x.type);
+  EXPECT_TRUE(matches(filter, x));
+  for (auto operation : {Operation::add, Operation::remove}) {
+    x.operation = operation;
+    EXPECT_FALSE(matches(filter, x));
+  }
+}
+
+TEST(ChangeFilter, NamesItsFieldsInOneOrder) {
+  auto filter = changed(&SignedBox::side, &Box::pose).changing(&Box::label, &Box::pose);
+  EXPECT_THAT(filter.ChangeFilter::changing, testing::ElementsAre("label", "pose", "side"));
+  EXPECT_EQ(filter.operation, Operation::overwrite);
+  EXPECT_EQ(filter.type, "SignedBox");
+  EXPECT_EQ(changed(&Box::pose, &Box::label), changed(&Box::label, &Box::pose));
+}
+
+TEST(ChangeFilter, KeepsItsTypeWhenRefined) {
+  static_assert(std::is_same_v<decltype(added<Box>().anywhere().in("a").from("c").at({"a", "b"})),
+                               ChangeFilterOf<Box>>);
+  auto filter = added<Box>().at({"a", "b"}).from("c").where(&Box::label, "x");
+  EXPECT_EQ(filter.operation, Operation::add);
+  EXPECT_EQ(filter.type, "Box");
+  EXPECT_EQ(filter.id, "b");
+  EXPECT_EQ(filter.source, "c");
+  EXPECT_EQ(filter.subarchitecture, "a");
+  EXPECT_EQ(filter.anywhere().predicate, Predicate::parse("label == \"x\""));
+}
+
+TEST(ChangeFilter, IsOrderedByItsWishesForContent) {
+  EXPECT_NE(any_change(), any_change().where("a == 1"));
+  EXPECT_NE(any_change().where("a == 2"), any_change().where("a == 1"));
+  EXPECT_EQ(any_change().where("a==1"), any_change().where("a == 1"));
+  EXPECT_NE(overwritten<Box>(), changed(&Box::label));
+}
+
+TEST(ChangeFilter, PrintsItsWishesForContent) {
+  EXPECT_EQ(to_string(changed(&Box::pose, &Box::label).where(&Box::label, "x").anywhere()),
+            "OVERWRITE of Box anywhere, changing label or pose, where label == \"x\"");
 }
 
 } // namespace castor::test

@@ -3,12 +3,14 @@
 //
 //   opaque_process json                     prints it
 //   opaque_process compare FIELD OP TEXT    prints whether "FIELD OP TEXT" is true of it
+//   opaque_process where PREDICATE          prints whether the predicate is true of it
 //   opaque_process echo                     writes it to standard output again
 //
 // Ends with 1 and a message on standard error if it cannot.
 
 #include "castor/wm/field_access.hpp"
 #include "castor/wm/json.hpp"
+#include "castor/wm/predicate.hpp"
 #include "castor/wm/value.hpp"
 
 #include <charconv>
@@ -62,12 +64,17 @@ void run(const std::vector<std::string>& arguments) {
     auto output = castor::encode_self_described(value);
     std::cout.write(reinterpret_cast<const char*>(output.data()),
                     static_cast<std::streamsize>(output.size()));
+  } else if (arguments.size() == 2 && arguments[0] == "where") {
+    auto predicate = castor::Predicate::parse(arguments[1]);
+    predicate.check(value.type());
+    std::cout << (predicate.matches(value) ? "true" : "false");
   } else if (arguments.size() == 4 && arguments[0] == "compare") {
     auto field = castor::read_field(value.type(), value.bytes(), arguments[1]);
     bool result = castor::compare(field, comparison(arguments[2]), literal(arguments[3], field));
     std::cout << (result ? "true" : "false");
   } else {
-    throw std::invalid_argument("usage: opaque_process json | echo | compare FIELD OP TEXT");
+    throw std::invalid_argument(
+      "usage: opaque_process json | echo | where PREDICATE | compare FIELD OP TEXT");
   }
 }
 

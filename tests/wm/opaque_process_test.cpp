@@ -1,5 +1,6 @@
 #include "castor/wm/encoding.hpp"
 #include "castor/wm/json.hpp"
+#include "castor/wm/predicate_builder.hpp"
 #include "castor/wm/value.hpp"
 
 #include "test_types.hpp"
@@ -234,6 +235,22 @@ TEST(OpaqueProcess, FindsAnAbsentOptionalUnequal) {
   auto x = Value::of(box);
   EXPECT_EQ(compare(x, "signature", "==", "Nick"), "false");
   EXPECT_EQ(compare(x, "signature", "!=", "Nick"), "true");
+}
+
+TEST(OpaqueProcess, EvaluatesPredicates) {
+  auto x = Value::of(signed_box());
+  auto expect = [&](const Predicate& predicate) {
+    auto result = run({"where", predicate.text()}, x);
+    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(result.text(), predicate.matches(x) ? "true" : "false") << predicate.text();
+    return predicate.matches(x);
+  };
+  auto near = distance(field(&Box::pose, &Pose::position), Point{1, -2, 0.5f}) < 1;
+  EXPECT_TRUE(expect(near && field(&SignedBox::side) == Side::right));
+  EXPECT_FALSE(expect(!near || field(&Box::label) != "tea"));
+  EXPECT_TRUE(expect(has(field(&SignedBox::signature))));
+  auto result = run({"where", "label == 3"}, x);
+  EXPECT_THAT(result.errors, HasSubstr("label of SignedBox is a text"));
 }
 
 TEST(OpaqueProcess, SaysWhatIsWrongWithAQuestion) {

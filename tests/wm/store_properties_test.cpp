@@ -36,6 +36,7 @@ std::vector<Step> steps(const rc::Gen<Step>& step) {
 // --- filters ---
 
 rc::Gen<ChangeFilter> any_filter() {
+  using Names = std::vector<std::string>;
   return rc::gen::build<ChangeFilter>(
     rc::gen::set(&ChangeFilter::operation,
                  element<std::optional<Operation>>(std::nullopt, std::nullopt, Operation::add,
@@ -45,7 +46,10 @@ rc::Gen<ChangeFilter> any_filter() {
     rc::gen::set(&ChangeFilter::id, element<std::string>("", "", "1", "2")),
     rc::gen::set(&ChangeFilter::source, element<std::string>("", "", "p", "q")),
     rc::gen::set(&ChangeFilter::subarchitecture,
-                 element<std::optional<std::string>>("", "", "u", "v", std::nullopt)));
+                 element<std::optional<std::string>>("", "", "u", "v", std::nullopt)),
+    rc::gen::set(&ChangeFilter::changing,
+                 element(Names{}, Names{}, Names{"label"}, Names{"label", "pose"}, Names{"side"},
+                         Names{"x"})));
 }
 
 rc::Gen<ChangeEvent> any_event() {
@@ -58,7 +62,8 @@ rc::Gen<ChangeEvent> any_event() {
     rc::gen::set(&ChangeEvent::source, element<std::string>("p", "q", "r")),
     rc::gen::set(&ChangeEvent::type, element(descriptor_of<Box>(), descriptor_of<PaintedBox>(),
                                              descriptor_of<SignedBox>(), descriptor_of<Crate>(),
-                                             descriptor_of<Point>())));
+                                             descriptor_of<Point>())),
+    rc::gen::set(&ChangeEvent::changed, rc::gen::inRange<FieldMask>(0, 32)));
 }
 
 struct FilterStep {
@@ -307,10 +312,10 @@ RC_GTEST_PROP(FilterIndexProperties, FindsWhatANaiveSearchFinds, ()) {
         break;
       case FilterStep::match: {
         std::vector<FilterIndex::Key> found;
-        index.match(step.event, found);
+        index.match(step.event, Value{}, found);
         std::vector<FilterIndex::Key> expected;
         for (auto& [key, filter] : model)
-          if (matches(filter, step.event))
+          if (matches(filter, step.event, Value{}))
             expected.push_back(key);
         std::sort(found.begin(), found.end());
         std::sort(expected.begin(), expected.end());
