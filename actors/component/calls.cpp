@@ -24,10 +24,12 @@ Value Calls::call(const std::string& subarchitecture, const Value& request,
   listen_to(subarchitecture);
   auto until = ComponentShell::Clock::now() + options.timeout.value_or(shell_.deadline());
   for (int attempt = 0;; ++attempt) {
-    auto made = make(subarchitecture, request, reply_type);
+    Made made{component_.here(component_.new_id()), component_.here(component_.new_id())};
+    // Its progress may be heard of before the write that makes it has returned.
     auto& open = open_[made.call.id];
     std::optional<Value> reply;
     try {
+      make(made, subarchitecture, request, reply_type);
       reply = await_reply(subarchitecture, made, request, open, until);
     } catch (...) {
       open_.erase(made.call.id);
@@ -69,17 +71,14 @@ void Calls::note_progress(const ChangeEvent& event) {
     i->second.settled = i->second.server_ended = true;
 }
 
-Calls::Made Calls::make(const std::string& subarchitecture, const Value& request,
-                        const TypeDescriptor& reply_type) {
-  Made made{component_.here(component_.new_id()), component_.here(component_.new_id())};
-  component_.write(
-    WriteBatch{}
-      .add_value(made.request, request, with_its_writer)
-      .add(made.call,
-           Call{subarchitecture, request.type_name(), reply_type.name(), made.request,
-                shell_.identity().name},
-           with_its_writer));
-  return made;
+void Calls::make(const Made& made, const std::string& subarchitecture, const Value& request,
+                 const TypeDescriptor& reply_type) {
+  component_.write(WriteBatch{}
+                     .add_value(made.request, request, with_its_writer)
+                     .add(made.call,
+                          Call{subarchitecture, request.type_name(), reply_type.name(),
+                               made.request, shell_.identity().name},
+                          with_its_writer));
 }
 
 void Calls::take_back(const Made& made) {
@@ -136,12 +135,11 @@ Failure Calls::not_served(Failure failure, const std::string& subarchitecture,
                           const std::string& request_type, const Open& open) {
   failure.address = {subarchitecture, {}};
   if (failure.kind == FailureKind::no_answer)
-    failure.message = shell_.identity().full_name() + " got no reply to its " + request_type +
-                      " in time: " +
-                      (open.taken ? "a component of " + subarchitecture + " is still at work on it"
-                                  : "no component of " + subarchitecture +
-                                      " took it. Does one of them call on_call<" + request_type +
-                                      ">()?");
+    failure.message =
+      shell_.identity().full_name() + " got no reply to its " + request_type + " in time: " +
+      (open.taken ? "a component of " + subarchitecture + " is still at work on it"
+                  : "no component of " + subarchitecture +
+                      " took it. Does one of them call on_call<" + request_type + ">()?");
   return failure;
 }
 
@@ -184,8 +182,8 @@ void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& repl
 void Calls::listen_for_cancellations() {
   if (std::exchange(serving_, true))
     return;
-  auto gone = deleted<Call>().anywhere().where(&Call::subarchitecture,
-                                               shell_.identity().subarchitecture);
+  auto gone =
+    deleted<Call>().anywhere().where(&Call::subarchitecture, shell_.identity().subarchitecture);
   shell_.add_listener(gone, [this](const ChangeEvent& event) {
     if (current_ == event.address)
       cancelled_.insert(event.address);

@@ -60,7 +60,7 @@ private:
 
   void listen_to(const std::string& subarchitecture);
   void note_progress(const ChangeEvent& event);
-  Made make(const std::string& subarchitecture, const Value& request,
+  void make(const Made& made, const std::string& subarchitecture, const Value& request,
             const TypeDescriptor& reply_type);
   void take_back(const Made& made);
   /// The reply, or nothing if the server went away.

@@ -211,7 +211,7 @@ TEST_F(Locks, AWaitHasADeadline) {
   };
   script("waiter").run = [](auto& self) {
     auto begin = std::chrono::steady_clock::now();
-    EXPECT_THROW(self.lock(x, LockLevel::o, 100ms), DeadlineException);
+    EXPECT_THROW(self.lock_entry(x, LockLevel::o, 100ms), DeadlineException);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
     self.end_system(0, "done");
   };
@@ -336,7 +336,7 @@ TEST_F(Locks, EntriesMayEndOfThemselves) {
   script("m").run = [](auto& self) {
     std::string source;
     self.on_change(deleted<Note>(), [&](const ChangeEvent& e) { source = e.source; });
-    self.add(Note{}, {.time_to_live = 50ms});
+    self.add(Note{}, EntryLife{.time_to_live = 50ms});
     while (source.empty())
       ASSERT_TRUE(self.wait_for_changes(5s));
     EXPECT_EQ(source, expiry_source);
@@ -353,8 +353,8 @@ TEST_F(Locks, BadInputIsNamedAndHarmsNobody) {
     EXPECT_THROW(self.add(Address{"nowhere", "1"}, Note{}), UnknownSubarchitectureException);
     EXPECT_THROW(self.on_change(any_change().in("nowhere"), [](auto&) {}),
                  UnknownSubarchitectureException);
-    EXPECT_THROW(self.lock(Address{"nowhere", "1"}, LockLevel::o), UnknownSubarchitectureException);
-    EXPECT_THROW(self.lock(self.here("none"), LockLevel::o), DoesNotExistOnWM);
+    EXPECT_THROW(self.lock_entry(Address{"nowhere", "1"}, LockLevel::o), UnknownSubarchitectureException);
+    EXPECT_THROW(self.lock_entry(self.here("none"), LockLevel::o), DoesNotExistOnWM);
     EXPECT_THROW(self.is_readable(self.here("none")), DoesNotExistOnWM);
     EXPECT_THAT(message_of([&] {
                   self.add(self.here("big"), Note{0, std::string(2 << 20, 'x')});

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 struct Note {
   std::int64_t number = 0;
-  std::string text;
+  std::string text = {};
 
   friend bool operator==(const Note&, const Note&) = default;
 };

@@ -19,15 +19,15 @@ namespace castor::test {
 
 using namespace std::chrono_literals;
 
-struct Thing {
+struct Item {
   int number = 0;
 };
-CASTOR_REFLECT(Thing, number)
+CASTOR_REFLECT(Item, number)
 
-struct Gadget : Thing {
+struct FlaggedItem : Item {
   bool on = false;
 };
-CASTOR_REFLECT_DERIVED(Gadget, Thing, on)
+CASTOR_REFLECT_DERIVED(FlaggedItem, Item, on)
 
 struct TestConfig : caf::actor_system_config {
   TestConfig() { set("scheduler.policy", caf::atom("testing")); }
@@ -86,12 +86,12 @@ protected:
   }
 
   Outcome<Version> add(const Address& at, int number = 0) {
-    return write(at.subarchitecture, {Operation::add, at, Value::of(Thing{number}), {}, {}});
+    return write(at.subarchitecture, {Operation::add, at, Value::of(Item{number}), {}, {}});
   }
 
   Outcome<Version> overwrite(const Address& at, std::optional<Version> last_seen, int number = 0) {
     return write(at.subarchitecture,
-                 {Operation::overwrite, at, Value::of(Thing{number}), last_seen, {}});
+                 {Operation::overwrite, at, Value::of(Item{number}), last_seen, {}});
   }
 
   Outcome<Version> remove(const Address& at) {

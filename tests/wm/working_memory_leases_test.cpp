@@ -80,7 +80,7 @@ protected:
   std::optional<Failure> overwrite_as(Claimant& who, Version last_seen, LeaseToken with) {
     tell(who,
          WriteRequest{
-           Operation::overwrite, {"a", "x"}, Value::of(Thing{7}), last_seen, who.client, with});
+           Operation::overwrite, {"a", "x"}, Value::of(Item{7}), last_seen, who.client, with});
     auto& outcome = who.writes.back();
     return outcome ? std::nullopt : std::optional{outcome.failure()};
   }
@@ -166,7 +166,7 @@ TEST_F(WorkingMemoryLeases, ExpiryIsSeenEvenBeforeTheAlarmClockRings) {
   lock(ann, LockLevel::o);
   // The write is in the mailbox before the alarm is.
   caf::send_as(bob.actor, wm.at("a"),
-               WriteRequest{Operation::overwrite, {"a", "x"}, Value::of(Thing{7}), 0, bob.client});
+               WriteRequest{Operation::overwrite, {"a", "x"}, Value::of(Item{7}), 0, bob.client});
   scheduler.advance_time(3s);
   scheduler.run();
   EXPECT_TRUE(bob.writes.at(0));
@@ -253,7 +253,7 @@ TEST_F(WorkingMemoryLeases, AQueryWaitsUntilItMayReadAllAtOnce) {
   auto& bob = claimant("bob");
   lock(ann, LockLevel::odr);
   lock(eve, LockLevel::odr, 10s, {"a", "y"});
-  tell(bob, QueryRequest{{"a", "Thing", 0, false}, patience(bob)});
+  tell(bob, QueryRequest{{"a", "Item", 0, false}, patience(bob)});
   unlock(ann);
   EXPECT_EQ(bob.queries.size(), 0u);
   EXPECT_EQ(status("a").waiting, 1u);
@@ -331,8 +331,8 @@ TEST_F(WorkingMemoryLeases, AStepOfAnAtomicWriteThatALeaseForbidsForbidsAll) {
   lock(ann, LockLevel::o);
   auto tester = std::make_shared<const Client>(Client{"tester", "a"});
   BatchRequest batch{"a",
-                     {{Operation::overwrite, {"a", "y"}, Value::of(Thing{1}), 0, tester},
-                      {Operation::overwrite, {"a", "x"}, Value::of(Thing{1}), 0, tester}}};
+                     {{Operation::overwrite, {"a", "y"}, Value::of(Item{1}), 0, tester},
+                      {Operation::overwrite, {"a", "x"}, Value::of(Item{1}), 0, tester}}};
   auto outcome = ask<Outcome<std::vector<Version>>>(wm.at("a"), batch);
   EXPECT_EQ(outcome.failure().kind, FailureKind::leased);
   EXPECT_EQ((*ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{{"a", "y"}, {}}))->version, 0u);
@@ -345,9 +345,9 @@ TEST_F(WorkingMemoryLeases, AnAtomicWriteHappensAtOnce) {
   subscribe(all, "a", 1, any_change());
   auto tester = std::make_shared<const Client>(Client{"tester", "a"});
   BatchRequest batch{"a",
-                     {{Operation::overwrite, {"a", "x"}, Value::of(Thing{1}), 0, tester},
+                     {{Operation::overwrite, {"a", "x"}, Value::of(Item{1}), 0, tester},
                       {Operation::remove, {"a", "y"}, {}, {}, tester},
-                      {Operation::add, {"a", "z"}, Value::of(Thing{1}), {}, tester}}};
+                      {Operation::add, {"a", "z"}, Value::of(Item{1}), {}, tester}}};
   auto outcome = ask<Outcome<std::vector<Version>>>(wm.at("c"), batch);
   ASSERT_TRUE(outcome) << outcome.failure().message;
   EXPECT_EQ(*outcome, (std::vector<Version>{1, 0, 0}));
@@ -358,8 +358,8 @@ TEST_F(WorkingMemoryLeases, AnAtomicWriteHappensAtOnce) {
 TEST_F(WorkingMemoryLeases, AnAtomicWriteStaysWithinOneWorkingMemory) {
   auto tester = std::make_shared<const Client>(Client{"tester", "a"});
   BatchRequest batch{"a",
-                     {{Operation::add, {"a", "x"}, Value::of(Thing{1}), {}, tester},
-                      {Operation::add, {"b", "y"}, Value::of(Thing{1}), {}, tester}}};
+                     {{Operation::add, {"a", "x"}, Value::of(Item{1}), {}, tester},
+                      {Operation::add, {"b", "y"}, Value::of(Item{1}), {}, tester}}};
   auto outcome = ask<Outcome<std::vector<Version>>>(wm.at("a"), batch);
   EXPECT_EQ(outcome.failure().kind, FailureKind::not_atomic);
   EXPECT_THAT(outcome.failure().message, HasSubstr("an atomic write stays within one working "
@@ -369,9 +369,9 @@ TEST_F(WorkingMemoryLeases, AnAtomicWriteStaysWithinOneWorkingMemory) {
 
 TEST_F(WorkingMemoryLeases, AnEntryIsForgottenWhenItsTimeIsOver) {
   auto& all = listen();
-  subscribe(all, "a", 1, deleted<Thing>());
+  subscribe(all, "a", 1, deleted<Item>());
   auto at = Address{"a", "x"};
-  ASSERT_TRUE(write("a", {Operation::add, at, Value::of(Thing{}), {}, {}, 0, EntryLife{3s}}));
+  ASSERT_TRUE(write("a", {Operation::add, at, Value::of(Item{}), {}, {}, 0, EntryLife{3s}}));
   let_pass(2s);
   ASSERT_TRUE(overwrite(at, 0)) << "which begins its time anew";
   let_pass(2s);
@@ -384,7 +384,7 @@ TEST_F(WorkingMemoryLeases, AnEntryIsForgottenWhenItsTimeIsOver) {
 
 TEST_F(WorkingMemoryLeases, WhatOthersMayNotDeleteIsNotForgottenEither) {
   auto at = Address{"a", "x"};
-  ASSERT_TRUE(write("a", {Operation::add, at, Value::of(Thing{}), {}, {}, 0, EntryLife{1s}}));
+  ASSERT_TRUE(write("a", {Operation::add, at, Value::of(Item{}), {}, {}, 0, EntryLife{1s}}));
   auto& ann = claimant("ann");
   lock(ann, LockLevel::od);
   let_pass(1500ms);
@@ -395,11 +395,11 @@ TEST_F(WorkingMemoryLeases, WhatOthersMayNotDeleteIsNotForgottenEither) {
 
 TEST_F(WorkingMemoryLeases, AnEphemeralEntryGoesWithItsOwner) {
   auto& all = listen();
-  subscribe(all, "a", 1, deleted<Thing>());
+  subscribe(all, "a", 1, deleted<Item>());
   auto& ann = claimant("ann");
   tell(ann, WriteRequest{Operation::add,
                          {"a", "x"},
-                         Value::of(Thing{}),
+                         Value::of(Item{}),
                          {},
                          ann.client,
                          0,

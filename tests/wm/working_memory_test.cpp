@@ -14,7 +14,7 @@ TEST_F(WorkingMemories, TellOwnComponentsOfWhatTheyAskedFor) {
   auto& all = listen();
   auto& deletions = listen();
   subscribe(all, "a", 1, any_change());
-  subscribe(deletions, "a", 1, deleted<Thing>());
+  subscribe(deletions, "a", 1, deleted<Item>());
   EXPECT_EQ(all.subscribed, 1);
   ASSERT_TRUE(add({"a", "x"}));
   ASSERT_TRUE(overwrite({"a", "x"}, 0));
@@ -28,8 +28,8 @@ TEST_F(WorkingMemories, TellOwnComponentsOfWhatTheyAskedFor) {
 TEST_F(WorkingMemories, SendOneNoticeHoweverManyFiltersMatch) {
   auto& listener = listen();
   subscribe(listener, "a", 1, any_change());
-  subscribe(listener, "a", 2, changed<Thing>());
-  subscribe(listener, "a", 3, deleted<Thing>());
+  subscribe(listener, "a", 2, changed<Item>());
+  subscribe(listener, "a", 3, deleted<Item>());
   add({"a", "x"});
   ASSERT_EQ(listener.notices.size(), 1u);
   EXPECT_EQ(listener.notices[0].filters, (std::vector<FilterId>{1, 2}));
@@ -50,9 +50,9 @@ TEST_F(WorkingMemories, ForwardToThoseSubarchitecturesThatWantIt) {
   auto& in_b = listen();
   auto& also_in_b = listen();
   auto& in_c = listen();
-  subscribe(in_b, "b", 1, changed<Thing>().anywhere());
-  subscribe(also_in_b, "b", 1, changed<Thing>().anywhere());
-  subscribe(in_c, "c", 1, changed<Thing>().in("b"));
+  subscribe(in_b, "b", 1, changed<Item>().anywhere());
+  subscribe(also_in_b, "b", 1, changed<Item>().anywhere());
+  subscribe(in_c, "c", 1, changed<Item>().in("b"));
   add({"a", "x"});
   EXPECT_EQ(told(in_b), (Told{"ADD a/x"}));
   EXPECT_EQ(told(also_in_b), (Told{"ADD a/x"}));
@@ -64,8 +64,8 @@ TEST_F(WorkingMemories, ForwardToThoseSubarchitecturesThatWantIt) {
 
 TEST_F(WorkingMemories, ForwardSuperTypesToo) {
   auto& in_b = listen();
-  subscribe(in_b, "b", 1, added<Thing>().in("a"));
-  write("a", {Operation::add, {"a", "g"}, Value::of(Gadget{}), {}, {}});
+  subscribe(in_b, "b", 1, added<Item>().in("a"));
+  write("a", {Operation::add, {"a", "g"}, Value::of(FlaggedItem{}), {}, {}});
   EXPECT_EQ(told(in_b), (Told{"ADD a/g"}));
 }
 
@@ -108,8 +108,8 @@ TEST_F(WorkingMemories, StopForwardingWhenNobodyWantsItAnyMore) {
 
 TEST_F(WorkingMemories, LetAFilterBeReplacedUnderItsId) {
   auto& listener = listen();
-  subscribe(listener, "a", 1, added<Thing>());
-  subscribe(listener, "a", 1, deleted<Thing>());
+  subscribe(listener, "a", 1, added<Item>());
+  subscribe(listener, "a", 1, deleted<Item>());
   add({"a", "x"});
   remove({"a", "x"});
   EXPECT_EQ(told(listener), (Told{"DELETE a/x"}));
@@ -117,21 +117,21 @@ TEST_F(WorkingMemories, LetAFilterBeReplacedUnderItsId) {
 }
 
 TEST_F(WorkingMemories, HandOperationsOnToTheirOwner) {
-  ASSERT_TRUE(write("a", {Operation::add, {"b", "x"}, Value::of(Thing{4}), {}, {}}));
+  ASSERT_TRUE(write("a", {Operation::add, {"b", "x"}, Value::of(Item{4}), {}, {}}));
   auto entry = ask<Outcome<EntryPtr>>(wm.at("c"), ReadRequest{{"b", "x"}, {}});
   ASSERT_TRUE(entry);
-  EXPECT_EQ((*entry)->value.as<Thing>()->number, 4);
+  EXPECT_EQ((*entry)->value.as<Item>()->number, 4);
   EXPECT_EQ((*entry)->address, (Address{"b", "x"}));
   EXPECT_TRUE(*ask<Outcome<bool>>(wm.at("c"), ExistsQuery{{"b", "x"}}));
   EXPECT_EQ(*ask<Outcome<Version>>(wm.at("c"), VersionQuery{{"b", "x"}}), 0u);
   EXPECT_EQ(
-    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})
+    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Item", 0, false}, {}})
       ->size(),
     1u);
 }
 
 TEST_F(WorkingMemories, KeepWritersOutThatAreNotAllowed) {
-  auto refused = write("c", {Operation::add, {"b", "x"}, Value::of(Thing{}), {}, {}});
+  auto refused = write("c", {Operation::add, {"b", "x"}, Value::of(Item{}), {}, {}});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.failure().kind, FailureKind::not_permitted);
   EXPECT_NE(refused.failure().message.find("tester of c"), std::string::npos);
@@ -172,7 +172,7 @@ TEST_F(WorkingMemories, CountWhatTheyDo) {
   remove({"a", "y"});
   auto x = status("a");
   EXPECT_EQ(x.entries, 1u);
-  EXPECT_EQ(x.entries_by_type, (std::map<std::string, std::uint64_t>{{"Thing", 1}}));
+  EXPECT_EQ(x.entries_by_type, (std::map<std::string, std::uint64_t>{{"Item", 1}}));
   EXPECT_EQ(x.events, 3u);
   EXPECT_EQ(x.delivered, 3u);
 }
