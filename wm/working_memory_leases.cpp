@@ -42,7 +42,6 @@ WorkingMemoryState::WaitKey key_of(const Client& client, WaitNumber number) {
 
 void begin_wait(Self self, const Patience& patience, const std::string& id,
                 std::function<void(const SettledWait&)> finish) {
-  remember_client(self, patience.client);
   self->state.waits[key_of(*patience.client, patience.number)] = {id, std::move(finish)};
 }
 
@@ -196,6 +195,7 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
   catch_up(self);
   if (!request.patience.client || state.leases.may_read(address.id, *request.patience.client))
     return state.store.read(address.id);
+  remember_client(self, request.patience.client);
   auto promise = self->make_response_promise<Outcome<EntryPtr>>();
   begin_wait(
     self, request.patience, address.id,
@@ -236,10 +236,10 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
                                   to_string(*client) + " cannot lock " + to_string(address) +
                                     ": there is no such entry",
                                   address}};
+  remember_client(self, client);
   auto time = now(self);
   if (auto lease =
         state.leases.try_lock(address.id, client, request.level, request.patience.number, time)) {
-    remember_client(self, client);
     set_alarm(self);
     return Outcome<Lease>{*lease};
   }
