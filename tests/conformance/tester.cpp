@@ -78,17 +78,20 @@ void Tester::run() {
   for (auto& x : chosen_)
     attempt(x, [&] { x.test->run(); });
   while (!all_over()) {
-    while (!jobs_.empty()) {
-      auto job = std::move(jobs_.front());
-      jobs_.pop_front();
-      if (!job.of->over)
-        attempt(*job.of, job.work);
-    }
     if (now() >= patience_ends_)
       give_up();
+    else if (!jobs_.empty())
+      work_off();
     else if (!wait_for_changes(patience_ends_ - now()) && !is_running())
       return;
   }
+}
+
+void Tester::work_off() {
+  auto job = std::move(jobs_.front());
+  jobs_.pop_front();
+  if (!job.of->over)
+    attempt(*job.of, job.work);
 }
 
 void Tester::attempt(Chosen& x, const std::function<void()>& work) {
@@ -120,7 +123,7 @@ void Tester::pass(const Test& test) {
   if (std::exchange(x.over, true))
     return;
   info("{} passed", x.name);
-  if (all_over())
+  if (all_over() && !failed_)
     end(passed_status, "all tests passed");
 }
 
@@ -128,6 +131,7 @@ void Tester::fail(const Test& test, const std::string& why) {
   auto& x = chosen(test);
   if (std::exchange(x.over, true))
     return;
+  failed_ = true;
   error("{} failed: {}", x.name, why);
   end(failed_status, x.name + " failed: " + why);
 }

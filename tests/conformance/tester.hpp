@@ -127,6 +127,7 @@ private:
 
   std::string choose();
   Chosen& chosen(const Test& test);
+  void work_off();
   void attempt(Chosen& x, const std::function<void()>& work);
   void end(int status, const std::string& reason);
   void give_up();
@@ -135,6 +136,7 @@ private:
   std::map<std::string, Factory> offered_;
   std::vector<Chosen> chosen_;
   std::deque<Job> jobs_;
+  bool failed_ = false;
   Timestamp patience_ends_ = Timestamp::max();
 
   Option<std::vector<std::string>> test_{
