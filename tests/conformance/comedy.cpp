@@ -35,8 +35,8 @@ class StraightMan final : public ManagedComponent {
   void run() override {
     for (int i = 1; i <= jokes_; ++i) {
       answered_ = false;
-      joke_ = add(Joke{setup_, {}});
       info("{}", setup_.get());
+      joke_ = add(Joke{setup_, {}});
       while (!answered_)
         if (!wait_for_changes(patience_.get()))
           return end_system(failed_status, "nobody reacts to joke " + std::to_string(i));
@@ -68,8 +68,8 @@ class FunnyMan final : public ManagedComponent {
   void finish(const Address& address) {
     auto joke = *read<Joke>(address);
     joke.punchline = punchline_;
-    overwrite(address, joke);
     info("{}", joke.punchline);
+    overwrite(address, joke);
   }
 
   Option<std::string> punchline_{this, "punchline", "To get to the other site.", "how a joke ends"};
@@ -79,8 +79,8 @@ CASTOR_COMPONENT(FunnyMan, "gives every joke that is begun a punchline, as a tas
 class AudienceMember final : public ManagedComponent {
   void start() override {
     on_change(overwritten<Joke>().anywhere(), [this](const ChangeEvent& event) {
-      add(Reaction{{event.address}, reaction_});
       info("{}", reaction_.get());
+      add(Reaction{{event.address}, reaction_});
     });
   }
 
