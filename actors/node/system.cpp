@@ -70,6 +70,11 @@ caf::behavior observer(caf::event_based_actor*, const SystemOptions& options,
   };
 }
 
+void note(LogLevel level, const std::string& what) {
+  if (level >= log_level())
+    log(level, "castor", what);
+}
+
 } // namespace
 
 SystemError::SystemError(std::vector<cast::Diagnostic> diagnostics)
@@ -179,7 +184,7 @@ public:
         stuck_.push_back(name);
     }
     if (!order.empty())
-      log(LogLevel::info, "castor", "stopped, in this order: " + order);
+      note(LogLevel::info, "stopped, in this order: " + order);
     for (auto& name : stuck_)
       log(LogLevel::error, "castor",
           name + " did not stop: it has not come back from its own code");
@@ -308,9 +313,8 @@ private:
         return false;
       if (!done && Clock::now() >= next_report) {
         next_report += 5s;
-        log(LogLevel::info, "castor",
-            "waiting for " + x.record->identity().full_name() + " to " +
-              (phase == Phase::configure ? "configure" : "start"));
+        note(LogLevel::info, "waiting for " + x.record->identity().full_name() + " to " +
+                               (phase == Phase::configure ? "configure" : "start"));
       }
     }
     return true;

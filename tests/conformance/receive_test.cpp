@@ -19,7 +19,7 @@ public:
       any_change().anywhere(),
       any_change().in(address_.subarchitecture),
       any_change().from(own),
-      ChangeFilter{Operation::add, {}, {}, {}, {}},
+      changes_by(Operation::add),
       changes_of(address_),
       changed<TestStruct>(),
       changed<TestStruct>().anywhere().from(own),
