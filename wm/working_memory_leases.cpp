@@ -162,6 +162,7 @@ void end_client(Self self, const caf::actor_addr& who) {
   state.leases.drop(*client.mapped(), time);
   state.store.end_owner(*client.mapped(), time);
   catch_up(self);
+  settle(self);
   set_alarm(self);
 }
 
