@@ -14,7 +14,7 @@ std::string describe(const LeaseTable::Holding& x) {
 }
 
 std::string verb(Operation x) {
-  return x == Operation::add ? "add" : x == Operation::overwrite ? "overwrite" : "delete";
+  return x == Operation::overwrite ? "overwrite" : "delete";
 }
 
 /// Why a wait failed.
@@ -42,7 +42,6 @@ WorkingMemoryState::WaitKey key_of(const Client& client, WaitNumber number) {
 
 void begin_wait(Self self, const Patience& patience, const std::string& id,
                 std::function<void(const SettledWait&)> finish) {
-  remember_client(self, patience.client);
   self->state.waits[key_of(*patience.client, patience.number)] = {id, std::move(finish)};
 }
 
@@ -162,13 +161,17 @@ void end_client(Self self, const caf::actor_addr& who) {
   });
   state.leases.drop(*client.mapped(), time);
   state.store.end_owner(*client.mapped(), time);
+  // Also if that was the last lease, when there is nothing to catch up with.
+  settle(self);
   catch_up(self);
   set_alarm(self);
 }
 
 std::optional<Failure> check_leases(const WorkingMemoryState& state, const WriteRequest& request) {
   auto& id = request.address.id;
-  if ((state.leases.empty() && request.token == 0) || !state.store.exists(id))
+  // An addition fails if there is an entry, leased or not.
+  if (request.operation == Operation::add || (state.leases.empty() && request.token == 0) ||
+      !state.store.exists(id))
     return std::nullopt;
   auto begin = to_string(*request.client) + " cannot " + verb(request.operation) + " " +
                to_string(request.address) + ": ";
@@ -196,6 +199,7 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
   catch_up(self);
   if (!request.patience.client || state.leases.may_read(address.id, *request.patience.client))
     return state.store.read(address.id);
+  remember_client(self, request.patience.client);
   auto promise = self->make_response_promise<Outcome<EntryPtr>>();
   begin_wait(
     self, request.patience, address.id,
@@ -236,10 +240,10 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
                                   to_string(*client) + " cannot lock " + to_string(address) +
                                     ": there is no such entry",
                                   address}};
+  remember_client(self, client);
   auto time = now(self);
   if (auto lease =
         state.leases.try_lock(address.id, client, request.level, request.patience.number, time)) {
-    remember_client(self, client);
     set_alarm(self);
     return Outcome<Lease>{*lease};
   }

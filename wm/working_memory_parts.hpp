@@ -51,7 +51,8 @@ void settle(Self self);
 /// Sees to it that `catch_up` is called when something is due.
 void set_alarm(Self self);
 
-/// The sender of the current message is this client; it is watched from now on.
+/// The sender of the current message is this client; it is watched from now on. To be called before
+/// the message's response promise is made, which takes the sender.
 void remember_client(Self self, const ClientPtr& client);
 
 /// What the client held is free, and what it owned goes.

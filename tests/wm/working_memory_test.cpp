@@ -98,7 +98,8 @@ protected:
     auto& result = *listeners.emplace_back(std::make_unique<Listener>());
     result.actor = system.spawn([&result](caf::event_based_actor*) -> caf::behavior {
       return {[&result](const ChangeNotice& x) { result.notices.push_back(x); },
-              [&result](const Outcome<Acknowledged>&) { ++result.subscribed; }};
+              [&result](const Outcome<Acknowledged>&) { ++result.subscribed; },
+              [](const Outcome<Lease>&) {}};
     });
     return result;
   }
@@ -245,7 +246,9 @@ TEST_F(WorkingMemories, HandOperationsOnToTheirOwner) {
   EXPECT_TRUE(*ask<Outcome<bool>>(wm.at("c"), ExistsQuery{{"b", "x"}}));
   EXPECT_EQ(*ask<Outcome<Version>>(wm.at("c"), VersionQuery{{"b", "x"}}), 0u);
   EXPECT_EQ(
-    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})->size(), 1u);
+    ask<Outcome<std::vector<EntryPtr>>>(wm.at("c"), QueryRequest{{"b", "Thing", 0, false}, {}})
+      ->size(),
+    1u);
 }
 
 TEST_F(WorkingMemories, KeepWritersOutThatAreNotAllowed) {
@@ -293,6 +296,30 @@ TEST_F(WorkingMemories, CountWhatTheyDo) {
   EXPECT_EQ(x.entries_by_type, (std::map<std::string, std::uint64_t>{{"Thing", 1}}));
   EXPECT_EQ(x.events, 3u);
   EXPECT_EQ(x.delivered, 3u);
+}
+
+TEST_F(WorkingMemories, SayThatThereIsAnEntryEvenIfItIsLeased) {
+  add({"a", "x"});
+  auto holder = std::make_shared<const Client>(Client{"holder", "a"});
+  ASSERT_TRUE(ask<Outcome<Lease>>(wm.at("a"), LockRequest{{"a", "x"}, LockLevel::o, {holder, 1}}));
+  EXPECT_EQ(add({"a", "x"}).failure().kind, FailureKind::already_exists);
+}
+
+TEST_F(WorkingMemories, LetReadersGoOnWhenTheHolderDies) {
+  add({"a", "x"}, 7);
+  auto& holder = listen();
+  auto client = [](const char* name) { return std::make_shared<const Client>(Client{name, "a"}); };
+  caf::send_as(holder.actor, wm.at("a"),
+               LockRequest{{"a", "x"}, LockLevel::odr, {client("holder"), 1}});
+  auto answer =
+    self->request(wm.at("a"), caf::infinite, ReadRequest{{"a", "x"}, {client("reader"), 1, 1s}});
+  scheduler.run();
+  ASSERT_EQ(status("a").waiting, 1u);
+  caf::anon_send_exit(holder.actor, caf::exit_reason::kill);
+  scheduler.run();
+  ASSERT_EQ(status("a").waiting, 0u);
+  answer.receive([](const Outcome<EntryPtr>& x) { EXPECT_TRUE(x); },
+                 [](const caf::error&) { ADD_FAILURE(); });
 }
 
 } // namespace
