@@ -145,6 +145,9 @@ std::optional<Version> SimulatedClient::version_to_show(const EntryView& view) {
 Token SimulatedClient::token_to_show(const EntryView& view) {
   if (!parts_.temper.forges || !world_.chance(25))
     return view.token;
+  // Somebody else's, perhaps.
+  if (world_.chance(30))
+    return world_.last_token;
   return view.old_tokens.empty() ? 0 : view.old_tokens[world_.pick(view.old_tokens.size())];
 }
 
@@ -519,6 +522,7 @@ void SimulatedClient::obtained(const Outstanding& x, Token token) {
   auto record = x.records.front();
   recorder.returned(record, {.token = token});
   recorder.obtained(record);
+  world_.last_token = token;
   auto entry = recorder[record].entry;
   if (x.given_up_by != 0) {
     recorder.may_end(entry, token, x.given_up_at);

@@ -49,6 +49,8 @@ struct SimulatedWorld {
   std::size_t operations_left = 0;
   std::int64_t stamps = 0;
   Client last_client = 0;
+  /// The last that anybody obtained.
+  Token last_token = 0;
   /// Components by number.
   std::vector<ClientPtr> identities{nullptr};
   std::vector<caf::actor> alive;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace castor::linearizability {
@@ -66,11 +67,15 @@ public:
     SimulatedWorld world{seed, lease_duration};
     world_ = &world;
     begin_ = scheduler_.clock().now();
-    set_up();
-    play();
     SimulationResult result;
-    if (world.findings.empty())
-      look_back();
+    try {
+      set_up();
+      play();
+      if (world.findings.empty())
+        look_back();
+    } catch (const std::runtime_error& error) {
+      world.find(error.what());
+    }
     result.history = world.recorder.finish();
     if (world.findings.empty())
       check_tokens(result.history);
@@ -309,7 +314,9 @@ private:
     auto answer = self_->request(wm.actor, caf::infinite, request);
     run_all();
     answer.receive([&](const Reply& x) { result = x; }, [](const caf::error&) {});
-    return result.value();
+    if (!result)
+      throw std::runtime_error{"the working memory of " + wm.subarchitecture + " has ended"};
+    return *std::move(result);
   }
 
   void clear() {

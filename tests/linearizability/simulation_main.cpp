@@ -36,9 +36,11 @@ std::optional<std::uint64_t> run(Simulation& simulation, const Seeds& seeds) {
     operations += result.history.size();
     if (result.ok())
       continue;
-    fmt::print("seed {}:\n{}\n", seed, to_string(result));
-    if (result.is_wrong())
+    if (result.is_wrong()) {
+      fmt::print("seed {}:\n{}\n", seed, to_string(result));
       return seed;
+    }
+    fmt::print("seed {} undecided: {}\n", seed, result.verdict.report);
     ++undecided;
   }
   std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
