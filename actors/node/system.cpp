@@ -45,6 +45,10 @@ struct ActorSystemConfig : caf::actor_system_config {
 caf::behavior observer(caf::event_based_actor*, const SystemOptions& options) {
   return {
     [&options](const ChangeNotice& x) { options.on_change(*x.event); },
+    [&options](const ChangeNotices& x) {
+      for (auto& notice : x.notices)
+        options.on_change(*notice.event);
+    },
     [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},
     [](FlushAtom) { return true; },
