@@ -1,5 +1,6 @@
-// What operations on working memory cost, as ratios to a bare blocking request of the actor
-// framework measured in the same run, and how long a change takes to another component's callback.
+// What operations on working memory cost, as ratios to bare blocking requests of the actor
+// framework with the same payload and as many clients, measured in the same run; and how long an
+// overwrite takes to another component's callback.
 //
 //   working_memory_benchmark [REPETITIONS]
 #include "castor/actors/cast/parser.hpp"
@@ -8,19 +9,20 @@
 #include "castor/actors/registry.hpp"
 #include "castor/wm/caf.hpp"
 
-#include <caf/atom.hpp>
 #include <caf/scoped_actor.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
+#include <barrier>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
-#include <map>
+#include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace castor::benchmark {
@@ -30,90 +32,138 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-/// 100 bytes, the size that the original's figures are for.
 struct Payload {
-  std::string text = std::string(100, 'x');
+  std::string text;
 };
 CASTOR_REFLECT(Payload, text)
+
+/// As the original's figures: many small entries, fewer large ones.
+struct Size {
+  const char* name;
+  std::size_t bytes;
+  std::size_t operations;
+};
+constexpr Size sizes[] = {{"100 B", 100, 5000}, {"64 KB", 65536, 400}};
+
+const std::vector<int> client_counts{1, 4, 16};
+
+int repetitions = 5;
 
 double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return x.empty() ? 0 : x[x.size() / 2];
 }
 
-int repetitions = 5;
+/// Several threads that do the same work at the same time, over and over.
+class Race {
+public:
+  explicit Race(int threads) : threads_(threads), gate_(threads) {}
 
-/// Operations per second, by name; the medians of the repetitions.
-std::map<std::string, double> rates;
-
-std::vector<double> latencies_us;
-
-double rate(std::size_t n, const std::function<void()>& work) {
-  std::vector<double> all;
-  for (int i = 0; i <= repetitions; ++i) {
-    auto begin = Clock::now();
-    work();
-    auto seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    // The first is for warming up.
-    if (i > 0)
-      all.push_back(static_cast<double>(n) / seconds);
+  /// Operations per second of all threads together; called by each, returned to the first (0). The
+  /// work is prepared outside the time that counts, and first done once to warm up.
+  double measure(int thread, std::size_t operations, const std::function<void()>& prepare,
+                 const std::function<void()>& work) {
+    std::vector<double> rates;
+    for (int i = 0; i <= repetitions; ++i) {
+      prepare();
+      gate_.arrive_and_wait();
+      auto begin = Clock::now();
+      work();
+      gate_.arrive_and_wait();
+      auto seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      if (i > 0)
+        rates.push_back(static_cast<double>(operations) * threads_ / seconds);
+    }
+    return thread == 0 ? median(rates) : 0;
   }
-  return median(all);
-}
+
+private:
+  int threads_;
+  std::barrier<> gate_;
+};
+
+/// What the running measurement is about, and what has come of it.
+struct Task {
+  Size size{};
+  std::string target;
+  std::unique_ptr<Race> race;
+  std::vector<std::pair<std::string, double>> rates;
+} task;
 
 class Operator final : public UnmanagedComponent {
   void run() override {
-    measure("own", subarchitecture());
-    measure("other", "other");
-    end_system(0, "done");
-  }
-
-  void measure(const std::string& where, const std::string& target) {
-    constexpr std::size_t n = 20'000;
+    const auto n = task.size.operations;
+    const auto me = index_.get();
     std::vector<Address> addresses(n);
-    std::size_t adds = 0;
-    rates[where + " add"] = rate(n, [&] {
-      for (auto& x : addresses)
-        add(x = Address{target, "e" + std::to_string(adds++)}, Payload{});
+    std::vector<Payload> payloads;
+    std::size_t made = 0;
+    auto prepare_payloads = [&] { payloads.assign(n, Payload{std::string(task.size.bytes, 'x')}); };
+    auto nothing = [] {};
+    auto race = [&](const char* name, const std::function<void()>& prepare,
+                    const std::function<void()>& work) {
+      auto rate = task.race->measure(static_cast<int>(me), n, prepare, work);
+      if (me == 0)
+        task.rates.emplace_back(name, rate);
+    };
+    race("add", prepare_payloads, [&] {
+      for (std::size_t i = 0; i < n; ++i) {
+        addresses[i] = {task.target, "e" + std::to_string(me) + ":" + std::to_string(made++)};
+        add(addresses[i], std::move(payloads[i]));
+      }
     });
-    auto first = addresses.front();
-    rates[where + " overwrite"] = rate(n, [&] {
-      for (std::size_t i = 0; i < n; ++i)
-        overwrite(first, Payload{});
+    auto overwrite_first = [&] {
+      for (auto& x : payloads)
+        overwrite(addresses.front(), std::move(x));
+    };
+    race("overwrite", prepare_payloads, overwrite_first);
+    race("overwrite, lock held", prepare_payloads, [&] {
+      auto guard = lock(addresses.front(), LockLevel::o);
+      overwrite_first();
     });
-    rates[where + " read"] = rate(n, [&] {
+    race("read", nothing, [&] {
       for (auto& x : addresses)
         read<Payload>(x);
     });
-    rates[where + " overwrite, 64 in flight"] = rate(n, [&] {
-      std::vector<Pending<Version>> flying;
-      for (std::size_t i = 0; i < n; ++i) {
-        flying.push_back(overwrite_async(first, Payload{}));
-        if (flying.size() == 64) {
-          for (auto& x : flying)
-            x.get();
-          flying.clear();
-        }
-      }
-      for (auto& x : flying)
-        x.get();
+    race("lock and unlock", nothing, [&] {
+      for (auto& x : addresses)
+        lock(x, LockLevel::odr).unlock();
     });
-    std::size_t deletes = 0;
-    rates[where + " delete"] = rate(n, [&] {
+    // Adds first what is deleted then.
+    race(
+      "delete",
+      [&] {
+        for (auto& x : addresses)
+          add(x = {task.target, "d" + std::to_string(me) + ":" + std::to_string(made++)},
+              Payload{std::string(task.size.bytes, 'x')});
+      },
+      [&] {
+        for (auto& x : addresses)
+          delete_entry(x);
+      });
+    if (me == 0) {
+      const Address contended{task.target, "contended"};
+      add(contended, Payload{});
+    }
+    race("lock and unlock one entry", nothing, [&] {
       for (std::size_t i = 0; i < n; ++i)
-        delete_entry(Address{target, "e" + std::to_string(deletes++)});
+        lock({task.target, "contended"}, LockLevel::odr, 1h).unlock();
     });
+    if (me == 0)
+      end_system(0, "done");
   }
+
+  Option<std::int64_t> index_{this, "index", 0, "which of the operators this is"};
 };
 
 CASTOR_COMPONENT(Operator, "measures operations")
 
 std::atomic<Clock::rep> written{0};
 std::atomic<int> seen{0};
+std::vector<double> latencies_us;
 
 class Listener final : public UnmanagedComponent {
   void start() override {
-    on_change(changed<Payload>().anywhere(), [](const ChangeEvent&) {
+    on_change(overwritten<Payload>().anywhere(), [](const ChangeEvent&) {
       auto now = Clock::now().time_since_epoch().count();
       latencies_us.push_back(static_cast<double>(now - written) / 1e3);
       ++seen;
@@ -125,12 +175,14 @@ CASTOR_COMPONENT(Listener, "measures when it hears")
 
 class Teller final : public UnmanagedComponent {
   void run() override {
-    for (int i = 0; i < 3000; ++i) {
+    auto address = add(Payload{});
+    for (int i = 0; i < 1000 * repetitions; ++i) {
+      Payload payload{std::string(task.size.bytes, 'x')};
       written = Clock::now().time_since_epoch().count();
-      add(Payload{});
+      overwrite(address, std::move(payload));
       while (seen <= i)
         std::this_thread::yield();
-      sleep_for(100us);
+      sleep_for(300us);
     }
     end_system(0, "done");
   }
@@ -151,55 +203,100 @@ void run(const std::string& components) {
   system.stop();
 }
 
-/// A blocking request to a pooled actor and its answer, under the same scheduler settings.
-double bare_request_rate() {
-  struct Config : caf::actor_system_config {
-    Config() {
-      set("scheduler.policy", caf::atom("sharing"));
-      set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
-    }
-  };
-  Config config;
+struct BareConfig : caf::actor_system_config {
+  BareConfig() {
+    set("scheduler.policy", caf::atom("sharing"));
+    set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
+  }
+};
+
+/// Blocking requests to one pooled actor, under the same scheduler settings, that carry the payload
+/// there (the message is shared, as a value is).
+double bare_request_rate(const Size& size, int clients) {
+  BareConfig config;
   caf::actor_system system{config};
   auto server = system.spawn([](caf::event_based_actor*) -> caf::behavior {
-    return {[](std::uint64_t x) { return x + 1; }};
+    return {[](std::uint64_t x, const std::string&) { return x + 1; }};
   });
   double result = 0;
-  {
-    caf::scoped_actor self{system};
-    constexpr std::size_t n = 20'000;
-    result = rate(n, [&] {
-      for (std::size_t i = 0; i < n; ++i)
-        self->request(server, caf::infinite, std::uint64_t{i})
-          .receive([](std::uint64_t) {}, [](const caf::error&) { std::abort(); });
+  Race race{clients};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < clients; ++i)
+    threads.emplace_back([&, i] {
+      caf::scoped_actor self{system};
+      std::vector<std::string> payloads;
+      auto rate = race.measure(
+        i, size.operations, [&] { payloads.assign(size.operations, std::string(size.bytes, 'x')); },
+        [&] {
+          for (auto& x : payloads)
+            self->request(server, caf::infinite, std::uint64_t{0}, std::move(x))
+              .receive([](std::uint64_t) {}, [](const caf::error&) { std::abort(); });
+        });
+      if (i == 0)
+        result = rate;
     });
-    self->send_exit(server, caf::exit_reason::user_shutdown);
-  }
+  for (auto& x : threads)
+    x.join();
+  caf::anon_send_exit(server, caf::exit_reason::user_shutdown);
   return result;
 }
 
-int benchmark_main() {
-  set_log_level(LogLevel::warning);
-  auto bare = bare_request_rate();
-  fmt::print("{:<34} {:>12} {:>8}\n", "", "ops/s", "ratio");
-  fmt::print("{:<34} {:>12.0f} {:>8}\n", "bare request of the framework", bare, "1");
-  run(subarchitecture("other") + subarchitecture("own") + "CPP UM operator Operator\n");
-  for (auto& [name, x] : rates)
-    fmt::print("{:<34} {:>12.0f} {:>8.1f}\n", name, x, x / bare);
-  run(subarchitecture("a") + "CPP UM listener Listener\nCPP UM teller Teller\n");
-  auto report = [](const char* what) {
-    std::sort(latencies_us.begin(), latencies_us.end());
-    fmt::print("{:<34} median {:.1f} us, 99 % {:.1f} us\n", what, median(latencies_us),
-               latencies_us[latencies_us.size() * 99 / 100]);
-    latencies_us.clear();
-    seen = 0;
-  };
-  fmt::print("\n");
-  report("change to callback, same subarch.");
-  run(subarchitecture("a") + "CPP UM listener Listener\n" + subarchitecture("b") +
-      "CPP UM teller Teller\n");
-  report("change to callback, other subarch.");
-  return 0;
+using Rates = std::vector<std::pair<std::string, double>>;
+
+Rates operation_rates(const Size& size, const std::string& target, int clients) {
+  task.size = size;
+  task.target = target;
+  task.race = std::make_unique<Race>(clients);
+  task.rates.clear();
+  auto components = subarchitecture("other") + subarchitecture("own");
+  for (int i = 0; i < clients; ++i)
+    components += fmt::format("CPP UM operator{} Operator --index {} --deadline 1h\n", i, i);
+  run(components);
+  return task.rates;
+}
+
+void report_operations() {
+  for (auto& size : sizes) {
+    std::vector<double> bare;
+    for (auto clients : client_counts)
+      bare.push_back(bare_request_rate(size, clients));
+    fmt::print("\n{:<34}", fmt::format("{}, ops/s (ratio to bare)", size.name));
+    for (auto clients : client_counts)
+      fmt::print("{:>20}", fmt::format("{} component{}", clients, clients == 1 ? "" : "s"));
+    fmt::print("\n{:<34}", "bare request of the framework");
+    for (auto x : bare)
+      fmt::print("{:>12.0f} {:>7}", x, "");
+    fmt::print("\n");
+    for (std::string target : {"own", "other"}) {
+      std::vector<Rates> columns;
+      for (auto clients : client_counts)
+        columns.push_back(operation_rates(size, target, clients));
+      for (std::size_t row = 0; row < columns.front().size(); ++row) {
+        fmt::print("{:<34}", target + ": " + columns.front()[row].first);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+          fmt::print("{:>12.0f} {:>7}", columns[i][row].second,
+                     fmt::format("({:.1f})", columns[i][row].second / bare[i]));
+        fmt::print("\n");
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
+void report_latency() {
+  fmt::print("\n{:<34}{:>12}{:>12}\n", "overwrite to callback, us", "median", "99 %");
+  for (auto& size : sizes)
+    for (bool same : {true, false}) {
+      task.size = size;
+      latencies_us.clear();
+      seen = 0;
+      run(subarchitecture("a") + "CPP UM listener Listener\n" + (same ? "" : subarchitecture("b")) +
+          "CPP UM teller Teller\n");
+      std::sort(latencies_us.begin(), latencies_us.end());
+      fmt::print("{:<34}{:>12.1f}{:>12.1f}\n",
+                 fmt::format("{}, {} subarchitecture", size.name, same ? "same" : "other"),
+                 median(latencies_us), latencies_us[latencies_us.size() * 99 / 100]);
+    }
 }
 
 } // namespace
@@ -209,5 +306,7 @@ int benchmark_main() {
 int main(int argc, char** argv) {
   if (argc > 1)
     castor::benchmark::repetitions = std::max(1, std::atoi(argv[1]));
-  return castor::benchmark::benchmark_main();
+  castor::set_log_level(castor::LogLevel::warning);
+  castor::benchmark::report_operations();
+  castor::benchmark::report_latency();
 }

@@ -41,11 +41,16 @@ install_missing() {
 # Shows how far a build is and how long it has taken.
 export NINJA_STATUS="[%f/%t, %es] "
 
-# configure PRESET CMAKE-OPTION...: quiet unless it fails.
-configure() {
+# quietly COMMAND...: shows what it says only if it fails.
+quietly() {
   local output
-  output=$(cmake --preset "$@" 2>&1) || {
+  output=$("$@" 2>&1) || {
     echo "$output" >&2
     exit 1
   }
+}
+
+# configure PRESET CMAKE-OPTION...
+configure() {
+  quietly cmake --preset "$@"
 }

@@ -13,12 +13,14 @@ namespace castor {
 /// 0 when an entry is first added, one more with every overwrite; deletion does not reset it.
 using Version = std::uint64_t;
 
-/// What ends an entry besides its deletion.
+/// How an entry comes and goes besides its addition and deletion.
 struct EntryLife {
   /// It is forgotten so long after it was last written; 0 for never.
   Timestamp time_to_live{0};
   /// It goes when the component that added it goes.
   bool ephemeral = false;
+  /// It is not added if there was an entry of its id before, even if that was deleted since.
+  bool only_once = false;
 };
 
 /// An entry as it stood at one moment; never changes afterwards.

@@ -50,6 +50,11 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
     if (auto failure = check_value(request))
       return *failure;
     auto life = request.life.value_or(EntryLife{});
+    if (life.only_once && tombstones_.count(address.id) > 0)
+      return Failure{FailureKind::already_exists,
+                     to_string(client) + " cannot add " + to_string(address) +
+                       ": there was one before, and this one is to be the only one of its id",
+                     address};
     return Effect{Operation::add,
                   std::make_shared<const Entry>(Entry{address, version_for_add(address.id),
                                                       request.value, client.component, life}),

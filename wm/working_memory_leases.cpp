@@ -14,7 +14,7 @@ std::string describe(const LeaseTable::Holding& x) {
 }
 
 std::string verb(Operation x) {
-  return x == Operation::add ? "add" : x == Operation::overwrite ? "overwrite" : "delete";
+  return x == Operation::overwrite ? "overwrite" : "delete";
 }
 
 /// Why a wait failed.
@@ -161,13 +161,17 @@ void end_client(Self self, const caf::actor_addr& who) {
   });
   state.leases.drop(*client.mapped(), time);
   state.store.end_owner(*client.mapped(), time);
+  // Also if that was the last lease, when there is nothing to catch up with.
+  settle(self);
   catch_up(self);
   set_alarm(self);
 }
 
 std::optional<Failure> check_leases(const WorkingMemoryState& state, const WriteRequest& request) {
   auto& id = request.address.id;
-  if ((state.leases.empty() && request.token == 0) || !state.store.exists(id))
+  // An addition fails if there is an entry, leased or not.
+  if (request.operation == Operation::add || (state.leases.empty() && request.token == 0) ||
+      !state.store.exists(id))
     return std::nullopt;
   auto begin = to_string(*request.client) + " cannot " + verb(request.operation) + " " +
                to_string(request.address) + ": ";

@@ -14,6 +14,8 @@ namespace {
 constexpr const char* progress_suffix = ":progress";
 constexpr const char* reply_suffix = ":reply";
 constexpr EntryLife with_its_writer{.ephemeral = true};
+/// Of two servers that take a call the second is refused, even if the first has ended since.
+constexpr EntryLife claim{.ephemeral = true, .only_once = true};
 
 } // namespace
 
@@ -27,6 +29,8 @@ Value Calls::call(const std::string& subarchitecture, const Value& request,
     Made made{component_.here(component_.new_id()), component_.here(component_.new_id())};
     // Its progress may be heard of before the write that makes it has returned.
     auto& open = open_[made.call.id];
+    // The wait is older than all that serving the call may have to wait for.
+    open.since = shell_.now();
     std::optional<Value> reply;
     try {
       make(made, subarchitecture, request, reply_type);
@@ -101,7 +105,7 @@ std::optional<Value> Calls::await_reply(const std::string& subarchitecture, cons
   wait.kind = WaitEdge::Kind::owner;
   wait.waiter = shell_.client();
   wait.number = shell_.patience({}).number;
-  wait.since = shell_.now();
+  wait.since = open.since;
   wait.what = "waits for a reply to its " + request.type_name();
   auto failure = shell_.wait_until([&] { return open.settled; }, until,
                                    [&]() -> std::optional<WaitEdge> {
@@ -195,7 +199,7 @@ void Calls::take(const Address& call_at, const Handler& handler) {
   try {
     auto call = component_.read<Call>(call_at);
     CallProgress progress{call_at, call->caller, shell_.identity().name, CallState::taken, {}, {}};
-    component_.add(progress_of(call_at), progress, with_its_writer);
+    component_.add(progress_of(call_at), progress, claim);
     served_.insert(call_at);
     answer(call_at, *call, std::move(progress), handler);
   } catch (const DoesNotExistOnWM&) {

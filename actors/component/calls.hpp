@@ -3,6 +3,7 @@
 #include "castor/actors/component/call_types.hpp"
 #include "castor/wm/address.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/timestamp.hpp"
 #include "castor/wm/type_descriptor.hpp"
 #include "castor/wm/value.hpp"
 
@@ -48,6 +49,7 @@ public:
 private:
   /// A call of this component that is under way.
   struct Open {
+    Timestamp since{0};
     bool taken = false;
     bool settled = false;
     bool server_ended = false;

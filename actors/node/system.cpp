@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <functional>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -42,17 +44,35 @@ struct ActorSystemConfig : caf::actor_system_config {
   }
 };
 
-caf::behavior observer(caf::event_based_actor*, const SystemOptions& options) {
+/// The level at which changes in a subarchitecture are logged, where they are.
+using LoggedChanges = std::map<std::string, LogLevel>;
+
+void observe_change(const SystemOptions& options, const LoggedChanges& logged,
+                    const ChangeEvent& event) {
+  if (options.on_change)
+    options.on_change(event);
+  auto& where = event.address.subarchitecture;
+  if (auto i = logged.find(where); i != logged.end())
+    log(i->second, where + '.' + where + "_wm", to_string(event));
+}
+
+caf::behavior observer(caf::event_based_actor*, const SystemOptions& options,
+                       const LoggedChanges& logged) {
   return {
-    [&options](const ChangeNotice& x) { options.on_change(*x.event); },
-    [&options](const ChangeNotices& x) {
+    [&](const ChangeNotice& x) { observe_change(options, logged, *x.event); },
+    [&](const ChangeNotices& x) {
       for (auto& notice : x.notices)
-        options.on_change(*notice.event);
+        observe_change(options, logged, *notice.event);
     },
     [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},
     [](FlushAtom) { return true; },
   };
+}
+
+void note(LogLevel level, const std::string& what) {
+  if (level >= log_level())
+    log(level, "castor", what);
 }
 
 } // namespace
@@ -164,7 +184,7 @@ public:
         stuck_.push_back(name);
     }
     if (!order.empty())
-      log(LogLevel::info, "castor", "stopped, in this order: " + order);
+      note(LogLevel::info, "stopped, in this order: " + order);
     for (auto& name : stuck_)
       log(LogLevel::error, "castor",
           name + " did not stop: it has not come back from its own code");
@@ -232,6 +252,8 @@ private:
       options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
       options.epoch = services_->epoch;
       options.leases.duration = wm_class.lease.get();
+      if (wm_class.log || wm_class.debug)
+        logged_[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
       options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
       if (options_.open_access)
         options.writers.insert("*");
@@ -291,24 +313,22 @@ private:
         return false;
       if (!done && Clock::now() >= next_report) {
         next_report += 5s;
-        log(LogLevel::info, "castor",
-            "waiting for " + x.record->identity().full_name() + " to " +
-              (phase == Phase::configure ? "configure" : "start"));
+        note(LogLevel::info, "waiting for " + x.record->identity().full_name() + " to " +
+                               (phase == Phase::configure ? "configure" : "start"));
       }
     }
     return true;
   }
 
   void observe() {
-    if (!options_.on_change && !options_.on_task)
+    if (!options_.on_change && !options_.on_task && logged_.empty())
       return;
-    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_));
+    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_));
     if (options_.on_task)
       services_->on_task = [this](TaskEvent x) { caf::anon_send(observer_, std::move(x)); };
-    if (!options_.on_change)
-      return;
     for (auto& wm : working_memories_)
-      caf::send_as(observer_, wm.actor, Subscribe{1, any_change()});
+      if (options_.on_change || logged_.count(wm.subarchitecture) > 0)
+        caf::send_as(observer_, wm.actor, Subscribe{1, any_change()});
     // Subscriptions are in force once the working memories have answered anything sent after them.
     for (auto& wm : working_memories_)
       self_->request(wm.actor, caf::infinite, StatusQuery{})
@@ -358,6 +378,7 @@ private:
 
   ArchitectureDescription architecture_;
   SystemOptions options_;
+  LoggedChanges logged_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

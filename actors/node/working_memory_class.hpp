@@ -19,6 +19,8 @@ struct WorkingMemoryClass {
     "ignore",
     {},
     "changes in these subarchitectures are not told to this one's components"};
+  Option<bool> log{options, "log", false, "log every change at level debug"};
+  Option<bool> debug{options, "debug", false, "log every change at level trace"};
   Option<std::chrono::milliseconds> lease{
     options, "lease", std::chrono::seconds{2},
     "how long the lease of an entry outlives the last sign of life of its holder"};

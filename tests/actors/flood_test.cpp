@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#ifdef __SANITIZE_ADDRESS__
-// GCC's sanitizer has the function, but Debian's package lacks the header.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// GCC's sanitizers have the function, but Debian's package lacks the header.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #else
 #include <malloc.h>
@@ -22,7 +22,7 @@ namespace {
 
 /// What is allocated and not given back, in all threads.
 std::size_t bytes_in_use() {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return __sanitizer_get_current_allocated_bytes();
 #else
   auto x = mallinfo2();

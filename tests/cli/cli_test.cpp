@@ -86,6 +86,27 @@ TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +3 +0\n"}));
 }
 
+TEST_F(Castor, TheTimelineShowsEveryChangeOfAnAtomicWrite) {
+  Process castor{command({"run", system("CPP UM pair Pair\n"), "--trace"})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  for (auto line : {"a +ADD +Tick +left +pair +v0\n", "a +ADD +Tick +right +pair +v0\n"})
+    EXPECT_TRUE(std::regex_search(castor.output(), std::regex{line})) << castor.output();
+}
+
+TEST_F(Castor, AWorkingMemoryLogsItsChangesIfAsked) {
+  for (bool asked : {true, false}) {
+    auto file = write("log.cast", std::string{"SUBARCHITECTURE a\n"
+                                              "CPP WM SubarchitectureWorkingMemory --log "} +
+                                    (asked ? "true" : "false") +
+                                    "\nCPP TM AlwaysPositiveTaskManager\nCPP UM pair Pair\n");
+    Process castor{command({"run", file})};
+    EXPECT_EQ(castor.wait(), 0) << castor.errors();
+    for (auto part :
+         {"[a.a_wm] ADD Tick a/left v0 by pair", "[a.a_wm] ADD Tick a/right v0 by pair"})
+      EXPECT_EQ(castor.errors().find(part) != std::string::npos, asked) << castor.errors();
+  }
+}
+
 TEST_F(Castor, TheTimelineShowsWhatBecomesOfTasks) {
   auto file =
     write("tasks.cast", "SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\n"

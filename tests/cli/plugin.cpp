@@ -30,6 +30,14 @@ class Clock final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Clock, "ticks a few times")
 
+class Pair final : public UnmanagedComponent {
+  void run() override {
+    write(WriteBatch{}.add(here("left"), Tick{1}).add(here("right"), Tick{2}));
+    end_system(0, "both are there");
+  }
+};
+CASTOR_COMPONENT(Pair, "adds two entries in one write")
+
 class Worker final : public ManagedComponent {
   void start() override {
     propose_task("look", [this] { debug("looks"); }, {.priority = 1});

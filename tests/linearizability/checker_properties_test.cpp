@@ -22,6 +22,7 @@ std::string lines(const History& history) {
 
 TEST(CheckerProperties, HistoriesOfTheModelPass) {
   Checker checker;
+  int undecided = 0;
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     Random random{seed};
     RandomHistoryOptions options;
@@ -29,9 +30,13 @@ TEST(CheckerProperties, HistoriesOfTheModelPass) {
     options.entries = 1 + seed % 4;
     options.operations = 20 + seed % 120;
     options.width = seed % 7 * 20;
+    options.overlaps = unsigned(seed % 3);
     auto verdict = checker.check(random_history(options, random));
-    ASSERT_TRUE(verdict.ok()) << "seed " << seed << "\n" << verdict.report;
+    ASSERT_NE(verdict.kind, Verdict::Kind::violation) << "seed " << seed << "\n" << verdict.report;
+    undecided += !verdict.ok();
   }
+  // Many at once in many queues take long.
+  EXPECT_LT(undecided, 10);
 }
 
 TEST(CheckerProperties, AgreesWithTryingEveryOrder) {
@@ -45,6 +50,7 @@ TEST(CheckerProperties, AgreesWithTryingEveryOrder) {
     options.entries = 1;
     options.operations = 7;
     options.width = seed % 4 * 25;
+    options.overlaps = unsigned(seed % 5 * 15);
     options.deaths = options.lapses = options.time_outs = 6;
     auto history = random_history(options, random);
     if (history.empty() || history.size() > 7)

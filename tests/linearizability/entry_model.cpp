@@ -18,6 +18,10 @@ void forget_lease(EntryState& state) {
   state.token_known = false;
 }
 
+bool keeps_from_reading(const EntryState& state, Client client) {
+  return state.leased() && state.holder != client && state.level() == LockLevel::odr;
+}
+
 void write(EntryState& state, const OperationRecord& operation, Version version) {
   state.presence = EntryState::Presence::present;
   state.version = version;
@@ -74,7 +78,7 @@ std::optional<Result> EntryModel::answer(const EntryState& state, OperationIndex
     case OperationKind::lock:
       return answer_lock(state, x);
     default:
-      if (state.leased() && state.holder != x.client && state.level() == LockLevel::odr)
+      if (keeps_from_reading(state, x.client))
         return std::nullopt;
       return answer_read(state);
   }
@@ -172,8 +176,7 @@ void EntryModel::give_back(EntryState& state, std::vector<SettledWait>& settled)
     return;
   }
   state.levels >>= bits_per_level;
-  if (state.level() != LockLevel::odr)
-    serve_reads(state, settled);
+  serve_reads(state, settled);
 }
 
 void EntryModel::end_lease(EntryState& state, std::vector<SettledWait>& settled) const {
@@ -192,7 +195,7 @@ void EntryModel::end_lease(EntryState& state, std::vector<SettledWait>& settled)
   }
   std::copy(state.queue.begin() + served, state.queue.begin() + state.waiting, state.queue.begin());
   state.waiting = std::uint16_t(state.waiting - served);
-  if (state.leased() && state.level() != LockLevel::odr)
+  if (state.leased())
     serve_reads(state, settled);
 }
 
@@ -208,7 +211,8 @@ void EntryModel::remove(EntryState& state, std::vector<SettledWait>& settled) co
 void EntryModel::serve_reads(EntryState& state, std::vector<SettledWait>& settled) const {
   auto end = state.queue.begin() + state.waiting;
   auto rest = std::remove_if(state.queue.begin(), end, [&](OperationIndex x) {
-    if (operations_[x].kind == OperationKind::lock)
+    if (operations_[x].kind == OperationKind::lock ||
+        keeps_from_reading(state, operations_[x].client))
       return false;
     settled.push_back({x, answer_read(state)});
     return true;

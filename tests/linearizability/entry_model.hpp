@@ -66,9 +66,9 @@ struct SettledWait {
 ///
 /// A lock of a leased entry and a read of one that somebody else leased at level ODR wait in one
 /// queue. When a lease ends, the queue is served from its front: reads, up to the first lock,
-/// which obtains the lease; and from then on only reads, if the new level allows reading. When a
-/// lease is weakened to a level that allows reading, all reads in the queue are served. A deletion
-/// ends the lease and fails all that wait.
+/// which obtains the lease; and from then on only reads: all if the new level allows reading, else
+/// those of the new holder. When a lease is weakened to a level that allows reading, all reads in
+/// the queue are served. A deletion ends the lease and fails all that wait.
 class EntryModel {
 public:
   explicit EntryModel(std::span<const OperationRecord> operations) : operations_(operations) {}

@@ -259,6 +259,19 @@ TEST_F(EntryRules, ReadsBehindAnOdrLockWaitOn) {
   EXPECT_FALSE(possible(history));
 }
 
+TEST_F(EntryRules, TheNewHoldersOwnReadsAreServedWithItsLock) {
+  History history{add(a, 10, at_once, at_version(0)),
+                  lock(a, odr, at_once, obtained(1)),
+                  lock(b, odr, waits, obtained(2)),
+                  read(b, waits, saw(0, 10)),
+                  unlock(a, 1, at_once),
+                  overwrite(b, 11, 0, at_once, at_version(1), 2),
+                  unlock(b, 2, at_once)};
+  EXPECT_TRUE(possible(history));
+  history[3].result = saw(1, 11);
+  EXPECT_FALSE(possible(history));
+}
+
 TEST_F(EntryRules, ReadsBehindAWeakerLockAreServedWithIt) {
   History history{add(a, 10, at_once, at_version(0)),
                   lock(a, odr, at_once, obtained(1)),

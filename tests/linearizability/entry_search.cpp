@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <limits>
 #include <tuple>
 
 namespace castor::linearizability {
@@ -19,9 +20,20 @@ bool obtained_lease(const OperationRecord& x) {
   return locks(x) && !x.pending() && x.result.status == Status::ok;
 }
 
+bool has_written(const OperationRecord& x) {
+  return (x.kind == OperationKind::add || x.kind == OperationKind::overwrite) && !x.pending() &&
+         x.result.status == Status::ok;
+}
+
 bool only_looks(const OperationRecord& x) {
   return x.kind == OperationKind::read || x.kind == OperationKind::exists ||
          x.kind == OperationKind::version;
+}
+
+/// Grows with time for the answers to reads of those who wait together: a deletion fails all.
+Version seen_at(const OperationRecord& read) {
+  return read.result.status == Status::ok ? read.result.version
+                                          : std::numeric_limits<Version>::max();
 }
 
 } // namespace
@@ -67,13 +79,18 @@ void EntrySearch::prepare(std::span<const OperationRecord> operations) {
   if (auto used = operations.size() % word_bits)
     placed_.back() = ~std::uint64_t{0} << used;
   tokens_.assign(1, 0);
+  writes_.clear();
   for (OperationIndex x = 0; x < operations.size(); ++x) {
     if (operations[x].pending() && only_looks(operations[x]))
       placed_[x / word_bits] |= std::uint64_t{1} << x % word_bits;
     if (obtained_lease(operations[x]))
       tokens_.push_back(operations[x].result.token);
+    if (has_written(operations[x]))
+      writes_.push_back({operations[x].result.version, operations[x].kind == OperationKind::add,
+                         operations[x].token});
   }
 
+  std::ranges::sort(writes_, {}, &Write::version);
   std::ranges::sort(tokens_);
   previous_token_.assign(operations.size(), 0);
   keeps_for_good_.assign(operations.size(), false);
@@ -137,14 +154,20 @@ void EntrySearch::expand(const EntryState& state) {
                     {OperationIndex(blocker), true});
 }
 
-/// The one to be tried first stands last: one that must happen, of these a read, of these the
-/// earliest invoked. A read seldom waits too early, a lock often does.
+/// The one to be tried first stands last: one that must happen, of these a read, of these the one
+/// that saw the lowest version, of these the earliest invoked. A read seldom waits too early, a
+/// lock often does, and most often what waits until a deletion fails it.
 void EntrySearch::sort_choices(std::size_t from) {
   std::ranges::sort(choices_.begin() + std::ptrdiff_t(from), choices_.end(), std::greater{},
                     [&](auto& x) {
                       auto& operation = operations_[x.operation];
+                      auto reads = operation.kind == OperationKind::read;
+                      auto fails = operation.result.status != Status::ok;
                       return std::tuple{operation.may_be_left_out(),
-                                        operation.kind != OperationKind::read, x.operation};
+                                        fails   ? 2
+                                        : reads ? 0
+                                                : 1,
+                                        reads ? seen_at(operation) : 0, x.operation};
                     });
 }
 
@@ -153,11 +176,54 @@ bool EntrySearch::follow(EntryState& state, Placement x) {
   if (x.left_out)
     return true;
   settled_.clear();
+  auto version = state.version;
+  auto lease = state.token_known ? state.token : 0;
   if (!model_.arrive(state, x.operation, settled_))
     sort_waiting(state);
+  if (state.version != version && passes_by(state))
+    return false;
+  if (lease != 0 && state.token != lease && is_used_later(lease))
+    return false;
   return std::ranges::all_of(settled_, [&](auto& settled) {
     const auto& operation = operations_[settled.operation];
     return operation.pending() || operation.result == settled.result;
+  });
+}
+
+template <class F>
+bool EntrySearch::any_success_to_come(F&& f) const {
+  for (auto x = next_open(0); x < operations_.size(); x = next_open(x + 1)) {
+    const auto& operation = operations_[x];
+    if (!operation.pending() && operation.result.status == Status::ok && f(operation))
+      return true;
+  }
+  return false;
+}
+
+/// Whether something that is still to come found a lower version, which only rises, or this one
+/// with another content.
+bool EntrySearch::passes_by(const EntryState& state) const {
+  return any_success_to_come([&](auto& x) {
+    switch (x.kind) {
+      case OperationKind::add:
+      case OperationKind::overwrite:
+        return x.result.version <= state.version;
+      case OperationKind::read:
+        return x.result.version < state.version ||
+               (x.result.version == state.version && x.result.content != state.content);
+      case OperationKind::version:
+      case OperationKind::remove:
+        return x.result.version < state.version;
+      default:
+        return false;
+    }
+  });
+}
+
+/// Whether something that is still to come has succeeded under that lease.
+bool EntrySearch::is_used_later(Token lease) const {
+  return any_success_to_come([&](auto& x) {
+    return x.kind != OperationKind::lapse && (x.token == lease || x.result.token == lease);
   });
 }
 
@@ -172,6 +238,8 @@ EntrySearch::Fit EntrySearch::fit(const EntryState& state, OperationIndex x) con
     // To give up at once disturbs others no more than to give up later.
     if (!operation.pending() && operation.result.status == Status::timed_out)
       return Fit::changes_nothing;
+    if (operation.kind == OperationKind::read && !may_queue_read(state, operation))
+      return Fit::impossible;
   } else if (operation.pending()) {
     if (answer->status != Status::ok)
       return Fit::impossible;
@@ -207,8 +275,12 @@ bool EntrySearch::may_lock(const EntryState& state, OperationIndex x) const {
   auto unknown = state.leased() && !state.token_known;
   for (std::size_t i = 0; i < state.waiting; ++i) {
     const auto& waiting = operations_[state.queue[i]];
-    if (waiting.kind != OperationKind::lock)
+    if (waiting.kind != OperationKind::lock) {
+      // It would not have been answered so when the lock in question was granted.
+      if (waiting.result.status != Status::ok && obtained_lease(lock))
+        return false;
       continue;
+    }
     if (!may_obtain_lease(state.queue[i]))
       return !may_obtain_lease(x);
     if (waiting.pending())
@@ -219,6 +291,59 @@ bool EntrySearch::may_lock(const EntryState& state, OperationIndex x) const {
   if (!obtained_lease(lock))
     return true;
   return lock.result.token > newest && (unknown || previous_token_[x] <= newest);
+}
+
+/// Who waits in front is answered no later, and with no lock between that obtains the lease, at the
+/// same time; but a client that locks reads as soon as it has its lock.
+bool EntrySearch::may_queue_read(const EntryState& state, const OperationRecord& read) const {
+  if (!may_wait_for_version(state, read))
+    return false;
+  bool own_lock = false;
+  bool same_time = true;
+  for (std::size_t i = 0; i < state.waiting; ++i) {
+    const auto& other = operations_[state.queue[i]];
+    if (other.kind == OperationKind::lock)
+      own_lock |= other.client == read.client;
+    else if (!own_lock && seen_at(other) > seen_at(read))
+      return false;
+  }
+  for (std::size_t i = state.waiting; !own_lock && same_time && i-- > 0;) {
+    const auto& other = operations_[state.queue[i]];
+    if (other.kind == OperationKind::lock)
+      same_time = !may_obtain_lease(state.queue[i]);
+    else if (other.result != read.result && !has_lock_waiting(state, other.client))
+      return false;
+  }
+  return true;
+}
+
+/// While a read waits, the entry is not deleted and added again, which would have failed the read,
+/// and overwritten only under the leases that it waits for.
+bool EntrySearch::may_wait_for_version(const EntryState& state, const OperationRecord& read) const {
+  if (read.result.status != Status::ok || read.result.version <= state.version)
+    return true;
+  for (auto i = std::ranges::upper_bound(writes_, state.version, {}, &Write::version);
+       i != writes_.end() && i->version <= read.result.version; ++i)
+    if (i->adds || !is_lease_in_front(state, i->token))
+      return false;
+  return true;
+}
+
+/// Whether the token may be that of the lease, or of one that somebody waits for.
+bool EntrySearch::is_lease_in_front(const EntryState& state, Token token) const {
+  if (!state.token_known || state.token == token)
+    return true;
+  return std::any_of(state.queue.begin(), state.queue.begin() + state.waiting, [&](auto x) {
+    const auto& operation = operations_[x];
+    return operation.kind == OperationKind::lock &&
+           (operation.pending() || operation.result.token == token);
+  });
+}
+
+bool EntrySearch::has_lock_waiting(const EntryState& state, Client client) const {
+  return std::any_of(state.queue.begin(), state.queue.begin() + state.waiting, [&](auto x) {
+    return operations_[x].kind == OperationKind::lock && operations_[x].client == client;
+  });
 }
 
 bool EntrySearch::may_obtain_lease(OperationIndex x) const {

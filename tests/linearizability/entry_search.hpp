@@ -57,10 +57,18 @@ private:
   void expand(const EntryState& state);
   void sort_choices(std::size_t from);
   bool follow(EntryState& state, Placement x);
+  template <class F>
+  bool any_success_to_come(F&& f) const;
+  bool passes_by(const EntryState& state) const;
+  bool is_used_later(Token lease) const;
 
   Fit fit(const EntryState& state, OperationIndex x) const;
   Fit fit_lapse(const EntryState& state, const OperationRecord& lapse) const;
   bool may_lock(const EntryState& state, OperationIndex x) const;
+  bool may_queue_read(const EntryState& state, const OperationRecord& read) const;
+  bool may_wait_for_version(const EntryState& state, const OperationRecord& read) const;
+  bool is_lease_in_front(const EntryState& state, Token token) const;
+  bool has_lock_waiting(const EntryState& state, Client client) const;
   bool may_obtain_lease(OperationIndex x) const;
   bool keeps_for_good(const OperationRecord& lock) const;
   void sort_waiting(EntryState& state) const;
@@ -74,6 +82,13 @@ private:
   EntryModel model_{{}};
   /// Of a lock that obtained one: the highest lower token in the history.
   std::vector<Token> previous_token_;
+  struct Write {
+    Version version = 0;
+    bool adds = false;
+    Token token = 0;
+  };
+  /// Those that succeeded, by version.
+  std::vector<Write> writes_;
   /// Of a pending lock: whether its lease, if it obtains one, outlasts the history.
   std::vector<bool> keeps_for_good_;
 

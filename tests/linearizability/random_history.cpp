@@ -61,9 +61,11 @@ private:
 
   std::optional<Client> pick_client() {
     std::vector<Client> free;
-    for (Client x = 0; x < clients_.size(); ++x)
-      if (!clients_[x].waiting && !clients_[x].dead && clients_[x].free_from <= now_)
+    for (Client x = 0; x < clients_.size(); ++x) {
+      auto is_busy = clients_[x].waiting || clients_[x].free_from > now_;
+      if (!clients_[x].dead && (!is_busy || chance(options_.overlaps)))
         free.push_back(x);
+    }
     if (free.empty())
       return std::nullopt;
     return free[between<std::size_t>(random_, 0, free.size() - 1)];
@@ -107,7 +109,7 @@ private:
     // What it gets if it obtains a lease: queues are first come, first served.
     if (x.kind == OperationKind::lock || x.kind == OperationKind::try_lock)
       x.result.token = tokens_ += between<Token>(random_, 1, 3);
-    x.invoked = before(clients_[client].free_from);
+    x.invoked = before(std::min(clients_[client].free_from, now_));
     if (x.may_wait() && chance(60))
       x.queued_by = after();
     clients_[client].waiting = true;

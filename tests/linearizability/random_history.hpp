@@ -22,6 +22,8 @@ struct RandomHistoryOptions {
   unsigned deaths = 1;
   unsigned lapses = 3;
   unsigned time_outs = 3;
+  /// That a client does not wait for the answer to its last operation.
+  unsigned overlaps = 0;
 };
 
 /// A linearizable history: what clients would have seen of the model, and know of its lapses.

@@ -267,6 +267,16 @@ TEST_F(EntryStoreRules, TakesWritesFromASubarchitectureWithAccess) {
   EXPECT_EQ((*store.read("0:1"))->writer, "mapper");
 }
 
+TEST_F(EntryStoreRules, AddsNoEntryThatIsToBeTheOnlyOneOfItsIdAfterAnother) {
+  auto only = request(Operation::add, "0:1", Value::of(Box{}));
+  only.life = EntryLife{.only_once = true};
+  write(only);
+  EXPECT_EQ(refused(only).kind, FailureKind::already_exists);
+  write(request(Operation::remove, "0:1"));
+  EXPECT_EQ(refused(only).kind, FailureKind::already_exists);
+  EXPECT_THAT(refused(only).message, HasSubstr("there was one before"));
+}
+
 TEST_F(EntryStoreRules, SaysWhyThereIsNothingToRead) {
   auto missing = store.read("0:1").failure();
   EXPECT_EQ(missing.kind, FailureKind::does_not_exist);

@@ -199,6 +199,17 @@ TEST_F(WorkingMemoryLeases, EndWithTheirHolder) {
   EXPECT_TRUE(bob.leases[0]);
 }
 
+TEST_F(WorkingMemoryLeases, AReaderGoesOnWhenTheOnlyHolderDies) {
+  ASSERT_TRUE(add({"a", "x"}));
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob");
+  lock(ann, LockLevel::odr);
+  read(bob);
+  caf::anon_send_exit(ann.actor, caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_EQ(bob.reads.size(), 1u);
+}
+
 TEST_F(WorkingMemoryLeases, AWaiterThatDiedIsPassedOver) {
   ASSERT_TRUE(add({"a", "x"}));
   auto& ann = claimant("ann");

@@ -177,6 +177,13 @@ TEST_F(WorkingMemories, CountWhatTheyDo) {
   EXPECT_EQ(x.delivered, 3u);
 }
 
+TEST_F(WorkingMemories, SayThatThereIsAnEntryEvenIfItIsLeased) {
+  add({"a", "x"});
+  auto holder = std::make_shared<const Client>(Client{"holder", "a"});
+  ASSERT_TRUE(ask<Outcome<Lease>>(wm.at("a"), LockRequest{{"a", "x"}, LockLevel::o, {holder, 1}}));
+  EXPECT_EQ(add({"a", "x"}).failure().kind, FailureKind::already_exists);
+}
+
 } // namespace
 
 } // namespace castor::test

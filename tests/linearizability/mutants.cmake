@@ -1,0 +1,145 @@
+# Working memories that are wrong on purpose, to see that the simulation notices.
+
+# castor_mutant(<name> <source> FROM <text> TO <text> [ALL])
+#
+# castor_mutant_<name>, the simulation of working memories in whose source file <text>, which must
+# occur there exactly once, says something else. With ALL it is built and tested with everything
+# else; without, by the target castor_mutants and scripts/mutation-check.
+function(castor_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "ALL" "FROM;TO" "")
+  set(path "${PROJECT_SOURCE_DIR}/${source}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+  file(READ "${path}" text)
+  string(FIND "${text}" "${ARG_FROM}" first)
+  string(FIND "${text}" "${ARG_FROM}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    message(FATAL_ERROR
+      "mutant ${name}: this does not stand in ${source} exactly once, adapt the mutant:\n${ARG_FROM}")
+  endif()
+  string(REPLACE "${ARG_FROM}" "${ARG_TO}" text "${text}")
+  set(mutated "${CMAKE_CURRENT_BINARY_DIR}/mutants/${name}.cpp")
+  file(CONFIGURE OUTPUT "${mutated}" CONTENT "${text}" @ONLY)
+
+  cmake_path(GET source FILENAME file)
+  set(target castor_mutant_${name})
+  # Linked together from objects: a mutant differs from the product by one file.
+  castor_executable(${target}
+    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_simulation>
+      $<FILTER:$<TARGET_OBJECTS:castor_wm>,EXCLUDE,/${file}\\.o$>
+    DEPENDS castor_simulation_parts CAF::core nlohmann_json::nlohmann_json CLI11::CLI11 fmt::fmt)
+  target_include_directories(${target} PRIVATE "${CASTOR_INCLUDE_ROOT}")
+  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
+  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS ${name})
+  if(ARG_ALL)
+    add_test(NAME Mutant.${name}.IsCaught
+      COMMAND ${target} --seeds 1..20000 --expect-violation)
+    set_tests_properties(Mutant.${name}.IsCaught PROPERTIES LABELS tests TIMEOUT 120)
+  else()
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  endif()
+endfunction()
+
+castor_mutant(no_version_check wm/entry_store.cpp ALL
+  FROM "if (*request.last_seen != old.version)"
+  TO "if (false)")
+
+castor_mutant(no_token_check wm/lease_table.cpp ALL
+  FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
+  TO "return true ? Verdict::permitted")
+
+castor_mutant(last_come_first_served wm/lease_table.cpp ALL
+  FROM "row->second.queue.push_back(std::move(waiter));"
+  TO "row->second.queue.push_front(std::move(waiter));")
+
+castor_mutant(holder_not_compared wm/lease_table.cpp
+  FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
+  TO "return x && x->lease.token == token ? Verdict::permitted")
+
+castor_mutant(reads_pass_locks wm/lease_table.cpp
+  FROM "return !x || x->lease.level != LockLevel::odr || *x->holder == client;"
+  TO "return true;")
+
+castor_mutant(reads_overtake_odr_locks wm/lease_table.cpp
+  FROM "if (holding.lease.level == LockLevel::odr && !(*waiter.client == *holding.holder))
+      return false;"
+  TO "")
+
+castor_mutant(leases_outlive_holders wm/lease_table.cpp
+  FROM "if (*row.holding->holder == client)
+      held.push_back(id);"
+  TO "")
+
+castor_mutant(waits_outlive_clients wm/lease_table.cpp
+  FROM "forget_waits(row, [&](auto& x) { return *x.client == client; });"
+  TO "")
+
+castor_mutant(leases_never_expire wm/lease_table.cpp
+  FROM "if (row->second.holding->lease.expires > now)
+      break;"
+  TO "break;")
+
+castor_mutant(tokens_stay wm/lease_table.cpp
+  FROM "holding = Holding{{next_token_++,"
+  TO "holding = Holding{{next_token_,")
+
+castor_mutant(unlocking_forgets_nesting wm/lease_table.cpp
+  FROM "holding.levels.pop_back();"
+  TO "holding.levels.clear();")
+
+castor_mutant(weakened_leases_keep_readers_out wm/lease_table.cpp
+  FROM "holding.lease.level = *std::max_element(holding.levels.begin(), holding.levels.end());"
+  TO "")
+
+castor_mutant(granted_waits_cannot_be_cancelled wm/lease_table.cpp
+  FROM "if (holding && holding->number == number && *holding->holder == client) {"
+  TO "if (false) {")
+
+castor_mutant(deletion_keeps_the_lease wm/working_memory.cpp
+  FROM "state.leases.erase(removed->address.id);"
+  TO "{}")
+
+castor_mutant(waiters_hear_nothing_of_a_deletion wm/lease_table.cpp
+  FROM "for (auto& waiter : row->second.queue)
+    settle(waiter, SettledWait::Result::deleted);"
+  TO "for (auto& waiter : row->second.queue)
+    deadlines_.erase({waiter.deadline, waiter.arrival});")
+
+castor_mutant(versions_begin_anew wm/entry_store.cpp
+  FROM "return i == tombstones_.end() ? floor_ : i->second.version + 1;"
+  TO "return i == tombstones_.end() ? floor_ : 0;")
+
+castor_mutant(half_a_batch wm/working_memory.cpp
+  FROM "commit(self, *std::move(effects));"
+  TO "commit(self, {effects->begin() + (effects->size() > 1), effects->end()});")
+
+castor_mutant(batches_ignore_leases wm/working_memory.cpp
+  FROM "for (auto& x : request.writes)
+      if (auto refused"
+  TO "for (auto& x : std::vector<WriteRequest>{})
+      if (auto refused")
+
+castor_mutant(deaths_settle_nothing wm/working_memory_leases.cpp
+  FROM "// Also if that was the last lease, when there is nothing to catch up with.
+  settle(self);"
+  TO "")
+
+castor_mutant(changes_told_backwards wm/working_memory_events.cpp
+  FROM "notices[number].push_back({event, std::move(ids)});
+      });
+    }
+    keys.clear();"
+  TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});
+      });
+    }
+    keys.clear();")
+
+castor_mutant(nobody_is_told_of_deletions wm/working_memory_events.cpp
+  FROM "state.peer_index.match(*event, keys);"
+  TO "if (event->operation != Operation::remove)
+      state.peer_index.match(*event, keys);")
+
+get_property(mutants GLOBAL PROPERTY CASTOR_MUTANTS)
+list(TRANSFORM mutants PREPEND castor_mutant_ OUTPUT_VARIABLE mutant_targets)
+add_custom_target(castor_mutants DEPENDS ${mutant_targets})
+list(JOIN mutants "\n" mutant_lines)
+file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/mutants/list" CONTENT "${mutant_lines}\n" @ONLY)

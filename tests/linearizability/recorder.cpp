@@ -1,0 +1,136 @@
+#include "castor/tests/linearizability/recorder.hpp"
+
+#include <algorithm>
+
+namespace castor::linearizability {
+
+void Recorder::set_time(Timestamp now) {
+  advances_.emplace_back(now, tick());
+}
+
+Recorder::Index Recorder::invoked(OperationRecord x) {
+  return invoked(std::move(x), tick());
+}
+
+Recorder::Index Recorder::invoked(OperationRecord x, Tick at) {
+  x.invoked = at;
+  operations_.push_back({std::move(x), now(), false});
+  return operations_.size() - 1;
+}
+
+void Recorder::returned(Index x, const Result& result) {
+  auto& record = operations_[x].record;
+  record.result = result;
+  record.returned = tick();
+}
+
+void Recorder::known_to_have_arrived(Index x) {
+  auto& record = operations_[x].record;
+  if (record.queued_by == never)
+    record.queued_by = tick();
+}
+
+void Recorder::did_not_happen(Index x) {
+  operations_[x].dropped = true;
+}
+
+void Recorder::obtained(Index lock) {
+  auto& [record, sent, dropped] = operations_[lock];
+  leases_.try_emplace({record.entry, record.result.token},
+                      Lease{record.client, sent + lease_duration_, now() + lease_duration_});
+}
+
+void Recorder::renewing(std::uint32_t entry, Token token) {
+  if (auto i = leases_.find({entry, token}); i != leases_.end())
+    ++i->second.renewals_under_way;
+}
+
+void Recorder::renewed(std::uint32_t entry, Token token, Timestamp sent) {
+  auto i = leases_.find({entry, token});
+  if (i == leases_.end())
+    return;
+  auto& lease = i->second;
+  --lease.renewals_under_way;
+  lease.lasts_until = std::max(lease.lasts_until, sent + lease_duration_);
+  lease.over_by = std::max(lease.over_by, now() + lease_duration_);
+}
+
+void Recorder::not_renewed(std::uint32_t entry, Token token) {
+  if (auto i = leases_.find({entry, token}); i != leases_.end())
+    --i->second.renewals_under_way;
+}
+
+void Recorder::may_end(std::uint32_t entry, Token token, Tick from) {
+  auto& lease = leases_.at({entry, token});
+  lease.may_end_from = std::min(lease.may_end_from, from);
+}
+
+void Recorder::has_ended(std::uint32_t entry, Token token) {
+  auto& lease = leases_.at({entry, token});
+  lease.ended_by = std::min(lease.ended_by, tick());
+}
+
+void Recorder::died(Client client) {
+  auto now = tick();
+  deaths_[client] = now;
+  for (auto& [key, lease] : leases_)
+    if (lease.holder == client)
+      lease.may_end_from = std::min(lease.may_end_from, now);
+}
+
+void Recorder::deaths_are_known() {
+  auto now = tick();
+  for (auto& [key, lease] : leases_)
+    if (deaths_.contains(lease.holder))
+      lease.ended_by = std::min(lease.ended_by, now);
+}
+
+History Recorder::finish() {
+  History result;
+  auto end = tick();
+  for (auto& [record, sent, dropped] : operations_) {
+    if (dropped)
+      continue;
+    result.push_back(record);
+    // The lease that the dead may have obtained without ever hearing of it.
+    auto death = deaths_.find(record.client);
+    if (record.pending() && death != deaths_.end() &&
+        (record.kind == OperationKind::lock || record.kind == OperationKind::try_lock)) {
+      OperationRecord lapse;
+      lapse.client = record.client;
+      lapse.entry = record.entry;
+      lapse.kind = OperationKind::lapse;
+      lapse.invoked = std::min(death->second, first_tick_at(sent + lease_duration_));
+      lapse.returned = end;
+      result.push_back(lapse);
+    }
+  }
+  for (auto& [key, lease] : leases_) {
+    auto lapse = lapse_of(key.first, key.second, lease);
+    if (lapse.invoked != never)
+      result.push_back(lapse);
+  }
+  return result;
+}
+
+OperationRecord Recorder::lapse_of(std::uint32_t entry, Token token, const Lease& lease) {
+  OperationRecord x;
+  x.client = lease.holder;
+  x.entry = entry;
+  x.kind = OperationKind::lapse;
+  x.token = token;
+  x.invoked = std::min(lease.may_end_from, first_tick_at(lease.lasts_until));
+  x.returned = lease.ended_by;
+  if (lease.renewals_under_way == 0)
+    x.returned = std::min(x.returned, first_tick_at(lease.over_by));
+  x.mandatory = x.returned != never;
+  x.returned = std::min(x.returned, tick_);
+  return x;
+}
+
+Tick Recorder::first_tick_at(Timestamp time) const {
+  auto i = std::ranges::lower_bound(advances_, time, {}, [](auto& x) { return x.first; });
+  return i == advances_.end() ? never : i->second;
+}
+
+} // namespace castor::linearizability
