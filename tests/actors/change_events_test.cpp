@@ -46,6 +46,19 @@ TEST_F(ChangeEvents, EveryChangeIsToldOnceAndInOrder) {
   });
 }
 
+TEST_F(ChangeEvents, AnAtomicWriteIsObservedFromOutsideInAllItsParts) {
+  std::vector<std::string> seen;
+  SystemOptions options;
+  options.on_change = [&](const ChangeEvent& e) { seen.push_back(e.address.id); };
+  UnmanagedScript::scripts()["c"].run = [](auto& self) {
+    self.write(WriteBatch{}.add(self.here("1"), Note{}).add(self.here("2"), Note{}));
+    self.end_system(0, "done");
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM c Unmanaged\n"), options};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_EQ(seen, (std::vector<std::string>{"1", "2"}));
+}
+
 TEST_F(ChangeEvents, AnEventThatCameBeforeTheWaitIsNotMissed) {
   run_component([](auto& self) {
     int calls = 0;
