@@ -99,6 +99,8 @@ private:
       options.writers = {"*"};
       options.epoch = begin_;
       options.leases.duration = lease_duration;
+      // No token of one working memory is ever the right one in another by chance.
+      options.leases.first_token = static_cast<LeaseToken>(i + 1) * 1'000'000;
       auto name = options.subarchitecture;
       auto actor = system_.spawn(working_memory, std::move(options));
       peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
