@@ -63,9 +63,10 @@ TEST_F(Connections, PushesArriveInOrder) {
     for (int i = 0; self.sleep_for(1ms); ++i)
       self.push(Note{i, ""});
   };
-  run_client([](auto& self) {
-    std::int64_t last = -1;
-    int count = 0;
+  // Pushes may still arrive after the client's run().
+  std::int64_t last = -1;
+  int count = 0;
+  run_client([&](auto& self) {
     self.template on_push<Note>("server", [&](const std::shared_ptr<const Note>& x) {
       EXPECT_TRUE(last < 0 || x->number == last + 1);
       last = x->number;
