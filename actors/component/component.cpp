@@ -300,12 +300,15 @@ bool SubarchitectureComponent::try_lock_entry(const Address& address, LockLevel 
 }
 
 void SubarchitectureComponent::unlock_entry(const Address& address) {
-  if (auto held = shell().leases().remove(address))
-    value_or_throw(shell().try_unlock(address, held->token));
+  auto& s = shell();
+  auto token = s.leases().token(address);
+  if (token != 0 && s.leases().release(address, token))
+    value_or_throw(s.try_unlock(address, token));
 }
 
 LockGuard SubarchitectureComponent::guard(const Address& address) const {
-  return {shell(), address};
+  auto& s = shell();
+  return {s, address, s.leases().token(address)};
 }
 
 std::optional<LockLevel> SubarchitectureComponent::foreign_lease(const Address& address) {

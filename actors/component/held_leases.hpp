@@ -29,23 +29,18 @@ public:
     count_ = leases_.size();
   }
 
-  /// One lock request's worth of the lease is given back; what is known of it before.
-  struct Held {
-    LeaseToken token = 0;
-    /// How often it was obtained and not given back.
-    std::size_t times = 0;
-    bool lost = false;
-  };
-  std::optional<Held> remove(const Address& address) {
+  /// One lock request's worth of that lease is given back; false if the entry is gone, and its
+  /// lease with it.
+  bool release(const Address& address, LeaseToken token) {
     std::lock_guard guard{mutex_};
     auto i = leases_.find(address);
     if (i == leases_.end())
-      return std::nullopt;
-    auto result = i->second;
-    if (--i->second.times == 0)
+      return false;
+    // Another lease of the entry is no business of who gives this one back.
+    if (i->second.token == token && --i->second.times == 0)
       leases_.erase(i);
     count_ = leases_.size();
-    return result;
+    return true;
   }
 
   /// The entry is gone, and its lease with it.
@@ -56,6 +51,13 @@ public:
     leases_.erase(address);
     count_ = leases_.size();
   }
+
+  struct Held {
+    LeaseToken token = 0;
+    /// How often it was obtained and not given back.
+    std::size_t times = 0;
+    bool lost = false;
+  };
 
   std::optional<Held> find(const Address& address) const {
     if (count_ == 0)

@@ -8,10 +8,9 @@ namespace castor {
 LockGuard::~LockGuard() {
   if (!shell_)
     return;
-  auto held = shell_->leases().remove(address_);
-  if (!held)
+  if (!shell_->leases().release(address_, token_))
     return;
-  auto outcome = shell_->try_unlock(address_, held->token);
+  auto outcome = shell_->try_unlock(address_, token_);
   if (!outcome)
     log(LogLevel::warning, shell_->identity().full_name(),
         "a lease did not last as long as its guard: " + outcome.failure().message);
@@ -21,15 +20,15 @@ bool LockGuard::held() const {
   if (!shell_)
     return false;
   auto x = shell_->leases().find(address_);
-  return x && !x->lost;
+  return x && x->token == token_ && !x->lost;
 }
 
 void LockGuard::unlock() {
   auto* shell = std::exchange(shell_, nullptr);
   if (!shell)
     return;
-  if (auto held = shell->leases().remove(address_))
-    value_or_throw(shell->try_unlock(address_, held->token));
+  if (shell->leases().release(address_, token_))
+    value_or_throw(shell->try_unlock(address_, token_));
 }
 
 } // namespace castor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/wm/address.hpp"
+#include "castor/wm/lease.hpp"
 
 #include <utility>
 
@@ -16,21 +17,27 @@ class ComponentShell;
 class [[nodiscard]] LockGuard {
 public:
   /// Made by the components' `lock` and `try_lock`.
-  LockGuard(ComponentShell& shell, Address address)
-    : shell_(&shell), address_(std::move(address)) {}
+  LockGuard(ComponentShell& shell, Address address, LeaseToken token)
+    : shell_(&shell), address_(std::move(address)), token_(token) {}
 
   LockGuard(LockGuard&& other) noexcept
-    : shell_(std::exchange(other.shell_, nullptr)), address_(std::move(other.address_)) {}
+    : shell_(std::exchange(other.shell_, nullptr)), address_(std::move(other.address_)),
+      token_(other.token_) {}
 
   LockGuard& operator=(LockGuard&& other) noexcept {
     std::swap(shell_, other.shell_);
     std::swap(address_, other.address_);
+    std::swap(token_, other.token_);
     return *this;
   }
 
   ~LockGuard();
 
   const Address& address() const { return address_; }
+
+  /// Higher than that of any earlier lease of the entry: whatever outside working memory is used
+  /// under the lease (a motor, a file) can refuse who comes with a lower one.
+  LeaseToken token() const { return token_; }
 
   /// False once the lease was given back or is known to be lost.
   bool held() const;
@@ -41,6 +48,7 @@ public:
 private:
   ComponentShell* shell_;
   Address address_;
+  LeaseToken token_;
 };
 
 } // namespace castor

@@ -95,7 +95,7 @@ castor_mutant(granted_waits_cannot_be_cancelled wm/lease_table.cpp
   TO "if (false) {")
 
 castor_mutant(deletion_keeps_the_lease wm/working_memory.cpp
-  FROM "state.leases.erase(removed->address.id);"
+  FROM "state.leases.erase(change.event->address.id);"
   TO "{}")
 
 castor_mutant(waiters_hear_nothing_of_a_deletion wm/lease_table.cpp
@@ -124,19 +124,17 @@ castor_mutant(deaths_settle_nothing wm/working_memory_leases.cpp
   TO "")
 
 castor_mutant(changes_told_backwards wm/working_memory_events.cpp
-  FROM "notices[number].push_back({event, std::move(ids)});
-      });
-    }
-    keys.clear();"
-  TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});
-      });
-    }
-    keys.clear();")
+  FROM "      notices[number].push_back({e, std::move(ids)});
+    });
+    sort_unique(foreign);"
+  TO "      notices[number].insert(notices[number].begin(), ChangeNotice{e, std::move(ids)});
+    });
+    sort_unique(foreign);")
 
 castor_mutant(nobody_is_told_of_deletions wm/working_memory_events.cpp
-  FROM "state.peer_index.match(*event, keys);"
+  FROM "state.peer_index.match(*event, content, foreign);"
   TO "if (event->operation != Operation::remove)
-      state.peer_index.match(*event, keys);")
+      state.peer_index.match(*event, content, foreign);")
 
 get_property(mutants GLOBAL PROPERTY CASTOR_MUTANTS)
 list(TRANSFORM mutants PREPEND castor_mutant_ OUTPUT_VARIABLE mutant_targets)

@@ -13,40 +13,6 @@ using RestAtom = caf::atom_constant<caf::atom("rest")>;
 
 constexpr std::size_t most_outstanding = 6;
 
-std::optional<Status> status_of(const Failure& failure, OperationKind kind) {
-  switch (failure.kind) {
-    case FailureKind::does_not_exist:
-      return kind == OperationKind::version ? Status::never_existed : Status::does_not_exist;
-    case FailureKind::already_exists:
-      return Status::already_exists;
-    case FailureKind::inconsistent:
-      return Status::inconsistent;
-    case FailureKind::leased:
-      return kind == OperationKind::try_lock ? Status::busy : Status::locked;
-    case FailureKind::lease_lost:
-      return Status::stale;
-    case FailureKind::no_answer:
-      return Status::timed_out;
-    default:
-      return std::nullopt;
-  }
-}
-
-castor::LockLevel level_of(LockLevel x) {
-  switch (x) {
-    case LockLevel::o:
-      return castor::LockLevel::o;
-    case LockLevel::od:
-      return castor::LockLevel::od;
-    default:
-      return castor::LockLevel::odr;
-  }
-}
-
-Content content_of(const EntryPtr& entry) {
-  return Content(entry->value.as<Stamp>()->number);
-}
-
 } // namespace
 
 SimulatedClient::SimulatedClient(caf::actor_config& config, SimulatedClientParts parts)
@@ -142,12 +108,13 @@ std::optional<Version> SimulatedClient::version_to_show(const EntryView& view) {
   return view.seen;
 }
 
-Token SimulatedClient::token_to_show(const EntryView& view) {
+Token SimulatedClient::token_to_show(std::uint32_t entry) {
+  auto& view = views_[entry];
   if (!parts_.temper.forges || !world_.chance(25))
     return view.token;
   // Somebody else's, perhaps.
   if (world_.chance(30))
-    return world_.last_token;
+    return world_.entries[entry].last_token;
   return view.old_tokens.empty() ? 0 : view.old_tokens[world_.pick(view.old_tokens.size())];
 }
 
@@ -203,7 +170,7 @@ OperationRecord SimulatedClient::planned_write(std::uint32_t entry, OperationKin
   if (kind == OperationKind::overwrite)
     x.last_seen = version_to_show(view);
   if (kind != OperationKind::add)
-    x.token = token_to_show(view);
+    x.token = token_to_show(entry);
   // It counts on its success, as what it sends before the answer should.
   view.present = kind != OperationKind::remove;
   return x;
@@ -278,7 +245,7 @@ void SimulatedClient::begin(std::uint32_t entry, OperationKind kind) {
       lock(x);
       break;
     case OperationKind::unlock:
-      x.token = token_to_show(view);
+      x.token = token_to_show(entry);
       unlock(x);
       break;
     case OperationKind::read: {
@@ -291,7 +258,7 @@ void SimulatedClient::begin(std::uint32_t entry, OperationKind kind) {
             return failed(record, answer.failure());
           view.present = true;
           view.seen = (*answer)->version;
-          world_.recorder.returned(record, {Status::ok, (*answer)->version, content_of(*answer)});
+          world_.recorder.returned(record, {Status::ok, (*answer)->version, content_of(**answer)});
         });
       break;
     }
@@ -398,7 +365,7 @@ void SimulatedClient::read_all() {
           world_.recorder.returned(record, {Status::does_not_exist});
         } else {
           views_[entry].seen = (*found)->version;
-          world_.recorder.returned(record, {Status::ok, (*found)->version, content_of(*found)});
+          world_.recorder.returned(record, {Status::ok, (*found)->version, content_of(**found)});
         }
       }
     });
@@ -522,8 +489,8 @@ void SimulatedClient::obtained(const Outstanding& x, Token token) {
   auto record = x.records.front();
   recorder.returned(record, {.token = token});
   recorder.obtained(record);
-  world_.last_token = token;
   auto entry = recorder[record].entry;
+  world_.entries[entry].last_token = token;
   if (x.given_up_by != 0) {
     recorder.may_end(entry, token, x.given_up_at);
     unwanted_.push_back({entry, token, x.route, x.given_up_by});
@@ -546,7 +513,7 @@ void SimulatedClient::lost(EntryView& view) {
 }
 
 void SimulatedClient::failed(Index index, const Failure& failure) {
-  auto status = status_of(failure, world_.recorder[index].kind);
+  auto status = status_of(failure.kind, world_.recorder[index].kind);
   if (!status) {
     world_.find("an operation that cannot end so: " + failure.message);
     status = Status::timed_out;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/tests/linearizability/recorder.hpp"
+#include "castor/tests/linearizability/seen.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <caf/event_based_actor.hpp>
@@ -16,12 +17,6 @@
 
 namespace castor::linearizability {
 
-/// What the entries of a simulation hold.
-struct Stamp {
-  std::int64_t number = 0;
-};
-CASTOR_REFLECT(Stamp, number)
-
 /// What everybody in one simulation shares. All of it runs on one thread.
 struct SimulatedWorld {
   struct WorkingMemory {
@@ -32,6 +27,8 @@ struct SimulatedWorld {
     Address address;
     /// Whose it is.
     std::size_t owner = 0;
+    /// The last that anybody was told.
+    Token last_token = 0;
   };
 
   SimulatedWorld(std::uint64_t seed, Timestamp lease_duration)
@@ -49,8 +46,6 @@ struct SimulatedWorld {
   std::size_t operations_left = 0;
   std::int64_t stamps = 0;
   Client last_client = 0;
-  /// The last that anybody obtained.
-  Token last_token = 0;
   /// Components by number.
   std::vector<ClientPtr> identities{nullptr};
   std::vector<caf::actor> alive;
@@ -155,7 +150,7 @@ private:
   void die();
   OperationKind pick_kind(const EntryView& view);
   std::optional<Version> version_to_show(const EntryView& view);
-  Token token_to_show(const EntryView& view);
+  Token token_to_show(std::uint32_t entry);
 
   // -- operations
   void begin(std::uint32_t entry, OperationKind kind);

@@ -157,11 +157,12 @@ private:
     if (world.dead.empty())
       return;
     world.recorder.deaths_are_known();
-    for (auto& [address, owner] : world.entries) {
-      auto status = ask<Outcome<LockStatus>>(world.working_memories[owner], LockQuery{address});
+    for (auto& entry : world.entries) {
+      auto status =
+        ask<Outcome<LockStatus>>(world.working_memories[entry.owner], LockQuery{entry.address});
       if (status && std::ranges::count(world.dead, status->holder) > 0)
         world.find(to_string(*status->holder) + " is dead and holds a lease of " +
-                   to_string(address));
+                   to_string(entry.address));
     }
     world.dead.clear();
   }
@@ -212,15 +213,15 @@ private:
   /// What is left of an entry goes into the history too.
   void look_at(std::uint32_t entry) {
     auto& world = *world_;
-    auto& [address, owner] = world.entries[entry];
-    auto& wm = world.working_memories[owner];
+    auto& address = world.entries[entry].address;
+    auto& wm = world.working_memories[world.entries[entry].owner];
     OperationRecord x;
     x.entry = entry;
     x.kind = OperationKind::read;
     auto record = world.recorder.invoked(x);
     if (auto found = ask<Outcome<EntryPtr>>(wm, ReadRequest{address, {}}))
       world.recorder.returned(
-        record, {Status::ok, (*found)->version, Content((*found)->value.as<Stamp>()->number)});
+        record, {Status::ok, (*found)->version, content_of(**found)});
     else
       world.recorder.returned(record, {Status::does_not_exist});
     x.kind = OperationKind::version;
