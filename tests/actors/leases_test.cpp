@@ -353,7 +353,8 @@ TEST_F(Locks, BadInputIsNamedAndHarmsNobody) {
     EXPECT_THROW(self.add(Address{"nowhere", "1"}, Note{}), UnknownSubarchitectureException);
     EXPECT_THROW(self.on_change(any_change().in("nowhere"), [](auto&) {}),
                  UnknownSubarchitectureException);
-    EXPECT_THROW(self.lock_entry(Address{"nowhere", "1"}, LockLevel::o), UnknownSubarchitectureException);
+    EXPECT_THROW(self.lock_entry(Address{"nowhere", "1"}, LockLevel::o),
+                 UnknownSubarchitectureException);
     EXPECT_THROW(self.lock_entry(self.here("none"), LockLevel::o), DoesNotExistOnWM);
     EXPECT_THROW(self.is_readable(self.here("none")), DoesNotExistOnWM);
     EXPECT_THAT(message_of([&] {

@@ -222,8 +222,7 @@ private:
     x.kind = OperationKind::read;
     auto record = world.recorder.invoked(x);
     if (auto found = ask<Outcome<EntryPtr>>(wm, ReadRequest{address, {}}))
-      world.recorder.returned(
-        record, {Status::ok, (*found)->version, content_of(**found)});
+      world.recorder.returned(record, {Status::ok, (*found)->version, content_of(**found)});
     else
       world.recorder.returned(record, {Status::does_not_exist});
     x.kind = OperationKind::version;

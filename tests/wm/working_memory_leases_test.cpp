@@ -78,9 +78,8 @@ protected:
 
   /// The failure, if the write was refused.
   std::optional<Failure> overwrite_as(Claimant& who, Version last_seen, LeaseToken with) {
-    tell(who,
-         WriteRequest{
-           Operation::overwrite, {"a", "x"}, Value::of(Item{7}), last_seen, who.client, with});
+    tell(who, WriteRequest{
+                Operation::overwrite, {"a", "x"}, Value::of(Item{7}), last_seen, who.client, with});
     auto& outcome = who.writes.back();
     return outcome ? std::nullopt : std::optional{outcome.failure()};
   }
