@@ -80,6 +80,13 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      old.writer + " has since written version " + std::to_string(old.version) +
                      ". Read it again and redo the change",
                    address};
+  if (request.expected && old.writer != client.component)
+    return Failure{FailureKind::inconsistent,
+                   to_string(client) + " cannot overwrite " + to_string(address) +
+                     ": it counted on an earlier write of its own that has failed, and version " +
+                     std::to_string(old.version) + " is by " + old.writer +
+                     ". Read it again and redo the change",
+                   address};
   if (auto failure = check_value(request))
     return *failure;
   if (request.value.type_name() != old.type_name())

@@ -33,6 +33,10 @@ struct WriteRequest {
   LeaseToken token = 0;
   /// For an overwrite, nothing: as it was; whose end ends the entry stays as it was in any case.
   std::optional<EntryLife> life = {};
+  /// The client counts on having written the version last seen itself, by a write that it has not
+  /// been answered yet: should that have failed, somebody else's version of this number will not
+  /// do.
+  bool expected = false;
 };
 
 /// Sources of the deletions that no component makes.

@@ -120,13 +120,15 @@ namespace {
 
 WriteRequest write_request(ComponentShell& s, Operation operation, const Address& address,
                            Value value, std::optional<EntryLife> life) {
+  auto seen = operation == Operation::overwrite ? s.last_seen(address) : std::nullopt;
   return {operation,
           address,
           std::move(value),
-          operation == Operation::overwrite ? s.last_seen(address) : std::nullopt,
+          seen ? std::optional{seen->version} : std::nullopt,
           s.client(),
           s.leases().token(address),
-          life};
+          life,
+          seen && seen->expected};
 }
 
 /// What a component remembers of a write that was made.
@@ -156,23 +158,25 @@ Pending<Version> SubarchitectureComponent::write_async(Operation operation, cons
   auto& s = shell();
   auto request = write_request(s, operation, address, std::move(value), life);
   auto last_seen = request.last_seen;
+  auto expected = request.expected;
   auto id = s.begin(request);
   // The next operation in the pipeline counts on this one; should it fail, so will they.
   if (last_seen)
-    s.saw(address, *last_seen + 1);
+    s.saw(address, *last_seen + 1, true);
   auto claim = std::make_shared<Claim>(s, id);
-  return Pending<Version>{[&s, claim, operation, address, last_seen] {
+  return Pending<Version>{[&s, claim, operation, address, last_seen, expected] {
     auto seen_meanwhile = s.last_seen(address);
     auto outcome = s.finish<Version>(claim->take(), address);
     if (!outcome) {
-      if (last_seen)
-        s.saw(address, *last_seen);
+      if (last_seen && seen_meanwhile && seen_meanwhile->expected &&
+          seen_meanwhile->version > *last_seen)
+        s.saw(address, *last_seen, expected);
       throw_failure(outcome.failure());
     }
     note_write(s, operation, address, *outcome);
     // Of several overwrites in flight, the latest counts.
-    if (operation == Operation::overwrite && seen_meanwhile && *seen_meanwhile > *outcome)
-      s.saw(address, *seen_meanwhile);
+    if (operation == Operation::overwrite && seen_meanwhile && seen_meanwhile->version > *outcome)
+      s.saw(address, seen_meanwhile->version, seen_meanwhile->expected);
     return *outcome;
   }};
 }

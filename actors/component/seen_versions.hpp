@@ -10,6 +10,13 @@
 
 namespace castor {
 
+/// The version of an entry that a component last read or wrote.
+struct SeenVersion {
+  Version version = 0;
+  /// It will have written it if the writes succeed that it has sent and not been answered.
+  bool expected = false;
+};
+
 /// Which version of which entry a component last read or wrote. Remembers the last `capacity`
 /// entries at least and twice as many at most, so that a component that sees entries come and go
 /// all day does not grow.
@@ -17,8 +24,8 @@ class SeenVersions {
 public:
   explicit SeenVersions(std::size_t capacity = 100'000) : capacity_(capacity) {}
 
-  void set(const Address& address, Version version) {
-    young_[address] = version;
+  void set(const Address& address, Version version, bool expected = false) {
+    young_[address] = {version, expected};
     if (young_.size() > capacity_) {
       old_ = std::move(young_);
       young_.clear();
@@ -26,6 +33,11 @@ public:
   }
 
   std::optional<Version> get(const Address& address) const {
+    auto x = find(address);
+    return x ? std::optional{x->version} : std::nullopt;
+  }
+
+  std::optional<SeenVersion> find(const Address& address) const {
     for (auto* generation : {&young_, &old_})
       if (auto i = generation->find(address); i != generation->end())
         return i->second;
@@ -38,7 +50,7 @@ public:
   }
 
 private:
-  using Generation = std::unordered_map<Address, Version>;
+  using Generation = std::unordered_map<Address, SeenVersion>;
 
   std::size_t capacity_;
   Generation young_;

@@ -87,6 +87,8 @@ void ComponentShell::act() {
     }
   }
   record_->set_idle();
+  // Leases that are members of the component are given back without waiting for the answers.
+  stopping_ = true;
   component_.reset();
   let_go();
   if (record_->state() != ComponentState::failed)

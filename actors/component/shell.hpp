@@ -113,8 +113,10 @@ public:
   void abandon(std::uint64_t id) { close_slot(id); }
 
   /// The version of the entry that the component last read or wrote.
-  std::optional<Version> last_seen(const Address& address) const { return seen_.get(address); }
-  void saw(const Address& address, Version version) { seen_.set(address, version); }
+  std::optional<SeenVersion> last_seen(const Address& address) const { return seen_.find(address); }
+  void saw(const Address& address, Version version, bool expected = false) {
+    seen_.set(address, version, expected);
+  }
   void forget(const Address& address) { seen_.erase(address); }
 
   ReceiverId add_receiver(const ChangeFilter& filter, ChangeCallback callback, Priority priority);

@@ -172,6 +172,41 @@ TEST_F(Operations, AStaleOverwriteIsRefusedAndARereadCuresIt) {
   EXPECT_EQ(run(system), 0);
 }
 
+TEST_F(Operations, AWriteThatCountsOnAFailedOneFailsToo) {
+  std::atomic<int> step{0};
+  UnmanagedScript::scripts()["other"] = {{},
+                                         [&](auto& self) {
+                                           self.on_change(added<Note>(), [&](const ChangeEvent& e) {
+                                             self.template read<Note>(e.address);
+                                             self.overwrite(e.address, Note{2, "other"});
+                                             step = 1;
+                                           });
+                                         },
+                                         {},
+                                         {}};
+  UnmanagedScript::scripts()["c"].run = [&](auto& self) {
+    auto address = self.add(Note{1, "mine"});
+    while (step == 0 && self.is_running())
+      self.sleep_for(1ms);
+    auto first = self.overwrite_async(address, Note{3, "mine"});
+    auto second = self.overwrite_async(address, Note{4, "mine"});
+    EXPECT_NE(message_of<ConsistencyException>([&] { first.get(); }).find("seen version 0"),
+              std::string::npos);
+    EXPECT_NE(message_of<ConsistencyException>([&] { second.get(); }).find("counted on"),
+              std::string::npos);
+    EXPECT_NE(message_of<ConsistencyException>([&] {
+                self.overwrite(address, Note{5, "mine"});
+              }).find("seen version 0"),
+              std::string::npos);
+    EXPECT_EQ(self.template read<Note>(address)->text, "other");
+    EXPECT_EQ(self.overwrite(address, Note{6, "mine"}), 2u);
+    self.end_system(0, "done");
+  };
+  System system{
+    architecture(subarchitecture("a") + "CPP UM other Unmanaged\nCPP UM c Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+}
+
 TEST_F(Operations, AnEmptyHandedOverwriteIsRefused) {
   UnmanagedScript::scripts()["writer"].start = [](auto& self) { self.add(self.here("x"), Note{}); };
   UnmanagedScript::scripts()["c"].run = [](auto& self) {

@@ -181,6 +181,19 @@ TEST_F(EntryStoreRules, RefusesAnOverwriteOfAVersionToCome) {
             FailureKind::inconsistent);
 }
 
+TEST_F(EntryStoreRules, RefusesAnOverwriteThatCountsOnAnotherWritersVersion) {
+  add("x");
+  overwrite("x", 0, Value::of(Box{}), "tracker");
+  auto x = request(Operation::overwrite, "x", Value::of(Box{}), 1);
+  x.expected = true;
+  auto failure = store.prepare(x).failure();
+  EXPECT_EQ(failure.kind, FailureKind::inconsistent);
+  EXPECT_THAT(failure.message, HasSubstr("version 1 is by tracker"));
+  overwrite("x", 1);
+  x.last_seen = 2;
+  EXPECT_TRUE(store.prepare(x));
+}
+
 TEST_F(EntryStoreRules, RefusesAnOverwriteOfAnEntryThatWasDeletedAndAddedAgain) {
   add("0:1");
   remove("0:1");
