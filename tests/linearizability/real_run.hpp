@@ -1,0 +1,29 @@
+#pragma once
+
+#include "castor/tests/linearizability/checker.hpp"
+#include "castor/tests/linearizability/history.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace castor::linearizability {
+
+struct RealRunResult {
+  /// What the run was: components, subarchitectures, entries.
+  std::string description;
+  /// Moments are nanoseconds.
+  History history;
+  Verdict verdict;
+  /// What else is wrong.
+  std::vector<std::string> findings;
+
+  bool is_wrong() const { return verdict.kind == Verdict::Kind::violation || !findings.empty(); }
+};
+
+/// Runs a system of 4 to 16 components, each on its own thread, that operate on a few entries at
+/// random through the interface that component authors use, and checks what they saw. What they
+/// try follows from the seed; what comes of it does not.
+RealRunResult run_for_real(std::uint64_t seed);
+
+} // namespace castor::linearizability
