@@ -1,0 +1,177 @@
+#include "castor/actors/link/dial.hpp"
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
+
+/// Throws std::runtime_error.
+Addresses resolve(const Endpoint& x, int flags) {
+  addrinfo hints{};
+  hints.ai_family = AF_UNSPEC;
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = flags | AI_NUMERICSERV;
+  addrinfo* found = nullptr;
+  auto port = std::to_string(x.port);
+  if (int error =
+        getaddrinfo(x.host.empty() ? nullptr : x.host.c_str(), port.c_str(), &hints, &found))
+    throw std::runtime_error("no address for " + x.host + ": " + gai_strerror(error));
+  return {found, freeaddrinfo};
+}
+
+/// Closes the socket unless it is released.
+class Socket {
+public:
+  explicit Socket(const addrinfo& x)
+    : fd_(::socket(x.ai_family, x.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, x.ai_protocol)) {}
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket() {
+    if (fd_ >= 0)
+      close(fd_);
+  }
+
+  int get() const { return fd_; }
+  int release() { return std::exchange(fd_, -1); }
+
+private:
+  int fd_;
+};
+
+void configure(int fd) {
+  int on = 1;
+  setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+  // What waits in the kernel cannot be overtaken by what is short and urgent.
+  int unsent = 128 * 1024;
+  setsockopt(fd, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent, sizeof(unsent));
+}
+
+/// 0, or the error that connecting ended with.
+int finish_connecting(int fd, Clock::time_point until, const std::function<bool()>& cancelled) {
+  while (Clock::now() < until && !cancelled()) {
+    pollfd x{fd, POLLOUT, 0};
+    if (poll(&x, 1, 50) <= 0)
+      continue;
+    int error = 0;
+    socklen_t size = sizeof(error);
+    getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size);
+    return error;
+  }
+  return ETIMEDOUT;
+}
+
+} // namespace
+
+std::string to_string(const Endpoint& x) {
+  auto host = x.host.find(':') == std::string::npos ? x.host : '[' + x.host + ']';
+  return host + ':' + std::to_string(x.port);
+}
+
+Endpoint parse_endpoint(const std::string& text, std::uint16_t default_port) {
+  Endpoint result{text, default_port};
+  auto colon = text.rfind(':');
+  bool bracketed = text.starts_with('[');
+  auto end = bracketed ? text.find(']') : std::string::npos;
+  if (bracketed && end == std::string::npos)
+    throw std::invalid_argument("the bracket in " + text + " is not closed");
+  // More than one colon without brackets is an IPv6 address.
+  if (bracketed ? end + 1 < text.size() : colon != std::string::npos && text.find(':') == colon) {
+    auto begin = text.data() + colon + 1;
+    auto [rest, error] = std::from_chars(begin, text.data() + text.size(), result.port);
+    if ((bracketed && colon != end + 1) || error != std::errc{} ||
+        rest != text.data() + text.size())
+      throw std::invalid_argument("write HOST:PORT, with a port of at most 65535, not " + text);
+    result.host = text.substr(0, colon);
+  }
+  if (bracketed)
+    result.host = text.substr(1, end - 1);
+  return result;
+}
+
+std::variant<int, std::string> dial(const Endpoint& to, std::chrono::milliseconds patience,
+                                    const std::function<bool()>& cancelled) {
+  auto until = Clock::now() + patience;
+  std::string problem;
+  try {
+    auto addresses = resolve(to, AI_ADDRCONFIG);
+    for (auto* x = addresses.get(); x && Clock::now() < until && !cancelled(); x = x->ai_next) {
+      Socket socket{*x};
+      int error = socket.get() < 0                                        ? errno
+                  : connect(socket.get(), x->ai_addr, x->ai_addrlen) == 0 ? 0
+                                                                          : errno;
+      if (error == EINPROGRESS)
+        error = finish_connecting(socket.get(), until, cancelled);
+      if (error == 0) {
+        configure(socket.get());
+        return socket.release();
+      }
+      problem = std::strerror(error);
+    }
+  } catch (const std::runtime_error& e) {
+    problem = e.what();
+  }
+  return problem.empty() ? std::string{"it took too long"} : problem;
+}
+
+int listen_at(const Endpoint& at) {
+  auto addresses = resolve(at, AI_PASSIVE);
+  Socket socket{*addresses};
+  int on = 1;
+  if (socket.get() < 0 ||
+      setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on)) != 0 ||
+      bind(socket.get(), addresses->ai_addr, addresses->ai_addrlen) != 0 ||
+      listen(socket.get(), SOMAXCONN) != 0)
+    throw std::runtime_error("cannot listen at " + to_string(at) + ": " + std::strerror(errno));
+  // Sockets that are accepted inherit it.
+  configure(socket.get());
+  return socket.release();
+}
+
+std::uint16_t port_of(int socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof(address);
+  getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  return address.ss_family == AF_INET6 ? ntohs(reinterpret_cast<sockaddr_in6*>(&address)->sin6_port)
+                                       : ntohs(reinterpret_cast<sockaddr_in*>(&address)->sin_port);
+}
+
+bool is_loopback(const std::string& host) {
+  try {
+    auto addresses = resolve({host, 0}, AI_PASSIVE);
+    for (auto* x = addresses.get(); x; x = x->ai_next) {
+      if (x->ai_family == AF_INET) {
+        auto ip = ntohl(reinterpret_cast<sockaddr_in*>(x->ai_addr)->sin_addr.s_addr);
+        if (ip >> 24 != 127)
+          return false;
+      } else if (x->ai_family != AF_INET6 ||
+                 !IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<sockaddr_in6*>(x->ai_addr)->sin6_addr)) {
+        return false;
+      }
+    }
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+} // namespace castor

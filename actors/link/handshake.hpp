@@ -1,0 +1,47 @@
+#pragma once
+
+#include "castor/wm/type_descriptor.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace castor {
+
+/// What each side of a new connection says first.
+struct Hello {
+  /// The sender's name, which its certificate must bear where there are certificates.
+  std::string node;
+  /// The system that the connection is for.
+  std::string system;
+  /// Which of its lives the sender's part of the system is in; differs from all others.
+  std::uint64_t incarnation = 0;
+  /// The sender's number in the system.
+  std::uint16_t process = 0;
+  /// The receiver's incarnation as the sender knows it; 0 if this is the first connection.
+  std::uint64_t known = 0;
+  /// How much the sender has received in the session so far.
+  std::uint64_t received = 0;
+};
+
+/// Instead of a hello: the connection is not wanted, and why.
+struct Refusal {
+  std::string reason;
+  /// Whether there is no use in trying again.
+  bool final = true;
+};
+
+using Greeting = std::variant<Hello, Refusal>;
+
+/// Appends a greeting in its wire form.
+void write_greeting(std::vector<char>& out, const Greeting& x);
+
+/// Takes a greeting from the beginning of `bytes`, and removes it there; nothing while it is
+/// incomplete. Throws LinkError (session.hpp) at once if it cannot be one of ours.
+std::optional<Greeting> read_greeting(Bytes& bytes);
+
+} // namespace castor

@@ -1,0 +1,350 @@
+#include "castor/actors/link/link.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/adopt_connection.hpp"
+
+#include <caf/atom.hpp>
+#include <caf/blocking_actor.hpp>
+#include <caf/io/broker.hpp>
+#include <caf/io/middleman.hpp>
+
+#include <algorithm>
+#include <random>
+#include <unordered_set>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::milliseconds;
+
+using TickAtom = caf::atom_constant<caf::atom("tick")>;
+using DialAtom = caf::atom_constant<caf::atom("dial")>;
+
+/// How much may be in the connection's own buffer, where nothing can overtake it any more.
+constexpr std::size_t buffered = 192 * 1024;
+constexpr std::size_t read_at_once = 128 * 1024;
+
+/// The outcome of dialling: a socket, or -1 and why.
+struct Dialled {
+  int socket = -1;
+  std::string problem;
+};
+
+} // namespace
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::Dialled)
+
+namespace castor {
+
+namespace {
+
+struct LinkState {
+  static constexpr const char* name = "link";
+
+  /// Set when the link ends, for threads that dial on its behalf.
+  std::shared_ptr<std::atomic<bool>> over = std::make_shared<std::atomic<bool>>(false);
+
+  ~LinkState() { *over = true; }
+};
+
+using Self = caf::io::stateful_broker<LinkState>;
+
+class Link : public std::enable_shared_from_this<Link> {
+public:
+  Link(Self* self, LinkParts parts)
+    : self_(self), parts_(std::move(parts)), session_(parts_.options.session) {}
+
+  caf::behavior begin() {
+    self_->delayed_send(self_, parts_.options.heartbeat, TickAtom::value);
+    if (parts_.dial)
+      dial_now();
+    auto link = shared_from_this();
+    return {
+      [link](LinkMessage& x) { link->send(std::move(x)); },
+      [link](const caf::io::new_data_msg& x) { link->receive(x); },
+      [link](const caf::io::data_transferred_msg& x) {
+        if (x.handle == link->connection_) {
+          link->in_buffer_ = x.remaining;
+          link->flush();
+        }
+      },
+      [link](const caf::io::connection_closed_msg& x) {
+        if (x.handle == link->connection_)
+          link->disconnected("the connection was closed");
+      },
+      [link](TickAtom) { link->tick(); },
+      [link](DialAtom) { link->dial_now(); },
+      [link](const Dialled& x) { link->dialled(x); },
+      [link](AdoptConnection& x) { link->adopt(std::move(x)); },
+      [link](const CloseLink& x) { link->close(x.reason); },
+    };
+  }
+
+private:
+  // -- connections
+
+  void dial_now() {
+    auto until = parts_.options.connecting;
+    self_->system().spawn<caf::detached + caf::hidden>(
+      [to = *parts_.dial, until, over = self_->state.over,
+       link = caf::actor_cast<caf::actor>(self_)](caf::blocking_actor*) {
+        auto result = dial(to, until, [&] { return over->load(); });
+        if (auto* socket = std::get_if<int>(&result))
+          caf::anon_send(link, Dialled{*socket, {}});
+        else
+          caf::anon_send(link, Dialled{-1, std::get<std::string>(result)});
+      });
+  }
+
+  void dialled(const Dialled& x) {
+    if (x.socket < 0) {
+      disconnected("no connection with " + to_string(*parts_.dial) + ": " + x.problem);
+      return;
+    }
+    begin_connection(self_->add_scribe(x.socket));
+    greet();
+  }
+
+  void adopt(AdoptConnection x) {
+    if (connection_)
+      drop_connection();
+    auto handle = x.connection->hdl();
+    self_->move_scribe(std::move(x.connection));
+    begin_connection(handle);
+    greet();
+    greeting_ = std::move(x.received);
+    try {
+      established(x.hello);
+    } catch (const LinkError& e) {
+      lost(e.what());
+    }
+  }
+
+  void begin_connection(caf::io::connection_handle handle) {
+    connection_ = handle;
+    greeted_ = false;
+    greeting_.clear();
+    in_buffer_ = 0;
+    heard_ = Clock::now();
+    self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
+    self_->ack_writes(handle, true);
+    self_->trigger(handle);
+  }
+
+  void drop_connection() {
+    auto handle = *std::exchange(connection_, std::nullopt);
+    greeted_ = false;
+    self_->close(handle);
+  }
+
+  /// Without a connection for now.
+  void disconnected(const std::string& why) {
+    bool was_up = greeted_;
+    if (connection_)
+      drop_connection();
+    reason_ = why;
+    if (was_up) {
+      down_since_ = Clock::now();
+      backoff_ = 20ms;
+      tell(LinkNews::Kind::down, why);
+    }
+    if (parts_.dial) {
+      // With some jitter, so that those who lost each other at once do not meet at once for ever.
+      std::uniform_int_distribution<int> jitter{0, static_cast<int>(backoff_.count()) / 2};
+      self_->delayed_send(self_, backoff_ + Milliseconds{jitter(random_)}, DialAtom::value);
+      backoff_ = std::min<Milliseconds>(backoff_ * 2, 1000ms);
+    }
+  }
+
+  /// Without a connection for good.
+  void lost(const std::string& why) {
+    if (std::exchange(over_, true))
+      return;
+    if (connection_) {
+      session_.say_goodbye(why);
+      flush();
+      drop_connection();
+    }
+    parts_.mesh->end_process(parts_.peer);
+    tell(LinkNews::Kind::lost, why);
+    self_->quit();
+  }
+
+  void close(const std::string& reason) {
+    over_ = true;
+    if (greeted_) {
+      session_.say_goodbye(reason);
+      flush();
+    }
+    if (connection_)
+      drop_connection();
+    parts_.mesh->end_process(parts_.peer);
+    self_->quit();
+  }
+
+  // -- what is said
+
+  void greet() {
+    auto hello = parts_.self;
+    hello.known = incarnation_;
+    hello.received = session_.received();
+    write_greeting(self_->wr_buf(*connection_), hello);
+    self_->flush(*connection_);
+  }
+
+  void established(const Hello& x) {
+    if (x.node != parts_.peer_name)
+      throw LinkError("there is " + x.node + " where " + parts_.peer_name + " should be");
+    if (x.system != parts_.self.system)
+      throw LinkError(x.node + " takes part in another system");
+    if ((incarnation_ != 0 && x.incarnation != incarnation_) ||
+        (x.known != 0 && x.known != parts_.self.incarnation))
+      throw LinkError(x.node + " was started again");
+    incarnation_ = x.incarnation;
+    session_.resume(x.received);
+    greeted_ = true;
+    backoff_ = 20ms;
+    parts_.counters->connections.fetch_add(1, std::memory_order_relaxed);
+    tell(LinkNews::Kind::up, {});
+    hear(std::exchange(greeting_, {}));
+    flush();
+  }
+
+  void receive(const caf::io::new_data_msg& x) {
+    if (x.handle != connection_)
+      return;
+    heard_ = Clock::now();
+    parts_.counters->bytes_in.fetch_add(x.buf.size(), std::memory_order_relaxed);
+    std::span bytes{reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()};
+    try {
+      if (greeted_)
+        hear(bytes);
+      else
+        hear_greeting(bytes);
+      flush();
+    } catch (const LinkError& e) {
+      lost(parts_.peer_name + " says what it should not: " + e.what());
+    } catch (const DecodeError& e) {
+      lost(parts_.peer_name + " says what cannot be read: " + e.what());
+    }
+  }
+
+  void hear_greeting(std::span<const std::uint8_t> bytes) {
+    greeting_.insert(greeting_.end(), bytes.begin(), bytes.end());
+    auto greeting = read_greeting(greeting_);
+    if (!greeting)
+      return;
+    if (auto* refusal = std::get_if<Refusal>(&*greeting)) {
+      if (refusal->final)
+        lost(parts_.peer_name + " refuses: " + refusal->reason);
+      else
+        disconnected(parts_.peer_name + " refuses: " + refusal->reason);
+      return;
+    }
+    established(std::get<Hello>(*greeting));
+  }
+
+  void hear(std::span<const std::uint8_t> bytes) {
+    session_.receive(bytes, [this](IncomingMessage x) {
+      parts_.counters->messages_in.fetch_add(1, std::memory_order_relaxed);
+      parts_.mesh->receive(parts_.peer, std::move(x), self_->context());
+    });
+    if (!session_.goodbye().empty())
+      lost(parts_.peer_name + " has left: " + session_.goodbye());
+  }
+
+  void send(LinkMessage x) {
+    if (over_)
+      return;
+    std::vector<TypeDescriptorPtr> unknown;
+    for (auto& type : x.types)
+      if (told_types_.insert(type->hash).second)
+        unknown.push_back(std::move(type));
+    if (!unknown.empty())
+      session_.send({parts_.mesh->introduction(unknown)});
+    session_.send(std::move(x.message));
+    parts_.counters->messages_out.fetch_add(1, std::memory_order_relaxed);
+    flush();
+  }
+
+  void flush() {
+    if (!greeted_ || !connection_)
+      return;
+    auto& out = self_->wr_buf(*connection_);
+    auto before = out.size();
+    while (in_buffer_ < buffered && session_.has_something_to_say()) {
+      auto size = out.size();
+      session_.produce(out, buffered - in_buffer_);
+      in_buffer_ += out.size() - size;
+    }
+    parts_.counters->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
+    if (out.size() == before)
+      return;
+    spoke_ = true;
+    parts_.counters->bytes_out.fetch_add(out.size() - before, std::memory_order_relaxed);
+    self_->flush(*connection_);
+  }
+
+  void tick() {
+    if (over_)
+      return;
+    self_->delayed_send(self_, parts_.options.heartbeat, TickAtom::value);
+    auto now = Clock::now();
+    if (connection_) {
+      if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
+        disconnected("no sign of life");
+      } else if (greeted_ && !std::exchange(spoke_, false)) {
+        session_.remind();
+        flush();
+        spoke_ = false;
+      }
+    }
+    if (!greeted_ && now - down_since_ > parts_.options.patience)
+      lost(parts_.peer_name + " could not be reached for " +
+           std::to_string(parts_.options.patience.count() / 1000) + " s" +
+           (reason_.empty() ? "" : ": " + reason_));
+  }
+
+  void tell(LinkNews::Kind kind, const std::string& why) {
+    if (parts_.on_news)
+      parts_.on_news({parts_.peer, kind, why});
+  }
+
+  Self* self_;
+  LinkParts parts_;
+  LinkSession session_;
+  std::optional<caf::io::connection_handle> connection_;
+  /// Whether the peer has introduced itself over the present connection.
+  bool greeted_ = false;
+  bool over_ = false;
+  /// What came before the peer's greeting was complete.
+  Bytes greeting_;
+  /// The peer's, once it is known.
+  std::uint64_t incarnation_ = 0;
+  std::unordered_set<std::uint64_t> told_types_;
+  std::size_t in_buffer_ = 0;
+  bool spoke_ = false;
+  Clock::time_point heard_;
+  Clock::time_point down_since_ = Clock::now();
+  std::string reason_;
+  Milliseconds backoff_{20};
+  std::minstd_rand random_{std::random_device{}()};
+};
+
+caf::behavior link(Self* self, LinkParts parts) {
+  return std::make_shared<Link>(self, std::move(parts))->begin();
+}
+
+} // namespace
+
+caf::actor spawn_link(caf::actor_system& system, LinkParts parts) {
+  return system.middleman().spawn_broker(link, std::move(parts));
+}
+
+} // namespace castor

@@ -1,0 +1,133 @@
+#include "castor/actors/link/listener.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/adopt_connection.hpp"
+#include "castor/actors/link/link.hpp"
+
+#include <caf/atom.hpp>
+#include <caf/io/broker.hpp>
+#include <caf/io/middleman.hpp>
+
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using TickAtom = caf::atom_constant<caf::atom("tick")>;
+using caf::io::connection_handle;
+
+constexpr std::size_t read_at_once = 4096;
+constexpr std::chrono::milliseconds period{250};
+
+/// A connection that has not said what it wants.
+struct Stranger {
+  std::string from;
+  Bytes received;
+  Clock::time_point until;
+};
+
+class Listener : public std::enable_shared_from_this<Listener> {
+public:
+  Listener(caf::io::broker* self, ListenerParts parts) : self_(self), parts_(std::move(parts)) {}
+
+  caf::behavior begin() {
+    self_->add_doorman(parts_.socket);
+    self_->delayed_send(self_, period, TickAtom::value);
+    auto listener = shared_from_this();
+    return {
+      [listener](const caf::io::new_connection_msg& x) { listener->admit(x.handle); },
+      [listener](const caf::io::new_data_msg& x) { listener->hear(x); },
+      [listener](const caf::io::connection_closed_msg& x) {
+        if (auto stranger = listener->strangers_.extract(x.handle))
+          log(LogLevel::info, "castor",
+              "a connection from " + stranger.mapped().from + " left without a word");
+      },
+      [listener](const caf::io::acceptor_closed_msg&) {},
+      [listener](TickAtom) { listener->tick(); },
+    };
+  }
+
+private:
+  void admit(connection_handle handle) {
+    auto from = self_->remote_addr(handle) + ':' + std::to_string(self_->remote_port(handle));
+    if (strangers_.size() >= parts_.most_strangers) {
+      log(LogLevel::warning, "castor",
+          "turned away " + from + ": too many connections that say nothing");
+      self_->close(handle);
+      return;
+    }
+    strangers_[handle] = {std::move(from), {}, Clock::now() + parts_.patience};
+    self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
+  }
+
+  void hear(const caf::io::new_data_msg& x) {
+    auto i = strangers_.find(x.handle);
+    if (i == strangers_.end())
+      return;
+    auto& stranger = i->second;
+    stranger.received.insert(stranger.received.end(), x.buf.begin(), x.buf.end());
+    try {
+      if (auto greeting = read_greeting(stranger.received))
+        welcome(x.handle, stranger, *greeting);
+    } catch (const LinkError& e) {
+      turn_away(x.handle, e.what());
+    }
+  }
+
+  void welcome(connection_handle handle, Stranger& stranger, const Greeting& greeting) {
+    auto* hello = std::get_if<Hello>(&greeting);
+    if (!hello)
+      throw LinkError("it refuses before it is asked");
+    auto link = parts_.route(*hello);
+    if (auto* refusal = std::get_if<Refusal>(&link)) {
+      write_greeting(self_->wr_buf(handle), *refusal);
+      self_->flush(handle);
+      turn_away(handle, refusal->reason);
+      return;
+    }
+    auto received = std::move(stranger.received);
+    strangers_.erase(handle);
+    // Nothing may arrive while the connection belongs to nobody.
+    self_->halt(handle);
+    caf::anon_send(std::get<caf::actor>(link),
+                   AdoptConnection{self_->take(handle), *hello, std::move(received)});
+  }
+
+  void turn_away(connection_handle handle, const std::string& why) {
+    auto stranger = strangers_.extract(handle);
+    if (stranger)
+      log(LogLevel::warning, "castor", "turned away " + stranger.mapped().from + ": " + why);
+    self_->close(handle);
+  }
+
+  void tick() {
+    self_->delayed_send(self_, period, TickAtom::value);
+    auto now = Clock::now();
+    std::vector<connection_handle> late;
+    for (auto& [handle, stranger] : strangers_)
+      if (now > stranger.until)
+        late.push_back(handle);
+    for (auto& handle : late)
+      turn_away(handle, "it did not say what it wants");
+  }
+
+  caf::io::broker* self_;
+  ListenerParts parts_;
+  std::unordered_map<connection_handle, Stranger> strangers_;
+};
+
+caf::behavior listener(caf::io::broker* self, ListenerParts parts) {
+  return std::make_shared<Listener>(self, std::move(parts))->begin();
+}
+
+} // namespace
+
+caf::actor spawn_listener(caf::actor_system& system, ListenerParts parts) {
+  return system.middleman().spawn_broker(listener, std::move(parts));
+}
+
+} // namespace castor

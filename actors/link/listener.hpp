@@ -1,0 +1,28 @@
+#pragma once
+
+#include "castor/actors/link/handshake.hpp"
+#include "castor/wm/caf.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <variant>
+
+namespace castor {
+
+struct ListenerParts {
+  /// Listens already (`listen_at`); belongs to the listener from now on.
+  int socket = -1;
+  /// Which link a connection is for. Called on the network's thread.
+  std::function<std::variant<caf::actor, Refusal>(const Hello&)> route;
+  /// How long a new connection may take to say what it wants.
+  std::chrono::milliseconds patience{3000};
+  /// How many may keep silent at the same time; more are turned away.
+  std::size_t most_strangers = 64;
+};
+
+/// Takes connections, hears who they are from, and gives them to the links they are for. Whoever
+/// says something else, or nothing, is turned away, and nobody else notices.
+caf::actor spawn_listener(caf::actor_system& system, ListenerParts parts);
+
+} // namespace castor

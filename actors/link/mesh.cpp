@@ -1,0 +1,278 @@
+#include "castor/actors/link/mesh.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/remote_actor.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <caf/detail/sync_request_bouncer.hpp>
+#include <caf/make_actor.hpp>
+
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+/// What a message between processes is about.
+enum class Subject : std::uint8_t {
+  /// For an actor: sender, receiver, CAF's message id, the message.
+  message,
+  /// The same with an error, which answers a request.
+  error,
+  /// An actor is to end.
+  exit,
+  /// An actor has ended.
+  ended,
+  /// Descriptors of types that later messages refer to.
+  types,
+};
+
+/// The lane of what an actor sends: its messages keep their order.
+Lane lane_of(ActorName sender) {
+  return sender;
+}
+
+} // namespace
+
+// -- LinkPort
+
+void LinkPort::send(ActorName to, caf::mailbox_element& x) {
+  auto& content = x.content();
+  WireWriter out{*mesh_};
+  auto sender = mesh_->name_of(x.sender);
+  auto number = static_cast<std::uint32_t>(to);
+  if (content.match_elements<caf::exit_msg>()) {
+    out(Subject::exit, number);
+  } else if (content.match_elements<caf::error>()) {
+    out(Subject::error, sender, number, x.mid.integer_value(),
+        mesh_->system().render(content.get_as<caf::error>(0)));
+  } else {
+    out(Subject::message, sender, number, x.mid.integer_value());
+    if (!mesh_->table().write(content, out)) {
+      log(LogLevel::error, "castor",
+          "a message that cannot travel to another process: " + content.stringify());
+      caf::detail::sync_request_bouncer{caf::make_error(caf::sec::unexpected_message)}(x.sender,
+                                                                                       x.mid);
+      return;
+    }
+  }
+  hand_over({{out.take_head(), out.take_contents(), lane_of(sender)}, out.take_types()});
+}
+
+void LinkPort::tell_end(ActorName who) {
+  WireWriter out{*mesh_};
+  out(Subject::ended, static_cast<std::uint32_t>(who));
+  // Not before what it said last.
+  hand_over({{out.take_head(), {}, lane_of(who)}, {}});
+}
+
+void LinkPort::hand_over(LinkMessage message) {
+  caf::anon_send(link_, std::move(message));
+}
+
+// -- Mesh
+
+void Mesh::set_well_known(WellKnownActor number, const caf::strong_actor_ptr& who) {
+  {
+    std::lock_guard guard{mutex_};
+    numbers_[who->id()] = static_cast<std::uint32_t>(number);
+    locals_[static_cast<std::uint32_t>(number)] = who;
+  }
+  watch(who, make_actor_name(self_, static_cast<std::uint32_t>(number)));
+}
+
+void Mesh::set_event_sink(EventSink sink) {
+  std::lock_guard guard{mutex_};
+  event_sink_ = std::move(sink);
+}
+
+void Mesh::add_port(std::shared_ptr<LinkPort> port) {
+  std::lock_guard guard{mutex_};
+  auto process = port->peer();
+  processes_[process].port = std::move(port);
+}
+
+ActorName Mesh::name_of(const caf::strong_actor_ptr& x) {
+  if (!x)
+    return 0;
+  if (auto* remote = dynamic_cast<RemoteActor*>(x->get()))
+    return remote->actor();
+  std::unique_lock guard{mutex_};
+  if (closed_)
+    return 0;
+  auto [i, is_new] = numbers_.try_emplace(x->id(), 0u);
+  if (!is_new)
+    return make_actor_name(self_, i->second);
+  i->second = ++last_number_;
+  auto name = make_actor_name(self_, i->second);
+  locals_[i->second] = x;
+  guard.unlock();
+  watch(x, name);
+  return name;
+}
+
+void Mesh::watch(const caf::strong_actor_ptr& who, ActorName name) {
+  who->get()->attach_functor([mesh = weak_from_this(), name] {
+    if (auto self = mesh.lock())
+      self->end_of_local(name);
+  });
+}
+
+caf::strong_actor_ptr Mesh::actor_of(ActorName name) {
+  if (name == 0)
+    return nullptr;
+  auto number = static_cast<std::uint32_t>(name);
+  std::lock_guard guard{mutex_};
+  if (process_of(name) == self_) {
+    auto i = locals_.find(number);
+    return i == locals_.end() ? nullptr : i->second;
+  }
+  auto process = processes_.find(process_of(name));
+  if (process == processes_.end() || !process->second.port)
+    return nullptr;
+  auto& representative = process->second.representatives[number];
+  if (!representative) {
+    caf::actor_config config;
+    representative = caf::make_actor<RemoteActor, caf::strong_actor_ptr>(
+      system_.next_actor_id(), system_.node(), &system_, config, process->second.port, name);
+    if (process->second.ended.count(number) > 0)
+      static_cast<RemoteActor*>(representative->get())
+        ->kill_proxy(nullptr, caf::exit_reason::unknown);
+  }
+  return representative;
+}
+
+caf::strong_actor_ptr Mesh::well_known(ProcessNumber process, WellKnownActor number) {
+  return actor_of(make_actor_name(process, static_cast<std::uint32_t>(number)));
+}
+
+TypeDescriptorPtr Mesh::type_of(std::uint64_t hash) {
+  std::lock_guard guard{mutex_};
+  auto i = types_.find(hash);
+  return i == types_.end() ? nullptr : i->second;
+}
+
+Bytes Mesh::introduction(const std::vector<TypeDescriptorPtr>& types) {
+  Bytes result;
+  Encoder out{result};
+  out.put(Subject::types);
+  out.put(static_cast<std::uint32_t>(types.size()));
+  for (auto& x : types)
+    out.put(encode_descriptor(*x));
+  return result;
+}
+
+void Mesh::introduce(TypeDescriptorPtr type) {
+  std::lock_guard guard{mutex_};
+  auto hash = type->hash;
+  types_.emplace(hash, std::move(type));
+}
+
+void Mesh::end_of_local(ActorName name) {
+  std::vector<std::shared_ptr<LinkPort>> ports;
+  {
+    std::lock_guard guard{mutex_};
+    auto local = locals_.extract(static_cast<std::uint32_t>(name));
+    if (!local)
+      return;
+    numbers_.erase(local.mapped()->id());
+    for (auto& [number, process] : processes_)
+      if (process.port)
+        ports.push_back(process.port);
+  }
+  for (auto& port : ports)
+    port->tell_end(name);
+}
+
+void Mesh::end_of_remote(ProcessNumber process, std::uint32_t number) {
+  caf::strong_actor_ptr representative;
+  {
+    std::lock_guard guard{mutex_};
+    auto i = processes_.find(process);
+    if (i == processes_.end())
+      return;
+    i->second.ended.insert(number);
+    if (auto known = i->second.representatives.find(number);
+        known != i->second.representatives.end())
+      representative = known->second;
+  }
+  if (representative)
+    static_cast<RemoteActor*>(representative->get())
+      ->kill_proxy(nullptr, caf::exit_reason::unknown);
+}
+
+void Mesh::end_process(ProcessNumber process) {
+  Process lost;
+  {
+    std::lock_guard guard{mutex_};
+    if (auto x = processes_.extract(process))
+      lost = std::move(x.mapped());
+  }
+  for (auto& [number, representative] : lost.representatives)
+    static_cast<RemoteActor*>(representative->get())
+      ->kill_proxy(nullptr, caf::exit_reason::remote_link_unreachable);
+}
+
+void Mesh::close() {
+  std::vector<ProcessNumber> all;
+  std::unordered_map<std::uint32_t, caf::strong_actor_ptr> locals;
+  {
+    std::lock_guard guard{mutex_};
+    closed_ = true;
+    for (auto& [number, process] : processes_)
+      all.push_back(number);
+    locals = std::move(locals_);
+    numbers_.clear();
+    event_sink_ = nullptr;
+  }
+  for (auto process : all)
+    end_process(process);
+}
+
+void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context) {
+  WireReader in{*this, message.head, std::move(message.contents)};
+  auto local = [&](std::uint32_t number) { return actor_of(make_actor_name(self_, number)); };
+  auto subject = in.take<Subject>();
+  switch (subject) {
+    case Subject::message:
+    case Subject::error: {
+      auto sender = in.take<caf::strong_actor_ptr>();
+      auto number = in.take<std::uint32_t>();
+      caf::message_id id{in.take<std::uint64_t>()};
+      auto content =
+        subject == Subject::message
+          ? table_.read(in)
+          : caf::make_message(caf::make_error(caf::sec::runtime_error, in.take<std::string>()));
+      if (number == static_cast<std::uint32_t>(WellKnownActor::events)) {
+        EventSink sink;
+        {
+          std::lock_guard guard{mutex_};
+          sink = event_sink_;
+        }
+        if (sink)
+          sink(content, context);
+        return;
+      }
+      if (auto receiver = local(number))
+        receiver->enqueue(std::move(sender), id, std::move(content), context);
+      else
+        caf::detail::sync_request_bouncer{caf::make_error(caf::sec::request_receiver_down)}(sender,
+                                                                                            id);
+      return;
+    }
+    case Subject::exit:
+      if (auto receiver = local(in.take<std::uint32_t>()))
+        caf::anon_send_exit(receiver, caf::exit_reason::user_shutdown);
+      return;
+    case Subject::ended:
+      end_of_remote(from, in.take<std::uint32_t>());
+      return;
+    case Subject::types:
+      for (auto n = in.take<std::uint32_t>(); n > 0; --n)
+        introduce(decode_descriptor(in.take_bytes()));
+      return;
+  }
+  throw DecodeError("a message about an unknown subject");
+}
+
+} // namespace castor

@@ -1,0 +1,145 @@
+#pragma once
+
+#include "castor/actors/link/session.hpp"
+#include "castor/actors/link/wire_table.hpp"
+#include "castor/wm/caf.hpp"
+
+#include <caf/message.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace castor {
+
+/// Counts the processes of a system; 0 is its coordinator.
+using ProcessNumber = std::uint16_t;
+
+/// Names an actor in the whole system; 0 is no actor.
+using ActorName = std::uint64_t;
+
+constexpr ActorName make_actor_name(ProcessNumber process, std::uint32_t number) {
+  return (static_cast<ActorName>(process) + 1) << 32 | number;
+}
+
+constexpr ProcessNumber process_of(ActorName name) {
+  return static_cast<ProcessNumber>((name >> 32) - 1);
+}
+
+/// Actors that every process has under the same number.
+enum class WellKnownActor : std::uint32_t {
+  /// Answers for the process's part of the system.
+  agent = 1,
+  /// Hands events to the process's working memories.
+  events = 2,
+};
+
+/// A message and the types that it must not arrive before.
+struct LinkMessage {
+  OutgoingMessage message;
+  std::vector<TypeDescriptorPtr> types;
+};
+
+class Mesh;
+
+/// The near end of the link to another process, for the actors here: they may use it from any
+/// thread.
+class LinkPort {
+public:
+  LinkPort(std::shared_ptr<Mesh> mesh, ProcessNumber peer, caf::actor link)
+    : mesh_(std::move(mesh)), peer_(peer), link_(std::move(link)) {}
+
+  ProcessNumber peer() const { return peer_; }
+
+  /// Sends what was sent to the actor of that name; answers a request that cannot travel itself.
+  void send(ActorName to, caf::mailbox_element& x);
+
+  /// Tells the peer that an actor here has ended.
+  void tell_end(ActorName who);
+
+private:
+  void hand_over(LinkMessage message);
+
+  const std::shared_ptr<Mesh> mesh_;
+  const ProcessNumber peer_;
+  const caf::actor link_;
+};
+
+/// The actors of a system as one process sees them: its own, which others may know by name, and
+/// those of other processes, for which it has representatives.
+///
+/// Representatives are ordinary actors to everybody here: messages, requests, monitors and exits
+/// work as with a local one. Safe to use from any thread.
+class Mesh : public WireNames, public std::enable_shared_from_this<Mesh> {
+public:
+  /// Called with what arrives for `WellKnownActor::events`, on the network's thread.
+  using EventSink = std::function<void(const caf::message& events, caf::execution_unit* context)>;
+
+  Mesh(caf::actor_system& system, const WireTable& table, ProcessNumber self)
+    : system_(system), table_(table), self_(self) {}
+
+  caf::actor_system& system() { return system_; }
+  const WireTable& table() const { return table_; }
+  ProcessNumber self() const { return self_; }
+
+  void set_well_known(WellKnownActor number, const caf::strong_actor_ptr& who);
+  void set_event_sink(EventSink sink);
+
+  /// The link that leads to a process.
+  void add_port(std::shared_ptr<LinkPort> port);
+
+  /// The process is lost: its actors have ended, as far as everybody here is concerned.
+  void end_process(ProcessNumber process);
+
+  /// All processes are lost, and nobody here can be named any more.
+  void close();
+
+  /// The representative of a well-known actor of another process.
+  caf::strong_actor_ptr well_known(ProcessNumber process, WellKnownActor number);
+
+  ActorName name_of(const caf::strong_actor_ptr& x) override;
+  caf::strong_actor_ptr actor_of(ActorName name) override;
+  TypeDescriptorPtr type_of(std::uint64_t hash) override;
+
+  /// A message that tells of types, for `receive` at the other end.
+  static Bytes introduction(const std::vector<TypeDescriptorPtr>& types);
+
+  /// Carries out what a message from a process asks for. Throws DecodeError.
+  void receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context);
+
+private:
+  friend class LinkPort;
+
+  struct Process {
+    std::shared_ptr<LinkPort> port;
+    std::unordered_map<std::uint32_t, caf::strong_actor_ptr> representatives;
+    std::unordered_set<std::uint32_t> ended;
+  };
+
+  void introduce(TypeDescriptorPtr type);
+  void watch(const caf::strong_actor_ptr& who, ActorName name);
+  void end_of_local(ActorName name);
+  void end_of_remote(ProcessNumber process, std::uint32_t number);
+
+  caf::actor_system& system_;
+  const WireTable& table_;
+  const ProcessNumber self_;
+
+  mutable std::mutex mutex_;
+  bool closed_ = false;
+  EventSink event_sink_;
+  std::uint32_t last_number_ = 15;
+  std::unordered_map<caf::actor_id, std::uint32_t> numbers_;
+  std::unordered_map<std::uint32_t, caf::strong_actor_ptr> locals_;
+  std::map<ProcessNumber, Process> processes_;
+  std::unordered_map<std::uint64_t, TypeDescriptorPtr> types_;
+};
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::LinkMessage)

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "castor/actors/link/mesh.hpp"
+
+#include <caf/actor_proxy.hpp>
+
+#include <atomic>
+#include <memory>
+
+namespace castor {
+
+/// Stands for an actor of another process: what it is sent goes over the link, on the sender's
+/// thread.
+class RemoteActor : public caf::actor_proxy {
+public:
+  RemoteActor(caf::actor_config& config, std::shared_ptr<LinkPort> port, ActorName actor)
+    : actor_proxy(config), port_(std::move(port)), actor_(actor) {}
+
+  const char* name() const override { return "remote_actor"; }
+
+  ActorName actor() const { return actor_; }
+
+  void enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) override;
+
+  /// The actor has ended, or is lost.
+  void kill_proxy(caf::execution_unit* context, caf::error reason) override;
+
+private:
+  const std::shared_ptr<LinkPort> port_;
+  const ActorName actor_;
+  std::atomic<bool> ended_{false};
+};
+
+} // namespace castor

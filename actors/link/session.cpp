@@ -1,0 +1,345 @@
+#include "castor/actors/link/session.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+enum class FrameKind : std::uint8_t { part, ack, ping, goodbye };
+
+constexpr std::uint8_t first_part = 1;
+constexpr std::uint8_t last_part = 2;
+constexpr std::size_t part_header = sizeof(std::uint32_t) + 1;
+constexpr std::size_t longest_goodbye = 4096;
+/// Acknowledgements are owed after so many parts or bytes, and at every reminder.
+constexpr std::uint64_t parts_per_ack = 32;
+constexpr std::size_t bytes_per_ack = 256 * 1024;
+
+template <class T>
+void put(std::vector<char>& out, T x) {
+  auto at = out.size();
+  out.resize(at + sizeof(T));
+  std::memcpy(out.data() + at, &x, sizeof(T));
+}
+
+template <class T>
+T take(std::span<const std::uint8_t>& in) {
+  if (in.size() < sizeof(T))
+    throw LinkError("a frame ends too early");
+  T x;
+  std::memcpy(&x, in.data(), sizeof(T));
+  in = in.subspan(sizeof(T));
+  return x;
+}
+
+/// Begins a frame; `size` is that of its content.
+void put_header(std::vector<char>& out, FrameKind kind, std::size_t size) {
+  put(out, static_cast<std::uint32_t>(size + 1));
+  put(out, kind);
+}
+
+} // namespace
+
+struct LinkSession::Message {
+  std::uint32_t number = 0;
+  /// Count and lengths, then the head.
+  Bytes begin;
+  std::vector<Value> contents;
+  std::size_t size = 0;
+  /// Of it, what was cut into parts.
+  std::size_t cut = 0;
+  std::function<void()> arrived;
+
+  /// Appends the bytes from `at` on.
+  void copy(std::size_t at, std::size_t n, std::vector<char>& out) const {
+    auto append = [&](const Bytes& piece) {
+      if (at >= piece.size()) {
+        at -= piece.size();
+        return;
+      }
+      auto length = std::min(n, piece.size() - at);
+      auto from = piece.begin() + static_cast<std::ptrdiff_t>(at);
+      out.insert(out.end(), from, from + static_cast<std::ptrdiff_t>(length));
+      n -= length;
+      at = 0;
+    };
+    append(begin);
+    for (auto& x : contents) {
+      if (n == 0)
+        return;
+      append(x.bytes());
+    }
+  }
+};
+
+struct LinkSession::Unfinished {
+  /// Until the lengths are known.
+  Bytes begin;
+  bool begun = false;
+  std::vector<std::uint64_t> lengths;
+  std::vector<Bytes> pieces;
+
+  /// Takes bytes of the message. Throws LinkError.
+  void take(std::span<const std::uint8_t> in, std::size_t largest) {
+    if (!begun) {
+      begin.insert(begin.end(), in.begin(), in.end());
+      if (!read_lengths(largest))
+        return;
+      begun = true;
+      auto rest = std::exchange(begin, {});
+      take_pieces(std::span{rest}.subspan(sizeof(std::uint32_t) + lengths.size() * 8));
+    } else {
+      take_pieces(in);
+    }
+  }
+
+  bool complete() const {
+    return begun && pieces.size() == lengths.size() && is_full(pieces.size() - 1);
+  }
+
+private:
+  bool read_lengths(std::size_t largest) {
+    if (begin.size() < sizeof(std::uint32_t))
+      return false;
+    std::span<const std::uint8_t> in{begin};
+    auto count = castor::take<std::uint32_t>(in);
+    if (count == 0 || count > largest / sizeof(std::uint64_t))
+      throw LinkError("a message of " + std::to_string(count) + " pieces");
+    if (in.size() < count * sizeof(std::uint64_t))
+      return false;
+    std::uint64_t total = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      lengths.push_back(castor::take<std::uint64_t>(in));
+      if (lengths.back() > largest || (total += lengths.back()) > largest)
+        throw LinkError("a message of more than " + std::to_string(largest) + " bytes");
+    }
+    return true;
+  }
+
+  void take_pieces(std::span<const std::uint8_t> in) {
+    for (;;) {
+      if (pieces.empty() || is_full(pieces.size() - 1)) {
+        if (pieces.size() == lengths.size())
+          break;
+        auto length = lengths[pieces.size()];
+        pieces.emplace_back().reserve(length);
+      }
+      auto& piece = pieces.back();
+      auto n = std::min<std::size_t>(in.size(), lengths[pieces.size() - 1] - piece.size());
+      piece.insert(piece.end(), in.begin(), in.begin() + static_cast<std::ptrdiff_t>(n));
+      in = in.subspan(n);
+      if (!is_full(pieces.size() - 1))
+        break;
+    }
+    if (!in.empty())
+      throw LinkError("a message is longer than it said");
+  }
+
+  bool is_full(std::size_t i) const { return pieces[i].size() == lengths[i]; }
+};
+
+// -- out
+
+void LinkSession::send(OutgoingMessage message) {
+  auto x = std::make_shared<Message>();
+  x->number = ++last_number_;
+  x->contents = std::move(message.contents);
+  x->arrived = std::move(message.arrived);
+  std::vector<char> lengths;
+  put(lengths, static_cast<std::uint32_t>(x->contents.size() + 1));
+  put(lengths, static_cast<std::uint64_t>(message.head.size()));
+  for (auto& content : x->contents) {
+    put(lengths, static_cast<std::uint64_t>(content.bytes().size()));
+    x->size += content.bytes().size();
+  }
+  x->begin = std::move(message.head);
+  x->begin.insert(x->begin.begin(), lengths.begin(), lengths.end());
+  x->size += x->begin.size();
+  auto lane = std::find_if(long_.begin(), long_.end(),
+                           [&](auto& y) { return message.lane != 0 && y.lane == message.lane; });
+  if (lane == long_.end() && x->size <= limits_.chunk) {
+    short_.push_back(std::move(x));
+    return;
+  }
+  ++long_messages_;
+  if (lane == long_.end())
+    lane = long_.insert(long_.end(), LongLane{message.lane, {}});
+  lane->messages.push_back(std::move(x));
+}
+
+LinkSession::Part LinkSession::cut(const MessagePtr& message) const {
+  Part part{message, message->cut, std::min(limits_.chunk, message->size - message->cut)};
+  message->cut += part.size;
+  return part;
+}
+
+bool LinkSession::next_part(Part& part) {
+  // Short messages pass long ones, but do not hold them up for ever.
+  if (!short_.empty() && (long_.empty() || short_run_ < limits_.chunk)) {
+    part = cut(short_.front());
+    short_run_ += part.size;
+    short_.pop_front();
+    return true;
+  }
+  short_run_ = 0;
+  if (long_.empty())
+    return false;
+  auto& lane = long_.front();
+  part = cut(lane.messages.front());
+  if (part.message->cut == part.message->size) {
+    lane.messages.pop_front();
+    --long_messages_;
+  }
+  if (lane.messages.empty())
+    long_.pop_front();
+  else
+    long_.splice(long_.end(), long_, long_.begin());
+  return true;
+}
+
+void LinkSession::write_part(std::vector<char>& out, const Part& part) const {
+  auto& message = *part.message;
+  put_header(out, FrameKind::part, part_header + part.size);
+  put(out, message.number);
+  std::uint8_t flags = 0;
+  if (part.begin == 0)
+    flags |= first_part;
+  if (part.begin + part.size == message.size)
+    flags |= last_part;
+  put(out, flags);
+  message.copy(part.begin, part.size, out);
+}
+
+void LinkSession::produce(std::vector<char>& out, std::size_t at_most) {
+  auto end = out.size() + at_most;
+  if (received_ - acknowledged_to_peer_ >= parts_per_ack || received_since_ >= bytes_per_ack ||
+      (reminded_ && received_ > acknowledged_to_peer_)) {
+    put_header(out, FrameKind::ack, sizeof(std::uint64_t));
+    put(out, received_);
+    acknowledged_to_peer_ = received_;
+    received_since_ = 0;
+    reminded_ = false;
+  }
+  while (out.size() < end && rewritten_ < sent_.size())
+    write_part(out, sent_[rewritten_++]);
+  Part part;
+  while (out.size() < end && rewritten_ == sent_.size() && unacknowledged_ < limits_.window &&
+         next_part(part)) {
+    write_part(out, part);
+    unacknowledged_ += part.size;
+    sent_.push_back(std::move(part));
+    ++rewritten_;
+    reminded_ = false;
+  }
+  if (std::exchange(reminded_, false))
+    put_header(out, FrameKind::ping, 0);
+  if (!goodbye_.empty()) {
+    auto text = std::exchange(goodbye_, {}).substr(0, longest_goodbye);
+    put_header(out, FrameKind::goodbye, text.size());
+    out.insert(out.end(), text.begin(), text.end());
+  }
+}
+
+bool LinkSession::has_something_to_say() const {
+  return reminded_ || !goodbye_.empty() || rewritten_ < sent_.size() ||
+         received_ - acknowledged_to_peer_ >= parts_per_ack || received_since_ >= bytes_per_ack ||
+         (waiting() > 0 && unacknowledged_ < limits_.window);
+}
+
+void LinkSession::acknowledge(std::uint64_t received_by_peer) {
+  if (received_by_peer > acknowledged_ + sent_.size())
+    throw LinkError("the peer acknowledges what was never sent");
+  while (acknowledged_ < received_by_peer) {
+    auto& part = sent_.front();
+    unacknowledged_ -= part.size;
+    if (part.message->arrived && part.begin + part.size == part.message->size)
+      part.message->arrived();
+    sent_.pop_front();
+    ++acknowledged_;
+    rewritten_ -= rewritten_ > 0 ? 1 : 0;
+  }
+}
+
+void LinkSession::resume(std::uint64_t received_by_peer) {
+  if (received_by_peer < acknowledged_)
+    throw LinkError("the peer has lost what it had received");
+  acknowledge(received_by_peer);
+  rewritten_ = 0;
+  input_.clear();
+  acknowledged_to_peer_ = received_;
+  received_since_ = 0;
+}
+
+// -- in
+
+void LinkSession::receive(std::span<const std::uint8_t> bytes,
+                          const std::function<void(IncomingMessage)>& deliver) {
+  input_.insert(input_.end(), bytes.begin(), bytes.end());
+  std::span<const std::uint8_t> in{input_};
+  while (in.size() >= sizeof(std::uint32_t) && peer_goodbye_.empty()) {
+    auto rest = in;
+    std::size_t size = take<std::uint32_t>(rest);
+    if (size == 0 || size > limits_.chunk + part_header + 1)
+      throw LinkError("a frame of " + std::to_string(size) + " bytes");
+    if (rest.size() < size)
+      break;
+    take_frame(rest.first(size), deliver);
+    in = rest.subspan(size);
+  }
+  input_.erase(input_.begin(), input_.end() - static_cast<std::ptrdiff_t>(in.size()));
+}
+
+void LinkSession::take_frame(std::span<const std::uint8_t> frame,
+                             const std::function<void(IncomingMessage)>& deliver) {
+  switch (take<FrameKind>(frame)) {
+    case FrameKind::part:
+      take_part(frame, deliver);
+      return;
+    case FrameKind::ack:
+      acknowledge(take<std::uint64_t>(frame));
+      break;
+    case FrameKind::ping:
+      break;
+    case FrameKind::goodbye:
+      peer_goodbye_.assign(frame.begin(), frame.end());
+      if (peer_goodbye_.empty())
+        peer_goodbye_ = "no reason given";
+      return;
+    default:
+      throw LinkError("a frame of an unknown kind");
+  }
+  if (!frame.empty())
+    throw LinkError("a frame is longer than it should be");
+}
+
+void LinkSession::take_part(std::span<const std::uint8_t> content,
+                            const std::function<void(IncomingMessage)>& deliver) {
+  auto number = take<std::uint32_t>(content);
+  auto flags = take<std::uint8_t>(content);
+  auto known = unfinished_.find(number);
+  if ((known == unfinished_.end()) != ((flags & first_part) != 0))
+    throw LinkError("parts of a message are out of order");
+  if (known == unfinished_.end()) {
+    if (unfinished_.size() >= limits_.unfinished_messages)
+      throw LinkError("too many messages at the same time");
+    known = unfinished_.emplace(number, std::make_shared<Unfinished>()).first;
+  }
+  auto message = known->second;
+  message->take(content, limits_.largest_message);
+  if (message->complete() != ((flags & last_part) != 0))
+    throw LinkError("a message is not as long as it said");
+  ++received_;
+  received_since_ += content.size();
+  if (!message->complete())
+    return;
+  unfinished_.erase(known);
+  IncomingMessage result{std::move(message->pieces.front()), {}};
+  result.contents.assign(std::move_iterator{message->pieces.begin() + 1},
+                         std::move_iterator{message->pieces.end()});
+  deliver(std::move(result));
+}
+
+} // namespace castor

@@ -1,0 +1,167 @@
+#pragma once
+
+#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/value.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <list>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace castor {
+
+/// The peer does not keep to the protocol, or claims what cannot be.
+class LinkError : public std::runtime_error {
+public:
+  using runtime_error::runtime_error;
+};
+
+/// Messages of one lane, other than 0, arrive in the order in which they were sent.
+using Lane = std::uint64_t;
+
+/// A message to another process.
+struct OutgoingMessage {
+  Bytes head;
+  /// Large contents, which follow the head; shared, so that they are not copied.
+  std::vector<Value> contents = {};
+  Lane lane = 0;
+  /// Called once the peer has the whole message.
+  std::function<void()> arrived = {};
+};
+
+/// The same at the other end.
+struct IncomingMessage {
+  Bytes head;
+  std::vector<Bytes> contents;
+};
+
+struct SessionLimits {
+  /// The most that one frame carries.
+  std::size_t chunk = 64 * 1024;
+  /// What the peer may leave unacknowledged before nothing more is sent.
+  std::size_t window = 4 * 1024 * 1024;
+  /// The largest message that is taken.
+  std::size_t largest_message = std::size_t{1} << 30;
+  /// Messages that may be under way from the peer at the same time.
+  std::size_t unfinished_messages = 4096;
+};
+
+/// Turns messages into frames and back, so that all arrive exactly once, whatever becomes of the
+/// connections that carry them. A long message travels in chunks between which others pass.
+///
+/// Pure: bytes come in and go out, and whoever holds it moves them. What was written is kept until
+/// the peer acknowledges it. A new connection begins with each side telling the other how much it
+/// has received (`received`, `resume`), from where the sender goes on.
+///
+/// A frame is a length (u32, of what follows), a kind (u8) and its content:
+///
+///     part     u32 the message's number, u8 1 first | 2 last, bytes of the message
+///     ack      u64 how many parts were received, since the session began
+///     ping     nothing: the peer is alive
+///     goodbye  the reason, as text: the peer ends the session
+///
+/// A message begins with a u32 count and as many u64 lengths: of its head and of its contents. All
+/// numbers are little-endian.
+class LinkSession {
+public:
+  explicit LinkSession(SessionLimits limits = {}) : limits_(limits) {}
+
+  void send(OutgoingMessage message);
+
+  /// Appends frames to `out` until there is nothing to send, the window is full or `out` has grown
+  /// by `at_most` bytes or a little more.
+  void produce(std::vector<char>& out, std::size_t at_most);
+
+  /// Takes what came over the connection, however it was cut. Throws LinkError.
+  void receive(std::span<const std::uint8_t> bytes,
+               const std::function<void(IncomingMessage)>& deliver);
+
+  /// How many parts came in, for the peer to go on from.
+  std::uint64_t received() const { return received_; }
+
+  /// A new connection: everything after the first `received_by_peer` parts is sent again. Throws
+  /// LinkError if the peer claims more than there was, or has lost what it had.
+  void resume(std::uint64_t received_by_peer);
+
+  /// To be called now and then: the next `produce` says something even if there is nothing to say.
+  void remind() { reminded_ = true; }
+
+  /// Ends the session once `produce` was called.
+  void say_goodbye(std::string reason) { goodbye_ = std::move(reason); }
+
+  /// The peer's reason to end the session; empty until it has.
+  const std::string& goodbye() const { return peer_goodbye_; }
+
+  /// Whether `produce` would write anything.
+  bool has_something_to_say() const;
+
+  /// Bytes that were written and not acknowledged.
+  std::size_t unacknowledged() const { return unacknowledged_; }
+
+  /// Messages that have not been written completely.
+  std::size_t waiting() const { return short_.size() + long_messages_; }
+
+private:
+  struct Message;
+  using MessagePtr = std::shared_ptr<Message>;
+
+  /// A stretch of a message.
+  struct Part {
+    MessagePtr message;
+    std::size_t begin = 0;
+    std::size_t size = 0;
+  };
+
+  /// Messages that have to keep their order, the first of which is long.
+  struct LongLane {
+    Lane lane;
+    std::deque<MessagePtr> messages;
+  };
+
+  /// A message of which not all has arrived.
+  struct Unfinished;
+
+  Part cut(const MessagePtr& message) const;
+  void write_part(std::vector<char>& out, const Part& part) const;
+  bool next_part(Part& part);
+  void take_part(std::span<const std::uint8_t> content,
+                 const std::function<void(IncomingMessage)>& deliver);
+  void take_frame(std::span<const std::uint8_t> frame,
+                  const std::function<void(IncomingMessage)>& deliver);
+  void acknowledge(std::uint64_t received_by_peer);
+
+  SessionLimits limits_;
+
+  // -- out
+  std::uint32_t last_number_ = 0;
+  std::deque<MessagePtr> short_;
+  std::list<LongLane> long_;
+  std::size_t long_messages_ = 0;
+  /// Bytes of short messages since the last part of a long one.
+  std::size_t short_run_ = 0;
+  /// Written but not acknowledged; the first of them is number `acknowledged_`.
+  std::deque<Part> sent_;
+  std::uint64_t acknowledged_ = 0;
+  std::size_t unacknowledged_ = 0;
+  /// Of `sent_`, how many were written to the present connection.
+  std::size_t rewritten_ = 0;
+  bool reminded_ = false;
+  std::string goodbye_;
+
+  // -- in
+  Bytes input_;
+  std::unordered_map<std::uint32_t, std::shared_ptr<Unfinished>> unfinished_;
+  std::uint64_t received_ = 0;
+  std::uint64_t acknowledged_to_peer_ = 0;
+  std::size_t received_since_ = 0;
+  std::string peer_goodbye_;
+};
+
+} // namespace castor

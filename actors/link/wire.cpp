@@ -1,0 +1,61 @@
+#include "castor/actors/link/wire.hpp"
+
+#include <utility>
+
+namespace castor {
+
+void WireWriter::put(const TypeDescriptorPtr& x) {
+  put(x->hash);
+  types_.push_back(x);
+}
+
+void WireWriter::put(const Value& x) {
+  put(x.has_value());
+  if (!x.has_value())
+    return;
+  put(x.type_ptr());
+  auto& bytes = x.bytes();
+  bool shared = bytes.size() >= shared_content;
+  put(shared);
+  if (shared)
+    contents_.push_back(x);
+  else
+    encoder_.put(bytes);
+}
+
+void WireReader::get(TypeDescriptorPtr& x) {
+  auto hash = take<std::uint64_t>();
+  x = names_.type_of(hash);
+  if (!x)
+    throw DecodeError("a value of a type that was not introduced");
+}
+
+void WireReader::get(Value& x) {
+  x = {};
+  if (!take<bool>())
+    return;
+  auto type = take<TypeDescriptorPtr>();
+  Bytes bytes;
+  if (!take<bool>())
+    decoder_.get(bytes);
+  else if (next_content_ < contents_.size())
+    bytes = std::move(contents_[next_content_++]);
+  else
+    throw DecodeError("a value without its content");
+  x = Value::from_bytes(std::move(type), std::move(bytes));
+}
+
+std::uint32_t WireReader::take_count() {
+  auto result = take<std::uint32_t>();
+  if (result > decoder_.remaining())
+    throw DecodeError("a list claims more elements than it has bytes");
+  return result;
+}
+
+void WireReader::expect_end() const {
+  decoder_.expect_end();
+  if (next_content_ < contents_.size())
+    throw DecodeError("a message with more contents than values");
+}
+
+} // namespace castor

@@ -1,0 +1,258 @@
+#pragma once
+
+#include "castor/wm/caf.hpp"
+#include "castor/wm/encoding.hpp"
+#include "castor/wm/entry.hpp"
+#include "castor/wm/failure.hpp"
+#include "castor/wm/value.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// How messages between actors are written for the way to another process, and read there. Entry
+/// values are not looked into: they have their wire form already.
+namespace castor {
+
+/// What writer and reader must be told of the world: which name an actor has there, and which
+/// descriptor belongs to a hash.
+class WireNames {
+public:
+  virtual ~WireNames() = default;
+
+  /// 0 for none.
+  virtual std::uint64_t name_of(const caf::strong_actor_ptr& x) = 0;
+  virtual caf::strong_actor_ptr actor_of(std::uint64_t name) = 0;
+  /// Null if the type was never told of.
+  virtual TypeDescriptorPtr type_of(std::uint64_t hash) = 0;
+};
+
+/// Contents of at least so many bytes are shared with the message rather than copied into it.
+inline constexpr std::size_t shared_content = 4096;
+
+class WireWriter {
+public:
+  static constexpr bool writes = true;
+
+  explicit WireWriter(WireNames& names) : names_(names) {}
+
+  template <class... Ts>
+  void operator()(const Ts&... xs) {
+    (put(xs), ...);
+  }
+
+  Bytes take_head() { return std::move(head_); }
+  std::vector<Value> take_contents() { return std::move(contents_); }
+
+  /// The types that values and events in the message are of.
+  std::vector<TypeDescriptorPtr> take_types() { return std::move(types_); }
+
+  template <class T>
+  void put(const T& x);
+  void put(const std::string& x) { encoder_.put(x); }
+  void put(const Value& x);
+  void put(const TypeDescriptorPtr& x);
+  void put(const caf::strong_actor_ptr& x) { put(names_.name_of(x)); }
+
+  template <class T>
+  void put(const std::shared_ptr<const T>& x) {
+    put(x != nullptr);
+    if (x)
+      put(*x);
+  }
+
+  template <class T>
+  void put(const std::optional<T>& x) {
+    put(x.has_value());
+    if (x)
+      put(*x);
+  }
+
+  template <class T>
+  void put(const std::vector<T>& x) {
+    put_all(x);
+  }
+
+  template <class T>
+  void put(const std::set<T>& x) {
+    put_all(x);
+  }
+
+  template <class K, class T>
+  void put(const std::map<K, T>& x) {
+    put_all(x);
+  }
+
+  template <class A, class B>
+  void put(const std::pair<A, B>& x) {
+    (*this)(x.first, x.second);
+  }
+
+  template <class T>
+  void put(const Outcome<T>& x) {
+    put(x.ok());
+    if (x)
+      put(*x);
+    else
+      put(x.failure());
+  }
+
+private:
+  template <class T>
+  void put_all(const T& xs) {
+    put(static_cast<std::uint32_t>(xs.size()));
+    for (auto& x : xs)
+      put(x);
+  }
+
+  WireNames& names_;
+  Bytes head_;
+  Encoder encoder_{head_};
+  std::vector<Value> contents_;
+  std::vector<TypeDescriptorPtr> types_;
+};
+
+/// Throws DecodeError at whatever cannot be.
+class WireReader {
+public:
+  static constexpr bool writes = false;
+
+  WireReader(WireNames& names, std::span<const std::uint8_t> head, std::vector<Bytes> contents)
+    : names_(names), decoder_(head), contents_(std::move(contents)) {}
+
+  template <class... Ts>
+  void operator()(Ts&... xs) {
+    (get(xs), ...);
+  }
+
+  template <class T>
+  T take() {
+    T x{};
+    get(x);
+    return x;
+  }
+
+  Bytes take_bytes() {
+    Bytes x;
+    decoder_.get(x);
+    return x;
+  }
+
+  /// Throws DecodeError if there is more to the message than was read.
+  void expect_end() const;
+
+  template <class T>
+  void get(T& x);
+  void get(std::string& x) { decoder_.get(x); }
+  void get(Value& x);
+  void get(TypeDescriptorPtr& x);
+  void get(caf::strong_actor_ptr& x) { x = names_.actor_of(take<std::uint64_t>()); }
+
+  template <class T>
+  void get(std::shared_ptr<const T>& x) {
+    x = take<bool>() ? std::make_shared<const T>(take<T>()) : nullptr;
+  }
+
+  template <class T>
+  void get(std::optional<T>& x) {
+    if (take<bool>())
+      x = take<T>();
+    else
+      x.reset();
+  }
+
+  template <class T>
+  void get(std::vector<T>& x) {
+    x.clear();
+    for (auto n = take_count(); n > 0; --n)
+      x.push_back(take<T>());
+  }
+
+  template <class T>
+  void get(std::set<T>& x) {
+    x.clear();
+    for (auto n = take_count(); n > 0; --n)
+      x.insert(take<T>());
+  }
+
+  template <class K, class T>
+  void get(std::map<K, T>& x) {
+    x.clear();
+    for (auto n = take_count(); n > 0; --n) {
+      auto key = take<K>();
+      x.insert_or_assign(std::move(key), take<T>());
+    }
+  }
+
+  template <class A, class B>
+  void get(std::pair<A, B>& x) {
+    (*this)(x.first, x.second);
+  }
+
+  template <class T>
+  void get(Outcome<T>& x) {
+    if (take<bool>())
+      x = take<T>();
+    else
+      x = take<Failure>();
+  }
+
+private:
+  /// Every element takes a byte at least, so a huge count is refused at once.
+  std::uint32_t take_count();
+
+  WireNames& names_;
+  Decoder decoder_;
+  std::vector<Bytes> contents_;
+  std::size_t next_content_ = 0;
+};
+
+/// A message's structs say once what they consist of, for both directions:
+///
+///     template <class A>
+///     void wire(A& a, WirePart<A, Address>& x) {
+///       a(x.subarchitecture, x.id);
+///     }
+template <class A, class T>
+using WirePart = std::conditional_t<A::writes, const T, T>;
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_duration = false;
+
+template <class R, class P>
+inline constexpr bool is_duration<std::chrono::duration<R, P>> = true;
+
+} // namespace detail
+
+template <class T>
+void WireWriter::put(const T& x) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+    encoder_.put(x);
+  else if constexpr (detail::is_duration<T>)
+    encoder_.put(x.count());
+  else
+    wire(*this, x);
+}
+
+template <class T>
+void WireReader::get(T& x) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+    decoder_.get(x);
+  else if constexpr (detail::is_duration<T>)
+    x = T{take<typename T::rep>()};
+  else
+    wire(*this, x);
+}
+
+} // namespace castor

@@ -1,0 +1,253 @@
+#include "castor/actors/link/mesh.hpp"
+
+#include "castor/actors/link/link.hpp"
+#include "castor/actors/link/listener.hpp"
+#include "castor/actors/link/wire_protocol.hpp"
+#include "castor/tests/support/relay.hpp"
+#include "castor/wm/reflect.hpp"
+#include "castor/wm/working_memory.hpp"
+
+#include <caf/io/middleman.hpp>
+#include <caf/scoped_actor.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace castor {
+
+struct Box {
+  std::string label;
+  Bytes pixels;
+};
+CASTOR_REFLECT(Box, label, pixels)
+
+namespace {
+
+using namespace std::chrono_literals;
+
+const WireTable& table() {
+  static const auto result =
+    WireTable::of<WriteRequest, ReadRequest, QueryRequest, Outcome<Version>, Outcome<EntryPtr>,
+                  Outcome<std::vector<EntryPtr>>, Subscribe, Outcome<Acknowledged>, ChangeNotice,
+                  StatusQuery, WorkingMemoryStatus>();
+  return result;
+}
+
+struct Config : caf::actor_system_config {
+  Config() {
+    load<caf::io::middleman>();
+    set("scheduler.policy", caf::atom("sharing"));
+    set("scheduler.max-threads", 2);
+    set("middleman.workers", 0);
+  }
+};
+
+/// One process's part of a system, in a test that has two of them in one process.
+struct Part {
+  explicit Part(ProcessNumber number) : mesh(std::make_shared<Mesh>(system, table(), number)) {}
+
+  ~Part() {
+    caf::anon_send(link, CloseLink{"the test ends"});
+    caf::anon_send_exit(listener, caf::exit_reason::user_shutdown);
+    mesh->close();
+  }
+
+  Hello hello() const {
+    return {mesh->self() == 0 ? "run" : "robot", "test", 100u + mesh->self(), mesh->self(), 0, 0};
+  }
+
+  LinkParts parts(ProcessNumber peer) {
+    LinkParts x;
+    x.mesh = mesh;
+    x.peer = peer;
+    x.peer_name = peer == 0 ? "run" : "robot";
+    x.self = hello();
+    x.counters = counters;
+    x.options.patience = 3s;
+    x.on_news = [this](const LinkNews& news) {
+      if (news.kind == LinkNews::Kind::up)
+        ++ups;
+      else if (news.kind == LinkNews::Kind::lost)
+        lost = true;
+    };
+    return x;
+  }
+
+  std::uint16_t listen() {
+    auto socket = listen_at({"127.0.0.1", 0});
+    auto port = port_of(socket);
+    listener =
+      spawn_listener(system, {socket, [this](const Hello& x) {
+                                return std::variant<caf::actor, Refusal>{
+                                  x.system == "test" ? std::variant<caf::actor, Refusal>{link}
+                                                     : Refusal{"no system " + x.system, true}};
+                              }});
+    return port;
+  }
+
+  void connect(ProcessNumber peer, std::optional<Endpoint> to) {
+    auto x = parts(peer);
+    x.dial = std::move(to);
+    link = spawn_link(system, std::move(x));
+    mesh->add_port(std::make_shared<LinkPort>(mesh, peer, link));
+  }
+
+  std::atomic<int> ups{0};
+  std::atomic<bool> lost{false};
+  std::shared_ptr<LinkCounters> counters = std::make_shared<LinkCounters>();
+  Config config;
+  caf::actor_system system{config};
+  std::shared_ptr<Mesh> mesh;
+  caf::actor link;
+  caf::actor listener;
+};
+
+bool eventually(const std::function<bool()>& f) {
+  auto until = std::chrono::steady_clock::now() + 10s;
+  while (!f()) {
+    if (std::chrono::steady_clock::now() > until)
+      return false;
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+
+/// A coordinator, and a robot with a working memory.
+class TwoProcesses : public testing::Test {
+protected:
+  TwoProcesses() {
+    WorkingMemoryOptions options;
+    options.subarchitecture = "vision";
+    options.writers = {"*"};
+    options.epoch = std::chrono::steady_clock::now();
+    wm = robot.system.spawn(working_memory, options);
+    robot.mesh->set_well_known(WellKnownActor::agent, caf::actor_cast<caf::strong_actor_ptr>(wm));
+    robot.connect(0, std::nullopt);
+    relay = std::make_unique<test::Relay>(robot.listen());
+    run.connect(1, Endpoint{"127.0.0.1", relay->port()});
+    remote = caf::actor_cast<WorkingMemoryActor>(run.mesh->well_known(1, WellKnownActor::agent));
+  }
+
+  ~TwoProcesses() override { caf::anon_send_exit(wm, caf::exit_reason::user_shutdown); }
+
+  template <class Reply, class Request>
+  Reply ask(const Request& request) {
+    Reply result;
+    self->request(remote, 10s, request)
+      .receive([&](const Reply& x) { result = x; },
+               [&](const caf::error& e) {
+                 ADD_FAILURE() << run.system.render(e);
+                 throw std::runtime_error("no reply");
+               });
+    return result;
+  }
+
+  Outcome<Version> add(const std::string& id, Box box) {
+    WriteRequest x;
+    x.address = {"vision", id};
+    x.value = Value::of(std::move(box));
+    x.client = client;
+    return ask<Outcome<Version>>(x);
+  }
+
+  Outcome<EntryPtr> read(const std::string& id) {
+    return ask<Outcome<EntryPtr>>(ReadRequest{{"vision", id}, {client, ++number, 1s}});
+  }
+
+  Part robot{1};
+  Part run{0};
+  WorkingMemoryActor wm;
+  std::unique_ptr<test::Relay> relay;
+  caf::scoped_actor self{run.system};
+  WorkingMemoryActor remote;
+  ClientPtr client = std::make_shared<const Client>(Client{"tester", "vision", 1});
+  WaitNumber number = 0;
+};
+
+TEST_F(TwoProcesses, AWorkingMemoryIsUsedFromAfar) {
+  EXPECT_EQ(*add("x", {"box", Bytes(100'000, 7)}), 0u);
+  auto entry = read("x");
+  ASSERT_TRUE(entry);
+  EXPECT_EQ((*entry)->value.as<Box>()->label, "box");
+  EXPECT_EQ((*entry)->value.as<Box>()->pixels, Bytes(100'000, 7));
+  EXPECT_EQ((*entry)->writer, "tester");
+  auto again = add("x", {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.failure().kind, FailureKind::already_exists);
+}
+
+TEST_F(TwoProcesses, EventsArriveInOrder) {
+  ASSERT_TRUE(ask<Outcome<Acknowledged>>(Subscribe{5, any_change()}));
+  for (int i = 0; i < 100; ++i)
+    add(std::to_string(i), {});
+  for (int i = 0; i < 100; ++i)
+    self->receive([&](const ChangeNotice& x) {
+      EXPECT_EQ(x.event->address.id, std::to_string(i));
+      EXPECT_EQ(x.event->type_name(), "Box");
+      EXPECT_EQ(x.filters, std::vector<FilterId>{5});
+    });
+}
+
+TEST_F(TwoProcesses, NothingIsLostWithAConnection) {
+  ASSERT_TRUE(ask<Outcome<Acknowledged>>(Subscribe{5, any_change()}));
+  for (int i = 0; i < 50; ++i) {
+    if (i % 5 == 0)
+      relay->cut();
+    EXPECT_EQ(*add(std::to_string(i), {"x", Bytes(static_cast<std::size_t>(i) * 5000)}), 0u);
+  }
+  for (int i = 0; i < 50; ++i)
+    self->receive(
+      [&](const ChangeNotice& x) { EXPECT_EQ(x.event->address.id, std::to_string(i)); });
+  EXPECT_GT(run.ups, 5);
+  EXPECT_FALSE(run.lost);
+}
+
+TEST_F(TwoProcesses, TheEndOfAnActorIsNoticed) {
+  add("x", {});
+  self->monitor(remote);
+  caf::anon_send_exit(wm, caf::exit_reason::user_shutdown);
+  bool down = false;
+  self->receive([&](const caf::down_msg& x) { down = x.source == remote.address(); },
+                caf::after(10s) >> [] {});
+  EXPECT_TRUE(down);
+  bool failed = false;
+  self->request(remote, 10s, StatusQuery{})
+    .receive([](const WorkingMemoryStatus&) {}, [&](const caf::error&) { failed = true; });
+  EXPECT_TRUE(failed);
+}
+
+TEST_F(TwoProcesses, AnActorCanBeEndedFromAfar) {
+  caf::scoped_actor there{robot.system};
+  there->monitor(wm);
+  self->send_exit(remote, caf::exit_reason::user_shutdown);
+  bool down = false;
+  there->receive([&](const caf::down_msg&) { down = true; }, caf::after(10s) >> [] {});
+  EXPECT_TRUE(down);
+}
+
+TEST_F(TwoProcesses, WhoeverIsOutOfReachForTooLongIsLost) {
+  add("x", {});
+  self->monitor(remote);
+  relay->stop();
+  bool down = false;
+  self->receive([&](const caf::down_msg&) { down = true; }, caf::after(20s) >> [] {});
+  EXPECT_TRUE(down);
+  EXPECT_TRUE(eventually([&] { return run.lost.load(); }));
+}
+
+TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {
+  add("x", {});
+  relay->freeze(true);
+  EXPECT_TRUE(eventually([&] { return relay->connections() > 1; }));
+  relay->freeze(false);
+  EXPECT_TRUE(read("x"));
+}
+
+} // namespace
+
+} // namespace castor

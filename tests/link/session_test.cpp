@@ -1,0 +1,297 @@
+#include "castor/actors/link/session.hpp"
+
+#include "castor/wm/reflect.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <string>
+
+namespace castor {
+
+struct Picture {
+  Bytes pixels;
+};
+CASTOR_REFLECT(Picture, pixels)
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Bytes bytes(std::string_view text) {
+  return {text.begin(), text.end()};
+}
+
+std::string text(const Bytes& x) {
+  return {x.begin(), x.end()};
+}
+
+std::string everything(LinkSession& session) {
+  std::vector<char> out;
+  session.produce(out, 1 << 30);
+  return {out.begin(), out.end()};
+}
+
+std::span<const std::uint8_t> as_bytes(std::string_view x) {
+  return {reinterpret_cast<const std::uint8_t*>(x.data()), x.size()};
+}
+
+/// Takes heads in the order of their arrival.
+std::vector<std::string> heads(LinkSession& to, std::string_view data) {
+  std::vector<std::string> result;
+  to.receive(as_bytes(data), [&](IncomingMessage x) { result.push_back(text(x.head)); });
+  return result;
+}
+
+Value picture(std::size_t size, std::uint8_t colour = 0) {
+  return Value::of(Picture{Bytes(size, colour)});
+}
+
+TEST(LinkSession, MessagesArriveWithTheirContents) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("first")});
+  a.send({bytes(""), {picture(5000, 1), picture(0), picture(200'000, 2)}});
+  std::vector<IncomingMessage> got;
+  b.receive(as_bytes(everything(a)), [&](IncomingMessage x) { got.push_back(std::move(x)); });
+  ASSERT_EQ(got.size(), 2u);
+  EXPECT_EQ(text(got[0].head), "first");
+  EXPECT_TRUE(got[0].contents.empty());
+  EXPECT_TRUE(got[1].head.empty());
+  ASSERT_EQ(got[1].contents.size(), 3u);
+  EXPECT_EQ(got[1].contents[0], picture(5000, 1).bytes());
+  EXPECT_EQ(got[1].contents[1], picture(0).bytes());
+  EXPECT_EQ(got[1].contents[2], picture(200'000, 2).bytes());
+}
+
+TEST(LinkSession, ShortMessagesPassLongOnes) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("long"), {picture(1'000'000)}});
+  a.send({bytes("short")});
+  EXPECT_THAT(heads(b, everything(a)), ElementsAre("short", "long"));
+}
+
+TEST(LinkSession, MessagesOfOneLaneKeepTheirOrder) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("long"), {picture(1'000'000)}, 7});
+  a.send({bytes("short"), {}, 7});
+  a.send({bytes("other"), {}, 8});
+  EXPECT_THAT(heads(b, everything(a)), ElementsAre("other", "long", "short"));
+}
+
+TEST(LinkSession, LongMessagesTakeTurns) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("ten chunks"), {picture(640'000)}});
+  a.send({bytes("two chunks"), {picture(100'000)}});
+  EXPECT_THAT(heads(b, everything(a)), ElementsAre("two chunks", "ten chunks"));
+}
+
+TEST(LinkSession, AFloodOfShortMessagesDoesNotHoldUpALongOne) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("long"), {picture(100'000)}});
+  for (int i = 0; i < 1000; ++i)
+    a.send({Bytes(1000, 'x')});
+  auto order = heads(b, everything(a));
+  auto at = std::find(order.begin(), order.end(), "long") - order.begin();
+  EXPECT_LT(at, 200);
+}
+
+TEST(LinkSession, StopsWhenThePeerAcknowledgesNothing) {
+  LinkSession a{{.window = 300'000}};
+  LinkSession b{{.window = 300'000}};
+  for (int i = 0; i < 100; ++i)
+    a.send({Bytes(10'000, 'x')});
+  auto first = everything(a);
+  EXPECT_LT(first.size(), 320'000u);
+  EXPECT_EQ(everything(a), "");
+  EXPECT_FALSE(a.has_something_to_say());
+  auto got = heads(b, first).size();
+  while (got < 100) {
+    b.remind();
+    heads(a, everything(b));
+    auto more = heads(b, everything(a)).size();
+    ASSERT_GT(more, 0u);
+    got += more;
+  }
+  EXPECT_EQ(got, 100u);
+}
+
+TEST(LinkSession, TellsWhenAMessageHasArrived) {
+  LinkSession a;
+  LinkSession b;
+  int arrived = 0;
+  a.send({bytes("x"), {picture(100'000)}, 0, [&] { ++arrived; }});
+  heads(b, everything(a));
+  EXPECT_EQ(arrived, 0);
+  b.remind();
+  heads(a, everything(b));
+  EXPECT_EQ(arrived, 1);
+  EXPECT_EQ(a.unacknowledged(), 0u);
+}
+
+TEST(LinkSession, AReminderSaysSomething) {
+  LinkSession a;
+  LinkSession b;
+  EXPECT_FALSE(a.has_something_to_say());
+  a.remind();
+  auto said = everything(a);
+  EXPECT_FALSE(said.empty());
+  EXPECT_THAT(heads(b, said), ElementsAre());
+  EXPECT_EQ(everything(a), "");
+}
+
+TEST(LinkSession, AGoodbyeComesLast) {
+  LinkSession a;
+  LinkSession b;
+  a.say_goodbye("the system ends");
+  a.send({bytes("last words")});
+  EXPECT_THAT(heads(b, everything(a)), ElementsAre("last words"));
+  EXPECT_EQ(b.goodbye(), "the system ends");
+}
+
+std::string problem(LinkSession session, std::string_view data) {
+  try {
+    heads(session, data);
+  } catch (const LinkError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(LinkSession, RefusesWhatCannotBe) {
+  using namespace std::string_view_literals;
+  SessionLimits limits{.chunk = 1024, .largest_message = 4096};
+  LinkSession x{limits};
+  EXPECT_THAT(problem(x, "\xff\xff\xff\x7f"sv), HasSubstr("a frame of 2147483647 bytes"));
+  EXPECT_THAT(problem(x, "\0\0\0\0"sv), HasSubstr("a frame of 0 bytes"));
+  EXPECT_THAT(problem(x, "\1\0\0\0\x9"sv), HasSubstr("unknown kind"));
+  EXPECT_THAT(problem(x, "\3\0\0\0\1ab"sv), HasSubstr("too early"));
+  EXPECT_THAT(problem(x, "\x9\0\0\0\1\1\0\0\0\0\0\0\0"sv), HasSubstr("never sent"));
+  EXPECT_THAT(problem(x, "\2\0\0\0\2x"sv), HasSubstr("longer than it should be"));
+  EXPECT_THAT(problem(x, "\6\0\0\0\0\1\0\0\0\0"sv), HasSubstr("out of order"));
+  // A message of one piece of 2^40 bytes, and one of so many pieces.
+  EXPECT_THAT(problem(x, "\x12\0\0\0\0\1\0\0\0\1\1\0\0\0\0\0\0\0\0\1\0\0"sv),
+              HasSubstr("more than 4096 bytes"));
+  EXPECT_THAT(problem(x, "\x0a\0\0\0\0\1\0\0\0\1\xff\xff\xff\xff"sv), HasSubstr("pieces"));
+}
+
+TEST(LinkSession, RefusesToResumeWhatNeverWas) {
+  LinkSession a;
+  LinkSession b;
+  EXPECT_THROW(a.resume(1), LinkError);
+  a.send({bytes("x")});
+  heads(b, everything(a));
+  b.remind();
+  heads(a, everything(b));
+  EXPECT_THROW(a.resume(0), LinkError);
+  EXPECT_NO_THROW(a.resume(1));
+}
+
+/// Two sessions that talk over connections which break at any time, and cut what is said anywhere.
+class BadConnections : public testing::TestWithParam<unsigned> {};
+
+TEST_P(BadConnections, EverythingArrivesOnceAndInOrder) {
+  std::minstd_rand random{GetParam()};
+  auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>{0, n - 1}(random);
+  };
+  SessionLimits limits{.chunk = 100, .window = 1000};
+  struct Side {
+    LinkSession session;
+    std::string on_the_way;
+    int sent = 0;
+    int acknowledged = 0;
+    /// Per lane: what was sent, and what the other side got.
+    std::map<Lane, std::vector<std::string>> out, in;
+  };
+  Side sides[2]{{LinkSession{limits}, {}, 0, 0, {}, {}}, {LinkSession{limits}, {}, 0, 0, {}, {}}};
+  auto deliver = [&](Side& from, Side& to, std::size_t n) {
+    auto part = from.on_the_way.substr(0, n);
+    from.on_the_way.erase(0, n);
+    to.session.receive(as_bytes(part), [&](IncomingMessage x) {
+      auto head = text(x.head);
+      Lane lane = static_cast<Lane>(head.at(0) - '0');
+      for (auto& content : x.contents)
+        head += text(content);
+      from.in[lane].push_back(head);
+    });
+  };
+  auto step = [&](bool may_send, bool may_break) {
+    auto& from = sides[below(2)];
+    auto& to = &from == sides ? sides[1] : sides[0];
+    switch (below(8)) {
+      case 0:
+      case 1: {
+        if (!may_send)
+          return;
+        Lane lane = below(4);
+        auto head =
+          std::to_string(lane) + ':' + std::to_string(from.sent++) + std::string(below(300), '.');
+        auto whole = head;
+        std::vector<Value> contents;
+        for (auto n = below(3); n > 0; --n) {
+          contents.push_back(picture(below(500), 'p'));
+          whole += text(contents.back().bytes());
+        }
+        from.out[lane].push_back(whole);
+        from.session.send({bytes(head), contents, lane, [&from] { ++from.acknowledged; }});
+        return;
+      }
+      case 2:
+        from.session.remind();
+        [[fallthrough]];
+      case 3:
+      case 4: {
+        std::vector<char> out;
+        from.session.produce(out, 1 + below(2000));
+        from.on_the_way.append(out.begin(), out.end());
+        return;
+      }
+      case 5:
+      case 6:
+        deliver(from, to, 1 + below(3000));
+        return;
+      case 7:
+        if (!may_break || below(10) != 0)
+          return;
+        // Some of what was on the way still arrives.
+        deliver(from, to, below(from.on_the_way.size() + 1));
+        deliver(to, from, below(to.on_the_way.size() + 1));
+        from.on_the_way.clear();
+        to.on_the_way.clear();
+        from.session.resume(to.session.received());
+        to.session.resume(from.session.received());
+        return;
+    }
+  };
+  for (int i = 0; i < 3000; ++i)
+    step(true, true);
+  auto all_there = [](Side& x) { return x.acknowledged == x.sent && x.on_the_way.empty(); };
+  for (int i = 0; i < 1'000'000 && !(all_there(sides[0]) && all_there(sides[1])); ++i)
+    step(false, false);
+  for (auto& side : sides) {
+    EXPECT_GT(side.sent, 100);
+    EXPECT_EQ(side.acknowledged, side.sent);
+    for (auto& [lane, messages] : side.out) {
+      auto got = side.in[lane];
+      if (lane == 0) {
+        std::sort(messages.begin(), messages.end());
+        std::sort(got.begin(), got.end());
+      }
+      EXPECT_EQ(got, messages) << "lane " << lane;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, BadConnections, testing::Range(1u, 101u));
+
+} // namespace
+
+} // namespace castor
