@@ -11,9 +11,9 @@ namespace castor::cli {
 
 namespace {
 
-std::string state_of(const ComponentRecord& x) {
+std::string state_of(const ComponentStatus& x) {
   for (auto& [name, state] : reflection_of<ComponentState>().enumerators)
-    if (state == x.state())
+    if (state == x.state)
       return std::string{name};
   return {};
 }
@@ -51,12 +51,10 @@ std::string report(const SystemSummary& summary) {
   line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", "component", "state", "events", "callbacks",
        "writes", "reads");
   for (auto& x : summary.components) {
-    auto& c = x->counters;
-    line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", x->identity().full_name(), state_of(*x),
-         c.events_received.load(), c.callbacks.load(),
-         c.adds.load() + c.overwrites.load() + c.deletes.load(), c.reads.load());
-    if (auto failure = x->failure(); !failure.empty())
-      line("  {}", failure);
+    line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", x.identity.full_name(), state_of(x),
+         x.events_received, x.callbacks, x.writes, x.reads);
+    if (!x.failure.empty())
+      line("  {}", x.failure);
   }
   return out;
 }

@@ -92,7 +92,7 @@ private:
 
 bool any_failed(const SystemSummary& summary) {
   for (auto& x : summary.components)
-    if (x->state() == ComponentState::failed)
+    if (x.state == ComponentState::failed)
       return true;
   return false;
 }

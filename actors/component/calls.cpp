@@ -176,7 +176,7 @@ void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& repl
   component_.on_change(added<Call>().anywhere().where(mine),
                        [this, handler](const ChangeEvent& event) { take(event.address, handler); });
   // Some may have been waiting for somebody like this component.
-  for (auto& [name, working_memory] : shell_.services().by_subarchitecture) {
+  for (auto& [name, working_memory] : shell_.neighbours().working_memories) {
     auto waiting = component_.read_where_in<Call>(name, mine);
     std::for_each(waiting.rbegin(), waiting.rend(),
                   [&](auto& call) { take(call.address, handler); });

@@ -7,10 +7,8 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace castor {
@@ -21,14 +19,8 @@ struct ComponentServices {
   /// The moment that times count from.
   std::chrono::steady_clock::time_point epoch;
 
-  /// Stand-alone components by name.
-  std::unordered_map<std::string, caf::actor> providers;
-
   /// The working memories of this process, sorted by address.
   std::vector<caf::resumable*> working_memories;
-
-  /// All working memories of the system.
-  std::map<std::string, WorkingMemoryActor> by_subarchitecture;
 
   /// A working memory still knows the last component that ran it after that component is gone, so
   /// these stay until the end.

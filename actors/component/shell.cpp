@@ -51,8 +51,7 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
   : PumpedActor(config), component_(std::move(parts.component)),
     managed_(dynamic_cast<ManagedComponent*>(component_.get())),
     manager_(dynamic_cast<TaskManager*>(component_.get())), record_(std::move(parts.record)),
-    services_(std::move(parts.services)), unit_(parts.unit),
-    working_memory_(std::move(parts.working_memory)), task_manager_(std::move(parts.task_manager)) {
+    services_(std::move(parts.services)), unit_(parts.unit) {
   if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get()))
     queue_mode_ = x->queue_;
   record_->set_budget(component_->budget_);
@@ -63,8 +62,6 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
 
 void ComponentShell::act() {
   context(unit_);
-  if (working_memory_)
-    monitor(working_memory_);
   try {
     live();
   } catch (const ComponentStopped&) {
@@ -104,7 +101,17 @@ void ComponentShell::let_go() {
   provisions_.clear();
   push_receivers_.clear();
   conductor_ = nullptr;
-  task_manager_ = nullptr;
+  neighbours_ = nullptr;
+}
+
+void ComponentShell::meet(NeighboursPtr neighbours) {
+  neighbours_ = std::move(neighbours);
+  auto& known = neighbours_->working_memories;
+  auto home = known.find(identity().subarchitecture);
+  if (home == known.end())
+    return;
+  working_memory_ = home->second;
+  monitor(working_memory_);
 }
 
 void ComponentShell::live() {
@@ -174,6 +181,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
       file_change(std::move(notice));
   } else if (content.match_elements<DeadlockProbe>()) {
     receive_probe(content.get_as<DeadlockProbe>(0));
+  } else if (content.match_elements<NeighboursPtr>()) {
+    meet(content.get_as<NeighboursPtr>(0));
   } else if (content.match_elements<EnterPhase>()) {
     auto& command = content.get_as<EnterPhase>(0);
     conductor_ = command.conductor;
@@ -467,18 +476,22 @@ void ComponentShell::remove_receiver(ReceiverId id) {
 
 // -- tasks
 
+const caf::actor& ComponentShell::task_manager() const {
+  return neighbours_->task_managers.at(identity().subarchitecture);
+}
+
 void ComponentShell::propose(const TaskProposal& task) {
   ++record_->counters.tasks_proposed;
-  send(task_manager_, ProposeTask{task});
+  send(task_manager(), ProposeTask{task});
 }
 
 void ComponentShell::retract(const TaskId& id) {
-  send(task_manager_, RetractTask{id});
+  send(task_manager(), RetractTask{id});
 }
 
 void ComponentShell::complete(const TaskId& id, TaskOutcome outcome) {
   ++record_->counters.tasks_completed;
-  send(task_manager_, CompleteTask{id, outcome});
+  send(task_manager(), CompleteTask{id, outcome});
 }
 
 void ComponentShell::decide(const TaskDecided& x) {
@@ -504,7 +517,7 @@ void ComponentShell::work_off_end(const caf::down_msg& x) {
 // -- push and pull
 
 caf::actor ComponentShell::find_provider(const std::string& name) const {
-  auto& providers = services_->providers;
+  auto& providers = neighbours_->providers;
   auto i = providers.find(name);
   if (i != providers.end())
     return i->second;

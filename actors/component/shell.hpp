@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/mailbox.hpp"
+#include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/seen_versions.hpp"
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
@@ -30,14 +31,10 @@ struct ShellParts {
   std::shared_ptr<ComponentServices> services;
   /// Owned by `services`.
   CallerRuns* unit = nullptr;
-  /// Null for a component outside the subarchitectures.
-  WorkingMemoryActor working_memory;
-  /// Null for all but managed components.
-  caf::actor task_manager;
 };
 
 /// The actor around a component: leads it through its life, delivers what arrives, and carries out
-/// its operations.
+/// its operations. Before it enters its first phase it must be sent its neighbours.
 class ComponentShell : public PumpedActor {
 public:
   ComponentShell(caf::actor_config& config, ShellParts parts);
@@ -48,6 +45,7 @@ public:
 
   const ComponentIdentity& identity() const { return record_->identity(); }
   ComponentServices& services() { return *services_; }
+  const Neighbours& neighbours() const { return *neighbours_; }
   ComponentCounters& counters() { return record_->counters; }
 
   bool is_running();
@@ -164,6 +162,7 @@ private:
   void live();
   /// Delivers work, if the component has started, until the next phase is due.
   void await_phase(Phase phase);
+  void meet(NeighboursPtr neighbours);
   void phase_done(Phase phase, std::string failure);
   /// Gives up all handles of other actors: two that hold each other would live for ever.
   void let_go();
@@ -198,6 +197,7 @@ private:
   FilterId subscribe(const ChangeFilter& filter);
   void receive_probe(DeadlockProbe probe);
   Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
+  const caf::actor& task_manager() const;
   caf::actor find_provider(const std::string& name) const;
 
   template <class Result>
@@ -216,8 +216,9 @@ private:
   std::shared_ptr<ComponentRecord> record_;
   std::shared_ptr<ComponentServices> services_;
   CallerRuns* unit_;
+  NeighboursPtr neighbours_;
+  /// Null for a component outside the subarchitectures.
   WorkingMemoryActor working_memory_;
-  caf::actor task_manager_;
 
   /// What arrived, oldest first.
   std::deque<Work> work_;

@@ -26,6 +26,7 @@ void write_greeting(std::vector<char>& out, const Greeting& x) {
     encoder.put(hello->system);
     encoder.put(hello->incarnation);
     encoder.put(hello->process);
+    encoder.put(hello->receiver);
     encoder.put(hello->known);
     encoder.put(hello->received);
   } else {
@@ -62,6 +63,7 @@ std::optional<Greeting> read_greeting(Bytes& bytes) {
       content.get(hello.system);
       content.get(hello.incarnation);
       content.get(hello.process);
+      content.get(hello.receiver);
       content.get(hello.known);
       content.get(hello.received);
       result = std::move(hello);

@@ -20,8 +20,9 @@ struct Hello {
   std::string system;
   /// Which of its lives the sender's part of the system is in; differs from all others.
   std::uint64_t incarnation = 0;
-  /// The sender's number in the system.
+  /// The sender's number in the system, and the receiver's.
   std::uint16_t process = 0;
+  std::uint16_t receiver = 0;
   /// The receiver's incarnation as the sender knows it; 0 if this is the first connection.
   std::uint64_t known = 0;
   /// How much the sender has received in the session so far.

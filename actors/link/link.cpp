@@ -104,7 +104,7 @@ private:
 
   void dialled(const Dialled& x) {
     if (x.socket < 0) {
-      disconnected("no connection with " + to_string(*parts_.dial) + ": " + x.problem);
+      disconnected(x.problem);
       return;
     }
     begin_connection(self_->add_scribe(x.socket));
@@ -199,13 +199,15 @@ private:
   }
 
   void established(const Hello& x) {
+    if (parts_.peer_name.empty())
+      parts_.peer_name = x.node;
     if (x.node != parts_.peer_name)
-      throw LinkError("there is " + x.node + " where " + parts_.peer_name + " should be");
+      throw LinkError("there is a node " + x.node + " where " + parts_.peer_name + " should be");
     if (x.system != parts_.self.system)
-      throw LinkError(x.node + " takes part in another system");
+      throw LinkError("it takes part in another system");
     if ((incarnation_ != 0 && x.incarnation != incarnation_) ||
         (x.known != 0 && x.known != parts_.self.incarnation))
-      throw LinkError(x.node + " was started again");
+      throw LinkError("it was started again");
     incarnation_ = x.incarnation;
     session_.resume(x.received);
     greeted_ = true;
@@ -229,9 +231,9 @@ private:
         hear_greeting(bytes);
       flush();
     } catch (const LinkError& e) {
-      lost(parts_.peer_name + " says what it should not: " + e.what());
+      lost(e.what());
     } catch (const DecodeError& e) {
-      lost(parts_.peer_name + " says what cannot be read: " + e.what());
+      lost(std::string{"a message that cannot be read: "} + e.what());
     }
   }
 
@@ -242,9 +244,9 @@ private:
       return;
     if (auto* refusal = std::get_if<Refusal>(&*greeting)) {
       if (refusal->final)
-        lost(parts_.peer_name + " refuses: " + refusal->reason);
+        lost(refusal->reason);
       else
-        disconnected(parts_.peer_name + " refuses: " + refusal->reason);
+        disconnected(refusal->reason);
       return;
     }
     established(std::get<Hello>(*greeting));
@@ -256,7 +258,7 @@ private:
       parts_.mesh->receive(parts_.peer, std::move(x), self_->context());
     });
     if (!session_.goodbye().empty())
-      lost(parts_.peer_name + " has left: " + session_.goodbye());
+      lost("it has left: " + session_.goodbye());
   }
 
   void send(LinkMessage x) {
@@ -306,14 +308,13 @@ private:
       }
     }
     if (!greeted_ && now - down_since_ > parts_.options.patience)
-      lost(parts_.peer_name + " could not be reached for " +
-           std::to_string(parts_.options.patience.count() / 1000) + " s" +
-           (reason_.empty() ? "" : ": " + reason_));
+      lost("it could not be reached for " + std::to_string(parts_.options.patience.count() / 1000) +
+           " s" + (reason_.empty() ? "" : " (" + reason_ + ")"));
   }
 
   void tell(LinkNews::Kind kind, const std::string& why) {
     if (parts_.on_news)
-      parts_.on_news({parts_.peer, kind, why});
+      parts_.on_news({parts_.peer, kind, why, parts_.peer_name});
   }
 
   Self* self_;

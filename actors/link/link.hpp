@@ -52,12 +52,14 @@ struct LinkNews {
   Kind kind = Kind::up;
   /// Why.
   std::string reason;
+  /// The peer's name, once it has introduced itself.
+  std::string name;
 };
 
 struct LinkParts {
   std::shared_ptr<Mesh> mesh;
   ProcessNumber peer = 0;
-  /// The peer's name, which it must have.
+  /// The name that the peer must have; empty for any.
   std::string peer_name;
   /// Where the peer listens; nothing if it is the peer that dials.
   std::optional<Endpoint> dial;

@@ -3,10 +3,6 @@
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -39,23 +35,15 @@ std::string keyword(ComponentKind kind) {
   return {};
 }
 
-bool is_this_machine(const std::string& host) {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return host.empty() || host == "localhost" || host == "127.0.0.1" || host == "::1" ||
-         host == name.data();
-}
-
 void check_options(Diagnostics& out, const ComponentDescription& x, OptionList& options) {
   for (auto& setting : x.options)
     if (auto problem = options.set(setting.name(), setting.value))
       add(out, x, x.class_name + " of " + x.name + ": " + *problem);
 }
 
-void check_component(Diagnostics& out, const ComponentDescription& x) {
-  if (!is_this_machine(x.host))
-    add(out, x, x.name + " is to run on the host " + x.host + ", which is not this machine",
-        "systems run in one process so far: name no host, or localhost");
+} // namespace
+
+void check_class(const ComponentDescription& x, Diagnostics& out) {
   if (x.kind == ComponentKind::working_memory) {
     WorkingMemoryClass wm;
     if (x.class_name != wm.name)
@@ -80,18 +68,16 @@ void check_component(Diagnostics& out, const ComponentDescription& x) {
   check_options(out, x, component->options());
 }
 
-} // namespace
-
 std::vector<cast::Diagnostic> check_classes(const ArchitectureDescription& architecture) {
   Diagnostics out;
   for (auto& subarchitecture : architecture.subarchitectures) {
-    check_component(out, subarchitecture.working_memory);
-    check_component(out, subarchitecture.task_manager);
+    check_class(subarchitecture.working_memory, out);
+    check_class(subarchitecture.task_manager, out);
     for (auto& x : subarchitecture.components)
-      check_component(out, x);
+      check_class(x, out);
   }
   for (auto& x : architecture.standalone)
-    check_component(out, x);
+    check_class(x, out);
   return out;
 }
 

@@ -7,9 +7,12 @@
 
 namespace castor {
 
-/// What stands in the way of running a system that was read without errors: classes that do not
-/// exist or do not belong where they stand, options that they do not have or that are no such
-/// values, hosts that are not this machine. Loads the libraries that the classes are in.
+/// Adds what stands in the way of running a component in this process: a class that does not exist
+/// or does not belong where it stands, options that it does not have or that are no such values.
+/// Loads the library that the class is in.
+void check_class(const ComponentDescription& x, std::vector<cast::Diagnostic>& problems);
+
+/// The same for all components of a system.
 std::vector<cast::Diagnostic> check_classes(const ArchitectureDescription& architecture);
 
 } // namespace castor

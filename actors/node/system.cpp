@@ -1,24 +1,26 @@
 #include "castor/actors/node/system.hpp"
 
-#include "castor/actors/component/keeper.hpp"
-#include "castor/actors/component/shell.hpp"
-#include "castor/actors/node/check.hpp"
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/incarnation.hpp"
+#include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/part_agent.hpp"
+#include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
-#include "castor/actors/plugin.hpp"
-#include "castor/wm/working_memory.hpp"
 
 #include <caf/atom.hpp>
 #include <caf/scoped_actor.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
-
-CASTOR_LOCAL_MESSAGE(castor::TaskEvent)
 
 namespace castor {
 
@@ -35,14 +37,6 @@ constexpr auto glance = 50ms;
 constexpr auto polling = 200ms;
 
 using FlushAtom = caf::atom_constant<caf::atom("flush")>;
-
-struct ActorSystemConfig : caf::actor_system_config {
-  ActorSystemConfig() {
-    // The default policy polls with sleeps, which costs several times the latency.
-    set("scheduler.policy", caf::atom("sharing"));
-    set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
-  }
-};
 
 /// The level at which changes in a subarchitecture are logged, where they are.
 using LoggedChanges = std::map<std::string, LogLevel>;
@@ -83,61 +77,51 @@ SystemError::SystemError(std::vector<cast::Diagnostic> diagnostics)
 class System::Implementation {
 public:
   Implementation(ArchitectureDescription architecture, SystemOptions options)
-    : architecture_(std::move(architecture)), options_(std::move(options)) {
-    auto diagnostics = check_classes(architecture_);
-    if (!diagnostics.empty())
-      throw SystemError{std::move(diagnostics)};
-    services_->epoch = Clock::now();
-    services_->end_system = [this](int status, const std::string& reason) {
-      std::lock_guard guard{mutex_};
-      if (!ended_)
-        ended_.emplace(status, reason);
-      changed_.notify_all();
-    };
-    spawn_working_memories();
+    : architecture_(std::move(architecture)), options_(std::move(options)),
+      placement_(checked(place(architecture_, options_.nodes))) {
+    try {
+      make();
+    } catch (...) {
+      end();
+      throw;
+    }
   }
 
   ~Implementation() {
     if (!stopped_)
       stop();
-    // Components hold the services, and these hold components.
-    services_->providers.clear();
-    services_->by_subarchitecture.clear();
-    for (auto& wm : working_memories_)
-      caf::anon_send_exit(wm.actor, caf::exit_reason::user_shutdown);
-    caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
-    caf::anon_send_exit(keeper_, caf::exit_reason::user_shutdown);
+    end();
   }
 
   bool start() {
     observe();
+    std::vector<std::string> order;
+    auto configure = [&](const ComponentDescription& x) {
+      order.push_back(x.name);
+      return enter(Phase::configure, x.name);
+    };
     for (auto& subarchitecture : architecture_.subarchitectures) {
-      auto& wm = working_memory_of(subarchitecture.name);
-      auto manager = spawn(subarchitecture.task_manager, wm, {});
-      if (!enter(Phase::configure, manager))
+      if (!configure(subarchitecture.task_manager))
         return false;
       // Managed components first, then unmanaged ones.
       for (auto kind : {ComponentKind::managed, ComponentKind::unmanaged})
         for (auto& x : subarchitecture.components)
-          if (x.kind == kind && !enter(Phase::configure, spawn(x, wm, running_[manager].actor)))
+          if (x.kind == kind && !configure(x))
             return false;
     }
-    auto first_standalone = running_.size();
-    for (auto& x : architecture_.standalone) {
-      auto index = spawn(x, {}, {});
-      services_->providers[x.name] = running_[index].actor;
-      if (!enter(Phase::configure, index))
+    auto first_standalone = order.size();
+    for (auto& x : architecture_.standalone)
+      if (!configure(x))
         return false;
-    }
     // What stands outside the subarchitectures starts first: the others will want to connect to it.
-    std::rotate(running_.begin(), running_.begin() + static_cast<std::ptrdiff_t>(first_standalone),
-                running_.end());
-    start_keeper();
-    for (std::size_t i = 0; i < running_.size(); ++i)
-      if (!enter(Phase::start, i))
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first_standalone),
+                order.end());
+    order_ = order;
+    for (auto& name : order)
+      if (!enter(Phase::start, name))
         return false;
-    for (auto& x : running_)
-      self_->send(x.actor, EnterPhase{Phase::run, caf::actor_cast<caf::actor>(self_)});
+    for (auto& name : order)
+      self_->send(component(name), EnterPhase{Phase::run, caf::actor_cast<caf::actor>(self_)});
     return true;
   }
 
@@ -156,12 +140,13 @@ public:
         return EndReason::interrupted;
       if (until.at_most && now - begin >= *until.at_most)
         return EndReason::time_over;
-      if (all_failed())
+      auto components = status();
+      if (all_failed(components))
         return EndReason::all_failed;
       if (!until.quiet)
         continue;
       auto events = count_events();
-      if (std::exchange(last_events, events) != events || somebody_is_busy(now))
+      if (std::exchange(last_events, events) != events || somebody_is_busy(components))
         last_activity = now;
       if (now - last_activity >= *until.quiet)
         return EndReason::quiet;
@@ -175,16 +160,15 @@ public:
 
   void stop() {
     stopped_ = true;
-    std::string order;
-    for (auto i = running_.rbegin(); i != running_.rend(); ++i) {
-      auto& name = i->record->identity().name;
-      if (await_end(*i))
-        order += (order.empty() ? "" : ", ") + name;
+    std::string stopped;
+    for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
+      if (await_end(component(*i)))
+        stopped += (stopped.empty() ? "" : ", ") + *i;
       else
-        stuck_.push_back(name);
+        stuck_.push_back(*i);
     }
-    if (!order.empty())
-      note(LogLevel::info, "stopped, in this order: " + order);
+    if (!stopped.empty())
+      note(LogLevel::info, "stopped, in this order: " + stopped);
     for (auto& name : stuck_)
       log(LogLevel::error, "castor",
           name + " did not stop: it has not come back from its own code");
@@ -195,8 +179,8 @@ public:
 
   SystemSummary summary() {
     SystemSummary result;
-    for (auto& wm : working_memories_) {
-      self_->request(wm.actor, caf::infinite, StatusQuery{})
+    for (auto& [name, wm] : working_memories_) {
+      self_->request(wm, options_.answer_patience, StatusQuery{})
         .receive(
           [&](const WorkingMemoryStatus& x) {
             result.working_memories.push_back({x.subarchitecture, x.entries_by_type, x.events,
@@ -204,8 +188,7 @@ public:
           },
           [](const caf::error&) {});
     }
-    for (auto& x : running_)
-      result.components.push_back(x.record);
+    result.components = status();
     result.stuck = stuck_;
     return result;
   }
@@ -213,7 +196,7 @@ public:
   std::vector<EntryPtr> entries(const std::string& subarchitecture) {
     std::vector<EntryPtr> result;
     self_
-      ->request(working_memory_of(subarchitecture), caf::infinite,
+      ->request(working_memory_of(subarchitecture), options_.answer_patience,
                 QueryRequest{{subarchitecture, {}, 0, false}, {}})
       .receive(
         [&](const Outcome<std::vector<EntryPtr>>& x) {
@@ -225,178 +208,385 @@ public:
   }
 
   const ArchitectureDescription& architecture() const { return architecture_; }
-  Clock::time_point epoch() const { return services_->epoch; }
+  Clock::time_point epoch() const { return epoch_; }
 
 private:
-  struct WorkingMemory {
-    std::string subarchitecture;
-    WorkingMemoryActor actor;
+  /// A process that takes part, this one included.
+  struct Process {
+    ProcessDescription description;
+    caf::actor agent;
+    caf::actor link;
+    LinkNews news{0, LinkNews::Kind::down, "no answer yet", {}};
   };
 
-  struct Running {
-    caf::actor actor;
-    std::shared_ptr<ComponentRecord> record;
-    bool is_task_manager = false;
-  };
+  static Placement checked(Placement x) {
+    if (!x.problems.empty())
+      throw SystemError{std::move(x.problems)};
+    return x;
+  }
 
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  void spawn_working_memories() {
-    Peers peers;
-    for (auto& x : architecture_.subarchitectures) {
-      WorkingMemoryClass wm_class;
-      for (auto& setting : x.working_memory.options)
-        wm_class.options.set(setting.name(), setting.value);
-      WorkingMemoryOptions options;
-      options.subarchitecture = x.name;
-      options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
-      options.epoch = services_->epoch;
-      options.leases.duration = wm_class.lease.get();
-      if (wm_class.log || wm_class.debug)
-        logged_[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
-      options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
-      if (options_.open_access)
-        options.writers.insert("*");
-      for (auto& rule : architecture_.access_rules)
-        if (rule.owner == x.name || rule.owner == "*")
-          options.writers.insert(rule.writer);
-      auto actor = system_.spawn(working_memory, std::move(options));
-      working_memories_.push_back({x.name, actor});
-      peers.working_memories[x.name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
-      services_->by_subarchitecture[x.name] = actor;
-      services_->working_memories.push_back(
-        dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(actor)));
+  // -- making the system
+
+  void make() {
+    for (auto& x : placement_.processes)
+      processes_.push_back({x, nullptr, nullptr});
+    // Anybody may end the system, from the moment when there is somebody.
+    desk_ = system_.spawn(
+      [this]() -> caf::behavior { return {[this](const EndSystem& x) { end_asked_for(x); }}; });
+    if (options_.on_task)
+      observer_ = spawn_observer();
+    PartAgentParts parts;
+    processes_.front().agent = system_.spawn(part_agent, std::move(parts));
+    if (processes_.size() > 1)
+      connect();
+    join(make_parts());
+  }
+
+  void connect() {
+    mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
+    auto name = "castor-" + std::to_string(getpid());
+    Hello self{name, name + '-' + std::to_string(new_incarnation()), new_incarnation()};
+    for (std::size_t i = 1; i < processes_.size(); ++i) {
+      auto& x = processes_[i];
+      LinkParts parts;
+      parts.mesh = mesh_;
+      parts.peer = static_cast<ProcessNumber>(i);
+      parts.peer_name = x.description.name;
+      parts.dial = Endpoint{x.description.host, x.description.port};
+      parts.self = self;
+      parts.self.receiver = parts.peer;
+      parts.options = options_.link;
+      parts.counters = std::make_shared<LinkCounters>();
+      parts.on_news = [this](const LinkNews& news) { hear(news); };
+      x.link = spawn_link(system_, std::move(parts));
+      auto peer = static_cast<ProcessNumber>(i);
+      mesh_->add_port(std::make_shared<LinkPort>(mesh_, peer, x.link));
+      x.agent = caf::actor_cast<caf::actor>(mesh_->well_known(peer, WellKnownActor::agent));
     }
-    std::sort(services_->working_memories.begin(), services_->working_memories.end());
-    for (auto& x : working_memories_)
-      self_->request(x.actor, caf::infinite, peers)
-        .receive([](Acknowledged) {}, [](const caf::error&) {});
+    await_connections();
+  }
+
+  void hear(const LinkNews& news) {
+    std::lock_guard guard{mutex_};
+    auto& x = processes_[news.peer];
+    bool was_there = !x.description.name.empty() && x.news.kind != LinkNews::Kind::lost;
+    x.news = news;
+    if (!news.name.empty())
+      x.description.name = news.name;
+    if (was_there && !stopped_ && news.kind != LinkNews::Kind::up)
+      note(LogLevel::warning,
+           "node " + x.description.name +
+             (news.kind == LinkNews::Kind::lost ? " is lost: " : " is out of reach: ") +
+             news.reason);
+    changed_.notify_all();
+  }
+
+  void await_connections() {
+    auto until = Clock::now() + options_.connect_patience;
+    std::unique_lock guard{mutex_};
+    auto settled = [this] {
+      return std::all_of(processes_.begin() + 1, processes_.end(),
+                         [](auto& x) { return x.news.kind != LinkNews::Kind::down; });
+    };
+    while (!settled() && Clock::now() < until && !interrupted())
+      changed_.wait_for(guard, glance);
+    std::vector<cast::Diagnostic> problems;
+    for (std::size_t i = 1; i < processes_.size(); ++i)
+      if (processes_[i].news.kind != LinkNews::Kind::up)
+        problems.push_back(out_of_reach(static_cast<ProcessNumber>(i)));
+    if (!problems.empty())
+      throw SystemError{std::move(problems)};
+  }
+
+  /// At the first line that needs the node.
+  cast::Diagnostic out_of_reach(ProcessNumber process) {
+    auto& x = processes_[process];
+    auto at = to_string(Endpoint{x.description.host, x.description.port});
+    cast::Diagnostic result;
+    result.message = "cannot reach the node " +
+                     (x.description.name.empty() ? at : x.description.name + " at " + at) + ": " +
+                     x.news.reason;
+    result.remedy = "start it there with `castor node`, or try the system on this machine with "
+                    "`castor run --local-nodes`";
+    for_each_component([&](const ComponentDescription& component) {
+      auto i = placement_.of.find(component.name);
+      if (i != placement_.of.end() && i->second == process && result.line.empty()) {
+        result.where = component.where;
+        result.line = component.line;
+      }
+    });
+    return result;
+  }
+
+  template <class F>
+  void for_each_component(F&& f) {
+    for (auto& subarchitecture : architecture_.subarchitectures) {
+      f(subarchitecture.working_memory);
+      f(subarchitecture.task_manager);
+      for (auto& x : subarchitecture.components)
+        f(x);
+    }
+    for (auto& x : architecture_.standalone)
+      f(x);
+  }
+
+  /// Asks every process to make its part; the actors of all of them.
+  std::map<std::string, caf::strong_actor_ptr> make_parts() {
+    PartPlan plan;
+    plan.architecture = architecture_;
+    for (auto& x : processes_)
+      plan.processes.push_back(x.description);
+    plan.placement = placement_.of;
+    plan.open_access = options_.open_access;
+    plan.coordinator = desk_;
+    plan.task_observer = observer_;
+    std::map<std::string, caf::strong_actor_ptr> actors;
+    std::vector<cast::Diagnostic> problems;
+    for (auto& x : processes_) {
+      plan.age = std::chrono::duration_cast<Timestamp>(Clock::now() - epoch_);
+      self_->request(x.agent, options_.connect_patience, plan)
+        .receive(
+          [&](const PartMade& made) {
+            actors.insert(made.actors.begin(), made.actors.end());
+            for (auto problem : made.problems) {
+              if (&x != &processes_.front())
+                problem.message = "on the node " + x.description.name + ": " + problem.message;
+              problems.push_back(std::move(problem));
+            }
+          },
+          [&](const caf::error&) { problems.push_back(no_answer(x)); });
+    }
+    if (!problems.empty())
+      throw SystemError{std::move(problems)};
+    return actors;
+  }
+
+  cast::Diagnostic no_answer(const Process& x) {
+    cast::Diagnostic result;
+    result.message = "the node " + x.description.name + " did not make its part of the system in " +
+                     std::to_string(options_.connect_patience.count() / 1000) + " s";
+    if (x.news.kind != LinkNews::Kind::up)
+      result.message += ": " + x.news.reason;
+    return result;
+  }
+
+  void join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
+    std::vector<cast::Diagnostic> problems;
+    for (auto& x : processes_)
+      self_->request(x.agent, options_.connect_patience, JoinParts{actors})
+        .receive([](Acknowledged) {},
+                 [&](const caf::error&) {
+                   problems.push_back(no_answer(x));
+                   problems.back().remedy =
+                     "see that the nodes can reach each other where the file says that they are";
+                 });
+    if (!problems.empty())
+      throw SystemError{std::move(problems)};
+    for (auto& x : architecture_.subarchitectures)
+      working_memories_.emplace_back(
+        x.name, caf::actor_cast<WorkingMemoryActor>(actors.at(x.working_memory.name)));
+    for_each_component([&](const ComponentDescription& x) {
+      if (x.kind != ComponentKind::working_memory)
+        components_[x.name] = {caf::actor_cast<caf::actor>(actors.at(x.name)), x.number};
+    });
+  }
+
+  // -- while it runs
+
+  void end_asked_for(const EndSystem& x) {
+    std::lock_guard guard{mutex_};
+    if (!ended_)
+      ended_.emplace(x.status, x.reason);
+    changed_.notify_all();
   }
 
   const WorkingMemoryActor& working_memory_of(const std::string& subarchitecture) const {
-    for (auto& x : working_memories_)
-      if (x.subarchitecture == subarchitecture)
-        return x.actor;
+    for (auto& [name, actor] : working_memories_)
+      if (name == subarchitecture)
+        return actor;
     throw std::out_of_range("no subarchitecture " + subarchitecture);
   }
 
-  std::size_t spawn(const ComponentDescription& x, WorkingMemoryActor wm, caf::actor manager) {
-    ShellParts parts;
-    parts.component = find_class(x.class_name).found->make();
-    for (auto& setting : x.options)
-      parts.component->options().set(setting.name(), setting.value);
-    parts.record = std::make_shared<ComponentRecord>(ComponentIdentity{
-      x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number)});
-    parts.services = services_;
-    parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
-    parts.unit->set_working_memories(&services_->working_memories);
-    parts.working_memory = std::move(wm);
-    parts.task_manager = std::move(manager);
-    auto record = parts.record;
-    running_.push_back({system_.spawn<ComponentShell>(std::move(parts)), std::move(record),
-                        x.kind == ComponentKind::task_manager});
-    return running_.size() - 1;
-  }
+  const caf::actor& component(const std::string& name) const { return components_.at(name).actor; }
 
   /// Waits until the component has done what the phase asks of it; false if interrupted.
-  bool enter(Phase phase, std::size_t index) {
-    auto& x = running_[index];
-    if (x.record->state() == ComponentState::failed)
+  bool enter(Phase phase, const std::string& name) {
+    auto& x = components_.at(name);
+    if (x.failed)
       return true;
+    self_->monitor(x.actor);
     self_->send(x.actor, EnterPhase{phase, caf::actor_cast<caf::actor>(self_)});
     bool done = false;
     auto next_report = Clock::now() + 5s;
-    while (!done && x.record->state() != ComponentState::failed) {
-      self_->receive([&](const PhaseDone& y) { done = y.component == x.record->identity().number; },
-                     caf::after(glance) >> [] {});
+    while (!done) {
+      self_->receive(
+        [&](const PhaseDone& y) {
+          if (y.component != x.number)
+            return;
+          done = true;
+          x.failed = !y.failure.empty();
+        },
+        [&](const caf::down_msg& y) {
+          if (y.source == x.actor.address())
+            done = x.failed = true;
+        },
+        caf::after(glance) >> [] {});
       if (interrupted())
         return false;
       if (!done && Clock::now() >= next_report) {
         next_report += 5s;
-        note(LogLevel::info, "waiting for " + x.record->identity().full_name() + " to " +
-                               (phase == Phase::configure ? "configure" : "start"));
+        note(LogLevel::info,
+             "waiting for " + name + " to " + (phase == Phase::configure ? "configure" : "start"));
       }
     }
+    self_->demonitor(x.actor);
     return true;
   }
 
-  void observe() {
-    if (!options_.on_change && !options_.on_task && logged_.empty())
-      return;
-    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_));
-    if (options_.on_task)
-      services_->on_task = [this](TaskEvent x) { caf::anon_send(observer_, std::move(x)); };
-    for (auto& wm : working_memories_)
-      if (options_.on_change || logged_.count(wm.subarchitecture) > 0)
-        caf::send_as(observer_, wm.actor, Subscribe{1, any_change()});
-    // Subscriptions are in force once the working memories have answered anything sent after them.
-    for (auto& wm : working_memories_)
-      self_->request(wm.actor, caf::infinite, StatusQuery{})
-        .receive([](const WorkingMemoryStatus&) {}, [](const caf::error&) {});
+  caf::actor spawn_observer() {
+    return system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_));
   }
 
-  void start_keeper() {
-    KeeperParts parts;
-    for (auto& x : running_)
-      parts.components.push_back(x.record);
-    parts.working_memories = services_->by_subarchitecture;
-    keeper_ = system_.spawn(keeper, std::move(parts));
+  void observe() {
+    for (auto& x : architecture_.subarchitectures) {
+      WorkingMemoryClass wm_class;
+      for (auto& setting : x.working_memory.options)
+        wm_class.options.set(setting.name(), setting.value);
+      if (wm_class.log || wm_class.debug)
+        logged_[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
+    }
+    if (!options_.on_change && logged_.empty())
+      return;
+    if (!observer_)
+      observer_ = spawn_observer();
+    for (auto& [name, wm] : working_memories_)
+      if (options_.on_change || logged_.count(name) > 0)
+        caf::send_as(observer_, wm, Subscribe{1, any_change()});
+    // Subscriptions are in force once the working memories have answered anything sent after them.
+    count_events();
   }
 
   std::uint64_t count_events() {
     std::uint64_t result = 0;
-    for (auto& wm : working_memories_)
-      self_->request(wm.actor, caf::infinite, StatusQuery{})
+    for (auto& [name, wm] : working_memories_)
+      self_->request(wm, options_.answer_patience, StatusQuery{})
         .receive([&](const WorkingMemoryStatus& x) { result += x.events; },
                  [](const caf::error&) {});
     return result;
   }
 
-  bool somebody_is_busy(Clock::time_point now) const {
-    return std::any_of(running_.begin(), running_.end(),
-                       [&](auto& x) { return x.record->busy_for(now) > polling; });
+  /// Of all components, in the order of their start.
+  std::vector<ComponentStatus> status() {
+    std::map<std::string, ComponentStatus> found;
+    for (auto& process : processes_)
+      self_->request(process.agent, options_.answer_patience, PartStatusQuery{})
+        .receive(
+          [&](const PartStatus& x) {
+            for (auto& y : x.components)
+              found[y.identity.name] = y;
+          },
+          [](const caf::error&) {});
+    std::vector<ComponentStatus> result;
+    for (auto& name : order_.empty() ? names() : order_)
+      result.push_back(found.count(name) > 0 ? found[name] : status_of_lost(name));
+    return result;
+  }
+
+  std::vector<std::string> names() {
+    std::vector<std::string> result;
+    for_each_component([&](const ComponentDescription& x) {
+      if (x.kind != ComponentKind::working_memory)
+        result.push_back(x.name);
+    });
+    return result;
+  }
+
+  /// Of a component whose node does not answer.
+  ComponentStatus status_of_lost(const std::string& name) {
+    auto& x = *architecture_.component(name);
+    auto& process = processes_[placement_.of.at(name)];
+    ComponentStatus result;
+    result.identity = {x.name, x.subarchitecture, x.class_name,
+                       static_cast<std::uint32_t>(x.number)};
+    result.is_task_manager = x.kind == ComponentKind::task_manager;
+    result.state = ComponentState::failed;
+    std::lock_guard guard{mutex_};
+    result.failure = "its node " + process.description.name + " does not answer";
+    if (process.news.kind != LinkNews::Kind::up)
+      result.failure += ": " + process.news.reason;
+    return result;
+  }
+
+  static bool somebody_is_busy(const std::vector<ComponentStatus>& components) {
+    return std::any_of(components.begin(), components.end(),
+                       [](auto& x) { return x.busy > polling; });
   }
 
   /// Task managers alone do nothing.
-  bool all_failed() const {
-    return std::all_of(running_.begin(), running_.end(), [](auto& x) {
-      return x.is_task_manager || x.record->state() == ComponentState::failed;
+  static bool all_failed(const std::vector<ComponentStatus>& components) {
+    return std::all_of(components.begin(), components.end(), [](auto& x) {
+      return x.is_task_manager || x.state == ComponentState::failed;
     });
   }
 
+  // -- the end
+
   /// Stops a component; false if it does not stop in time.
-  bool await_end(const Running& x) {
-    self_->monitor(x.actor);
-    self_->send_exit(x.actor, caf::exit_reason::user_shutdown);
+  bool await_end(const caf::actor& x) {
+    self_->monitor(x);
+    self_->send_exit(x, caf::exit_reason::user_shutdown);
     auto until = Clock::now() + options_.stop_patience;
     bool down = false;
     while (!down && Clock::now() < until && !(interrupted() && Clock::now() > until - 4s))
-      self_->receive([&](const caf::down_msg& y) { down = y.source == x.actor.address(); },
+      self_->receive([&](const caf::down_msg& y) { down = y.source == x.address(); },
                      [](const PhaseDone&) {}, caf::after(glance) >> [] {});
     return down;
   }
 
-  ArchitectureDescription architecture_;
-  SystemOptions options_;
+  void end() {
+    for (std::size_t i = 1; i < processes_.size(); ++i)
+      if (processes_[i].link)
+        caf::anon_send(processes_[i].link, CloseLink{"the system has ended"});
+    if (!processes_.empty())
+      caf::anon_send_exit(processes_.front().agent, caf::exit_reason::user_shutdown);
+    if (mesh_)
+      mesh_->close();
+    caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(desk_, caf::exit_reason::user_shutdown);
+  }
+
+  struct Component {
+    caf::actor actor;
+    std::size_t number = 0;
+    bool failed = false;
+  };
+
+  const ArchitectureDescription architecture_;
+  const SystemOptions options_;
+  const Placement placement_;
   LoggedChanges logged_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<std::pair<int, std::string>> ended_;
+  std::vector<Process> processes_;
 
-  // Declared before the actor system, and so destroyed after it.
-  std::shared_ptr<ComponentServices> services_ = std::make_shared<ComponentServices>();
-  ActorSystemConfig config_;
+  ActorSystemConfig config_{placement_.processes.size() > 1};
   caf::actor_system system_{config_};
+  const Clock::time_point epoch_ = Clock::now();
   caf::scoped_actor self_{system_};
 
-  std::vector<WorkingMemory> working_memories_;
-  /// In the order of their start, once they are all there.
-  std::vector<Running> running_;
+  std::shared_ptr<Mesh> mesh_;
+  caf::actor desk_;
   caf::actor observer_;
-  caf::actor keeper_;
+  std::vector<std::pair<std::string, WorkingMemoryActor>> working_memories_;
+  std::map<std::string, Component> components_;
+  /// Of the components' start.
+  std::vector<std::string> order_;
   std::vector<std::string> stuck_;
-  bool stopped_ = false;
+  std::atomic<bool> stopped_{false};
 };
 
 System::System(ArchitectureDescription architecture, SystemOptions options)

@@ -2,7 +2,8 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
-#include "castor/actors/component/record.hpp"
+#include "castor/actors/component/status.hpp"
+#include "castor/actors/link/link.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/entry.hpp"
@@ -33,6 +34,19 @@ struct SystemOptions {
   /// Every subarchitecture may write to every other, as in the original CAST.
   bool open_access = false;
 
+  /// Where nodes listen, by the hosts that the architecture names; hosts that are not here are
+  /// looked for where their names say.
+  std::map<std::string, Endpoint> nodes;
+
+  /// How long nodes may take to be reached, before the system is given up.
+  std::chrono::milliseconds connect_patience{10'000};
+
+  /// How long processes may take to answer a question.
+  std::chrono::milliseconds answer_patience{5000};
+
+  /// How a node that went out of reach is treated.
+  LinkOptions link;
+
   /// How long a component may take to stop before it is given up.
   std::chrono::milliseconds stop_patience{5000};
 
@@ -61,7 +75,7 @@ struct WorkingMemorySummary {
 struct SystemSummary {
   std::vector<WorkingMemorySummary> working_memories;
   /// In the order of their start.
-  std::vector<std::shared_ptr<const ComponentRecord>> components;
+  std::vector<ComponentStatus> components;
   /// Components that did not stop when they were told to; their threads are still running, so the
   /// process has to leave without destroying the system.
   std::vector<std::string> stuck;
@@ -70,7 +84,8 @@ struct SystemSummary {
 /// Why `System::wait` returned.
 enum class EndReason { ended_by_component, time_over, quiet, interrupted, all_failed };
 
-/// A whole architecture, running in this process.
+/// A whole architecture: its coordinator, and what of it runs in this process. The rest runs on
+/// nodes, where the architecture says so.
 ///
 ///     System system{architecture};
 ///     system.start();
@@ -80,7 +95,8 @@ enum class EndReason { ended_by_component, time_over, quiet, interrupted, all_fa
 /// Made, used and destroyed on one thread.
 class System {
 public:
-  /// Throws SystemError if the architecture names classes, options or hosts that are not to be had.
+  /// Throws SystemError if the architecture names classes, options or hosts that are not to be had,
+  /// or nodes that are not to be reached; then nothing of it is left anywhere.
   explicit System(ArchitectureDescription architecture, SystemOptions options = {});
   System(const System&) = delete;
   System& operator=(const System&) = delete;

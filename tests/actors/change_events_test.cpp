@@ -21,7 +21,7 @@ protected:
       self.end_system(0, "done");
     };
     System system{architecture(subarchitecture("a") + "CPP UM c Unmanaged " + options + "\n")};
-    EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+    EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
   }
 };
 

@@ -21,7 +21,7 @@ protected:
       self.end_system(0, "done");
     };
     System system{architecture(server + subarchitecture("a") + "CPP UM client Unmanaged\n")};
-    EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+    EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
   }
 
   static std::string message_of(std::function<void()> f) {

@@ -89,7 +89,7 @@ TEST_F(Locks, AGuardGivesTheLeaseBack) {
     self.end_system(0, "done");
   };
   System system{with({"m"})};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, AreReEntrant) {
@@ -133,7 +133,7 @@ TEST_F(Locks, AreRenewedWhileTheHolderComputes) {
     self.end_system(0, "done");
   };
   System system{with({"m"}, {}, "--lease 500ms")};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, AHolderThatHangsLosesItsLease) {
@@ -159,7 +159,7 @@ TEST_F(Locks, AHolderThatHangsLosesItsLease) {
     self.sleep_for(1h);
   };
   System system{with({"hanging --budget 300ms"}, {"waiting"}, "--lease 500ms")};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, EndWithTheirHolder) {
@@ -304,7 +304,7 @@ TEST_F(Locks, LongWaitsThatAreNoCycleGoOn) {
     self.template read<Note>(y);
   };
   System system{with({"slow", "third"}, {"patient"})};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, SeveralWritesAreOne) {
@@ -329,7 +329,7 @@ TEST_F(Locks, SeveralWritesAreOne) {
     self.end_system(0, "done");
   };
   System system{with({"m"})};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, EntriesMayEndOfThemselves) {
@@ -343,7 +343,7 @@ TEST_F(Locks, EntriesMayEndOfThemselves) {
     self.end_system(0, "done");
   };
   System system{with({"m"})};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 TEST_F(Locks, BadInputIsNamedAndHarmsNobody) {
@@ -374,7 +374,7 @@ TEST_F(Locks, BadInputIsNamedAndHarmsNobody) {
     self.end_system(0, "done");
   };
   System system{with({"m"}, {}, "--largest-entry 1")};
-  EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+  EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
 }
 
 } // namespace

@@ -26,7 +26,7 @@ protected:
       architecture(head + subarchitecture("b") + subarchitecture("a") + "CPP UM c Unmanaged\n")};
     ASSERT_TRUE(system.start());
     ASSERT_EQ(system.wait({30s, {}}), EndReason::ended_by_component)
-      << system.summary().components.back()->failure();
+      << system.summary().components.back().failure;
     system.stop();
   }
 

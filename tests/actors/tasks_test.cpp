@@ -49,7 +49,7 @@ protected:
     System system{
       architecture("SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\nCPP TM " +
                    manager + "\nCPP MG m Managed\n")};
-    EXPECT_EQ(run(system), 0) << system.summary().components.back()->failure();
+    EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
   }
 };
 
@@ -120,7 +120,7 @@ TEST_F(Tasks, WorkThatThrowsIsAFailureOfTheComponent) {
   ASSERT_TRUE(system.start());
   EXPECT_EQ(system.wait({30s, {}}), EndReason::all_failed);
   system.stop();
-  EXPECT_EQ(system.summary().components.back()->failure(), "failed in task task:m:1: lost it");
+  EXPECT_EQ(system.summary().components.back().failure, "failed in task task:m:1: lost it");
 }
 
 } // namespace

@@ -30,7 +30,7 @@ std::string problem(Bytes bytes) {
 }
 
 TEST(Greeting, ArrivesHoweverItIsCut) {
-  auto all = written(Hello{"robot", "vision-7", 11, 3, 12, 99});
+  auto all = written(Hello{"robot", "vision-7", 11, 3, 4, 12, 99});
   Bytes received;
   for (auto x : all) {
     ASSERT_FALSE(read_greeting(received));
@@ -44,6 +44,7 @@ TEST(Greeting, ArrivesHoweverItIsCut) {
   EXPECT_EQ(hello.system, "vision-7");
   EXPECT_EQ(hello.incarnation, 11u);
   EXPECT_EQ(hello.process, 3u);
+  EXPECT_EQ(hello.receiver, 4u);
   EXPECT_EQ(hello.known, 12u);
   EXPECT_EQ(hello.received, 99u);
   EXPECT_EQ(received, Bytes{'!'});
@@ -67,7 +68,7 @@ TEST(Greeting, WhateverElseIsRefusedAtItsFirstWrongByte) {
   auto huge = written(Refusal{});
   huge[11] = 0x7f;
   EXPECT_THAT(problem(huge), HasSubstr("a greeting of 2130706"));
-  auto cut = written(Hello{"robot", "s", 1, 1, 1, 1});
+  auto cut = written(Hello{"robot", "s", 1, 1, 1, 1, 1});
   cut[8] = static_cast<std::uint8_t>(cut[8] - 1);
   EXPECT_THAT(problem(cut), HasSubstr("cannot be read"));
 }

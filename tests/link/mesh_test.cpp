@@ -58,7 +58,8 @@ struct Part {
   }
 
   Hello hello() const {
-    return {mesh->self() == 0 ? "run" : "robot", "test", 100u + mesh->self(), mesh->self(), 0, 0};
+    return {
+      mesh->self() == 0 ? "run" : "robot", "test", 100u + mesh->self(), mesh->self(), 0, 0, 0};
   }
 
   LinkParts parts(ProcessNumber peer) {

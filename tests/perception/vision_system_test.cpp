@@ -65,7 +65,7 @@ protected:
     EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);
     system->stop();
     for (auto& x : system->summary().components)
-      EXPECT_EQ(x->failure(), "") << x->identity().name;
+      EXPECT_EQ(x.failure, "") << x.identity.name;
     return system;
   }
 
@@ -152,9 +152,9 @@ TEST_F(VisionSystem, AMissingPictureIsAClearFailureOfTheCamera) {
   system.wait({60s, 500ms});
   system.stop();
   auto camera = system.summary().components.front();
-  EXPECT_EQ(camera->identity().name, "camera");
-  EXPECT_NE(camera->failure().find("none.png: there is no such file"), std::string::npos)
-    << camera->failure();
+  EXPECT_EQ(camera.identity.name, "camera");
+  EXPECT_NE(camera.failure.find("none.png: there is no such file"), std::string::npos)
+    << camera.failure;
 }
 
 } // namespace

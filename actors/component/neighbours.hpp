@@ -1,0 +1,25 @@
+#pragma once
+
+#include "castor/wm/caf.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace castor {
+
+/// The others in a system, wherever they run; never changes.
+struct Neighbours {
+  /// By subarchitecture.
+  std::map<std::string, WorkingMemoryActor> working_memories;
+  std::map<std::string, caf::actor> task_managers;
+  /// Stand-alone components, by name.
+  std::map<std::string, caf::actor> providers;
+};
+
+using NeighboursPtr = std::shared_ptr<const Neighbours>;
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::NeighboursPtr)

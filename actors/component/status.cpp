@@ -1,0 +1,18 @@
+#include "castor/actors/component/status.hpp"
+
+namespace castor {
+
+ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now) {
+  ComponentStatus result;
+  result.identity = x.identity();
+  result.state = x.state();
+  result.failure = x.failure();
+  result.busy = x.busy_for(now);
+  result.events_received = x.counters.events_received;
+  result.callbacks = x.counters.callbacks;
+  result.reads = x.counters.reads;
+  result.writes = x.counters.adds + x.counters.overwrites + x.counters.deletes;
+  return result;
+}
+
+} // namespace castor

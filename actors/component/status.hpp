@@ -1,0 +1,29 @@
+#pragma once
+
+#include "castor/actors/component/record.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace castor {
+
+/// A component as it was at one moment, wherever it runs.
+struct ComponentStatus {
+  ComponentIdentity identity;
+  bool is_task_manager = false;
+  ComponentState state = ComponentState::created;
+  /// Why it failed; empty if it did not.
+  std::string failure;
+  /// How long it has had something to do without a pause.
+  std::chrono::nanoseconds busy{0};
+
+  std::uint64_t events_received = 0;
+  std::uint64_t callbacks = 0;
+  std::uint64_t reads = 0;
+  std::uint64_t writes = 0;
+};
+
+ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);
+
+} // namespace castor

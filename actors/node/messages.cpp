@@ -1,0 +1,25 @@
+#include "castor/actors/node/messages.hpp"
+
+#include "castor/actors/node/part_wire.hpp"
+
+namespace castor {
+
+const WireTable& system_messages() {
+  static const auto result = WireTable::of<
+    // Operations on working memory
+    WriteRequest, Outcome<Version>, BatchRequest, Outcome<std::vector<Version>>, ReadRequest,
+    Outcome<EntryPtr>, QueryRequest, Outcome<std::vector<EntryPtr>>, ExistsQuery, Outcome<bool>,
+    VersionQuery, LockRequest, Outcome<Lease>, UnlockRequest, Outcome<Acknowledged>, CancelWait,
+    RenewRequest, RenewReply, LockQuery, Outcome<LockStatus>, DeadlockProbe, StatusQuery,
+    WorkingMemoryStatus,
+    // Events
+    Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, Interest, Acknowledged, ForwardedEvents,
+    // Components
+    EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
+    Outcome<Value>, PushRequest, Pushed,
+    // Parts of a system
+    PartPlan, PartMade, JoinParts, PartStatusQuery, PartStatus, EndSystem, TaskEvent>();
+  return result;
+}
+
+} // namespace castor

@@ -1,0 +1,185 @@
+#include "castor/actors/node/node.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/link.hpp"
+#include "castor/actors/link/listener.hpp"
+#include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/incarnation.hpp"
+#include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/part_agent.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <variant>
+
+namespace castor {
+
+namespace {
+
+/// What this process contributes to one system.
+struct Membership {
+  Hello self;
+  std::shared_ptr<Mesh> mesh;
+  caf::actor agent;
+  std::map<ProcessNumber, caf::actor> links;
+};
+
+using Route = std::variant<caf::actor, Refusal>;
+
+/// The systems that a node takes part in; used by the network's thread and by agents.
+class Memberships : public std::enable_shared_from_this<Memberships> {
+public:
+  Memberships(caf::actor_system& system, std::string name)
+    : system_(system), name_(std::move(name)) {}
+
+  void end() {
+    for (auto& name : systems())
+      leave(name, name_ + " ends");
+  }
+
+  std::vector<std::string> systems() const {
+    std::lock_guard guard{mutex_};
+    std::vector<std::string> result;
+    for (auto& [name, membership] : memberships_)
+      result.push_back(name);
+    return result;
+  }
+
+  /// The link that a new connection is for.
+  Route route(const Hello& x) {
+    std::lock_guard guard{mutex_};
+    auto i = memberships_.find(x.system);
+    if (i == memberships_.end()) {
+      if (x.known != 0)
+        return Refusal{"it was started again and takes no part in the system any more", true};
+      if (x.process != 0)
+        return Refusal{"it does not take part in the system yet", false};
+      i = enter(x);
+    }
+    auto& links = i->second.links;
+    auto link = links.find(x.process);
+    if (link == links.end())
+      return Refusal{"it has not heard of a process " + std::to_string(x.process) + " yet", false};
+    return link->second;
+  }
+
+private:
+  std::map<std::string, Membership>::iterator enter(const Hello& coordinator) {
+    log(LogLevel::info, "castor",
+        name_ + " takes part in " + coordinator.system + ", for " + coordinator.node);
+    auto& result = memberships_[coordinator.system];
+    result.self.node = name_;
+    result.self.system = coordinator.system;
+    result.self.incarnation = new_incarnation();
+    result.self.process = coordinator.receiver;
+    result.mesh = std::make_shared<Mesh>(system_, system_messages(), coordinator.receiver);
+    PartAgentParts parts;
+    parts.self = coordinator.receiver;
+    parts.connect = [node = weak_from_this(), name = coordinator.system](const PartPlan& plan) {
+      if (auto self = node.lock())
+        self->connect(name, plan);
+    };
+    result.agent = system_.spawn(part_agent, std::move(parts));
+    result.mesh->set_well_known(WellKnownActor::agent,
+                                caf::actor_cast<caf::strong_actor_ptr>(result.agent));
+    add_link(result, 0, coordinator.node, std::nullopt);
+    return memberships_.find(coordinator.system);
+  }
+
+  /// Of each two processes, the one with the lower number dials.
+  void connect(const std::string& system, const PartPlan& plan) {
+    std::lock_guard guard{mutex_};
+    auto i = memberships_.find(system);
+    if (i == memberships_.end())
+      return;
+    for (std::size_t p = 1; p < plan.processes.size(); ++p) {
+      auto number = static_cast<ProcessNumber>(p);
+      auto& peer = plan.processes[p];
+      if (number == i->second.self.process)
+        continue;
+      add_link(i->second, number, peer.name,
+               number > i->second.self.process ? std::optional{Endpoint{peer.host, peer.port}}
+                                               : std::nullopt);
+    }
+  }
+
+  void add_link(Membership& membership, ProcessNumber peer, const std::string& name,
+                std::optional<Endpoint> dial) {
+    LinkParts parts;
+    parts.mesh = membership.mesh;
+    parts.peer = peer;
+    parts.peer_name = name;
+    parts.dial = std::move(dial);
+    parts.self = membership.self;
+    parts.self.receiver = peer;
+    parts.counters = std::make_shared<LinkCounters>();
+    parts.on_news = [node = weak_from_this(), agent = membership.agent,
+                     system = membership.self.system](const LinkNews& x) {
+      caf::anon_send(agent, x);
+      auto self = node.lock();
+      if (self && x.peer == 0 && x.kind == LinkNews::Kind::lost)
+        self->leave(system, x.name + " is lost: " + x.reason);
+    };
+    auto link = spawn_link(system_, std::move(parts));
+    membership.links[peer] = link;
+    membership.mesh->add_port(std::make_shared<LinkPort>(membership.mesh, peer, link));
+  }
+
+  void leave(const std::string& system, const std::string& why) {
+    std::map<std::string, Membership>::node_type left;
+    {
+      std::lock_guard guard{mutex_};
+      left = memberships_.extract(system);
+    }
+    if (!left)
+      return;
+    log(LogLevel::info, "castor", name_ + " leaves " + system + ": " + why);
+    auto& membership = left.mapped();
+    caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);
+    for (auto& [peer, link] : membership.links)
+      caf::anon_send(link, CloseLink{why});
+    membership.mesh->close();
+  }
+
+  caf::actor_system& system_;
+  const std::string name_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Membership> memberships_;
+};
+
+} // namespace
+
+class Node::Implementation {
+public:
+  explicit Implementation(NodeOptions options)
+    : memberships_(std::make_shared<Memberships>(system_, std::move(options.name))),
+      listener_(spawn_listener(system_, {options.socket, [memberships = memberships_](auto& hello) {
+                                           return memberships->route(hello);
+                                         }})) {}
+
+  ~Implementation() {
+    caf::anon_send_exit(listener_, caf::exit_reason::user_shutdown);
+    memberships_->end();
+  }
+
+  std::vector<std::string> systems() const { return memberships_->systems(); }
+
+private:
+  ActorSystemConfig config_{true};
+  caf::actor_system system_{config_};
+  std::shared_ptr<Memberships> memberships_;
+  caf::actor listener_;
+};
+
+Node::Node(NodeOptions options)
+  : implementation_(std::make_unique<Implementation>(std::move(options))) {}
+
+Node::~Node() = default;
+
+std::vector<std::string> Node::systems() const {
+  return implementation_->systems();
+}
+
+} // namespace castor

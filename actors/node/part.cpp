@@ -1,0 +1,152 @@
+#include "castor/actors/node/part.hpp"
+
+#include "castor/actors/component/keeper.hpp"
+#include "castor/actors/component/shell.hpp"
+#include "castor/actors/node/check.hpp"
+#include "castor/actors/node/working_memory_class.hpp"
+#include "castor/actors/plugin.hpp"
+#include "castor/wm/working_memory.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+/// Calls `f` with every component line that the plan gives to a process, in the order of the file.
+template <class F>
+void for_each_component(const PartPlan& plan, ProcessNumber self, F&& f) {
+  auto visit = [&](const ComponentDescription& x) {
+    auto i = plan.placement.find(x.name);
+    if ((i == plan.placement.end() ? 0 : i->second) == self)
+      f(x);
+  };
+  for (auto& subarchitecture : plan.architecture.subarchitectures) {
+    visit(subarchitecture.working_memory);
+    visit(subarchitecture.task_manager);
+    for (auto& x : subarchitecture.components)
+      visit(x);
+  }
+  for (auto& x : plan.architecture.standalone)
+    visit(x);
+}
+
+} // namespace
+
+SystemPart::SystemPart(caf::actor_system& system, const PartPlan& plan, ProcessNumber self)
+  : system_(system), architecture_(plan.architecture) {
+  for_each_component(plan, self, [&](auto& x) { check_class(x, problems_); });
+  if (!problems_.empty())
+    return;
+  services_->epoch = std::chrono::steady_clock::now() - plan.age;
+  services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
+    caf::anon_send(to, EndSystem{status, reason});
+  };
+  if (plan.task_observer)
+    services_->on_task = [to = plan.task_observer](TaskEvent x) {
+      caf::anon_send(to, std::move(x));
+    };
+  for_each_component(plan, self, [&](auto& x) {
+    if (x.kind == ComponentKind::working_memory)
+      spawn_working_memory(plan, *architecture_.subarchitecture(x.subarchitecture));
+  });
+  std::sort(services_->working_memories.begin(), services_->working_memories.end());
+  for_each_component(plan, self, [&](auto& x) {
+    if (x.kind != ComponentKind::working_memory)
+      spawn_component(x);
+  });
+}
+
+SystemPart::~SystemPart() {
+  caf::anon_send_exit(keeper_, caf::exit_reason::user_shutdown);
+  for (auto& x : running_)
+    caf::anon_send_exit(x.actor, caf::exit_reason::user_shutdown);
+  for (auto& [name, actor] : working_memories_)
+    caf::anon_send_exit(actor, caf::exit_reason::user_shutdown);
+}
+
+void SystemPart::spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x) {
+  WorkingMemoryClass wm_class;
+  for (auto& setting : x.working_memory.options)
+    wm_class.options.set(setting.name(), setting.value);
+  WorkingMemoryOptions options;
+  options.subarchitecture = x.name;
+  options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
+  options.epoch = services_->epoch;
+  options.leases.duration = wm_class.lease.get();
+  options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
+  if (plan.open_access)
+    options.writers.insert("*");
+  for (auto& rule : architecture_.access_rules)
+    if (rule.owner == x.name || rule.owner == "*")
+      options.writers.insert(rule.writer);
+  auto actor = system_.spawn(working_memory, std::move(options));
+  working_memories_[x.name] = actor;
+  // It may meet the unit of the component that ran it last until its own end.
+  caf::actor_cast<caf::abstract_actor*>(actor)->attach_functor([services = services_] {});
+  services_->working_memories.push_back(
+    dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(actor)));
+}
+
+void SystemPart::spawn_component(const ComponentDescription& x) {
+  ShellParts parts;
+  parts.component = find_class(x.class_name).found->make();
+  for (auto& setting : x.options)
+    parts.component->options().set(setting.name(), setting.value);
+  parts.record = std::make_shared<ComponentRecord>(ComponentIdentity{
+    x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number)});
+  parts.services = services_;
+  parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
+  parts.unit->set_working_memories(&services_->working_memories);
+  auto record = parts.record;
+  running_.push_back({system_.spawn<ComponentShell>(std::move(parts)), std::move(record),
+                      x.kind == ComponentKind::task_manager});
+}
+
+std::map<std::string, caf::strong_actor_ptr> SystemPart::actors() const {
+  std::map<std::string, caf::strong_actor_ptr> result;
+  for (auto& [subarchitecture, actor] : working_memories_)
+    result[architecture_.subarchitecture(subarchitecture)->working_memory.name] =
+      caf::actor_cast<caf::strong_actor_ptr>(actor);
+  for (auto& x : running_)
+    result[x.record->identity().name] = caf::actor_cast<caf::strong_actor_ptr>(x.actor);
+  return result;
+}
+
+std::map<std::string, caf::strong_actor_ptr>
+SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>& actors) const {
+  std::map<std::string, caf::strong_actor_ptr> result;
+  for (auto& x : architecture_.subarchitectures)
+    result[x.name] = actors.at(x.working_memory.name);
+  return result;
+}
+
+void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
+  auto neighbours = std::make_shared<Neighbours>();
+  for (auto& [name, actor] : subarchitectures(actors))
+    neighbours->working_memories[name] = caf::actor_cast<WorkingMemoryActor>(actor);
+  for (auto& x : architecture_.subarchitectures)
+    neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.task_manager.name));
+  for (auto& x : architecture_.standalone)
+    neighbours->providers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.name));
+  KeeperParts parts;
+  for (auto& x : running_) {
+    caf::anon_send(x.actor, NeighboursPtr{neighbours});
+    parts.components.push_back(x.record);
+  }
+  parts.working_memories = neighbours->working_memories;
+  keeper_ = system_.spawn(keeper, std::move(parts));
+}
+
+std::vector<ComponentStatus> SystemPart::components() const {
+  std::vector<ComponentStatus> result;
+  auto now = ComponentRecord::Clock::now();
+  for (auto& x : running_) {
+    result.push_back(status_of(*x.record, now));
+    result.back().is_task_manager = x.is_task_manager;
+  }
+  return result;
+}
+
+} // namespace castor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "castor/actors/link/link.hpp"
+#include "castor/actors/node/part.hpp"
+#include "castor/actors/node/part_protocol.hpp"
+
+#include <caf/stateful_actor.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace castor {
+
+struct PartAgentParts {
+  ProcessNumber self = 0;
+  /// Called with the plan before the part is made: connects with the other processes.
+  std::function<void(const PartPlan&)> connect;
+};
+
+struct PartAgentState {
+  static constexpr const char* name = "part_agent";
+
+  PartAgentParts parts;
+  std::unique_ptr<SystemPart> part;
+  /// How many other processes there are, and with which of them there is a connection.
+  std::size_t others = 0;
+  std::set<ProcessNumber> connected;
+  /// Who waits for the part to have joined the others, and what is still missing.
+  std::optional<caf::response_promise> joining;
+  std::size_t unanswered = 0;
+};
+
+/// Makes and represents a process's part of a system. Its end is that of the part.
+caf::behavior part_agent(caf::stateful_actor<PartAgentState>* self, PartAgentParts parts);
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::LinkNews)

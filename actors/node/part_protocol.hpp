@@ -1,0 +1,79 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/component/status.hpp"
+#include "castor/actors/link/mesh.hpp"
+#include "castor/actors/task_manager/task_event.hpp"
+#include "castor/wm/caf.hpp"
+#include "castor/wm/timestamp.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What a system's coordinator says to the agents of its parts, one in every process, and they to
+/// it.
+namespace castor {
+
+/// A process that takes part in a system.
+struct ProcessDescription {
+  std::string name;
+  /// Where the others reach it.
+  std::string host;
+  std::uint16_t port = 0;
+};
+
+/// What a process needs to know in order to make its part of a system.
+struct PartPlan {
+  ArchitectureDescription architecture;
+  /// By their numbers; the first is the coordinator's own, which nobody needs to reach.
+  std::vector<ProcessDescription> processes;
+  /// Where components, working memories and task managers live, by name.
+  std::map<std::string, ProcessNumber> placement;
+  /// Every subarchitecture may write to every other.
+  bool open_access = false;
+  /// How long the system has existed, when this was sent.
+  Timestamp age{0};
+  /// Is sent EndSystem by whoever wants that.
+  caf::actor coordinator;
+  /// Is sent every TaskEvent; null if nobody wants to know.
+  caf::actor task_observer;
+};
+
+/// The actors of a part, by the names of the components.
+struct PartMade {
+  /// Why it cannot be made, then there are no actors.
+  std::vector<cast::Diagnostic> problems;
+  std::map<std::string, caf::strong_actor_ptr> actors;
+};
+
+/// The actors of all parts: introduces them to each other. Answered with Acknowledged once the part
+/// is connected with all others and its working memories know theirs.
+struct JoinParts {
+  std::map<std::string, caf::strong_actor_ptr> actors;
+};
+
+struct PartStatusQuery {};
+
+struct PartStatus {
+  std::vector<ComponentStatus> components;
+};
+
+/// A component wants the whole system to end.
+struct EndSystem {
+  int status = 0;
+  std::string reason;
+};
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::PartPlan)
+CASTOR_LOCAL_MESSAGE(castor::PartMade)
+CASTOR_LOCAL_MESSAGE(castor::JoinParts)
+CASTOR_LOCAL_MESSAGE(castor::PartStatusQuery)
+CASTOR_LOCAL_MESSAGE(castor::PartStatus)
+CASTOR_LOCAL_MESSAGE(castor::EndSystem)
+CASTOR_LOCAL_MESSAGE(castor::TaskEvent)

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "castor/actors/link/wire_protocol.hpp"
+#include "castor/actors/link/wire_table.hpp"
+#include "castor/actors/node/part_protocol.hpp"
+
+/// The wire form of what a coordinator and the parts of its system say to each other.
+namespace castor {
+
+/// Includes are not told of: a place is a file and a line.
+template <class A>
+void wire(A& a, WirePart<A, SourceLocation>& x) {
+  if constexpr (A::writes) {
+    a(x.file(), static_cast<std::uint64_t>(x.line()));
+  } else {
+    auto file = a.template take<std::string>();
+    x = {std::move(file), static_cast<std::size_t>(a.template take<std::uint64_t>())};
+  }
+}
+
+template <class A>
+void wire(A& a, WirePart<A, OptionSetting>& x) {
+  a(x.key, x.value, x.where);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ComponentDescription>& x) {
+  a(x.kind, x.name, x.class_name, x.language, x.host, x.options, x.number, x.subarchitecture,
+    x.where, x.line);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, SubarchitectureDescription>& x) {
+  a(x.name, x.host, x.working_memory, x.task_manager, x.components, x.where);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, AccessRule>& x) {
+  a(x.writer, x.owner, x.where);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ArchitectureDescription>& x) {
+  a(x.file, x.config_dir, x.subarchitectures, x.standalone, x.host_names, x.access_rules);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, cast::Diagnostic>& x) {
+  a(x.severity, x.where, x.line, x.expanded, x.message, x.remedy);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ProcessDescription>& x) {
+  a(x.name, x.host, x.port);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, PartPlan>& x) {
+  a(x.architecture, x.processes, x.placement, x.open_access, x.age, x.coordinator, x.task_observer);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, PartMade>& x) {
+  a(x.problems, x.actors);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, JoinParts>& x) {
+  a(x.actors);
+}
+
+template <class A>
+void wire(A&, WirePart<A, PartStatusQuery>&) {}
+
+template <class A>
+void wire(A& a, WirePart<A, ComponentIdentity>& x) {
+  a(x.name, x.subarchitecture, x.class_name, x.number, x.incarnation);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ComponentStatus>& x) {
+  a(x.identity, x.is_task_manager, x.state, x.failure, x.busy, x.events_received, x.callbacks,
+    x.reads, x.writes);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, PartStatus>& x) {
+  a(x.components);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, EndSystem>& x) {
+  a(x.status, x.reason);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, TaskEvent>& x) {
+  a(x.step, x.subarchitecture, x.task, x.detail, x.time);
+}
+
+} // namespace castor

@@ -1,0 +1,81 @@
+#include "castor/actors/node/placement.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace castor {
+
+namespace {
+
+bool is_this_machine(const std::string& host) {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return host.empty() || host == "localhost" || host == "127.0.0.1" || host == "::1" ||
+         host == name.data();
+}
+
+template <class F>
+void for_each_component(const ArchitectureDescription& architecture, F&& f) {
+  for (auto& subarchitecture : architecture.subarchitectures) {
+    f(subarchitecture.working_memory);
+    f(subarchitecture.task_manager);
+    for (auto& x : subarchitecture.components)
+      f(x);
+  }
+  for (auto& x : architecture.standalone)
+    f(x);
+}
+
+/// Empty if no HOSTNAME line names the host.
+std::string given_name(const ArchitectureDescription& architecture, const std::string& host) {
+  for (auto& [name, definition] : architecture.host_names)
+    if (definition == host)
+      return name;
+  return {};
+}
+
+} // namespace
+
+Placement place(const ArchitectureDescription& architecture,
+                const std::map<std::string, Endpoint>& nodes) {
+  Placement result;
+  result.processes.emplace_back();
+  std::map<std::string, ProcessNumber> known;
+  for_each_component(architecture, [&](const ComponentDescription& x) {
+    auto node = nodes.find(x.host);
+    if (node == nodes.end() && is_this_machine(x.host))
+      return;
+    auto [i, is_new] = known.try_emplace(x.host, static_cast<ProcessNumber>(known.size() + 1));
+    result.of[x.name] = i->second;
+    if (!is_new)
+      return;
+    try {
+      auto at = node == nodes.end() ? parse_endpoint(x.host, default_node_port) : node->second;
+      result.processes.push_back({given_name(architecture, x.host), at.host, at.port});
+    } catch (const std::invalid_argument& e) {
+      result.processes.emplace_back();
+      result.problems.push_back({cast::Severity::error,
+                                 x.where,
+                                 x.line,
+                                 {},
+                                 "the host of " + x.name + " is no address: " + e.what(),
+                                 {}});
+    }
+  });
+  return result;
+}
+
+std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture) {
+  std::map<std::string, std::string> result;
+  for_each_component(architecture, [&](const ComponentDescription& x) {
+    if (is_this_machine(x.host))
+      return;
+    auto name = given_name(architecture, x.host);
+    result[x.host] = name.empty() ? x.host : name;
+  });
+  return result;
+}
+
+} // namespace castor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/part_protocol.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// The port at which nodes listen unless told otherwise.
+inline constexpr std::uint16_t default_node_port = 7117;
+
+/// Which processes a system runs in, and what runs where.
+struct Placement {
+  /// The first is the coordinator's.
+  std::vector<ProcessDescription> processes;
+  /// By the names of the components; the coordinator's own are left out.
+  std::map<std::string, ProcessNumber> of;
+  /// Hosts that are no addresses.
+  std::vector<cast::Diagnostic> problems;
+};
+
+/// Places every component where its host says: in the coordinator's process if that is this
+/// machine, otherwise at the node that listens there. `nodes` says of hosts where their nodes
+/// listen, this machine included; the others are taken for HOST or HOST:PORT.
+///
+/// Where a HOSTNAME line names the host, the node must have that name.
+Placement place(const ArchitectureDescription& architecture,
+                const std::map<std::string, Endpoint>& nodes);
+
+/// Hosts that are not this machine, with the names that HOSTNAME lines give them, otherwise their
+/// own.
+std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture);
+
+} // namespace castor
