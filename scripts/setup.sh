@@ -8,7 +8,7 @@ packages=(
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev libssl-dev
 )
 test_packages=(
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl
 )
 
 # install_missing PACKAGE...
