@@ -66,19 +66,19 @@ public:
       dial_now();
     auto link = shared_from_this();
     return {
-      [link](LinkMessage& x) { link->send(std::move(x)); },
+      [link](LinkMessage& x) { link->guarded([&] { link->send(std::move(x)); }); },
       [link](const caf::io::new_data_msg& x) { link->receive(x); },
       [link](const caf::io::data_transferred_msg& x) {
         if (x.handle == link->connection_) {
           link->in_buffer_ = x.remaining;
-          link->flush();
+          link->guarded([&] { link->flush(); });
         }
       },
       [link](const caf::io::connection_closed_msg& x) {
         if (x.handle == link->connection_)
           link->disconnected("the connection was closed");
       },
-      [link](TickAtom) { link->tick(); },
+      [link](TickAtom) { link->guarded([&] { link->tick(); }); },
       [link](DialAtom) { link->dial_now(); },
       [link](const Dialled& x) { link->dialled(x); },
       [link](AdoptConnection& x) { link->adopt(std::move(x)); },
@@ -107,8 +107,9 @@ private:
       disconnected(x.problem);
       return;
     }
-    begin_connection(self_->add_scribe(x.socket));
-    greet();
+    begin_connection(self_->add_scribe(x.socket),
+                     std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::dials));
+    guarded([this] { say({}); });
   }
 
   void adopt(AdoptConnection x) {
@@ -116,20 +117,19 @@ private:
       drop_connection();
     auto handle = x.connection->hdl();
     self_->move_scribe(std::move(x.connection));
-    begin_connection(handle);
-    greet();
-    greeting_ = std::move(x.received);
-    try {
+    begin_connection(handle, std::move(x.channel));
+    heard_words_ = std::move(x.received);
+    guarded([&] {
+      say({});
       established(x.hello);
-    } catch (const LinkError& e) {
-      lost(e.what());
-    }
+    });
   }
 
-  void begin_connection(caf::io::connection_handle handle) {
+  void begin_connection(caf::io::connection_handle handle, std::shared_ptr<Channel> channel) {
     connection_ = handle;
-    greeted_ = false;
-    greeting_.clear();
+    channel_ = std::move(channel);
+    has_greeted_ = greeted_ = false;
+    heard_words_.clear();
     in_buffer_ = 0;
     heard_ = Clock::now();
     self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
@@ -149,7 +149,7 @@ private:
     if (connection_)
       drop_connection();
     reason_ = why;
-    if (was_up) {
+    if (was_up && !over_) {
       down_since_ = Clock::now();
       backoff_ = 20ms;
       tell(LinkNews::Kind::down, why);
@@ -168,7 +168,7 @@ private:
       return;
     if (connection_) {
       session_.say_goodbye(why);
-      flush();
+      say_last();
       drop_connection();
     }
     parts_.mesh->end_process(parts_.peer);
@@ -176,11 +176,19 @@ private:
     self_->quit();
   }
 
+  void say_last() {
+    try {
+      flush();
+    } catch (const SecurityError&) {
+      // Then the peer will find out by itself.
+    }
+  }
+
   void close(const std::string& reason) {
     over_ = true;
     if (greeted_) {
       session_.say_goodbye(reason);
-      flush();
+      say_last();
     }
     if (connection_)
       drop_connection();
@@ -188,13 +196,40 @@ private:
     self_->quit();
   }
 
+  /// Does something with what the peer says, and ends the connection if that cannot be.
+  template <class F>
+  void guarded(F&& f) {
+    try {
+      f();
+    } catch (const SecurityError& e) {
+      // Once it was the right peer, it is the way to it that is at fault.
+      if (incarnation_ != 0)
+        disconnected(e.what());
+      else
+        lost(e.what());
+    } catch (const LinkError& e) {
+      lost(e.what());
+    } catch (const DecodeError& e) {
+      lost(std::string{"a message that cannot be read: "} + e.what());
+    }
+  }
+
   // -- what is said
 
-  void greet() {
-    auto hello = parts_.self;
-    hello.known = incarnation_;
-    hello.received = session_.received();
-    write_greeting(self_->wr_buf(*connection_), hello);
+  /// Says it, after the greeting if that is due.
+  void say(std::vector<char> words) {
+    if (!has_greeted_ && channel_->is_ready()) {
+      has_greeted_ = true;
+      auto hello = parts_.self;
+      hello.known = incarnation_;
+      hello.received = session_.received();
+      write_greeting(words, hello);
+    }
+    auto& out = self_->wr_buf(*connection_);
+    auto before = out.size();
+    channel_->write(words, out);
+    in_buffer_ += out.size() - before;
+    parts_.counters->bytes_out.fetch_add(out.size() - before, std::memory_order_relaxed);
     self_->flush(*connection_);
   }
 
@@ -203,6 +238,8 @@ private:
       parts_.peer_name = x.node;
     if (x.node != parts_.peer_name)
       throw LinkError("there is a node " + x.node + " where " + parts_.peer_name + " should be");
+    if (!channel_->proves(x.node))
+      throw LinkError("its certificate is not for the name " + x.node);
     if (x.system != parts_.self.system)
       throw LinkError("it takes part in another system");
     if ((incarnation_ != 0 && x.incarnation != incarnation_) ||
@@ -214,7 +251,7 @@ private:
     backoff_ = 20ms;
     parts_.counters->connections.fetch_add(1, std::memory_order_relaxed);
     tell(LinkNews::Kind::up, {});
-    hear(std::exchange(greeting_, {}));
+    hear(std::exchange(heard_words_, {}));
     flush();
   }
 
@@ -224,22 +261,19 @@ private:
     heard_ = Clock::now();
     parts_.counters->bytes_in.fetch_add(x.buf.size(), std::memory_order_relaxed);
     std::span bytes{reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()};
-    try {
+    guarded([&] {
+      channel_->receive(bytes, heard_words_);
+      say({});
       if (greeted_)
-        hear(bytes);
+        hear(std::exchange(heard_words_, {}));
       else
-        hear_greeting(bytes);
+        hear_greeting();
       flush();
-    } catch (const LinkError& e) {
-      lost(e.what());
-    } catch (const DecodeError& e) {
-      lost(std::string{"a message that cannot be read: "} + e.what());
-    }
+    });
   }
 
-  void hear_greeting(std::span<const std::uint8_t> bytes) {
-    greeting_.insert(greeting_.end(), bytes.begin(), bytes.end());
-    auto greeting = read_greeting(greeting_);
+  void hear_greeting() {
+    auto greeting = read_greeting(heard_words_);
     if (!greeting)
       return;
     if (auto* refusal = std::get_if<Refusal>(&*greeting)) {
@@ -278,19 +312,13 @@ private:
   void flush() {
     if (!greeted_ || !connection_)
       return;
-    auto& out = self_->wr_buf(*connection_);
-    auto before = out.size();
     while (in_buffer_ < buffered && session_.has_something_to_say()) {
-      auto size = out.size();
-      session_.produce(out, buffered - in_buffer_);
-      in_buffer_ += out.size() - size;
+      std::vector<char> words;
+      session_.produce(words, buffered - in_buffer_);
+      spoke_ = spoke_ || !words.empty();
+      say(std::move(words));
     }
     parts_.counters->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
-    if (out.size() == before)
-      return;
-    spoke_ = true;
-    parts_.counters->bytes_out.fetch_add(out.size() - before, std::memory_order_relaxed);
-    self_->flush(*connection_);
   }
 
   void tick() {
@@ -323,9 +351,12 @@ private:
   std::optional<caf::io::connection_handle> connection_;
   /// Whether the peer has introduced itself over the present connection.
   bool greeted_ = false;
+  /// Whether the link has introduced itself over it.
+  bool has_greeted_ = false;
   bool over_ = false;
-  /// What came before the peer's greeting was complete.
-  Bytes greeting_;
+  std::shared_ptr<Channel> channel_;
+  /// What the peer has said and nobody has made anything of.
+  Bytes heard_words_;
   /// The peer's, once it is known.
   std::uint64_t incarnation_ = 0;
   std::unordered_set<std::uint64_t> told_types_;

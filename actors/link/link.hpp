@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/link/handshake.hpp"
 #include "castor/actors/link/mesh.hpp"
@@ -65,6 +66,8 @@ struct LinkParts {
   std::optional<Endpoint> dial;
   /// What to say to the peer.
   Hello self;
+  /// With them, connections are encrypted and names are proved.
+  std::optional<Credentials> credentials;
   LinkOptions options;
   std::shared_ptr<LinkCounters> counters;
   /// Called on the network's thread.

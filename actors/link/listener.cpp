@@ -26,6 +26,7 @@ constexpr std::chrono::milliseconds period{250};
 /// A connection that has not said what it wants.
 struct Stranger {
   std::string from;
+  std::shared_ptr<Channel> channel;
   Bytes received;
   Clock::time_point until;
 };
@@ -60,7 +61,11 @@ private:
       self_->close(handle);
       return;
     }
-    strangers_[handle] = {std::move(from), {}, Clock::now() + parts_.patience};
+    strangers_[handle] = {
+      std::move(from),
+      std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::accepts),
+      {},
+      Clock::now() + parts_.patience};
     self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
   }
 
@@ -69,32 +74,45 @@ private:
     if (i == strangers_.end())
       return;
     auto& stranger = i->second;
-    stranger.received.insert(stranger.received.end(), x.buf.begin(), x.buf.end());
     try {
+      stranger.channel->receive({reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()},
+                                stranger.received);
+      say(x.handle, *stranger.channel, {});
       if (auto greeting = read_greeting(stranger.received))
         welcome(x.handle, stranger, *greeting);
+    } catch (const SecurityError& e) {
+      say(x.handle, *stranger.channel, {});
+      turn_away(x.handle, e.what());
     } catch (const LinkError& e) {
       turn_away(x.handle, e.what());
     }
+  }
+
+  void say(connection_handle handle, Channel& channel, std::vector<char> words) {
+    channel.write(words, self_->wr_buf(handle));
+    self_->flush(handle);
   }
 
   void welcome(connection_handle handle, Stranger& stranger, const Greeting& greeting) {
     auto* hello = std::get_if<Hello>(&greeting);
     if (!hello)
       throw LinkError("it refuses before it is asked");
+    if (!stranger.channel->proves(hello->node))
+      throw LinkError("its certificate is not for the name " + hello->node);
     auto link = parts_.route(*hello);
     if (auto* refusal = std::get_if<Refusal>(&link)) {
-      write_greeting(self_->wr_buf(handle), *refusal);
-      self_->flush(handle);
+      std::vector<char> words;
+      write_greeting(words, *refusal);
+      say(handle, *stranger.channel, std::move(words));
       turn_away(handle, refusal->reason);
       return;
     }
-    auto received = std::move(stranger.received);
-    strangers_.erase(handle);
     // Nothing may arrive while the connection belongs to nobody.
     self_->halt(handle);
-    caf::anon_send(std::get<caf::actor>(link),
-                   AdoptConnection{self_->take(handle), *hello, std::move(received)});
+    AdoptConnection gift{self_->take(handle), std::move(stranger.channel), *hello,
+                         std::move(stranger.received)};
+    strangers_.erase(handle);
+    caf::anon_send(std::get<caf::actor>(link), std::move(gift));
   }
 
   void turn_away(connection_handle handle, const std::string& why) {

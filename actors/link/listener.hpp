@@ -1,11 +1,13 @@
 #pragma once
 
+#include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/handshake.hpp"
 #include "castor/wm/caf.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <variant>
 
 namespace castor {
@@ -15,6 +17,8 @@ struct ListenerParts {
   int socket = -1;
   /// Which link a connection is for. Called on the network's thread.
   std::function<std::variant<caf::actor, Refusal>(const Hello&)> route;
+  /// With them, connections have to be encrypted and names proved.
+  std::optional<Credentials> credentials = {};
   /// How long a new connection may take to say what it wants.
   std::chrono::milliseconds patience{3000};
   /// How many may keep silent at the same time; more are turned away.

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "castor/actors/link/credentials.hpp"
+#include "castor/actors/link/secure_channel.hpp"
+#include "castor/wm/type_descriptor.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor {
+
+/// What lies between a connection and what is said over it: nothing, or encryption. Throws
+/// SecurityError.
+class Channel {
+public:
+  /// With credentials, an encrypted one.
+  Channel(const std::optional<Credentials>& credentials, SecureChannel::Role role) {
+    if (credentials)
+      secure_.emplace(*credentials, role);
+  }
+
+  /// Whether it is time to speak.
+  bool is_ready() const { return !secure_ || secure_->established(); }
+
+  /// Whether the peer may call itself that.
+  bool proves(std::string_view name) const { return !secure_ || secure_->peer_has_name(name); }
+
+  /// Takes what arrived, and appends what the peer has said.
+  void receive(std::span<const std::uint8_t> from_network, Bytes& said) {
+    if (secure_)
+      secure_->receive(from_network, said);
+    else
+      said.insert(said.end(), from_network.begin(), from_network.end());
+  }
+
+  /// Appends what is to be written so that the peer hears `words`, and what else is due.
+  void write(std::span<const char> words, std::vector<char>& to_network) {
+    if (!secure_) {
+      to_network.insert(to_network.end(), words.begin(), words.end());
+      return;
+    }
+    if (!words.empty())
+      secure_->send({reinterpret_cast<const std::uint8_t*>(words.data()), words.size()});
+    secure_->take_outgoing(to_network);
+  }
+
+private:
+  std::optional<SecureChannel> secure_;
+};
+
+} // namespace castor
