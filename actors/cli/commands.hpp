@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -13,7 +15,9 @@ namespace castor::cli {
 using Action = std::function<int()>;
 
 // Each adds a command to `app`; if the user calls for it, `chosen` is what to do.
-void add_run(CLI::App& app, Action& chosen);
+/// `plugins` are those that the command line has named.
+void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins);
+void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
 

@@ -26,7 +26,8 @@ int main(int argc, char** argv) {
     ->type_name("FILE")
     ->take_all();
   cli::Action action;
-  cli::add_run(app, action);
+  cli::add_run(app, action, plugins);
+  cli::add_node(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
   try {

@@ -18,7 +18,7 @@ std::string state_of(const ComponentStatus& x) {
   return {};
 }
 
-std::string quoted(const std::string& x) {
+std::string in_quotes(const std::string& x) {
   std::string result = "\"";
   for (char c : x) {
     if (c == '"' || c == '\\')
@@ -66,14 +66,14 @@ std::string entries_as_json(System& system) {
   std::string out = "{";
   const char* separator = "\n";
   for (auto& name : system.subarchitectures()) {
-    out += separator + quoted(name) + ": [";
+    out += separator + in_quotes(name) + ": [";
     separator = ",\n";
     const char* inner = "\n";
     for (auto& entry : system.entries(name)) {
       out += fmt::format("{}  {{\"id\": {}, \"type\": {}, \"version\": {}, \"writer\": {}, "
                          "\"value\": {}}}",
-                         inner, quoted(entry->address.id), quoted(entry->type_name()),
-                         entry->version, quoted(entry->writer), to_json(entry->value, options));
+                         inner, in_quotes(entry->address.id), in_quotes(entry->type_name()),
+                         entry->version, in_quotes(entry->writer), to_json(entry->value, options));
       inner = ",\n";
     }
     out += "\n]";

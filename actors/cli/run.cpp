@@ -1,10 +1,13 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
+#include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
 
 #include <CLI/App.hpp>
@@ -19,9 +22,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace castor::cli {
 
@@ -34,6 +40,10 @@ struct Arguments {
   std::filesystem::path output;
   bool trace = false;
   bool open_access = false;
+  std::vector<std::string> nodes;
+  bool local_nodes = false;
+  std::string tls;
+  bool insecure = false;
   bool verbose = false;
 };
 
@@ -97,7 +107,19 @@ bool any_failed(const SystemSummary& summary) {
   return false;
 }
 
-int run(Arguments arguments) {
+/// Reads HOST=ADDRESS.
+std::map<std::string, Endpoint> node_addresses(const Arguments& arguments) {
+  std::map<std::string, Endpoint> result;
+  for (auto& x : arguments.nodes) {
+    auto sign = x.find('=');
+    if (sign == std::string::npos || sign == 0)
+      throw std::invalid_argument("write --node HOST=ADDRESS:PORT, not " + x);
+    result[x.substr(0, sign)] = parse_endpoint(x.substr(sign + 1), default_node_port);
+  }
+  return result;
+}
+
+int run(Arguments arguments, const std::vector<std::string>& plugins) {
   // Before any thread is made, so that none of them takes the signals.
   Signals signals;
   if (!arguments.output.empty()) {
@@ -117,6 +139,17 @@ int run(Arguments arguments) {
     options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
   }
   options.interrupted = [&] { return signals.count() > 0; };
+  options.nodes = node_addresses(arguments);
+  options.insecure = arguments.insecure;
+  if (!arguments.tls.empty())
+    options.credentials =
+      Credentials::load(arguments.local_nodes ? arguments.tls + "/run" : arguments.tls);
+  // Outlives the system, which says goodbye to them.
+  std::optional<LocalNodes> local_nodes;
+  if (arguments.local_nodes) {
+    local_nodes.emplace(other_hosts(*architecture), plugins, arguments.tls);
+    options.nodes.insert(local_nodes->endpoints().begin(), local_nodes->endpoints().end());
+  }
   std::unique_ptr<System> system;
   try {
     system = std::make_unique<System>(std::move(*architecture), options);
@@ -155,7 +188,7 @@ int run(Arguments arguments) {
 
 } // namespace
 
-void add_run(CLI::App& app, Action& chosen) {
+void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
   auto* command = app.add_subcommand("run", "run the system that a .cast file describes");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
@@ -176,13 +209,31 @@ void add_run(CLI::App& app, Action& chosen) {
                     "print every change of every working memory, and what becomes of every task");
   command->add_flag("--open-access", arguments->open_access,
                     "let every subarchitecture write to every other, as the original CAST does");
+  command
+    ->add_option("--node", arguments->nodes,
+                 "where the node of a host of the .cast file listens, if not where the host's name "
+                 "says (repeatable)")
+    ->type_name("HOST=ADDRESS:PORT")
+    ->take_all();
+  command->add_flag("--local-nodes", arguments->local_nodes,
+                    "start all nodes on this machine, to try a system of many");
+  command
+    ->add_option("--tls", arguments->tls,
+                 "encrypt what is said to nodes, and prove who says it, with ca.pem, node.pem and "
+                 "node.key of this folder (scripts/make-certs makes them); with --local-nodes the "
+                 "folder of such folders, one for each node and one of the name `run`")
+    ->type_name("DIR");
+  command->add_flag("--insecure", arguments->insecure,
+                    "talk to nodes on other machines without --tls");
   command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");
   command->footer(
     "Ctrl-C stops the components in the reverse order of their start.\n"
     "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
     "failed; 2 if the system could not be started.\n"
     "Example: castor run configs/vision.cast --trace --until-quiet 2s --output out");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+  command->callback([&chosen, &plugins, arguments] {
+    chosen = [&plugins, arguments] { return run(*arguments, plugins); };
+  });
 }
 
 } // namespace castor::cli

@@ -31,8 +31,8 @@ using Route = std::variant<caf::actor, Refusal>;
 /// The systems that a node takes part in; used by the network's thread and by agents.
 class Memberships : public std::enable_shared_from_this<Memberships> {
 public:
-  Memberships(caf::actor_system& system, std::string name)
-    : system_(system), name_(std::move(name)) {}
+  Memberships(caf::actor_system& system, const NodeOptions& options)
+    : system_(system), name_(options.name), credentials_(options.credentials) {}
 
   void end() {
     for (auto& name : systems())
@@ -114,6 +114,7 @@ private:
     parts.dial = std::move(dial);
     parts.self = membership.self;
     parts.self.receiver = peer;
+    parts.credentials = credentials_;
     parts.counters = std::make_shared<LinkCounters>();
     parts.on_news = [node = weak_from_this(), agent = membership.agent,
                      system = membership.self.system](const LinkNews& x) {
@@ -145,6 +146,7 @@ private:
 
   caf::actor_system& system_;
   const std::string name_;
+  const std::optional<Credentials> credentials_;
   mutable std::mutex mutex_;
   std::map<std::string, Membership> memberships_;
 };
@@ -153,11 +155,14 @@ private:
 
 class Node::Implementation {
 public:
-  explicit Implementation(NodeOptions options)
-    : memberships_(std::make_shared<Memberships>(system_, std::move(options.name))),
-      listener_(spawn_listener(system_, {options.socket, [memberships = memberships_](auto& hello) {
-                                           return memberships->route(hello);
-                                         }})) {}
+  explicit Implementation(const NodeOptions& options)
+    : memberships_(std::make_shared<Memberships>(system_, options)) {
+    ListenerParts parts;
+    parts.socket = options.socket;
+    parts.route = [memberships = memberships_](const Hello& x) { return memberships->route(x); };
+    parts.credentials = options.credentials;
+    listener_ = spawn_listener(system_, std::move(parts));
+  }
 
   ~Implementation() {
     caf::anon_send_exit(listener_, caf::exit_reason::user_shutdown);
@@ -173,8 +178,8 @@ private:
   caf::actor listener_;
 };
 
-Node::Node(NodeOptions options)
-  : implementation_(std::make_unique<Implementation>(std::move(options))) {}
+Node::Node(const NodeOptions& options)
+  : implementation_(std::make_unique<Implementation>(options)) {}
 
 Node::~Node() = default;
 

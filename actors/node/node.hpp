@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/wm/caf.hpp"
+#include "castor/actors/link/credentials.hpp"
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +14,15 @@ struct NodeOptions {
   std::string name;
   /// Listens already (`listen_at`); belongs to the node from now on.
   int socket = -1;
+  /// With them, it talks to those only whose certificates are signed by the same CA.
+  std::optional<Credentials> credentials = {};
 };
 
 /// A process that makes its part of every system whose coordinator asks it to. Systems on the same
 /// node know nothing of each other.
 class Node {
 public:
-  explicit Node(NodeOptions options);
+  explicit Node(const NodeOptions& options);
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
   /// Leaves all systems.

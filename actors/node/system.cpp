@@ -245,9 +245,13 @@ private:
   }
 
   void connect() {
+    check_security();
     mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
     auto name = "castor-" + std::to_string(getpid());
-    Hello self{name, name + '-' + std::to_string(new_incarnation()), new_incarnation()};
+    Hello self;
+    self.node = options_.credentials ? options_.credentials->names().front() : name;
+    self.system = name + '-' + std::to_string(new_incarnation());
+    self.incarnation = new_incarnation();
     for (std::size_t i = 1; i < processes_.size(); ++i) {
       auto& x = processes_[i];
       LinkParts parts;
@@ -257,6 +261,7 @@ private:
       parts.dial = Endpoint{x.description.host, x.description.port};
       parts.self = self;
       parts.self.receiver = parts.peer;
+      parts.credentials = options_.credentials;
       parts.options = options_.link;
       parts.counters = std::make_shared<LinkCounters>();
       parts.on_news = [this](const LinkNews& news) { hear(news); };
@@ -266,6 +271,22 @@ private:
       x.agent = caf::actor_cast<caf::actor>(mesh_->well_known(peer, WellKnownActor::agent));
     }
     await_connections();
+  }
+
+  void check_security() {
+    if (options_.credentials || options_.insecure)
+      return;
+    std::vector<cast::Diagnostic> problems;
+    for (std::size_t i = 1; i < processes_.size(); ++i) {
+      if (is_loopback(processes_[i].description.host))
+        continue;
+      processes_[i].news.reason = "what is said to another machine has to be encrypted";
+      problems.push_back(out_of_reach(static_cast<ProcessNumber>(i)));
+      problems.back().remedy = "name a certificate with --tls DIR (scripts/make-certs makes some), "
+                               "or say --insecure";
+    }
+    if (!problems.empty())
+      throw SystemError{std::move(problems)};
   }
 
   void hear(const LinkNews& news) {

@@ -38,6 +38,12 @@ struct SystemOptions {
   /// looked for where their names say.
   std::map<std::string, Endpoint> nodes;
 
+  /// With them, what is said to nodes is encrypted and names are proved.
+  std::optional<Credentials> credentials;
+
+  /// Talk to nodes on other machines without credentials.
+  bool insecure = false;
+
   /// How long nodes may take to be reached, before the system is given up.
   std::chrono::milliseconds connect_patience{10'000};
 

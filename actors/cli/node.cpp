@@ -1,0 +1,144 @@
+#include "castor/actors/node/node.hpp"
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/signals.hpp"
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/credentials.hpp"
+#include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/placement.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  std::string name;
+  std::string listen = "127.0.0.1";
+  std::string tls;
+  bool insecure = false;
+  bool end_with_input = false;
+  int announce = STDOUT_FILENO;
+  bool verbose = false;
+};
+
+std::string name_of_machine() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// Whether everybody who could write to our standard input is gone.
+bool input_has_ended() {
+  pollfd x{STDIN_FILENO, POLLIN, 0};
+  if (poll(&x, 1, 0) <= 0)
+    return false;
+  std::array<char, 256> ignored;
+  return read(STDIN_FILENO, ignored.data(), ignored.size()) == 0;
+}
+
+/// To people, or to the program that started the node.
+void announce(const Arguments& arguments, const std::string& name, const Endpoint& at) {
+  auto text = arguments.announce == STDOUT_FILENO
+                ? fmt::format("node {} listens at {}\n", name, to_string(at))
+                : to_string(at) + '\n';
+  // Who does not listen does not want to know.
+  [[maybe_unused]] auto written = write(arguments.announce, text.data(), text.size());
+}
+
+int node(Arguments arguments) {
+  Signals signals;
+  if (arguments.verbose)
+    set_log_level(LogLevel::debug);
+  auto name = arguments.name.empty() ? name_of_machine() : arguments.name;
+  auto at = parse_endpoint(arguments.listen, default_node_port);
+  NodeOptions options;
+  options.name = name;
+  if (!arguments.tls.empty())
+    options.credentials = Credentials::load(arguments.tls);
+  if (options.credentials) {
+    auto& names = options.credentials->names();
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      fmt::print(stderr,
+                 "castor: the certificate in {} is not for the name {}: give the node the name {} "
+                 "with --name, or make another certificate with scripts/make-certs\n",
+                 arguments.tls, name, fmt::join(names, " or "));
+      return bad_input;
+    }
+  } else if (!is_loopback(at.host)) {
+    if (!arguments.insecure) {
+      fmt::print(stderr,
+                 "castor: whoever reaches {} could run what they like on this machine: give the "
+                 "node a certificate with --tls DIR (scripts/make-certs makes some), or say "
+                 "--insecure\n",
+                 to_string(at));
+      return bad_input;
+    }
+    log(LogLevel::warning, "castor",
+        "INSECURE: whoever reaches " + to_string(at) + " can run what they like on this machine");
+  }
+  options.socket = listen_at(at);
+  at.port = port_of(options.socket);
+  auto result = std::make_unique<Node>(options);
+  announce(arguments, name, at);
+  while (signals.count() == 0 && !(arguments.end_with_input && input_has_ended()))
+    poll(nullptr, 0, 50);
+  // Components that do not come back from their own code must not keep the process.
+  alarm(5);
+  result.reset();
+  return success;
+}
+
+} // namespace
+
+void add_node(CLI::App& app, Action& chosen) {
+  auto* command = app.add_subcommand(
+    "node", "let systems that are started elsewhere run components in this process");
+  auto arguments = std::make_shared<Arguments>();
+  command
+    ->add_option("--name", arguments->name,
+                 "by which systems know the node; by default that of the machine")
+    ->type_name("NAME");
+  command
+    ->add_option("--listen", arguments->listen,
+                 fmt::format("where to wait for systems; by default 127.0.0.1:{}, which only this "
+                             "machine reaches. Port 0: any that is free",
+                             default_node_port))
+    ->type_name("HOST:PORT");
+  command
+    ->add_option(
+      "--tls", arguments->tls,
+      "encrypt, and talk to those only whose certificates are signed by the same CA: the "
+      "folder has ca.pem, node.pem and node.key, as scripts/make-certs makes them")
+    ->type_name("DIR");
+  command->add_flag("--insecure", arguments->insecure, "listen beyond this machine without --tls");
+  command->add_flag("--end-with-input", arguments->end_with_input,
+                    "end when standard input does, as programs that start nodes want it");
+  command
+    ->add_option("--announce", arguments->announce,
+                 "write nothing but the address to this file descriptor once the node is ready")
+    ->type_name("FD");
+  command->add_flag("-v,--verbose", arguments->verbose, "log more");
+  command->footer(
+    "A system finds the node where its .cast file says HOST NAME and HOSTNAME NAME HOST:PORT.\n"
+    "Ctrl-C ends the node; systems that run on it go on without it.\n"
+    "Example: castor node --name arm --listen 0.0.0.0:7117 --tls certs/arm");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return node(*arguments); }; });
+}
+
+} // namespace castor::cli
