@@ -35,7 +35,6 @@ public:
     read_standalone_components();
     check_reserved_names();
     result_.access_rules = access_rules_.finish(subarchitecture_names(), log_);
-    check_localhost();
     result_.host_names = input_.hosts.definitions();
     return std::move(result_);
   }
@@ -215,7 +214,6 @@ private:
     WordStream words(line, environment_, log_);
     auto parsed =
       parse_component_line(words, line, {name, subarchitecture.host}, input_.hosts, log_);
-    note_localhost(parsed, line);
     if (parsed.kind == ComponentKind::working_memory)
       replace(section_->working_memory, "WM", line);
     else if (parsed.kind == ComponentKind::task_manager)
@@ -293,7 +291,6 @@ private:
       auto has_own_host = !match_language(words.peek());
       auto parsed =
         parse_component_line(words, *line, {{}, default_host(*line)}, input_.hosts, log_);
-      note_localhost(parsed, *line);
       if (!parsed.component)
         continue;
       if (!has_own_host && host_here != default_host_)
@@ -328,24 +325,6 @@ private:
     return names;
   }
 
-  /// In a system on several machines, localhost is a different one for each reader.
-  void check_localhost() {
-    if (!uses_other_hosts_ || localhost_line_ == nullptr)
-      return;
-    report(Severity::warning, *localhost_line_,
-           "localhost has no address, but other hosts are used, too",
-           "write HOSTNAME localhost and the address of this machine at the top of the file");
-  }
-
-  void note_localhost(const ComponentLine& parsed, const StructureLine& line) {
-    if (!parsed.component)
-      return;
-    if (!is_localhost(parsed.component->host))
-      uses_other_hosts_ = true;
-    else if (localhost_line_ == nullptr)
-      localhost_line_ = &line;
-  }
-
   std::string used_host(std::string_view expression, const StructureLine& line) {
     return use_host(expression, line, input_.hosts, log_);
   }
@@ -367,8 +346,6 @@ private:
   AccessRules access_rules_;
   std::map<std::string, const SourceLine*, std::less<>> subarchitecture_lines_;
   std::map<std::string, const StructureLine*, std::less<>> component_lines_;
-  const StructureLine* localhost_line_ = nullptr;
-  bool uses_other_hosts_ = false;
   std::size_t next_number_ = 0;
 };
 

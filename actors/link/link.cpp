@@ -148,12 +148,13 @@ private:
     bool was_up = greeted_;
     if (connection_)
       drop_connection();
-    reason_ = why;
-    if (was_up && !over_) {
+    if (was_up) {
       down_since_ = Clock::now();
       backoff_ = 20ms;
-      tell(LinkNews::Kind::down, why);
     }
+    if (!over_ && (was_up || why != reason_))
+      tell(LinkNews::Kind::down, why);
+    reason_ = why;
     if (parts_.dial) {
       // With some jitter, so that those who lost each other at once do not meet at once for ever.
       std::uniform_int_distribution<int> jitter{0, static_cast<int>(backoff_.count()) / 2};
@@ -292,7 +293,7 @@ private:
       parts_.mesh->receive(parts_.peer, std::move(x), self_->context());
     });
     if (!session_.goodbye().empty())
-      lost("it has left: " + session_.goodbye());
+      lost(session_.goodbye());
   }
 
   void send(LinkMessage x) {

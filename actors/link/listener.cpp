@@ -104,7 +104,7 @@ private:
       std::vector<char> words;
       write_greeting(words, *refusal);
       say(handle, *stranger.channel, std::move(words));
-      turn_away(handle, refusal->reason);
+      turn_away(handle, refusal->reason, refusal->final ? LogLevel::warning : LogLevel::debug);
       return;
     }
     // Nothing may arrive while the connection belongs to nobody.
@@ -115,10 +115,11 @@ private:
     caf::anon_send(std::get<caf::actor>(link), std::move(gift));
   }
 
-  void turn_away(connection_handle handle, const std::string& why) {
+  void turn_away(connection_handle handle, const std::string& why,
+                 LogLevel level = LogLevel::warning) {
     auto stranger = strangers_.extract(handle);
-    if (stranger)
-      log(LogLevel::warning, "castor", "turned away " + stranger.mapped().from + ": " + why);
+    if (stranger && level >= log_level())
+      log(level, "castor", "turned away " + stranger.mapped().from + ": " + why);
     self_->close(handle);
   }
 

@@ -121,7 +121,7 @@ private:
       caf::anon_send(agent, x);
       auto self = node.lock();
       if (self && x.peer == 0 && x.kind == LinkNews::Kind::lost)
-        self->leave(system, x.name + " is lost: " + x.reason);
+        self->leave(system, x.reason);
     };
     auto link = spawn_link(system_, std::move(parts));
     membership.links[peer] = link;

@@ -9,11 +9,13 @@ namespace castor {
 
 namespace {
 
-bool is_this_machine(const std::string& host) {
+bool is_this_machine(const ArchitectureDescription& architecture, const std::string& host) {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
+  auto localhost = architecture.host_names.find("localhost");
   return host.empty() || host == "localhost" || host == "127.0.0.1" || host == "::1" ||
-         host == name.data();
+         host == name.data() ||
+         (localhost != architecture.host_names.end() && host == localhost->second);
 }
 
 template <class F>
@@ -45,7 +47,7 @@ Placement place(const ArchitectureDescription& architecture,
   std::map<std::string, ProcessNumber> known;
   for_each_component(architecture, [&](const ComponentDescription& x) {
     auto node = nodes.find(x.host);
-    if (node == nodes.end() && is_this_machine(x.host))
+    if (node == nodes.end() && is_this_machine(architecture, x.host))
       return;
     auto [i, is_new] = known.try_emplace(x.host, static_cast<ProcessNumber>(known.size() + 1));
     result.of[x.name] = i->second;
@@ -70,7 +72,7 @@ Placement place(const ArchitectureDescription& architecture,
 std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture) {
   std::map<std::string, std::string> result;
   for_each_component(architecture, [&](const ComponentDescription& x) {
-    if (is_this_machine(x.host))
+    if (is_this_machine(architecture, x.host))
       return;
     auto name = given_name(architecture, x.host);
     result[x.host] = name.empty() ? x.host : name;

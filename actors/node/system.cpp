@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -217,6 +218,8 @@ private:
     caf::actor agent;
     caf::actor link;
     LinkNews news{0, LinkNews::Kind::down, "no answer yet", {}};
+    /// Whether it was ever reached.
+    bool joined = false;
   };
 
   static Placement checked(Placement x) {
@@ -250,7 +253,8 @@ private:
     auto name = "castor-" + std::to_string(getpid());
     Hello self;
     self.node = options_.credentials ? options_.credentials->names().front() : name;
-    self.system = name + '-' + std::to_string(new_incarnation());
+    self.system = std::filesystem::path{architecture_.file}.stem().string() + '-' +
+                  std::to_string(getpid()) + '-' + std::to_string(new_incarnation() % 10'000);
     self.incarnation = new_incarnation();
     for (std::size_t i = 1; i < processes_.size(); ++i) {
       auto& x = processes_[i];
@@ -292,15 +296,19 @@ private:
   void hear(const LinkNews& news) {
     std::lock_guard guard{mutex_};
     auto& x = processes_[news.peer];
-    bool was_there = !x.description.name.empty() && x.news.kind != LinkNews::Kind::lost;
     x.news = news;
     if (!news.name.empty())
       x.description.name = news.name;
-    if (was_there && !stopped_ && news.kind != LinkNews::Kind::up)
-      note(LogLevel::warning,
-           "node " + x.description.name +
-             (news.kind == LinkNews::Kind::lost ? " is lost: " : " is out of reach: ") +
-             news.reason);
+    if (x.joined && !stopped_) {
+      if (news.kind == LinkNews::Kind::up)
+        note(LogLevel::info, "node " + news.name + " is in reach again");
+      else
+        note(LogLevel::warning,
+             "node " + news.name +
+               (news.kind == LinkNews::Kind::lost ? " is lost: " : " is out of reach: ") +
+               news.reason);
+    }
+    x.joined = x.joined || news.kind == LinkNews::Kind::up;
     changed_.notify_all();
   }
 
@@ -365,19 +373,26 @@ private:
     plan.task_observer = observer_;
     std::map<std::string, caf::strong_actor_ptr> actors;
     std::vector<cast::Diagnostic> problems;
-    for (auto& x : processes_) {
+    // All at once: each may have libraries to load.
+    auto ask = [&](const Process& x) {
       plan.age = std::chrono::duration_cast<Timestamp>(Clock::now() - epoch_);
-      self_->request(x.agent, options_.connect_patience, plan)
-        .receive(
-          [&](const PartMade& made) {
-            actors.insert(made.actors.begin(), made.actors.end());
-            for (auto problem : made.problems) {
-              if (&x != &processes_.front())
-                problem.message = "on the node " + x.description.name + ": " + problem.message;
-              problems.push_back(std::move(problem));
-            }
-          },
-          [&](const caf::error&) { problems.push_back(no_answer(x)); });
+      return self_->request(x.agent, options_.connect_patience, plan);
+    };
+    std::vector<decltype(ask(processes_.front()))> answers;
+    for (auto& x : processes_)
+      answers.push_back(ask(x));
+    for (std::size_t i = 0; i < processes_.size(); ++i) {
+      auto& x = processes_[i];
+      answers[i].receive(
+        [&](const PartMade& made) {
+          actors.insert(made.actors.begin(), made.actors.end());
+          for (auto problem : made.problems) {
+            if (i > 0)
+              problem.message = "on the node " + x.description.name + ": " + problem.message;
+            problems.push_back(std::move(problem));
+          }
+        },
+        [&](const caf::error&) { problems.push_back(no_answer(x)); });
     }
     if (!problems.empty())
       throw SystemError{std::move(problems)};

@@ -156,15 +156,8 @@ TEST(HostNames, ThatWereUsedBeforeTheirDefinitionStayLocalhost) {
   EXPECT_TRUE(reports(variable, Severity::warning, 2, "no effect: 'B'"));
 }
 
-TEST(Localhost, NeedsNoAddressOnASingleMachine) {
-  EXPECT_TRUE(is_clean(parse("HOST localhost\nCOMPONENT CPP a A")));
-}
-
-TEST(Localhost, ShouldHaveAnAddressAmongOtherHosts) {
-  auto text = "HOST localhost\nCOMPONENT CPP a A\nCOMPONENT 10.0.0.2 CPP b B";
-  EXPECT_TRUE(
-    reports(parse(text), Severity::warning, 2, "localhost has no address", "HOSTNAME localhost"));
-  EXPECT_TRUE(is_clean(parse(std::string("HOSTNAME localhost 10.0.0.1\n") + text)));
+TEST(Localhost, NeedsNoAddress) {
+  EXPECT_TRUE(is_clean(parse("HOST localhost\nCOMPONENT CPP a A\nCOMPONENT 10.0.0.2 CPP b B")));
 }
 
 } // namespace
