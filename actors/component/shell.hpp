@@ -6,6 +6,7 @@
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/wm/event_flow.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <deque>
@@ -159,6 +160,8 @@ private:
   void act() override;
   void file(caf::mailbox_element_ptr x) override;
   void file_change(ChangeNotice notice);
+  /// One more is delivered or dropped, for which the working memory may send another.
+  void took_event(EventStream stream);
 
   // -- life
   void live();
@@ -195,7 +198,7 @@ private:
   Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
                                              std::chrono::nanoseconds patience,
                                              const WaitEdge* wait);
-  FilterId subscribe(const ChangeFilter& filter);
+  FilterId subscribe(const ChangeFilter& filter, EventStream stream);
   void receive_probe(DeadlockProbe probe);
   Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
   caf::actor find_provider(const std::string& name) const;
@@ -229,6 +232,9 @@ private:
   bool started_ = false;
   bool receiving_ = true;
   EventQueue queue_mode_ = EventQueue::all;
+  std::uint32_t queue_limit_ = standard_queue_limit;
+  EventReceipts component_receipts_;
+  EventReceipts runtime_receipts_;
   /// What the component's own code is being called for, for the report if it throws.
   std::string doing_;
   std::uint64_t callbacks_ = 0;

@@ -56,13 +56,22 @@ void observe_change(const SystemOptions& options, const LoggedChanges& logged,
     log(i->second, where + '.' + where + "_wm", to_string(event));
 }
 
-caf::behavior observer(caf::event_based_actor*, const SystemOptions& options,
-                       const LoggedChanges& logged) {
+using WorkingMemories = std::map<std::string, WorkingMemoryActor>;
+
+caf::behavior observer(caf::event_based_actor* self, const SystemOptions& options,
+                       const LoggedChanges& logged, const WorkingMemories& working_memories) {
+  auto receipts = std::make_shared<std::map<std::string, EventReceipts>>();
+  auto observe = [self, &options, &logged, working_memories, receipts](const ChangeEvent& event) {
+    observe_change(options, logged, event);
+    auto& where = event.address.subarchitecture;
+    if (auto count = (*receipts)[where].take())
+      self->send(working_memories.at(where), EventsTaken{EventStream::component, count});
+  };
   return {
-    [&](const ChangeNotice& x) { observe_change(options, logged, *x.event); },
-    [&](const ChangeNotices& x) {
+    [observe](const ChangeNotice& x) { observe(*x.event); },
+    [observe](const ChangeNotices& x) {
       for (auto& notice : x.notices)
-        observe_change(options, logged, *notice.event);
+        observe(*notice.event);
     },
     [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},
@@ -160,7 +169,7 @@ public:
         return EndReason::all_failed;
       if (!until.quiet)
         continue;
-      auto events = count_events();
+      auto events = sum_of(&WorkingMemoryStatus::events);
       if (std::exchange(last_events, events) != events || somebody_is_busy(now))
         last_activity = now;
       if (now - last_activity >= *until.quiet)
@@ -189,8 +198,7 @@ public:
       log(LogLevel::error, "castor",
           name + " did not stop: it has not come back from its own code");
     if (observer_)
-      self_->request(observer_, caf::infinite, FlushAtom::value)
-        .receive([](bool) {}, [](const caf::error&) {});
+      flush_observer();
   }
 
   SystemSummary summary() {
@@ -200,7 +208,8 @@ public:
         .receive(
           [&](const WorkingMemoryStatus& x) {
             result.working_memories.push_back({x.subarchitecture, x.entries_by_type, x.events,
-                                               x.delivered, x.forwarded, x.refused});
+                                               x.matched, x.delivered, x.coalesced, x.suppressed,
+                                               x.forwarded, x.refused});
           },
           [](const caf::error&) {});
     }
@@ -323,7 +332,8 @@ private:
   void observe() {
     if (!options_.on_change && !options_.on_task && logged_.empty())
       return;
-    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_));
+    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_),
+                                             services_->by_subarchitecture);
     if (options_.on_task)
       services_->on_task = [this](TaskEvent x) { caf::anon_send(observer_, std::move(x)); };
     for (auto& wm : working_memories_)
@@ -335,6 +345,20 @@ private:
         .receive([](const WorkingMemoryStatus&) {}, [](const caf::error&) {});
   }
 
+  /// Lets it tell all there is to tell: what it was sent, and what it is sent when it has told
+  /// that.
+  void flush_observer() {
+    auto until = Clock::now() + options_.stop_patience;
+    std::uint64_t last = 0;
+    std::uint64_t sent = 0;
+    do {
+      last = sent;
+      self_->request(observer_, caf::infinite, FlushAtom::value)
+        .receive([](bool) {}, [](const caf::error&) {});
+      sent = sum_of(&WorkingMemoryStatus::delivered);
+    } while (sent != last && Clock::now() < until);
+  }
+
   void start_keeper() {
     KeeperParts parts;
     for (auto& x : running_)
@@ -343,11 +367,11 @@ private:
     keeper_ = system_.spawn(keeper, std::move(parts));
   }
 
-  std::uint64_t count_events() {
+  std::uint64_t sum_of(std::uint64_t WorkingMemoryStatus::*counter) {
     std::uint64_t result = 0;
     for (auto& wm : working_memories_)
       self_->request(wm.actor, caf::infinite, StatusQuery{})
-        .receive([&](const WorkingMemoryStatus& x) { result += x.events; },
+        .receive([&](const WorkingMemoryStatus& x) { result += x.*counter; },
                  [](const caf::error&) {});
     return result;
   }
