@@ -22,6 +22,8 @@ std::string to_string(const ChangeEvent& x) {
     result += separator + name;
     separator = " and ";
   }
+  if (x.coalesced)
+    result += ", coalesced";
   return result;
 }
 

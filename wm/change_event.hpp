@@ -36,6 +36,10 @@ struct ChangeEvent {
   Timestamp time{0};
   /// For an overwrite, the fields that differ from before; otherwise none.
   FieldMask changed = 0;
+  /// It stands for several events of the entry, of which it is the newest: the receiver was too far
+  /// behind to get them one by one. Versions and sequence numbers then have gaps, and `changed` is
+  /// what any of the overwrites changed.
+  bool coalesced = false;
 
   const std::string& type_name() const { return type->name(); }
 
@@ -52,7 +56,7 @@ struct ChangeEvent {
 
 using ChangeEventPtr = std::shared_ptr<const ChangeEvent>;
 
-/// "OVERWRITE ROI vision/0:3 v2 by segmentor, changed area", for messages and logs.
+/// "OVERWRITE ROI vision/0:3 v2 by segmentor, changed area, coalesced", for messages and logs.
 std::string to_string(const ChangeEvent& x);
 
 } // namespace castor

@@ -106,6 +106,10 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
   result.events = state.store.sequence();
   result.leases = state.leases.size();
   result.waiting = state.waits.size();
+  for (auto& [number, subscriber] : state.subscribers) {
+    result.backlog += subscriber.flow.backlog().size();
+    result.suppressed += subscriber.flow.backlog().suppressed();
+  }
   for (auto& entry : state.store.read_by_type({}))
     ++result.entries_by_type[entry->type_name()];
   return result;
@@ -184,6 +188,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     },
     [self](const Subscribe& x) { return subscribe(self, x); },
     [self](const Unsubscribe& x) { unsubscribe(self, x); },
+    [self](const EventsTaken& x) { acknowledge(self, x); },
     [self](const Interest& x) {
       set_interest(self->state, x);
       return Acknowledged{};

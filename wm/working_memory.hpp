@@ -12,6 +12,7 @@
 #include <string>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace castor {
@@ -33,8 +34,10 @@ struct WorkingMemoryOptions {
 struct WorkingMemoryState {
   static constexpr const char* name = "working_memory";
 
+  /// One of a component's streams of events.
   struct Subscriber {
     caf::actor actor;
+    EventFlow flow;
     std::unordered_map<FilterId, ChangeFilter> filters;
   };
 
@@ -76,7 +79,9 @@ struct WorkingMemoryState {
   /// Filters of the own components; a key is the subscriber's number above its filter's id.
   FilterIndex local_index;
   std::map<std::uint32_t, Subscriber> subscribers;
-  std::unordered_map<caf::actor_addr, std::uint32_t> subscriber_numbers;
+  std::map<std::pair<caf::actor_addr, EventStream>, std::uint32_t> subscriber_numbers;
+  /// Whose events are being merged.
+  std::set<std::uint32_t> behind;
   std::uint32_t last_subscriber = 0;
   /// What the other subarchitectures want; a key is the index into `peers` above the interest's id.
   FilterIndex peer_index;

@@ -33,17 +33,43 @@ bool is_ignored(const WorkingMemoryState& state, const ChangeEvent& event) {
   return state.options.ignored.count(event.address.subarchitecture) > 0;
 }
 
-/// What each component is to be told.
+/// What each subscriber is to be told.
 using Notices = std::map<std::uint32_t, std::vector<ChangeNotice>>;
+
+void note(const WorkingMemoryState& state, const ChangeEventPtr& event,
+          const std::vector<FilterIndex::Key>& keys, Notices& notices) {
+  for_each_receiver(keys, [&](std::uint32_t number, std::vector<FilterId> ids) {
+    notices[number].push_back({event, std::move(ids)});
+  });
+  // A backlog that merges is better off if it knows of the others, too.
+  for (auto number : state.behind)
+    if (auto& list = notices[number]; list.empty() || list.back().event != event)
+      list.push_back({event, {}});
+}
+
+void send(WorkingMemoryState& state, const caf::actor& to, EventFlow::Piece piece) {
+  state.counters.delivered += piece.size();
+  if (piece.size() == 1)
+    caf::anon_send(to, std::move(piece.front()));
+  else
+    caf::anon_send(to, ChangeNotices{std::move(piece)});
+}
+
+void note_whether_behind(WorkingMemoryState& state, std::uint32_t number) {
+  if (state.subscribers.at(number).flow.backlog().is_merging())
+    state.behind.insert(number);
+  else
+    state.behind.erase(number);
+}
 
 void send_notices(WorkingMemoryState& state, Notices notices) {
   for (auto& [number, list] : notices) {
-    state.counters.delivered += list.size();
-    auto& actor = state.subscribers.at(number).actor;
-    if (list.size() == 1)
-      caf::anon_send(actor, std::move(list.front()));
-    else
-      caf::anon_send(actor, ChangeNotices{std::move(list)});
+    for (auto& notice : list)
+      state.counters.matched += !notice.filters.empty();
+    auto& subscriber = state.subscribers.at(number);
+    if (auto piece = subscriber.flow.push(std::move(list)))
+      send(state, subscriber.actor, *std::move(piece));
+    note_whether_behind(state, number);
   }
 }
 
@@ -115,27 +141,40 @@ void withdraw(Self self, const ChangeFilter& filter, FilterIndex::Key key) {
   state.own_interests.erase(i);
 }
 
-std::uint32_t subscriber_number(Self self, const caf::strong_actor_ptr& who) {
+constexpr EventStream all_streams[] = {EventStream::component, EventStream::runtime};
+
+std::uint32_t subscriber_number(Self self, const caf::strong_actor_ptr& who,
+                                const Subscribe& request) {
   auto& state = self->state;
-  auto [i, is_new] =
-    state.subscriber_numbers.try_emplace(caf::actor_cast<caf::actor_addr>(who), 0u);
+  auto [i, is_new] = state.subscriber_numbers.try_emplace(
+    {caf::actor_cast<caf::actor_addr>(who), request.stream}, 0u);
   if (is_new) {
     i->second = ++state.last_subscriber;
-    state.subscribers[i->second].actor = caf::actor_cast<caf::actor>(who);
+    state.subscribers[i->second] = {
+      caf::actor_cast<caf::actor>(who), EventFlow{request.queue_limit}, {}};
     monitor(self, who);
   }
   return i->second;
 }
 
+/// Null if it has none.
+const std::uint32_t* find_subscriber(const WorkingMemoryState& state, const caf::actor_addr& who,
+                                     EventStream stream) {
+  auto i = state.subscriber_numbers.find({who, stream});
+  return i == state.subscriber_numbers.end() ? nullptr : &i->second;
+}
+
 void remove_filter(Self self, std::uint32_t number, FilterId id) {
   auto& state = self->state;
-  auto& filters = state.subscribers.at(number).filters;
+  auto& [actor, flow, filters] = state.subscribers.at(number);
   auto i = filters.find(id);
   if (i == filters.end())
     return;
   state.local_index.erase(key_of(number, id), i->second);
   withdraw(self, i->second, key_of(number, id));
   filters.erase(i);
+  flow.erase(id);
+  note_whether_behind(state, number);
 }
 
 } // namespace
@@ -164,9 +203,7 @@ void emit(Self self, const std::vector<Change>& changes) {
     if (!local.empty() || !foreign.empty())
       compare();
     sort_unique(local);
-    for_each_receiver(local, [&, &e = event](std::uint32_t number, std::vector<FilterId> ids) {
-      notices[number].push_back({e, std::move(ids)});
-    });
+    note(state, event, local, notices);
     sort_unique(foreign);
     for_each_receiver(foreign, [&, &e = event](std::uint32_t number, std::vector<InterestId> ids) {
       forwarded[number].push_back({e, std::move(ids)});
@@ -191,9 +228,7 @@ void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
       if (auto i = state.interests_by_id.find(id); i != state.interests_by_id.end())
         keys.insert(keys.end(), i->second->filters.begin(), i->second->filters.end());
     sort_unique(keys);
-    for_each_receiver(keys, [&, &e = event](std::uint32_t number, std::vector<FilterId> ids) {
-      notices[number].push_back({e, std::move(ids)});
-    });
+    note(state, event, keys, notices);
   }
   send_notices(state, std::move(notices));
 }
@@ -206,7 +241,7 @@ caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request
   if (auto& of = *filter.subarchitecture;
       !of.empty() && of != state.options.subarchitecture && !find_peer(state, of))
     return Outcome<Acknowledged>{unknown_subarchitecture(state, {of, filter.id})};
-  auto number = subscriber_number(self, self->current_sender());
+  auto number = subscriber_number(self, self->current_sender(), request);
   remove_filter(self, number, request.id);
   state.local_index.insert(key_of(number, request.id), filter);
   state.subscribers.at(number).filters[request.id] = filter;
@@ -214,10 +249,26 @@ caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request
 }
 
 void unsubscribe(Self self, const Unsubscribe& request) {
-  auto& numbers = self->state.subscriber_numbers;
-  auto i = numbers.find(caf::actor_cast<caf::actor_addr>(self->current_sender()));
-  if (i != numbers.end())
-    remove_filter(self, i->second, request.id);
+  auto who = caf::actor_cast<caf::actor_addr>(self->current_sender());
+  for (auto stream : all_streams)
+    if (auto* number = find_subscriber(self->state, who, stream))
+      remove_filter(self, *number, request.id);
+}
+
+void acknowledge(Self self, const EventsTaken& taken) {
+  auto& state = self->state;
+  auto who = caf::actor_cast<caf::actor_addr>(self->current_sender());
+  auto* number = find_subscriber(state, who, taken.stream);
+  if (!number)
+    return;
+  auto& [actor, flow, filters] = state.subscribers.at(*number);
+  flow.acknowledge(taken.count);
+  while (auto piece = flow.next()) {
+    for (auto& notice : *piece)
+      state.counters.coalesced += notice.event->coalesced;
+    send(state, actor, *std::move(piece));
+  }
+  note_whether_behind(state, *number);
 }
 
 void set_interest(WorkingMemoryState& state, const Interest& interest) {
@@ -235,14 +286,18 @@ void set_interest(WorkingMemoryState& state, const Interest& interest) {
 
 void end_subscriber(Self self, const caf::actor_addr& who) {
   auto& state = self->state;
-  auto i = state.subscriber_numbers.find(who);
-  if (i == state.subscriber_numbers.end())
-    return;
-  auto& filters = state.subscribers.at(i->second).filters;
-  while (!filters.empty())
-    remove_filter(self, i->second, filters.begin()->first);
-  state.subscribers.erase(i->second);
-  state.subscriber_numbers.erase(i);
+  for (auto stream : all_streams) {
+    auto* number = find_subscriber(state, who, stream);
+    if (!number)
+      continue;
+    auto& [actor, flow, filters] = state.subscribers.at(*number);
+    state.counters.suppressed += flow.backlog().suppressed();
+    flow = EventFlow{};
+    while (!filters.empty())
+      remove_filter(self, *number, filters.begin()->first);
+    state.subscribers.erase(*number);
+    state.subscriber_numbers.erase({who, stream});
+  }
 }
 
 } // namespace castor::working_memory_parts

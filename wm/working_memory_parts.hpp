@@ -84,6 +84,7 @@ void emit(Self self, const std::vector<Change>& changes);
 void receive_forwarded(Self self, const ForwardedEvents& forwarded);
 caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request);
 void unsubscribe(Self self, const Unsubscribe& request);
+void acknowledge(Self self, const EventsTaken& taken);
 void set_interest(WorkingMemoryState& state, const Interest& interest);
 void end_subscriber(Self self, const caf::actor_addr& who);
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "castor/wm/caf.hpp"
-#include "castor/wm/change_event.hpp"
 #include "castor/wm/change_filter.hpp"
+#include "castor/wm/change_notice.hpp"
 #include "castor/wm/deadlock_probe.hpp"
 #include "castor/wm/entry.hpp"
 #include "castor/wm/entry_store.hpp"
+#include "castor/wm/event_flow.hpp"
 #include "castor/wm/failure.hpp"
 #include "castor/wm/lease.hpp"
 #include "castor/wm/lease_table.hpp"
@@ -105,25 +106,38 @@ struct VersionQuery {
   Address address;
 };
 
+/// A component gets its events in two streams, each as fast as it takes them, so that those its
+/// runtime itself has to hear of need not wait behind others.
+enum class EventStream : std::uint8_t {
+  /// For the component's own code, when that has time.
+  component,
+  /// For its runtime, at once.
+  runtime,
+};
+
 /// The sender wants the events that match, from the moment it is answered.
 struct Subscribe {
   FilterId id = 0;
   ChangeFilter filter;
+  EventStream stream = EventStream::component;
+  /// How many events of the stream may wait for the sender one by one; its first filter counts.
+  std::uint32_t queue_limit = standard_queue_limit;
 };
 
 struct Unsubscribe {
   FilterId id = 0;
 };
 
-/// To a component: an event, and which of its filters want it.
-struct ChangeNotice {
-  ChangeEventPtr event;
-  std::vector<FilterId> filters;
-};
-
 /// To a component: what an atomic write did, in one piece.
 struct ChangeNotices {
   std::vector<ChangeNotice> notices;
+};
+
+/// The sender has delivered or dropped so many of the events that it was sent; without that it is
+/// sent no more once its queue limit is reached.
+struct EventsTaken {
+  EventStream stream = EventStream::component;
+  std::uint64_t count = 0;
 };
 
 /// A working memory's name for something that its components want of the others.
@@ -169,8 +183,16 @@ struct WorkingMemoryStatus {
   std::uint64_t filters = 0;
   /// Changes made here.
   std::uint64_t events = 0;
+  /// Events that components of this subarchitecture want, one per component and event.
+  std::uint64_t matched = 0;
   /// Events sent to components of this subarchitecture, one per component and event.
   std::uint64_t delivered = 0;
+  /// Those of them that stand for several.
+  std::uint64_t coalesced = 0;
+  /// Events that others stand for, or that were undone before they could be sent.
+  std::uint64_t suppressed = 0;
+  /// Events that wait now until a component has taken others.
+  std::uint64_t backlog = 0;
   /// Events sent to other working memories, one per working memory and event.
   std::uint64_t forwarded = 0;
   /// Operations refused.
@@ -215,6 +237,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::replies_to<Subscribe>::with<Outcome<Acknowledged>>,
   // Withdraws a filter of the sender.
   caf::reacts_to<Unsubscribe>,
+  // Lets the sender be sent as many events more.
+  caf::reacts_to<EventsTaken>,
   // Another working memory says what its subarchitecture wants.
   caf::replies_to<Interest>::with<Acknowledged>,
   // Changes in another subarchitecture that somebody here wants to hear of.
@@ -244,6 +268,7 @@ CASTOR_LOCAL_MESSAGE(castor::Subscribe)
 CASTOR_LOCAL_MESSAGE(castor::Unsubscribe)
 CASTOR_LOCAL_MESSAGE(castor::ChangeNotice)
 CASTOR_LOCAL_MESSAGE(castor::ChangeNotices)
+CASTOR_LOCAL_MESSAGE(castor::EventsTaken)
 CASTOR_LOCAL_MESSAGE(castor::Interest)
 CASTOR_LOCAL_MESSAGE(castor::ForwardedEvents)
 CASTOR_LOCAL_MESSAGE(castor::Peers)

@@ -62,10 +62,11 @@ std::string painted(const std::string& line, std::string_view colour, bool colou
 } // namespace
 
 std::string timeline_line(const ChangeEvent& event, bool coloured) {
-  return painted(in_columns(seconds(event.time), event.address.subarchitecture,
-                            to_string(event.operation), event.type_name(), event.address.id,
-                            event.source, fmt::format("v{}", event.version)),
-                 colour_of(event.operation), coloured);
+  return painted(
+    in_columns(seconds(event.time), event.address.subarchitecture, to_string(event.operation),
+               event.type_name(), event.address.id, event.source,
+               fmt::format("v{}{}", event.version, event.coalesced ? " coalesced" : "")),
+    colour_of(event.operation), coloured);
 }
 
 std::string timeline_line(const TaskEvent& event, bool coloured) {

@@ -69,10 +69,11 @@ void Calls::note_progress(const ChangeEvent& event) {
   if (i == open_.end())
     return;
   i->second.taken = true;
-  if (event.operation == Operation::overwrite)
-    i->second.settled = true;
-  else if (event.operation == Operation::remove)
+  if (event.operation == Operation::remove)
     i->second.settled = i->second.server_ended = true;
+  // An ADD that is coalesced stands for the overwrite, too.
+  else if (event.operation == Operation::overwrite || event.coalesced)
+    i->second.settled = true;
 }
 
 void Calls::make(const Made& made, const std::string& subarchitecture, const Value& request,

@@ -4,9 +4,12 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace castor {
@@ -52,8 +55,11 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
     managed_(dynamic_cast<ManagedComponent*>(component_.get())),
     manager_(dynamic_cast<TaskManager*>(component_.get())), record_(std::move(parts.record)),
     services_(std::move(parts.services)), unit_(parts.unit) {
-  if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get()))
+  if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get())) {
     queue_mode_ = x->queue_;
+    queue_limit_ = x->queue_limit_;
+    component_receipts_ = EventReceipts{queue_limit_};
+  }
   record_->set_budget(component_->budget_);
   component_->attach(this);
 }
@@ -116,6 +122,9 @@ void ComponentShell::meet(NeighboursPtr neighbours) {
 
 void ComponentShell::live() {
   await_phase(Phase::configure);
+  if (queue_limit_ < least_queue_limit)
+    throw std::invalid_argument(
+      fmt::format("--queue-limit is {}, but the least is {}", queue_limit_, least_queue_limit));
   user_code(phase_name(Phase::configure), [this] { component_->configure(); });
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
@@ -200,15 +209,17 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
 }
 
 void ComponentShell::file_change(ChangeNotice notice) {
-  std::erase_if(notice.filters, [&](FilterId id) {
+  auto heard = std::erase_if(notice.filters, [&](FilterId id) {
     auto listener = listeners_.find(id);
     if (listener == listeners_.end())
       return false;
     listener->second(*notice.event);
     return true;
   });
-  if (!receiving_ || notice.filters.empty())
-    return;
+  if (heard > 0)
+    return took_event(EventStream::runtime);
+  if (!receiving_)
+    return took_event(EventStream::component);
   ++record_->counters.events_received;
   if (queue_mode_ == EventQueue::newest) {
     auto i = std::find_if(work_.begin(), work_.end(),
@@ -216,9 +227,16 @@ void ComponentShell::file_change(ChangeNotice notice) {
     if (i != work_.end()) {
       ++record_->counters.events_discarded;
       work_.erase(i);
+      took_event(EventStream::component);
     }
   }
   work_.push_back(std::move(notice));
+}
+
+void ComponentShell::took_event(EventStream stream) {
+  auto& receipts = stream == EventStream::runtime ? runtime_receipts_ : component_receipts_;
+  if (auto count = receipts.take())
+    send(working_memory_, EventsTaken{stream, count});
 }
 
 bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()>& enough) {
@@ -295,6 +313,7 @@ void ComponentShell::work_off_message(caf::mailbox_element& x) {
 }
 
 void ComponentShell::work_off_change(const ChangeNotice& notice) {
+  took_event(EventStream::component);
   // The receivers as they are now; a callback may remove any of them, or add some for later events.
   std::vector<std::pair<ReceiverId, std::shared_ptr<Receiver>>> called;
   for (auto id : notice.filters)
@@ -444,11 +463,14 @@ Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
           address};
 }
 
-FilterId ComponentShell::subscribe(const ChangeFilter& filter) {
-  auto id = ++last_filter_;
+FilterId ComponentShell::subscribe(const ChangeFilter& filter, EventStream stream) {
+  Subscribe request{++last_filter_, filter, stream};
+  // The option is about the component's own queue.
+  if (stream == EventStream::component)
+    request.queue_limit = queue_limit_;
   Address where{filter.subarchitecture.value_or(identity().subarchitecture), filter.id};
-  value_or_throw(finish<Acknowledged>(begin(Subscribe{id, filter}), where));
-  return id;
+  value_or_throw(finish<Acknowledged>(begin(request), where));
+  return request.id;
 }
 
 ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallback callback,
@@ -457,7 +479,7 @@ ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallba
   auto id = last_filter_ + 1;
   receivers_[id] = std::make_shared<Receiver>(Receiver{std::move(callback), priority});
   try {
-    return subscribe(filter);
+    return subscribe(filter, EventStream::component);
   } catch (const WorkingMemoryException&) {
     receivers_.erase(id);
     throw;
@@ -466,7 +488,7 @@ ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallba
 
 void ComponentShell::add_listener(const ChangeFilter& filter, ChangeCallback f) {
   listeners_[last_filter_ + 1] = std::move(f);
-  subscribe(filter);
+  subscribe(filter, EventStream::runtime);
 }
 
 void ComponentShell::remove_receiver(ReceiverId id) {

@@ -7,6 +7,7 @@
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/wm/event_flow.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <deque>
@@ -157,6 +158,8 @@ private:
   void act() override;
   void file(caf::mailbox_element_ptr x) override;
   void file_change(ChangeNotice notice);
+  /// One more is delivered or dropped, for which the working memory may send another.
+  void took_event(EventStream stream);
 
   // -- life
   void live();
@@ -194,7 +197,7 @@ private:
   Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
                                              std::chrono::nanoseconds patience,
                                              const WaitEdge* wait);
-  FilterId subscribe(const ChangeFilter& filter);
+  FilterId subscribe(const ChangeFilter& filter, EventStream stream);
   void receive_probe(DeadlockProbe probe);
   Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
   const caf::actor& task_manager() const;
@@ -230,6 +233,9 @@ private:
   bool started_ = false;
   bool receiving_ = true;
   EventQueue queue_mode_ = EventQueue::all;
+  std::uint32_t queue_limit_ = standard_queue_limit;
+  EventReceipts component_receipts_;
+  EventReceipts runtime_receipts_;
   /// What the component's own code is being called for, for the report if it throws.
   std::string doing_;
   std::uint64_t callbacks_ = 0;

@@ -9,6 +9,7 @@
 #include "castor/wm/change_filter.hpp"
 #include "castor/wm/entry.hpp"
 #include "castor/wm/entry_store.hpp"
+#include "castor/wm/event_flow.hpp"
 #include "castor/wm/lease.hpp"
 #include "castor/wm/predicate_builder.hpp"
 
@@ -324,6 +325,10 @@ private:
   Option<EventQueue> queue_{this, "queue", EventQueue::all,
                             "change events that arrive while the component is busy: all are "
                             "delivered, or only the newest"};
+  Option<std::uint32_t> queue_limit_{
+    this, "queue-limit", standard_queue_limit,
+    "how many change events may wait for the component (16 or more); beyond that, those of one "
+    "entry are merged into one or two, marked coalesced"};
 };
 
 /// A component that runs of its own accord: for frequent, cheap processing.

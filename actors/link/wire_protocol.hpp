@@ -149,7 +149,7 @@ void wire(A& a, WirePart<A, ChangeFilter>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, Subscribe>& x) {
-  a(x.id, x.filter);
+  a(x.id, x.filter, x.stream, x.queue_limit);
 }
 
 template <class A>
@@ -159,7 +159,8 @@ void wire(A& a, WirePart<A, Unsubscribe>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, ChangeEvent>& x) {
-  a(x.operation, x.address, x.source, x.type, x.version, x.sequence, x.time, x.changed);
+  a(x.operation, x.address, x.source, x.type, x.version, x.sequence, x.time, x.changed,
+    x.coalesced);
 }
 
 template <class A>
@@ -170,6 +171,11 @@ void wire(A& a, WirePart<A, ChangeNotice>& x) {
 template <class A>
 void wire(A& a, WirePart<A, ChangeNotices>& x) {
   a(x.notices);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, EventsTaken>& x) {
+  a(x.stream, x.count);
 }
 
 template <class A>
@@ -202,8 +208,8 @@ void wire(A&, WirePart<A, StatusQuery>&) {}
 
 template <class A>
 void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
-  a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.delivered, x.forwarded,
-    x.refused, x.leases, x.waiting);
+  a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.matched, x.delivered,
+    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.refused, x.leases, x.waiting);
 }
 
 // -- components

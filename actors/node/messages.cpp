@@ -13,7 +13,8 @@ const WireTable& system_messages() {
     RenewRequest, RenewReply, LockQuery, Outcome<LockStatus>, DeadlockProbe, StatusQuery,
     WorkingMemoryStatus,
     // Events
-    Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, Interest, Acknowledged, ForwardedEvents,
+    Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, EventsTaken, Interest, Acknowledged,
+    ForwardedEvents,
     // Components
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
     Outcome<Value>, PushRequest, Pushed,

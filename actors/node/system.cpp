@@ -11,6 +11,7 @@
 
 #include <caf/atom.hpp>
 #include <caf/scoped_actor.hpp>
+#include <caf/stateful_actor.hpp>
 
 #include <unistd.h>
 
@@ -51,13 +52,26 @@ void observe_change(const SystemOptions& options, const LoggedChanges& logged,
     log(i->second, where + '.' + where + "_wm", to_string(event));
 }
 
-caf::behavior observer(caf::event_based_actor*, const SystemOptions& options,
+struct ObserverState {
+  std::map<std::string, caf::strong_actor_ptr> working_memories;
+  std::map<std::string, EventReceipts> receipts;
+};
+
+caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOptions& options,
                        const LoggedChanges& logged) {
+  auto observe = [self, &options, &logged](const ChangeEvent& event) {
+    observe_change(options, logged, event);
+    auto& where = event.address.subarchitecture;
+    if (auto count = self->state.receipts[where].take())
+      self->send(caf::actor_cast<WorkingMemoryActor>(self->state.working_memories.at(where)),
+                 EventsTaken{EventStream::component, count});
+  };
   return {
-    [&](const ChangeNotice& x) { observe_change(options, logged, *x.event); },
-    [&](const ChangeNotices& x) {
+    [self](const Peers& x) { self->state.working_memories = x.working_memories; },
+    [observe](const ChangeNotice& x) { observe(*x.event); },
+    [observe](const ChangeNotices& x) {
       for (auto& notice : x.notices)
-        observe_change(options, logged, *notice.event);
+        observe(*notice.event);
     },
     [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},
@@ -146,7 +160,7 @@ public:
         return EndReason::all_failed;
       if (!until.quiet)
         continue;
-      auto events = count_events();
+      auto events = sum_of(&WorkingMemoryStatus::events);
       if (std::exchange(last_events, events) != events || somebody_is_busy(components))
         last_activity = now;
       if (now - last_activity >= *until.quiet)
@@ -174,8 +188,7 @@ public:
       log(LogLevel::error, "castor",
           name + " did not stop: it has not come back from its own code");
     if (observer_)
-      self_->request(observer_, caf::infinite, FlushAtom::value)
-        .receive([](bool) {}, [](const caf::error&) {});
+      flush_observer();
   }
 
   SystemSummary summary() {
@@ -185,7 +198,8 @@ public:
         .receive(
           [&](const WorkingMemoryStatus& x) {
             result.working_memories.push_back({x.subarchitecture, x.entries_by_type, x.events,
-                                               x.delivered, x.forwarded, x.refused});
+                                               x.matched, x.delivered, x.coalesced, x.suppressed,
+                                               x.forwarded, x.refused});
           },
           [](const caf::error&) {});
     }
@@ -497,18 +511,36 @@ private:
       return;
     if (!observer_)
       observer_ = spawn_observer();
+    Peers peers;
+    for (auto& [name, wm] : working_memories_)
+      peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(wm);
+    self_->send(observer_, peers);
     for (auto& [name, wm] : working_memories_)
       if (options_.on_change || logged_.count(name) > 0)
         caf::send_as(observer_, wm, Subscribe{1, any_change()});
     // Subscriptions are in force once the working memories have answered anything sent after them.
-    count_events();
+    sum_of(&WorkingMemoryStatus::filters);
   }
 
-  std::uint64_t count_events() {
+  /// Lets it tell all there is to tell: what it was sent, and what it is sent when it has told
+  /// that.
+  void flush_observer() {
+    auto until = Clock::now() + options_.stop_patience;
+    std::uint64_t last = 0;
+    std::uint64_t sent = 0;
+    do {
+      last = sent;
+      self_->request(observer_, caf::infinite, FlushAtom::value)
+        .receive([](bool) {}, [](const caf::error&) {});
+      sent = sum_of(&WorkingMemoryStatus::delivered);
+    } while (sent != last && Clock::now() < until);
+  }
+
+  std::uint64_t sum_of(std::uint64_t WorkingMemoryStatus::*counter) {
     std::uint64_t result = 0;
     for (auto& [name, wm] : working_memories_)
       self_->request(wm, options_.answer_patience, StatusQuery{})
-        .receive([&](const WorkingMemoryStatus& x) { result += x.events; },
+        .receive([&](const WorkingMemoryStatus& x) { result += x.*counter; },
                  [](const caf::error&) {});
     return result;
   }

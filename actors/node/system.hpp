@@ -73,7 +73,10 @@ struct WorkingMemorySummary {
   std::string subarchitecture;
   std::map<std::string, std::uint64_t> entries_by_type;
   std::uint64_t events = 0;
+  std::uint64_t matched = 0;
   std::uint64_t delivered = 0;
+  std::uint64_t coalesced = 0;
+  std::uint64_t suppressed = 0;
   std::uint64_t forwarded = 0;
   std::uint64_t refused = 0;
 };

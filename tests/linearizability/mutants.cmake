@@ -124,12 +124,8 @@ castor_mutant(deaths_settle_nothing wm/working_memory_leases.cpp
   TO "")
 
 castor_mutant(changes_told_backwards wm/working_memory_events.cpp
-  FROM "      notices[number].push_back({e, std::move(ids)});
-    });
-    sort_unique(foreign);"
-  TO "      notices[number].insert(notices[number].begin(), ChangeNotice{e, std::move(ids)});
-    });
-    sort_unique(foreign);")
+  FROM "notices[number].push_back({event, std::move(ids)});"
+  TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});")
 
 castor_mutant(nobody_is_told_of_deletions wm/working_memory_events.cpp
   FROM "state.peer_index.match(*event, content, foreign);"

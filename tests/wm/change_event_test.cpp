@@ -43,6 +43,9 @@ TEST(ChangeEvent, SaysWhichFieldsAnOverwriteChanged) {
   EXPECT_FALSE(event.has_changed(&Tree::name));
   EXPECT_EQ(to_string(event),
             "OVERWRITE SignedBox vision/0:3 v0 by segmentor, changed label and signature");
+  event.coalesced = true;
+  EXPECT_EQ(to_string(event), "OVERWRITE SignedBox vision/0:3 v0 by segmentor, changed label and "
+                              "signature, coalesced");
 }
 
 } // namespace castor::test

@@ -111,8 +111,16 @@ protected:
     return result;
   }
 
-  void subscribe(Listener& who, const std::string& at, FilterId id, const ChangeFilter& filter) {
-    caf::send_as(who.actor, wm.at(at), Subscribe{id, filter});
+  void subscribe(Listener& who, const std::string& at, FilterId id, const ChangeFilter& filter,
+                 std::uint32_t queue_limit = standard_queue_limit) {
+    caf::send_as(who.actor, wm.at(at), Subscribe{id, filter, EventStream::component, queue_limit});
+    scheduler.run();
+  }
+
+  /// The stand-in says that it has taken so many events.
+  void take(Listener& who, const std::string& at, std::uint64_t count,
+            EventStream stream = EventStream::component) {
+    caf::send_as(who.actor, wm.at(at), EventsTaken{stream, count});
     scheduler.run();
   }
 
