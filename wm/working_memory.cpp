@@ -106,19 +106,17 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
   result.events = state.store.sequence();
   result.leases = state.leases.size();
   result.waiting = state.waits.size();
-  for (auto& [number, subscriber] : state.subscribers) {
-    result.backlog += subscriber.flow.backlog().size();
-    result.suppressed += subscriber.flow.backlog().suppressed();
-  }
+  auto add = [&](const EventBacklog& x) {
+    result.backlog += x.size();
+    result.suppressed += x.suppressed();
+  };
+  for (auto& [number, subscriber] : state.subscribers)
+    add(subscriber.flow.backlog());
+  for (auto& route : state.routes)
+    add(route.flow.backlog());
   for (auto& entry : state.store.read_by_type({}))
     ++result.entries_by_type[entry->type_name()];
   return result;
-}
-
-void introduce(WorkingMemoryState& state, const Peers& peers) {
-  for (auto& [name, actor] : peers.working_memories)
-    if (name != state.options.subarchitecture && !find_peer(state, name))
-      state.peers.push_back({name, caf::actor_cast<WorkingMemoryActor>(actor), {}});
 }
 
 } // namespace
@@ -137,6 +135,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
   self->set_down_handler([self](const caf::down_msg& x) {
     self->state.monitored.erase(x.source);
     end_subscriber(self, x.source);
+    end_route(self, x.source);
     end_client(self, x.source);
   });
   return {
@@ -195,7 +194,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     },
     [self](const ForwardedEvents& x) { receive_forwarded(self, x); },
     [self](const Peers& x) {
-      introduce(self->state, x);
+      introduce(self, x);
       return Acknowledged{};
     },
     [self](const StatusQuery&) { return status(self->state); },

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -25,6 +26,8 @@ struct WorkingMemoryOptions {
   std::set<std::string> ignored;
   /// The moment that event times count from.
   std::chrono::steady_clock::time_point epoch{};
+  /// Every event is sent to every other working memory, wanted or not.
+  bool broadcast = false;
   /// How long another working memory may take to take note of a filter.
   std::chrono::milliseconds peer_deadline{5000};
   EntryStoreOptions store;
@@ -41,11 +44,30 @@ struct WorkingMemoryState {
     std::unordered_map<FilterId, ChangeFilter> filters;
   };
 
+  /// Something that another working memory wants of this one.
+  struct PeerInterest {
+    ChangeFilter filter;
+    /// What it is called on its route, if it has one.
+    std::uint32_t number = 0;
+  };
+
   struct Peer {
     std::string subarchitecture;
     WorkingMemoryActor actor;
-    /// What it wants of this one.
-    std::map<InterestId, ChangeFilter> interests;
+    /// Into `routes`; nothing for one in this process.
+    std::optional<std::size_t> route;
+    /// Its process is.
+    bool lost = false;
+    std::map<InterestId, PeerInterest> interests;
+  };
+
+  /// The way to the working memories of another process, which together get one copy of an event.
+  struct Route {
+    caf::actor outlet;
+    EventFlow flow{route_limit};
+    /// What the filter numbers in the flow stand for: a peer, as an index, and its interest.
+    std::map<std::uint32_t, std::pair<std::uint32_t, InterestId>> receivers;
+    std::uint32_t last_number = 0;
   };
 
   /// What components here want of the other working memories, and which filters that comes from.
@@ -86,6 +108,7 @@ struct WorkingMemoryState {
   /// What the other subarchitectures want; a key is the index into `peers` above the interest's id.
   FilterIndex peer_index;
   std::vector<Peer> peers;
+  std::vector<Route> routes;
   std::map<ChangeFilter, OwnInterest> own_interests;
   std::unordered_map<InterestId, const OwnInterest*> interests_by_id;
   InterestId last_interest = 0;

@@ -8,22 +8,6 @@ namespace castor::working_memory_parts {
 
 namespace {
 
-FilterIndex::Key key_of(std::uint32_t number, std::uint32_t id) {
-  return static_cast<FilterIndex::Key>(number) << 32 | id;
-}
-
-/// The filters of one receiver that want an event, of keys in order.
-template <class F>
-void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
-  for (std::size_t i = 0; i < keys.size();) {
-    auto number = static_cast<std::uint32_t>(keys[i] >> 32);
-    std::vector<std::uint32_t> ids;
-    for (; i < keys.size() && keys[i] >> 32 == number; ++i)
-      ids.push_back(static_cast<std::uint32_t>(keys[i]));
-    f(number, std::move(ids));
-  }
-}
-
 void sort_unique(std::vector<FilterIndex::Key>& keys) {
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -73,9 +57,10 @@ void send_notices(WorkingMemoryState& state, Notices notices) {
   }
 }
 
-/// Whether a filter can match events of another subarchitecture's working memory.
-bool concerns(const ChangeFilter& filter, const std::string& subarchitecture) {
-  return filter.subarchitecture->empty() || *filter.subarchitecture == subarchitecture;
+/// Whether a filter can match events of another working memory.
+bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer) {
+  return !peer.lost &&
+         (filter.subarchitecture->empty() || *filter.subarchitecture == peer.subarchitecture);
 }
 
 /// Tells the other working memories, and answers when the last of them has taken note.
@@ -88,7 +73,7 @@ caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filte
   };
   std::size_t concerned = 0;
   for (auto& peer : state.peers)
-    if (concerns(filter, peer.subarchitecture))
+    if (concerns(filter, peer))
       ++concerned;
   if (concerned == 0)
     return Outcome<Acknowledged>{Acknowledged{}};
@@ -102,7 +87,7 @@ caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filte
   pending->promise = self->make_response_promise<Outcome<Acknowledged>>();
   pending->missing = concerned;
   for (auto& peer : state.peers) {
-    if (!concerns(filter, peer.subarchitecture))
+    if (!concerns(filter, peer))
       continue;
     self
       ->request(peer.actor, state.options.peer_deadline,
@@ -132,7 +117,7 @@ void withdraw(Self self, const ChangeFilter& filter, FilterIndex::Key key) {
   if (!interest.filters.empty())
     return;
   for (auto& peer : state.peers)
-    if (concerns(filter, peer.subarchitecture))
+    if (concerns(filter, peer))
       self
         ->request(peer.actor, state.options.peer_deadline,
                   Interest{state.options.subarchitecture, interest.id, filter, false})
@@ -182,7 +167,7 @@ void remove_filter(Self self, std::uint32_t number, FilterId id) {
 void emit(Self self, const std::vector<Change>& changes) {
   auto& state = self->state;
   Notices notices;
-  std::map<std::uint32_t, std::vector<ForwardedEvent>> forwarded;
+  ForwardedChanges forwarded{self};
   for (auto& [event, content, before] : changes) {
     // Comparing two large values is worth it only if somebody hears of the event.
     bool compared = before == nullptr;
@@ -205,15 +190,10 @@ void emit(Self self, const std::vector<Change>& changes) {
     sort_unique(local);
     note(state, event, local, notices);
     sort_unique(foreign);
-    for_each_receiver(foreign, [&, &e = event](std::uint32_t number, std::vector<InterestId> ids) {
-      forwarded[number].push_back({e, std::move(ids)});
-    });
+    forwarded.add(event, foreign);
   }
   send_notices(state, std::move(notices));
-  for (auto& [number, list] : forwarded) {
-    state.counters.forwarded += list.size();
-    self->send(state.peers[number].actor, ForwardedEvents{std::move(list)});
-  }
+  forwarded.send();
 }
 
 void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
@@ -258,6 +238,10 @@ void unsubscribe(Self self, const Unsubscribe& request) {
 void acknowledge(Self self, const EventsTaken& taken) {
   auto& state = self->state;
   auto who = caf::actor_cast<caf::actor_addr>(self->current_sender());
+  if (auto route = find_route(state, who)) {
+    acknowledge_route(self, *route, taken.count);
+    return;
+  }
   auto* number = find_subscriber(state, who, taken.stream);
   if (!number)
     return;
@@ -269,19 +253,6 @@ void acknowledge(Self self, const EventsTaken& taken) {
     send(state, actor, *std::move(piece));
   }
   note_whether_behind(state, *number);
-}
-
-void set_interest(WorkingMemoryState& state, const Interest& interest) {
-  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
-    auto& [subarchitecture, actor, interests] = state.peers[i];
-    if (subarchitecture != interest.subarchitecture)
-      continue;
-    auto key = key_of(i, interest.id);
-    if (interest.wanted && interests.emplace(interest.id, interest.filter).second)
-      state.peer_index.insert(key, interest.filter);
-    else if (!interest.wanted && interests.erase(interest.id) > 0)
-      state.peer_index.erase(key, interest.filter);
-  }
 }
 
 void end_subscriber(Self self, const caf::actor_addr& who) {

@@ -2,7 +2,9 @@
 
 #include "castor/wm/working_memory.hpp"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// What the working memory actor is put together from; of no use outside.
@@ -70,6 +72,24 @@ void follow(Self self, DeadlockProbe probe);
 
 // -- change events
 
+/// Keys of the filter indices: the number of a subscriber or a peer, above that of its filter or
+/// interest.
+inline FilterIndex::Key key_of(std::uint32_t number, std::uint32_t id) {
+  return static_cast<FilterIndex::Key>(number) << 32 | id;
+}
+
+/// Calls `f` with each subscriber or peer and its filters or interests, of keys in order.
+template <class F>
+void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
+  for (std::size_t i = 0; i < keys.size();) {
+    auto number = static_cast<std::uint32_t>(keys[i] >> 32);
+    std::vector<std::uint32_t> ids;
+    for (; i < keys.size() && keys[i] >> 32 == number; ++i)
+      ids.push_back(static_cast<std::uint32_t>(keys[i]));
+    f(number, std::move(ids));
+  }
+}
+
 /// An event that is to be told, which has all but the fields that changed.
 struct Change {
   std::shared_ptr<ChangeEvent> event;
@@ -86,6 +106,34 @@ caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request
 void unsubscribe(Self self, const Unsubscribe& request);
 void acknowledge(Self self, const EventsTaken& taken);
 void set_interest(WorkingMemoryState& state, const Interest& interest);
+
+// -- other working memories (working_memory_routes.cpp)
+
+void introduce(Self self, const Peers& peers);
+
+/// What each of the other working memories is to be told of the events of one write.
+class ForwardedChanges {
+public:
+  explicit ForwardedChanges(Self self) : self_(self) {}
+
+  /// `keys` are those of `WorkingMemoryState::peer_index`, sorted.
+  void add(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys);
+  void send();
+
+private:
+  Self self_;
+  /// By peer, for those in this process.
+  std::map<std::uint32_t, std::vector<ForwardedEvent>> near_;
+  /// By route.
+  std::map<std::size_t, EventFlow::Piece> far_;
+};
+
+/// The sender, a route, can take more.
+void acknowledge_route(Self self, std::size_t route, std::uint64_t count);
+std::optional<std::size_t> find_route(const WorkingMemoryState& state, const caf::actor_addr& who);
+
+/// The process at the end of the route is lost.
+void end_route(Self self, const caf::actor_addr& who);
 void end_subscriber(Self self, const caf::actor_addr& who);
 
 } // namespace castor::working_memory_parts

@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// What is said between components and working memories, and among working memories.
@@ -163,9 +164,26 @@ struct ForwardedEvents {
   std::vector<ForwardedEvent> events;
 };
 
+/// An event, and which interests of which subarchitectures' working memories it meets.
+struct RoutedEvent {
+  ChangeEventPtr event;
+  std::vector<std::pair<std::string, std::vector<InterestId>>> receivers;
+};
+
+/// From a working memory to those in another process that want them: the events of one write. The
+/// way there acknowledges them with EventsTaken.
+struct RoutedEvents {
+  std::vector<RoutedEvent> events;
+};
+
+/// How many events may be on a route and not acknowledged.
+inline constexpr std::uint32_t route_limit = 4096;
+
 /// The working memories of the other subarchitectures.
 struct Peers {
   std::map<std::string, caf::strong_actor_ptr> working_memories;
+  /// What takes RoutedEvents to them, for those in other processes: the same for all of a process.
+  std::map<std::string, caf::strong_actor_ptr> routes = {};
 };
 
 struct Acknowledged {};
@@ -195,6 +213,8 @@ struct WorkingMemoryStatus {
   std::uint64_t backlog = 0;
   /// Events sent to other working memories, one per working memory and event.
   std::uint64_t forwarded = 0;
+  /// Events sent to other processes, one per process and event.
+  std::uint64_t routed = 0;
   /// Operations refused.
   std::uint64_t refused = 0;
   /// Leases held now, and operations that wait for one to end.
@@ -271,6 +291,7 @@ CASTOR_LOCAL_MESSAGE(castor::ChangeNotices)
 CASTOR_LOCAL_MESSAGE(castor::EventsTaken)
 CASTOR_LOCAL_MESSAGE(castor::Interest)
 CASTOR_LOCAL_MESSAGE(castor::ForwardedEvents)
+CASTOR_LOCAL_MESSAGE(castor::RoutedEvents)
 CASTOR_LOCAL_MESSAGE(castor::Peers)
 CASTOR_LOCAL_MESSAGE(castor::Acknowledged)
 CASTOR_LOCAL_MESSAGE(castor::StatusQuery)

@@ -40,6 +40,7 @@ struct Arguments {
   std::filesystem::path output;
   bool trace = false;
   bool open_access = false;
+  bool broadcast = false;
   std::vector<std::string> nodes;
   bool local_nodes = false;
   std::string tls;
@@ -134,6 +135,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   Timeline timeline{arguments};
   SystemOptions options;
   options.open_access = arguments.open_access;
+  options.broadcast = arguments.broadcast;
   if (timeline.wanted()) {
     options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
     options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
@@ -209,6 +211,9 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
                     "print every change of every working memory, and what becomes of every task");
   command->add_flag("--open-access", arguments->open_access,
                     "let every subarchitecture write to every other, as the original CAST does");
+  command->add_flag("--broadcast", arguments->broadcast,
+                    "tell every working memory of every change, as the original CAST did before it "
+                    "filtered: to see what filtering is worth");
   command
     ->add_option("--node", arguments->nodes,
                  "where the node of a host of the .cast file listens, if not where the host's name "

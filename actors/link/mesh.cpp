@@ -27,9 +27,10 @@ enum class Subject : std::uint8_t {
   types,
 };
 
-/// The lane of what an actor sends: its messages keep their order.
-Lane lane_of(ActorName sender) {
-  return sender;
+/// The lane of what one actor sends to another: these messages keep their order.
+Lane lane_of(ActorName sender, std::uint32_t receiver) {
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
+  return sender == 0 ? 0 : ((sender * odd) ^ receiver) | 1;
 }
 
 } // namespace
@@ -56,14 +57,36 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
       return;
     }
   }
-  hand_over({{out.take_head(), out.take_contents(), lane_of(sender)}, out.take_types()});
+  OutgoingMessage message{out.take_head(), out.take_contents(), lane_of(sender, number)};
+  if (content.match_elements<RoutedEvents>())
+    message.arrived = acknowledgement(to, x.sender, content.get_as<RoutedEvents>(0).events.size());
+  hand_over({std::move(message), out.take_types()});
+}
+
+std::function<void()> LinkPort::acknowledgement(ActorName route, caf::strong_actor_ptr sender,
+                                                std::size_t events) {
+  std::shared_ptr<EventReceipts> receipts;
+  {
+    std::lock_guard guard{mutex_};
+    auto& known = receipts_[sender->id()];
+    if (!known)
+      known = std::make_shared<EventReceipts>(route_limit);
+    receipts = known;
+  }
+  return [mesh = mesh_, route, sender = std::move(sender), receipts = std::move(receipts), events] {
+    std::uint64_t taken = 0;
+    for (std::size_t i = 0; i < events; ++i)
+      taken += receipts->take();
+    if (taken > 0)
+      sender->enqueue(mesh->actor_of(route), caf::make_message_id(),
+                      caf::make_message(EventsTaken{EventStream::component, taken}), nullptr);
+  };
 }
 
 void LinkPort::tell_end(ActorName who) {
   WireWriter out{*mesh_};
   out(Subject::ended, static_cast<std::uint32_t>(who));
-  // Not before what it said last.
-  hand_over({{out.take_head(), {}, lane_of(who)}, {}});
+  hand_over({{out.take_head()}, {}});
 }
 
 void LinkPort::hand_over(LinkMessage message) {

@@ -3,6 +3,7 @@
 #include "castor/actors/link/session.hpp"
 #include "castor/actors/link/wire_table.hpp"
 #include "castor/wm/caf.hpp"
+#include "castor/wm/event_flow.hpp"
 
 #include <caf/message.hpp>
 
@@ -65,9 +66,16 @@ public:
 private:
   void hand_over(LinkMessage message);
 
+  /// Tells a working memory that the peer has its events, now and then.
+  std::function<void()> acknowledgement(ActorName route, caf::strong_actor_ptr sender,
+                                        std::size_t events);
+
   const std::shared_ptr<Mesh> mesh_;
   const ProcessNumber peer_;
   const caf::actor link_;
+  std::mutex mutex_;
+  /// By working memory.
+  std::unordered_map<caf::actor_id, std::shared_ptr<EventReceipts>> receipts_;
 };
 
 /// The actors of a system as one process sees them: its own, which others may know by name, and

@@ -193,11 +193,21 @@ void wire(A& a, WirePart<A, ForwardedEvents>& x) {
   a(x.events);
 }
 
+template <class A>
+void wire(A& a, WirePart<A, RoutedEvent>& x) {
+  a(x.event, x.receivers);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, RoutedEvents>& x) {
+  a(x.events);
+}
+
 // -- a working memory as a whole
 
 template <class A>
 void wire(A& a, WirePart<A, Peers>& x) {
-  a(x.working_memories);
+  a(x.working_memories, x.routes);
 }
 
 template <class A>
@@ -209,7 +219,7 @@ void wire(A&, WirePart<A, StatusQuery>&) {}
 template <class A>
 void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
   a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.matched, x.delivered,
-    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.refused, x.leases, x.waiting);
+    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.routed, x.refused, x.leases, x.waiting);
 }
 
 // -- components

@@ -77,6 +77,7 @@ private:
     result.mesh = std::make_shared<Mesh>(system_, system_messages(), coordinator.receiver);
     PartAgentParts parts;
     parts.self = coordinator.receiver;
+    parts.mesh = result.mesh;
     parts.connect = [node = weak_from_this(), name = coordinator.system](const PartPlan& plan) {
       if (auto self = node.lock())
         self->connect(name, plan);

@@ -74,6 +74,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const Subarchitectur
   options.subarchitecture = x.name;
   options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
   options.epoch = services_->epoch;
+  options.broadcast = plan.broadcast;
   options.leases.duration = wm_class.lease.get();
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
   if (plan.open_access)

@@ -27,6 +27,21 @@ void answer_if_joined(Self self) {
   std::exchange(state.joining, std::nullopt)->deliver(Acknowledged{});
 }
 
+/// Hands the events that come from other processes to the working memories of this one.
+void deliver_events(const std::map<std::string, WorkingMemoryActor>& working_memories,
+                    const caf::message& message, caf::execution_unit* context) {
+  if (!message.match_elements<RoutedEvents>())
+    return;
+  std::map<std::string, ForwardedEvents> found;
+  for (auto& [event, receivers] : message.get_as<RoutedEvents>(0).events)
+    for (auto& [subarchitecture, interests] : receivers)
+      found[subarchitecture].events.push_back({event, interests});
+  for (auto& [subarchitecture, events] : found)
+    if (auto i = working_memories.find(subarchitecture); i != working_memories.end())
+      caf::actor_cast<caf::abstract_actor*>(i->second)->enqueue(
+        nullptr, caf::make_message_id(), caf::make_message(std::move(events)), context);
+}
+
 caf::response_promise join(Self self, const JoinParts& others) {
   auto& state = self->state;
   auto promise = self->make_response_promise();
@@ -37,8 +52,15 @@ caf::response_promise join(Self self, const JoinParts& others) {
   state.joining = promise;
   state.part->join(others.actors);
   Peers peers;
-  for (auto& [name, actor] : state.part->subarchitectures(others.actors))
-    peers.working_memories[name] = actor;
+  peers.working_memories = state.part->subarchitectures(others.actors);
+  if (auto& mesh = state.parts.mesh) {
+    for (auto& [name, actor] : peers.working_memories)
+      if (auto process = process_of(mesh->name_of(actor)); process != state.parts.self)
+        peers.routes[name] = mesh->well_known(process, WellKnownActor::events);
+    mesh->set_event_sink([here = state.part->working_memories()](auto& message, auto* context) {
+      deliver_events(here, message, context);
+    });
+  }
   state.unanswered = state.part->working_memories().size();
   for (auto& [name, actor] : state.part->working_memories())
     self->request(actor, patience, peers).then([self](Acknowledged) {

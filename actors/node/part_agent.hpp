@@ -15,6 +15,8 @@ namespace castor {
 
 struct PartAgentParts {
   ProcessNumber self = 0;
+  /// Null where there is only one process.
+  std::shared_ptr<Mesh> mesh;
   /// Called with the plan before the part is made: connects with the other processes.
   std::function<void(const PartPlan&)> connect;
 };

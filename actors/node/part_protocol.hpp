@@ -35,6 +35,8 @@ struct PartPlan {
   std::map<std::string, ProcessNumber> placement;
   /// Every subarchitecture may write to every other.
   bool open_access = false;
+  /// Every change is told to every working memory.
+  bool broadcast = false;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
   /// Is sent EndSystem by whoever wants that.

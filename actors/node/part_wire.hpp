@@ -56,7 +56,8 @@ void wire(A& a, WirePart<A, ProcessDescription>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, PartPlan>& x) {
-  a(x.architecture, x.processes, x.placement, x.open_access, x.age, x.coordinator, x.task_observer);
+  a(x.architecture, x.processes, x.placement, x.open_access, x.broadcast, x.age, x.coordinator,
+    x.task_observer);
 }
 
 template <class A>

@@ -199,7 +199,7 @@ public:
           [&](const WorkingMemoryStatus& x) {
             result.working_memories.push_back({x.subarchitecture, x.entries_by_type, x.events,
                                                x.matched, x.delivered, x.coalesced, x.suppressed,
-                                               x.forwarded, x.refused});
+                                               x.forwarded, x.routed, x.refused});
           },
           [](const caf::error&) {});
     }
@@ -254,10 +254,11 @@ private:
       [this]() -> caf::behavior { return {[this](const EndSystem& x) { end_asked_for(x); }}; });
     if (options_.on_task)
       observer_ = spawn_observer();
-    PartAgentParts parts;
-    processes_.front().agent = system_.spawn(part_agent, std::move(parts));
     if (processes_.size() > 1)
       connect();
+    PartAgentParts parts;
+    parts.mesh = mesh_;
+    processes_.front().agent = system_.spawn(part_agent, std::move(parts));
     join(make_parts());
   }
 
@@ -383,6 +384,7 @@ private:
       plan.processes.push_back(x.description);
     plan.placement = placement_.of;
     plan.open_access = options_.open_access;
+    plan.broadcast = options_.broadcast;
     plan.coordinator = desk_;
     plan.task_observer = observer_;
     std::map<std::string, caf::strong_actor_ptr> actors;

@@ -34,6 +34,10 @@ struct SystemOptions {
   /// Every subarchitecture may write to every other, as in the original CAST.
   bool open_access = false;
 
+  /// Every change is told to every working memory, wanted or not: the original's early scheme, for
+  /// comparison.
+  bool broadcast = false;
+
   /// Where nodes listen, by the hosts that the architecture names; hosts that are not here are
   /// looked for where their names say.
   std::map<std::string, Endpoint> nodes;
@@ -78,6 +82,7 @@ struct WorkingMemorySummary {
   std::uint64_t coalesced = 0;
   std::uint64_t suppressed = 0;
   std::uint64_t forwarded = 0;
+  std::uint64_t routed = 0;
   std::uint64_t refused = 0;
 };
 

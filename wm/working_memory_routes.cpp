@@ -1,0 +1,166 @@
+#include "castor/wm/working_memory_parts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace castor::working_memory_parts {
+
+namespace {
+
+using Route = WorkingMemoryState::Route;
+
+/// An interest that no working memory has: an event for it was not asked for.
+constexpr InterestId nobody = 0;
+
+/// The number by which a route knows an interest of a peer.
+std::uint32_t new_number(WorkingMemoryState& state, std::uint32_t peer, InterestId interest) {
+  auto& route = state.routes[*state.peers[peer].route];
+  route.receivers[++route.last_number] = {peer, interest};
+  return route.last_number;
+}
+
+void send_piece(Self self, Route& route, const EventFlow::Piece& piece) {
+  auto& state = self->state;
+  RoutedEvents result;
+  for (auto& [event, numbers] : piece) {
+    std::map<std::uint32_t, std::vector<InterestId>> by_peer;
+    for (auto number : numbers)
+      if (auto i = route.receivers.find(number); i != route.receivers.end())
+        by_peer[i->second.first].push_back(i->second.second);
+    RoutedEvent routed{event, {}};
+    for (auto& [peer, interests] : by_peer)
+      routed.receivers.emplace_back(state.peers[peer].subarchitecture, std::move(interests));
+    state.counters.forwarded += routed.receivers.size();
+    state.counters.coalesced += event->coalesced;
+    ++state.counters.routed;
+    result.events.push_back(std::move(routed));
+  }
+  // As a message of this actor's, so that the way knows whom to acknowledge it to.
+  caf::actor_cast<caf::abstract_actor*>(route.outlet)
+    ->enqueue(caf::actor_cast<caf::strong_actor_ptr>(self), caf::make_message_id(),
+              caf::make_message(std::move(result)), self->context());
+}
+
+std::size_t find_or_make_route(Self self, const caf::strong_actor_ptr& outlet) {
+  auto& routes = self->state.routes;
+  auto actor = caf::actor_cast<caf::actor>(outlet);
+  for (std::size_t i = 0; i < routes.size(); ++i)
+    if (routes[i].outlet == actor)
+      return i;
+  routes.emplace_back().outlet = actor;
+  monitor(self, outlet);
+  return routes.size() - 1;
+}
+
+} // namespace
+
+void introduce(Self self, const Peers& peers) {
+  auto& state = self->state;
+  for (auto& [name, actor] : peers.working_memories) {
+    if (name == state.options.subarchitecture || find_peer(state, name))
+      continue;
+    state.peers.push_back({name, caf::actor_cast<WorkingMemoryActor>(actor), {}, false, {}});
+    if (auto route = peers.routes.find(name); route != peers.routes.end())
+      state.peers.back().route = find_or_make_route(self, route->second);
+    if (state.options.broadcast)
+      set_interest(state, {name, nobody, any_change().anywhere(), true});
+  }
+}
+
+void set_interest(WorkingMemoryState& state, const Interest& interest) {
+  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
+    auto& peer = state.peers[i];
+    if (peer.subarchitecture != interest.subarchitecture)
+      continue;
+    auto key = key_of(i, interest.id);
+    if (interest.wanted) {
+      auto [known, is_new] = peer.interests.try_emplace(interest.id);
+      if (!is_new)
+        continue;
+      known->second.filter = interest.filter;
+      if (peer.route)
+        known->second.number = new_number(state, i, interest.id);
+      state.peer_index.insert(key, interest.filter);
+    } else if (auto known = peer.interests.extract(interest.id)) {
+      if (peer.route) {
+        auto& route = state.routes[*peer.route];
+        route.flow.erase(known.mapped().number);
+        route.receivers.erase(known.mapped().number);
+      }
+      state.peer_index.erase(key, interest.filter);
+    }
+  }
+}
+
+void ForwardedChanges::add(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys) {
+  auto& state = self_->state;
+  // The early scheme sent a copy to each, whoever lived where.
+  bool share = !state.options.broadcast;
+  for_each_receiver(keys, [&](std::uint32_t number, std::vector<InterestId> ids) {
+    auto& peer = state.peers[number];
+    if (!peer.route) {
+      near_[number].push_back({event, std::move(ids)});
+      return;
+    }
+    auto& piece = far_[*peer.route];
+    if (!share || piece.empty() || piece.back().event != event)
+      piece.push_back({event, {}});
+    for (auto id : ids)
+      piece.back().filters.push_back(peer.interests.at(id).number);
+  });
+  // A backlog that merges is better off if it knows of the others, too.
+  for (std::size_t i = 0; i < state.routes.size(); ++i)
+    if (state.routes[i].flow.backlog().is_merging())
+      if (auto& piece = far_[i]; piece.empty() || piece.back().event != event)
+        piece.push_back({event, {}});
+}
+
+void ForwardedChanges::send() {
+  auto& state = self_->state;
+  for (auto& [number, list] : near_) {
+    state.counters.forwarded += list.size();
+    self_->send(state.peers[number].actor, ForwardedEvents{std::move(list)});
+  }
+  for (auto& [number, piece] : far_) {
+    auto& route = state.routes[number];
+    if (auto now = route.flow.push(std::move(piece)))
+      send_piece(self_, route, *now);
+  }
+}
+
+std::optional<std::size_t> find_route(const WorkingMemoryState& state, const caf::actor_addr& who) {
+  auto i = std::find_if(state.routes.begin(), state.routes.end(),
+                        [&](auto& x) { return x.outlet.address() == who; });
+  if (i == state.routes.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(i - state.routes.begin());
+}
+
+void acknowledge_route(Self self, std::size_t route, std::uint64_t count) {
+  auto& x = self->state.routes[route];
+  x.flow.acknowledge(count);
+  while (auto piece = x.flow.next())
+    send_piece(self, x, *piece);
+}
+
+void end_route(Self self, const caf::actor_addr& who) {
+  auto& state = self->state;
+  auto route = find_route(state, who);
+  if (!route)
+    return;
+  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
+    auto& peer = state.peers[i];
+    if (peer.route != route)
+      continue;
+    peer.lost = true;
+    for (auto& [id, interest] : peer.interests)
+      state.peer_index.erase(key_of(i, id), interest.filter);
+    peer.interests.clear();
+  }
+  auto& ended = state.routes[*route];
+  state.counters.suppressed += ended.flow.backlog().suppressed();
+  ended.flow = EventFlow{route_limit};
+  ended.receivers.clear();
+}
+
+} // namespace castor::working_memory_parts
