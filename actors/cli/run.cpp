@@ -12,6 +12,7 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 
 #include <fmt/core.h>
 
@@ -43,6 +44,7 @@ struct Arguments {
   bool broadcast = false;
   std::vector<std::string> nodes;
   bool local_nodes = false;
+  int spread = 0;
   std::string tls;
   bool insecure = false;
   bool verbose = false;
@@ -144,11 +146,13 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   options.nodes = node_addresses(arguments);
   options.insecure = arguments.insecure;
   if (!arguments.tls.empty())
-    options.credentials =
-      Credentials::load(arguments.local_nodes ? arguments.tls + "/run" : arguments.tls);
+    options.credentials = Credentials::load(
+      arguments.local_nodes || arguments.spread > 0 ? arguments.tls + "/run" : arguments.tls);
   // Outlives the system, which says goodbye to them.
   std::optional<LocalNodes> local_nodes;
-  if (arguments.local_nodes) {
+  if (arguments.spread > 0)
+    spread(*architecture, arguments.spread);
+  if (arguments.local_nodes || arguments.spread > 0) {
     local_nodes.emplace(other_hosts(*architecture), plugins, arguments.tls);
     options.nodes.insert(local_nodes->endpoints().begin(), local_nodes->endpoints().end());
   }
@@ -222,6 +226,12 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->take_all();
   command->add_flag("--local-nodes", arguments->local_nodes,
                     "start all nodes on this machine, to try a system of many");
+  command
+    ->add_option("--spread", arguments->spread,
+                 "spread everything over so many nodes on this machine, whatever hosts the file "
+                 "names, to see that no component cares")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100));
   command
     ->add_option("--tls", arguments->tls,
                  "encrypt what is said to nodes, and prove who says it, with ca.pem, node.pem and "

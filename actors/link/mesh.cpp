@@ -27,6 +27,11 @@ enum class Subject : std::uint8_t {
   types,
 };
 
+const char* name_of_type(const caf::type_erased_tuple& message) {
+  auto* type = message.size() == 1 ? message.type(0).second : nullptr;
+  return type ? type->name() : "one of the framework's own";
+}
+
 /// The lane of what one actor sends to another: these messages keep their order.
 Lane lane_of(ActorName sender, std::uint32_t receiver) {
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
@@ -51,7 +56,7 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
     out(Subject::message, sender, number, x.mid.integer_value());
     if (!mesh_->table().write(content, out)) {
       log(LogLevel::error, "castor",
-          "a message that cannot travel to another process: " + content.stringify());
+          std::string{"a message that cannot travel to another process: "} + name_of_type(content));
       caf::detail::sync_request_bouncer{caf::make_error(caf::sec::unexpected_message)}(x.sender,
                                                                                        x.mid);
       return;

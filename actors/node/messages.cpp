@@ -14,7 +14,7 @@ const WireTable& system_messages() {
     WorkingMemoryStatus,
     // Events
     Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, EventsTaken, Interest, Acknowledged,
-    ForwardedEvents,
+    ForwardedEvents, RoutedEvents,
     // Components
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
     Outcome<Value>, PushRequest, Pushed,

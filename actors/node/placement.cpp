@@ -18,8 +18,9 @@ bool is_this_machine(const ArchitectureDescription& architecture, const std::str
          (localhost != architecture.host_names.end() && host == localhost->second);
 }
 
-template <class F>
-void for_each_component(const ArchitectureDescription& architecture, F&& f) {
+/// Of a constant architecture or another.
+template <class Architecture, class F>
+void for_each_component(Architecture& architecture, F&& f) {
   for (auto& subarchitecture : architecture.subarchitectures) {
     f(subarchitecture.working_memory);
     f(subarchitecture.task_manager);
@@ -78,6 +79,13 @@ std::map<std::string, std::string> other_hosts(const ArchitectureDescription& ar
     result[x.host] = name.empty() ? x.host : name;
   });
   return result;
+}
+
+void spread(ArchitectureDescription& architecture, int nodes) {
+  int next = 0;
+  for_each_component(architecture, [&](ComponentDescription& x) {
+    x.host = "node" + std::to_string(1 + next++ % nodes);
+  });
 }
 
 } // namespace castor

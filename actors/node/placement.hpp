@@ -36,4 +36,7 @@ Placement place(const ArchitectureDescription& architecture,
 /// own.
 std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture);
 
+/// Gives the hosts node1, node2 and so on to everything in turn, whatever the file says.
+void spread(ArchitectureDescription& architecture, int nodes);
+
 } // namespace castor

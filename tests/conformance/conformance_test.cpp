@@ -39,16 +39,24 @@ std::string test_name(const testing::TestParamInfo<Path>& info) {
   return result;
 }
 
-std::vector<std::string> run(const Path& file) {
+std::vector<std::string> run(const Path& file, const std::vector<std::string>& flags = {}) {
   // Files of the original take options from there.
   setenv("TEST_LOG_OUTPUT", "true", 1);
-  return {CASTOR_EXECUTABLE, "--plugin", CASTOR_CONFORMANCE_PLUGIN, "run", file.string()};
+  std::vector<std::string> result{CASTOR_EXECUTABLE, "--plugin", CASTOR_CONFORMANCE_PLUGIN, "run",
+                                  file.string()};
+  result.insert(result.end(), flags.begin(), flags.end());
+  return result;
 }
 
 class Conformance : public testing::TestWithParam<Path> {};
 
 TEST_P(Conformance, Passes) {
   Process castor{run(GetParam())};
+  EXPECT_EQ(castor.wait(), 29) << castor.errors();
+}
+
+TEST_P(Conformance, PassesOverThreeNodes) {
+  Process castor{run(GetParam(), {"--spread", "3"})};
   EXPECT_EQ(castor.wait(), 29) << castor.errors();
 }
 
