@@ -185,6 +185,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     status = a_component_failed;
   if (!summary.stuck.empty()) {
     // Their threads cannot be ended, and destroying the system would wait for them.
+    system->abandon();
+    local_nodes.reset();
     flush_log();
     std::fflush(stdout);
     std::_Exit(status == success ? a_component_failed : status);

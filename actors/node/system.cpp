@@ -177,6 +177,9 @@ public:
     stopped_ = true;
     std::string stopped;
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
+      // Of a node that is out of reach, the part ends by itself.
+      if (!is_in_reach(*i))
+        continue;
       if (await_end(component(*i)))
         stopped += (stopped.empty() ? "" : ", ") + *i;
       else
@@ -194,6 +197,8 @@ public:
   SystemSummary summary() {
     SystemSummary result;
     for (auto& [name, wm] : working_memories_) {
+      if (!is_in_reach(architecture_.subarchitecture(name)->working_memory.name))
+        continue;
       self_->request(wm, options_.answer_patience, StatusQuery{})
         .receive(
           [&](const WorkingMemoryStatus& x) {
@@ -204,8 +209,18 @@ public:
           [](const caf::error&) {});
     }
     result.components = status();
-    result.stuck = stuck_;
+    for (auto& name : stuck_)
+      if (process_of(name) == 0)
+        result.stuck.push_back(name);
     return result;
+  }
+
+  void abandon() {
+    end();
+    caf::scoped_actor waiting{system_};
+    for (auto& x : processes_)
+      if (x.link)
+        waiting->wait_for(x.link);
   }
 
   std::vector<EntryPtr> entries(const std::string& subarchitecture) {
@@ -461,6 +476,17 @@ private:
     throw std::out_of_range("no subarchitecture " + subarchitecture);
   }
 
+  ProcessNumber process_of(const std::string& component) const {
+    auto i = placement_.of.find(component);
+    return i == placement_.of.end() ? 0 : i->second;
+  }
+
+  bool is_in_reach(const std::string& component) const {
+    std::lock_guard guard{mutex_};
+    auto process = process_of(component);
+    return process == 0 || processes_[process].news.kind == LinkNews::Kind::up;
+  }
+
   const caf::actor& component(const std::string& name) const { return components_.at(name).actor; }
 
   /// Waits until the component has done what the phase asks of it; false if interrupted.
@@ -541,16 +567,22 @@ private:
   std::uint64_t sum_of(std::uint64_t WorkingMemoryStatus::*counter) {
     std::uint64_t result = 0;
     for (auto& [name, wm] : working_memories_)
-      self_->request(wm, options_.answer_patience, StatusQuery{})
-        .receive([&](const WorkingMemoryStatus& x) { result += x.*counter; },
-                 [](const caf::error&) {});
+      if (is_in_reach(architecture_.subarchitecture(name)->working_memory.name))
+        self_->request(wm, options_.answer_patience, StatusQuery{})
+          .receive([&](const WorkingMemoryStatus& x) { result += x.*counter; },
+                   [](const caf::error&) {});
     return result;
   }
 
   /// Of all components, in the order of their start.
   std::vector<ComponentStatus> status() {
     std::map<std::string, ComponentStatus> found;
-    for (auto& process : processes_)
+    for (auto& process : processes_) {
+      {
+        std::lock_guard guard{mutex_};
+        if (process.link && process.news.kind != LinkNews::Kind::up)
+          continue;
+      }
       self_->request(process.agent, options_.answer_patience, PartStatusQuery{})
         .receive(
           [&](const PartStatus& x) {
@@ -558,6 +590,7 @@ private:
               found[y.identity.name] = y;
           },
           [](const caf::error&) {});
+    }
     std::vector<ComponentStatus> result;
     for (auto& name : order_.empty() ? names() : order_)
       result.push_back(found.count(name) > 0 ? found[name] : status_of_lost(name));
@@ -576,7 +609,7 @@ private:
   /// Of a component whose node does not answer.
   ComponentStatus status_of_lost(const std::string& name) {
     auto& x = *architecture_.component(name);
-    auto& process = processes_[placement_.of.at(name)];
+    auto& process = processes_[process_of(name)];
     ComponentStatus result;
     result.identity = {x.name, x.subarchitecture, x.class_name,
                        static_cast<std::uint32_t>(x.number)};
@@ -679,6 +712,10 @@ std::optional<std::pair<int, std::string>> System::ended() const {
 
 void System::stop() {
   implementation_->stop();
+}
+
+void System::abandon() {
+  implementation_->abandon();
 }
 
 SystemSummary System::summary() {

@@ -49,7 +49,7 @@ struct SystemOptions {
   bool insecure = false;
 
   /// How long nodes may take to be reached, before the system is given up.
-  std::chrono::milliseconds connect_patience{10'000};
+  std::chrono::milliseconds connect_patience{5'000};
 
   /// How long processes may take to answer a question.
   std::chrono::milliseconds answer_patience{5000};
@@ -90,8 +90,8 @@ struct SystemSummary {
   std::vector<WorkingMemorySummary> working_memories;
   /// In the order of their start.
   std::vector<ComponentStatus> components;
-  /// Components that did not stop when they were told to; their threads are still running, so the
-  /// process has to leave without destroying the system.
+  /// Components of this process that did not stop when they were told to; their threads are still
+  /// running, so the process has to leave without destroying the system: see `System::abandon`.
   std::vector<std::string> stuck;
 };
 
@@ -136,6 +136,9 @@ public:
 
   /// Stops the components in the reverse order of their start. Working memories stay readable.
   void stop();
+
+  /// Takes leave of the nodes, where the system cannot be destroyed; to be called last.
+  void abandon();
 
   SystemSummary summary();
 

@@ -1,4 +1,4 @@
-#include "castor/tests/support/process.hpp"
+#include "castor_fixture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,45 +13,6 @@
 namespace castor::test {
 
 namespace {
-
-/// The castor executable with a plug-in of test components.
-class Castor : public testing::Test {
-protected:
-  void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("castor-cli-" + std::to_string(getpid()) + "-" +
-              testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder);
-  }
-
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
-  static std::vector<std::string> command(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {CASTOR_EXECUTABLE, "--plugin", CASTOR_TEST_PLUGIN});
-    return arguments;
-  }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    auto file = folder / name;
-    std::ofstream{file} << text;
-    return file.string();
-  }
-
-  std::string system(const std::string& components) const {
-    return write("system.cast", "HOST localhost\nSUBARCHITECTURE a\nCPP WM "
-                                "SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n" +
-                                  components);
-  }
-
-  std::string read(const std::filesystem::path& file) const {
-    std::ifstream in{file};
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-  }
-
-  std::filesystem::path folder;
-};
 
 TEST_F(Castor, SaysWhatItIs) {
   Process castor{command({"--version"})};

@@ -1,0 +1,286 @@
+#include "castor_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <regex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+namespace castor::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// How many processes were started with these words among their arguments.
+int processes_with(const std::string& words) {
+  int result = 0;
+  for (auto& x : std::filesystem::directory_iterator{"/proc"}) {
+    std::ifstream in{x.path() / "cmdline"};
+    std::string line{std::istreambuf_iterator<char>{in}, {}};
+    std::replace(line.begin(), line.end(), '\0', ' ');
+    result += line.find(words) != std::string::npos;
+  }
+  return result;
+}
+
+bool eventually(const std::function<bool()>& f) {
+  auto until = Clock::now() + 20s;
+  while (!f()) {
+    if (Clock::now() > until)
+      return false;
+    std::this_thread::sleep_for(5ms);
+  }
+  return true;
+}
+
+/// A connection that says what Castor does not expect.
+class StrangeConnection {
+public:
+  explicit StrangeConnection(std::uint16_t port) : fd_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0)
+      throw std::runtime_error("cannot connect");
+  }
+  StrangeConnection(const StrangeConnection&) = delete;
+  StrangeConnection& operator=(const StrangeConnection&) = delete;
+  ~StrangeConnection() { close(fd_); }
+
+  void say(const std::string& what) { send(fd_, what.data(), what.size(), MSG_NOSIGNAL); }
+
+private:
+  int fd_;
+};
+
+class Nodes : public Castor {
+protected:
+  struct Node {
+    std::unique_ptr<Process> process;
+    std::string address;
+
+    std::uint16_t port() const {
+      return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+    }
+  };
+
+  /// Starts a node and waits until it listens.
+  static Node start_node(const std::string& name, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"node", "--name", name, "--listen", "127.0.0.1:0"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Node result{std::make_unique<Process>(command(arguments)), {}};
+    EXPECT_TRUE(result.process->wait_for_output("listens at ")) << result.process->errors();
+    EXPECT_TRUE(eventually([&] {
+      std::smatch found;
+      auto output = result.process->output();
+      if (!std::regex_search(output, found, std::regex{"listens at (.*)\n"}))
+        return false;
+      result.address = found[1];
+      return true;
+    }));
+    return result;
+  }
+
+  /// A ticker in a subarchitecture on the node `one`, and somebody on the node `two` who hears of
+  /// so many ticks.
+  std::string two_nodes(int ticks) const {
+    return write("two.cast", "HOSTNAME one one.test\nHOSTNAME two two.test\n"
+                             "SUBARCHITECTURE a [one]\n"
+                             "CPP WM SubarchitectureWorkingMemory\n"
+                             "CPP TM AlwaysPositiveTaskManager\n"
+                             "CPP UM ticker Ticker --deadline 1s\n"
+                             "SUBARCHITECTURE b [two]\n"
+                             "CPP WM SubarchitectureWorkingMemory\n"
+                             "CPP TM AlwaysPositiveTaskManager\n"
+                             "CPP UM listener Listener --count " +
+                               std::to_string(ticks) + "\n");
+  }
+
+  std::vector<std::string> run_on(const Node& one, const Node& two, int ticks,
+                                  const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run",    two_nodes(ticks),
+                                       "--node", "one.test=" + one.address,
+                                       "--node", "two.test=" + two.address};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return command(arguments);
+  }
+};
+
+TEST_F(Nodes, ASystemRunsOverThem) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_on(one, two, 20, {"--trace"})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_NE(castor.output().find("OVERWRITE       Tick"), std::string::npos) << castor.output();
+  EXPECT_NE(castor.output().find("b.listener"), std::string::npos);
+  EXPECT_TRUE(one.process->wait_for_output("one leaves"));
+  EXPECT_TRUE(two.process->wait_for_output("two leaves"));
+}
+
+TEST_F(Nodes, TwoSystemsAtOnceDoNotDisturbEachOther) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process first{run_on(one, two, 30)};
+  Process second{run_on(one, two, 60)};
+  EXPECT_EQ(first.wait(), 0) << first.errors();
+  EXPECT_EQ(second.wait(), 0) << second.errors();
+}
+
+TEST_F(Nodes, WhatIsOutOfReachIsNamedAndNothingIsLeft) {
+  auto one = start_node("one");
+  Node nobody{nullptr, "127.0.0.1:1"};
+  auto begin = Clock::now();
+  Process castor{run_on(one, nobody, 20)};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_LT(Clock::now() - begin, 20s);
+  EXPECT_NE(castor.errors().find("two.cast:8: error: cannot reach the node two at 127.0.0.1:1"),
+            std::string::npos)
+    << castor.errors();
+  EXPECT_TRUE(one.process->wait_for_output("one leaves"));
+}
+
+TEST_F(Nodes, ANodeMustHaveTheNameThatTheFileGivesIt) {
+  auto one = start_node("one");
+  auto other = start_node("other");
+  Process castor{run_on(one, other, 20)};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_NE(castor.errors().find("there is a node other where two should be"), std::string::npos)
+    << castor.errors();
+}
+
+TEST_F(Nodes, AClassThatANodeDoesNotHaveIsNamed) {
+  auto one = start_node("one");
+  Node two{std::make_unique<Process>(std::vector<std::string>{CASTOR_EXECUTABLE, "node", "--name",
+                                                              "two", "--listen", "127.0.0.1:0"}),
+           {}};
+  ASSERT_TRUE(two.process->wait_for_output("listens at "));
+  ASSERT_TRUE(eventually([&] { return two.process->output().ends_with("\n"); }));
+  auto output = two.process->output();
+  two.address = output.substr(output.rfind(' ') + 1, output.size() - output.rfind(' ') - 2);
+  Process castor{run_on(one, two, 20)};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_NE(castor.errors().find("on the node two: "), std::string::npos) << castor.errors();
+  EXPECT_NE(castor.errors().find("Listener"), std::string::npos) << castor.errors();
+}
+
+TEST_F(Nodes, ALostNodeIsReportedAndTheOthersGoOn) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_on(one, two, 1'000'000, {"--for", "5s"})};
+  ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
+  two.process->send_signal(SIGKILL);
+  EXPECT_TRUE(castor.wait_for_output("node two is out of reach"));
+  EXPECT_EQ(castor.wait(), 1);
+  EXPECT_NE(castor.output().find("its node two does not answer"), std::string::npos)
+    << castor.output();
+  EXPECT_TRUE(one.process->wait_for_output("one leaves"));
+}
+
+TEST_F(Nodes, AStoppedNodeGoesOnWhereItWas) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_on(one, two, 300)};
+  ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
+  two.process->send_signal(SIGSTOP);
+  EXPECT_TRUE(castor.wait_for_output("node two is out of reach"));
+  two.process->send_signal(SIGCONT);
+  EXPECT_TRUE(castor.wait_for_output("node two is in reach again"));
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+}
+
+TEST_F(Nodes, StrangersAreTurnedAwayAndNobodyElseNotices) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_on(one, two, 200)};
+  ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
+  StrangeConnection silent{two.port()};
+  StrangeConnection slow{two.port()};
+  slow.say("CAS");
+  for (int i = 0; i < 20; ++i) {
+    StrangeConnection{two.port()}.say("GET / HTTP/1.0\r\n\r\n");
+    StrangeConnection{two.port()}.say(std::string("CASTOR\0\1\xff\xff\xff\x7f", 12));
+    StrangeConnection{two.port()}.say(std::string(3000, static_cast<char>(i * 37)));
+    StrangeConnection{two.port()};
+  }
+  EXPECT_TRUE(two.process->wait_for_output("it does not speak Castor's protocol"));
+  EXPECT_TRUE(two.process->wait_for_output("a greeting of 2147483647 bytes"));
+  EXPECT_TRUE(two.process->wait_for_output("it did not say what it wants"));
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_EQ(castor.errors().find("out of reach"), std::string::npos) << castor.errors();
+}
+
+TEST_F(Nodes, LocalOnesLeaveNothingBehindOnCtrlC) {
+  auto name = folder.filename().string();
+  auto file = write("local.cast", "HOSTNAME " + std::string{"n"} + " " + name +
+                                    "\nSUBARCHITECTURE a [n]\nCPP WM SubarchitectureWorkingMemory\n"
+                                    "CPP TM AlwaysPositiveTaskManager\nCPP UM ticker Ticker\n"
+                                    "localhost CPP UM listener Listener --count 1000000\n");
+  Process castor{command({"run", file, "--local-nodes"})};
+  ASSERT_TRUE(castor.wait_for_output("hears ticks")) << castor.errors();
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_NE(castor.errors().find("stopped, in this order: listener, ticker, a_tm"),
+            std::string::npos)
+    << castor.errors();
+}
+
+TEST_F(Nodes, LocalOnesEndWithTheirLauncherEvenIfItIsKilled) {
+  // A name that no other test's processes have.
+  auto name = "killed-" + std::to_string(getpid());
+  auto file = write("local.cast", "SUBARCHITECTURE a " + name +
+                                    "\nCPP WM SubarchitectureWorkingMemory\n"
+                                    "CPP TM AlwaysPositiveTaskManager\nCPP UM ticker Ticker\n"
+                                    "localhost CPP UM listener Listener --count 1000000\n");
+  Process castor{command({"run", file, "--local-nodes"})};
+  ASSERT_TRUE(castor.wait_for_output("hears ticks")) << castor.errors();
+  EXPECT_EQ(processes_with("--name " + name), 1);
+  castor.send_signal(SIGKILL);
+  castor.wait();
+  EXPECT_TRUE(eventually([&] { return processes_with("--name " + name) == 0; }));
+}
+
+TEST_F(Nodes, EverythingIsEncryptedIfAsked) {
+  Process certs{{CASTOR_MAKE_CERTS, (folder / "certs").string(), "run", "one", "two"}};
+  ASSERT_EQ(certs.wait(), 0) << certs.errors();
+  Process others{{CASTOR_MAKE_CERTS, (folder / "others").string(), "run"}};
+  ASSERT_EQ(others.wait(), 0) << others.errors();
+  auto tls = [&](const std::string& which) {
+    return std::vector<std::string>{"--tls", (folder / which).string()};
+  };
+  auto one = start_node("one", tls("certs/one"));
+  auto two = start_node("two", tls("certs/two"));
+  Process castor{run_on(one, two, 20, tls("certs/run"))};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  Process stranger{run_on(one, two, 20, tls("others/run"))};
+  EXPECT_EQ(stranger.wait(), 2);
+  EXPECT_NE(stranger.errors().find("not signed by our CA"), std::string::npos) << stranger.errors();
+  Process plain{run_on(one, two, 20)};
+  EXPECT_EQ(plain.wait(), 2) << plain.errors();
+}
+
+TEST_F(Nodes, ListenBeyondTheMachineOnlyIfThatIsSafeOrWanted) {
+  Process open{command({"node", "--name", "x", "--listen", "0.0.0.0:0"})};
+  EXPECT_EQ(open.wait(), 2);
+  EXPECT_NE(open.errors().find("--tls DIR"), std::string::npos) << open.errors();
+  Process insecure{command({"node", "--name", "x", "--listen", "0.0.0.0:0", "--insecure"})};
+  EXPECT_TRUE(insecure.wait_for_output("INSECURE: whoever reaches"));
+  insecure.send_signal(SIGTERM);
+  EXPECT_EQ(insecure.wait(), 0);
+}
+
+} // namespace
+
+} // namespace castor::test
