@@ -292,6 +292,7 @@ void end_subscriber(Self self, const caf::actor_addr& who) {
       continue;
     auto& [actor, flow, filters] = state.subscribers.at(*number);
     state.counters.suppressed += flow.backlog().suppressed();
+    // Nobody waits for what it holds, so its filters need not be looked for there.
     flow = EventFlow{};
     while (!filters.empty())
       remove_filter(self, *number, filters.begin()->first);
