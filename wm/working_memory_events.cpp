@@ -69,7 +69,8 @@ void send_notices(WorkingMemoryState& state, Notices notices) {
     auto& subscriber = state.subscribers.at(number);
     if (auto piece = subscriber.flow.push(std::move(list)))
       send(state, subscriber.actor, *std::move(piece));
-    note_whether_behind(state, number);
+    else
+      note_whether_behind(state, number);
   }
 }
 
