@@ -53,7 +53,8 @@ void send_notices(WorkingMemoryState& state, Notices notices) {
     auto& subscriber = state.subscribers.at(number);
     if (auto piece = subscriber.flow.push(std::move(list)))
       send(state, subscriber.actor, *std::move(piece));
-    note_whether_behind(state, number);
+    else
+      note_whether_behind(state, number);
   }
 }
 
@@ -263,6 +264,7 @@ void end_subscriber(Self self, const caf::actor_addr& who) {
       continue;
     auto& [actor, flow, filters] = state.subscribers.at(*number);
     state.counters.suppressed += flow.backlog().suppressed();
+    // Nobody waits for what it holds, so its filters need not be looked for there.
     flow = EventFlow{};
     while (!filters.empty())
       remove_filter(self, *number, filters.begin()->first);

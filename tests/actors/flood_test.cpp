@@ -1,3 +1,4 @@
+#include "castor/tests/actors/bytes_in_use.hpp"
 #include "castor/tests/actors/scripted.hpp"
 
 #include <gtest/gtest.h>
@@ -9,26 +10,9 @@
 #include <thread>
 #include <vector>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-// GCC's sanitizers have the function, but Debian's package lacks the header.
-extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
-#else
-#include <malloc.h>
-#endif
-
 namespace castor::test {
 
 namespace {
-
-/// What is allocated and not given back, in all threads.
-std::size_t bytes_in_use() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return __sanitizer_get_current_allocated_bytes();
-#else
-  auto x = mallinfo2();
-  return x.uordblks + x.hblkhd;
-#endif
-}
 
 /// Four writers in three subarchitectures, two of them in one; ten thousand adds and ten thousand
 /// overwrites of each in every round, and a deletion for each add so that nothing piles up.

@@ -1,3 +1,4 @@
+#include "castor/tests/actors/bytes_in_use.hpp"
 #include "castor/tests/actors/scripted.hpp"
 
 #include <gtest/gtest.h>
@@ -151,6 +152,40 @@ TEST_F(SlowComponentsOfASystem, SeeAConsistentStoryOfWhatTheyMissed) {
   EXPECT_GT(of_a.coalesced, 0u);
 }
 
+TEST_F(SlowComponentsOfASystem, TakeNoMemoryWhileTheyHang) {
+  std::atomic<bool> hangs{true};
+  script("hung").start = [&](auto& self) {
+    for (auto& filter : {any_change(), ChangeFilter{added<Note>()}, ChangeFilter{deleted<Note>()},
+                         ChangeFilter{overwritten<Note>()}})
+      self.on_change(filter, [&](const ChangeEvent&) {
+        while (hangs)
+          std::this_thread::yield();
+      });
+  };
+  std::size_t before = 0;
+  std::size_t after = 0;
+  script("writer").run = [&](auto& self) {
+    // More than there are deleted ids whose versions are remembered.
+    auto some_entries = [&] {
+      for (int i = 0; i < 110'000; ++i) {
+        auto address = self.add(Note{});
+        self.overwrite(address, Note{1, ""});
+        self.delete_entry(address);
+      }
+    };
+    some_entries();
+    before = bytes_in_use();
+    some_entries();
+    after = bytes_in_use();
+    hangs = false;
+    self.end_system(0, "done");
+  };
+  System system{architecture(subarchitecture("a") +
+                             "CPP UM hung Unmanaged --queue-limit 64\nCPP UM writer Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_LT(after, before + 200'000);
+}
+
 TEST_F(SlowComponentsOfASystem, MayMakeCallsWhileTheirQueueIsFull) {
   std::atomic<bool> written{false};
   script("server").start = [](auto& self) {
@@ -175,6 +210,36 @@ TEST_F(SlowComponentsOfASystem, MayMakeCallsWhileTheirQueueIsFull) {
                              "CPP UM caller Unmanaged --queue-limit 16\nCPP UM writer Unmanaged\n" +
                              subarchitecture("b") + "CPP UM server Unmanaged --queue-limit 16\n")};
   EXPECT_EQ(run(system), 0);
+}
+
+TEST_F(SlowComponentsOfASystem, HearOfCancelledCallsHoweverManyThereWere) {
+  bool cancelled = false;
+  script("server").start = [&](auto& self) {
+    self.template on_call<Question>([&](const Question&) {
+      while (!self.call_cancelled())
+        if (!self.sleep_for(1ms))
+          return Answer{};
+      cancelled = true;
+      self.end_system(0, "done");
+      return Answer{};
+    });
+  };
+  script("caller").run = [](auto& self) {
+    for (std::uint32_t i = 0; i < standard_queue_limit * 4 / 3; ++i)
+      self.delete_entry(self.add(Call{"b", "Errand", "Answer", {}, "somebody"}));
+    // Until the server has taken one in time.
+    for (;;) {
+      try {
+        self.template call<Question, Answer>("b", Question{}, CallOptions{.timeout = 50ms});
+      } catch (const DeadlineException&) {
+        self.sleep_for(50ms);
+      }
+    }
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM caller Unmanaged\n" +
+                             subarchitecture("b") + "CPP UM server Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_TRUE(cancelled);
 }
 
 /// Whatever becomes of an event in the component, the working memory learns that it is taken:
@@ -229,9 +294,11 @@ TEST_F(SlowComponentsOfASystem, AreNotTheOnlyOnesWhoMayFallBehind) {
   Story story;
   SystemOptions options;
   options.on_change = [&](const ChangeEvent& e) {
-    story.hear(e);
     while (!written)
       std::this_thread::yield();
+    if (e.coalesced)
+      std::this_thread::sleep_for(50ms);
+    story.hear(e);
   };
   script("writer").run = [&](auto& self) {
     auto address = self.add(Note{});
