@@ -252,6 +252,15 @@ TEST_F(Nodes, LocalOnesEndWithTheirLauncherEvenIfItIsKilled) {
   EXPECT_TRUE(eventually([&] { return processes_with("--name " + name) == 0; }));
 }
 
+TEST_F(Nodes, VisionRunsOverThree) {
+  Process castor{command({"run", CASTOR_CONFIGS "/vision-three-nodes.cast", "--local-nodes",
+                          "--until-quiet", "1s", "--output", (folder / "out").string()})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_TRUE(std::regex_search(castor.output(), std::regex{"SceneObject +6\n"}))
+    << castor.output();
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "pictures-001.png"));
+}
+
 TEST_F(Nodes, EverythingIsEncryptedIfAsked) {
   Process certs{{CASTOR_MAKE_CERTS, (folder / "certs").string(), "run", "one", "two"}};
   ASSERT_EQ(certs.wait(), 0) << certs.errors();
