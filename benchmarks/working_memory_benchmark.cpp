@@ -7,6 +7,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/node/system.hpp"
 #include "castor/actors/registry.hpp"
+#include "castor/benchmarks/race.hpp"
 #include "castor/wm/caf.hpp"
 
 #include <caf/scoped_actor.hpp>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <barrier>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -29,7 +29,6 @@ namespace castor::benchmark {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 struct Payload {
@@ -46,41 +45,6 @@ struct Size {
 constexpr Size sizes[] = {{"100 B", 100, 5000}, {"64 KB", 65536, 400}};
 
 const std::vector<int> client_counts{1, 4, 16};
-
-int repetitions = 5;
-
-double median(std::vector<double> x) {
-  std::sort(x.begin(), x.end());
-  return x.empty() ? 0 : x[x.size() / 2];
-}
-
-/// Several threads that do the same work at the same time, over and over.
-class Race {
-public:
-  explicit Race(int threads) : threads_(threads), gate_(threads) {}
-
-  /// Operations per second of all threads together; called by each, returned to the first (0). The
-  /// work is prepared outside the time that counts, and first done once to warm up.
-  double measure(int thread, std::size_t operations, const std::function<void()>& prepare,
-                 const std::function<void()>& work) {
-    std::vector<double> rates;
-    for (int i = 0; i <= repetitions; ++i) {
-      prepare();
-      gate_.arrive_and_wait();
-      auto begin = Clock::now();
-      work();
-      gate_.arrive_and_wait();
-      auto seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (i > 0)
-        rates.push_back(static_cast<double>(operations) * threads_ / seconds);
-    }
-    return thread == 0 ? median(rates) : 0;
-  }
-
-private:
-  int threads_;
-  std::barrier<> gate_;
-};
 
 /// What the running measurement is about, and what has come of it.
 struct Task {

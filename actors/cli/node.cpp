@@ -89,8 +89,8 @@ int node(Arguments arguments) {
                  to_string(at));
       return bad_input;
     }
-    log(LogLevel::warning, "castor",
-        "INSECURE: whoever reaches " + to_string(at) + " can run what they like on this machine");
+    note(LogLevel::warning,
+         "INSECURE: whoever reaches " + to_string(at) + " can run what they like on this machine");
   }
   options.socket = listen_at(at);
   at.port = port_of(options.socket);

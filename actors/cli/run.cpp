@@ -168,10 +168,10 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (system->start())
     reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
   if (reason == EndReason::interrupted)
-    log(LogLevel::info, "castor", "interrupted: stopping (once more to leave at once)");
+    note(LogLevel::info, "interrupted: stopping (once more to leave at once)");
   if (auto ended = system->ended()) {
     status = ended->first;
-    log(LogLevel::info, "castor", "ended by " + ended->second);
+    note(LogLevel::info, "ended by " + ended->second);
   }
   system->stop();
   timeline.close();

@@ -14,6 +14,9 @@ LogLevel log_level();
 
 void log(LogLevel level, std::string_view who, std::string_view what);
 
+/// Logs what the runtime itself has to say, unless that is below the level.
+void note(LogLevel level, std::string_view what);
+
 /// Writes out what is still buffered; before a process leaves without its destructors.
 void flush_log();
 

@@ -44,8 +44,8 @@ public:
       [listener](const caf::io::new_data_msg& x) { listener->hear(x); },
       [listener](const caf::io::connection_closed_msg& x) {
         if (auto stranger = listener->strangers_.extract(x.handle))
-          log(LogLevel::info, "castor",
-              "a connection from " + stranger.mapped().from + " left without a word");
+          note(LogLevel::info,
+               "a connection from " + stranger.mapped().from + " left without a word");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
       [listener](TickAtom) { listener->tick(); },
@@ -56,8 +56,7 @@ private:
   void admit(connection_handle handle) {
     auto from = self_->remote_addr(handle) + ':' + std::to_string(self_->remote_port(handle));
     if (strangers_.size() >= parts_.most_strangers) {
-      log(LogLevel::warning, "castor",
-          "turned away " + from + ": too many connections that say nothing");
+      note(LogLevel::warning, "turned away " + from + ": too many connections that say nothing");
       self_->close(handle);
       return;
     }
@@ -118,8 +117,8 @@ private:
   void turn_away(connection_handle handle, const std::string& why,
                  LogLevel level = LogLevel::warning) {
     auto stranger = strangers_.extract(handle);
-    if (stranger && level >= log_level())
-      log(level, "castor", "turned away " + stranger.mapped().from + ": " + why);
+    if (stranger)
+      note(level, "turned away " + stranger.mapped().from + ": " + why);
     self_->close(handle);
   }
 

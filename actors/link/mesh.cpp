@@ -55,8 +55,8 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
   } else {
     out(Subject::message, sender, number, x.mid.integer_value());
     if (!mesh_->table().write(content, out)) {
-      log(LogLevel::error, "castor",
-          std::string{"a message that cannot travel to another process: "} + name_of_type(content));
+      note(LogLevel::error, std::string{"a message that cannot travel to another process: "} +
+                              name_of_type(content));
       caf::detail::sync_request_bouncer{caf::make_error(caf::sec::unexpected_message)}(x.sender,
                                                                                        x.mid);
       return;

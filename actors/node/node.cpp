@@ -67,8 +67,8 @@ public:
 
 private:
   std::map<std::string, Membership>::iterator enter(const Hello& coordinator) {
-    log(LogLevel::info, "castor",
-        name_ + " takes part in " + coordinator.system + ", for " + coordinator.node);
+    note(LogLevel::info,
+         name_ + " takes part in " + coordinator.system + ", for " + coordinator.node);
     auto& result = memberships_[coordinator.system];
     result.self.node = name_;
     result.self.system = coordinator.system;
@@ -137,7 +137,7 @@ private:
     }
     if (!left)
       return;
-    log(LogLevel::info, "castor", name_ + " leaves " + system + ": " + why);
+    note(LogLevel::info, name_ + " leaves " + system + ": " + why);
     auto& membership = left.mapped();
     caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);
     for (auto& [peer, link] : membership.links)

@@ -79,11 +79,6 @@ caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOpt
   };
 }
 
-void note(LogLevel level, const std::string& what) {
-  if (level >= log_level())
-    log(level, "castor", what);
-}
-
 } // namespace
 
 SystemError::SystemError(std::vector<cast::Diagnostic> diagnostics)
@@ -188,8 +183,7 @@ public:
     if (!stopped.empty())
       note(LogLevel::info, "stopped, in this order: " + stopped);
     for (auto& name : stuck_)
-      log(LogLevel::error, "castor",
-          name + " did not stop: it has not come back from its own code");
+      note(LogLevel::error, name + " did not stop: it has not come back from its own code");
     if (observer_)
       flush_observer();
   }
@@ -395,8 +389,11 @@ private:
   std::map<std::string, caf::strong_actor_ptr> make_parts() {
     PartPlan plan;
     plan.architecture = architecture_;
-    for (auto& x : processes_)
-      plan.processes.push_back(x.description);
+    {
+      std::lock_guard guard{mutex_};
+      for (auto& x : processes_)
+        plan.processes.push_back(x.description);
+    }
     plan.placement = placement_.of;
     plan.open_access = options_.open_access;
     plan.broadcast = options_.broadcast;
@@ -419,7 +416,7 @@ private:
           actors.insert(made.actors.begin(), made.actors.end());
           for (auto problem : made.problems) {
             if (i > 0)
-              problem.message = "on the node " + x.description.name + ": " + problem.message;
+              problem.message = "on the node " + plan.processes[i].name + ": " + problem.message;
             problems.push_back(std::move(problem));
           }
         },
@@ -431,6 +428,7 @@ private:
   }
 
   cast::Diagnostic no_answer(const Process& x) {
+    std::lock_guard guard{mutex_};
     cast::Diagnostic result;
     result.message = "the node " + x.description.name + " did not make its part of the system in " +
                      std::to_string(options_.connect_patience.count() / 1000) + " s";

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <barrier>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace castor::benchmark {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often everything is measured.
+inline int repetitions = 5;
+
+inline double median(std::vector<double> x) {
+  std::sort(x.begin(), x.end());
+  return x.empty() ? 0 : x[x.size() / 2];
+}
+
+/// Several threads that do the same work at the same time, over and over.
+class Race {
+public:
+  explicit Race(int threads) : threads_(threads), gate_(threads) {}
+
+  /// Operations per second of all threads together; called by each, returned to the first (0). The
+  /// work is prepared outside the time that counts, and first done once to warm up.
+  double measure(int thread, std::size_t operations, const std::function<void()>& prepare,
+                 const std::function<void()>& work) {
+    std::vector<double> rates;
+    for (int i = 0; i <= repetitions; ++i) {
+      prepare();
+      gate_.arrive_and_wait();
+      auto begin = Clock::now();
+      work();
+      gate_.arrive_and_wait();
+      auto seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      if (i > 0)
+        rates.push_back(static_cast<double>(operations) * threads_ / seconds);
+    }
+    return thread == 0 ? median(rates) : 0;
+  }
+
+private:
+  int threads_;
+  std::barrier<> gate_;
+};
+
+} // namespace castor::benchmark
