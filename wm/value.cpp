@@ -86,6 +86,15 @@ Value Value::from_bytes(TypeDescriptorPtr type, Bytes bytes) {
   return result;
 }
 
+Value Value::from_foreign_bytes(TypeDescriptorPtr type, Bytes bytes) {
+  // What cannot be stepped over here could not be printed or compared later.
+  Decoder check{bytes};
+  for (auto& field : type->records.front().fields)
+    check.skip(*type, field.type);
+  check.expect_end();
+  return from_bytes(std::move(type), std::move(bytes));
+}
+
 const Bytes& Value::bytes() const {
   if (rep_->operations)
     std::call_once(rep_->encode_once,
@@ -152,13 +161,7 @@ Value decode_self_described(std::span<const std::uint8_t> bytes) {
   in.get(descriptor);
   in.get(content);
   in.expect_end();
-  auto type = decode_descriptor(descriptor);
-  // What cannot be stepped over here could not be printed or compared later.
-  Decoder check{content};
-  for (auto& field : type->records.front().fields)
-    check.skip(*type, field.type);
-  check.expect_end();
-  return Value::from_bytes(std::move(type), std::move(content));
+  return Value::from_foreign_bytes(decode_descriptor(descriptor), std::move(content));
 }
 
 } // namespace castor

@@ -35,6 +35,9 @@ public:
   /// A value whose C++ type this process need not have.
   static Value from_bytes(TypeDescriptorPtr type, Bytes bytes);
 
+  /// The same of bytes that come from outside: throws DecodeError if they cannot be such a value.
+  static Value from_foreign_bytes(TypeDescriptorPtr type, Bytes bytes);
+
   bool has_value() const { return rep_ != nullptr; }
   const TypeDescriptor& type() const { return *rep_->type; }
   const TypeDescriptorPtr& type_ptr() const { return rep_->type; }

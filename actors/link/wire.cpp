@@ -42,7 +42,7 @@ void WireReader::get(Value& x) {
     bytes = std::move(contents_[next_content_++]);
   else
     throw DecodeError("a value without its content");
-  x = Value::from_bytes(std::move(type), std::move(bytes));
+  x = Value::from_foreign_bytes(std::move(type), std::move(bytes));
 }
 
 std::uint32_t WireReader::take_count() {

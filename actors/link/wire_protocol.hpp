@@ -25,10 +25,15 @@ void wire(A& a, WirePart<A, Failure>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, Predicate>& x) {
-  if constexpr (A::writes)
+  if constexpr (A::writes) {
     a(x.text());
-  else
-    x = Predicate::parse(a.template take<std::string>());
+  } else {
+    try {
+      x = Predicate::parse(a.template take<std::string>());
+    } catch (const PredicateError& e) {
+      throw DecodeError(e.what());
+    }
+  }
 }
 
 // -- entries
