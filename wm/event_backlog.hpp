@@ -25,8 +25,8 @@ namespace castor {
 ///     DELETE, ADD, DELETE    the newer DELETE
 ///
 /// What stands for several events is the newest of them in all other respects, has its place in the
-/// order, and is marked `coalesced`. A receiver that follows what comes ends with the same picture
-/// of what there is as one that got everything.
+/// order, and is marked `coalesced`. Whoever follows a filter that wants all changes of an entry
+/// ends with the same picture of it as if every event had come.
 class EventBacklog {
 public:
   /// What goes out together: the notices of one write, or, where filters have seen different parts

@@ -25,7 +25,7 @@ void note(const WorkingMemoryState& state, const ChangeEventPtr& event,
   for_each_receiver(keys, [&](std::uint32_t number, std::vector<FilterId> ids) {
     notices[number].push_back({event, std::move(ids)});
   });
-  // A backlog that merges is better off if it knows of the others, too.
+  // A backlog that merges is to know of the others, too: of all that came here.
   for (auto number : state.behind)
     if (auto& list = notices[number]; list.empty() || list.back().event != event)
       list.push_back({event, {}});
