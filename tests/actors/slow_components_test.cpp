@@ -147,7 +147,7 @@ TEST_F(SlowComponentsOfASystem, SeeAConsistentStoryOfWhatTheyMissed) {
   EXPECT_GT(stuck.coalesced, 0);
   // What it had already been sent, and of each entry that it knew or that is there two more.
   EXPECT_LE(stuck.events, 64 + 2 * (entries + 3));
-  auto& of_a = system.summary().working_memories.at(0);
+  auto of_a = system.summary().working_memories.at(0);
   EXPECT_GT(of_a.suppressed, 0u);
   EXPECT_GT(of_a.coalesced, 0u);
 }
