@@ -22,6 +22,10 @@ if(CASTOR_SANITIZE)
   target_compile_options(castor_build_options INTERFACE
     -fsanitize=${CASTOR_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # What sanitizers insert confuses GCC's analysis of what is initialised.
+    target_compile_options(castor_build_options INTERFACE -Wno-maybe-uninitialized)
+  endif()
 endif()
 
 # castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...])

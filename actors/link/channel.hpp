@@ -28,18 +28,23 @@ public:
   /// Whether the peer may call itself that.
   bool proves(std::string_view name) const { return !secure_ || secure_->peer_has_name(name); }
 
-  /// Takes what arrived, and appends what the peer has said.
-  void receive(std::span<const std::uint8_t> from_network, Bytes& said) {
-    if (secure_)
-      secure_->receive(from_network, said);
-    else
-      said.insert(said.end(), from_network.begin(), from_network.end());
+  /// Takes what arrived; what the peer has said thereby, which stays valid until the next call, and
+  /// no longer than what arrived does.
+  std::span<const std::uint8_t> receive(std::span<const std::uint8_t> from_network) {
+    if (!secure_)
+      return from_network;
+    said_.clear();
+    secure_->receive(from_network, said_);
+    return said_;
   }
 
   /// Appends what is to be written so that the peer hears `words`, and what else is due.
-  void write(std::span<const char> words, std::vector<char>& to_network) {
+  void write(std::vector<char> words, std::vector<char>& to_network) {
     if (!secure_) {
-      to_network.insert(to_network.end(), words.begin(), words.end());
+      if (to_network.empty())
+        to_network.swap(words);
+      else
+        to_network.insert(to_network.end(), words.begin(), words.end());
       return;
     }
     if (!words.empty())
@@ -49,6 +54,7 @@ public:
 
 private:
   std::optional<SecureChannel> secure_;
+  Bytes said_;
 };
 
 } // namespace castor

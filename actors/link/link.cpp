@@ -228,7 +228,7 @@ private:
     }
     auto& out = self_->wr_buf(*connection_);
     auto before = out.size();
-    channel_->write(words, out);
+    channel_->write(std::move(words), out);
     in_buffer_ += out.size() - before;
     parts_.counters->bytes_out.fetch_add(out.size() - before, std::memory_order_relaxed);
     self_->flush(*connection_);
@@ -263,12 +263,14 @@ private:
     parts_.counters->bytes_in.fetch_add(x.buf.size(), std::memory_order_relaxed);
     std::span bytes{reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()};
     guarded([&] {
-      channel_->receive(bytes, heard_words_);
+      auto words = channel_->receive(bytes);
       say({});
-      if (greeted_)
-        hear(std::exchange(heard_words_, {}));
-      else
+      if (greeted_) {
+        hear(words);
+      } else {
+        heard_words_.insert(heard_words_.end(), words.begin(), words.end());
         hear_greeting();
+      }
       flush();
     });
   }
@@ -356,7 +358,7 @@ private:
   bool has_greeted_ = false;
   bool over_ = false;
   std::shared_ptr<Channel> channel_;
-  /// What the peer has said and nobody has made anything of.
+  /// What the peer has said before it was established.
   Bytes heard_words_;
   /// The peer's, once it is known.
   std::uint64_t incarnation_ = 0;

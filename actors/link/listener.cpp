@@ -74,8 +74,9 @@ private:
       return;
     auto& stranger = i->second;
     try {
-      stranger.channel->receive({reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()},
-                                stranger.received);
+      auto words = stranger.channel->receive(
+        {reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()});
+      stranger.received.insert(stranger.received.end(), words.begin(), words.end());
       say(x.handle, *stranger.channel, {});
       if (auto greeting = read_greeting(stranger.received))
         welcome(x.handle, stranger, *greeting);
@@ -88,7 +89,7 @@ private:
   }
 
   void say(connection_handle handle, Channel& channel, std::vector<char> words) {
-    channel.write(words, self_->wr_buf(handle));
+    channel.write(std::move(words), self_->wr_buf(handle));
     self_->flush(handle);
   }
 

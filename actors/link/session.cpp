@@ -277,8 +277,12 @@ void LinkSession::resume(std::uint64_t received_by_peer) {
 
 void LinkSession::receive(std::span<const std::uint8_t> bytes,
                           const std::function<void(IncomingMessage)>& deliver) {
-  input_.insert(input_.end(), bytes.begin(), bytes.end());
-  std::span<const std::uint8_t> in{input_};
+  // Whole frames are taken from where they are; only the beginning of one is kept.
+  auto in = bytes;
+  if (!input_.empty()) {
+    input_.insert(input_.end(), bytes.begin(), bytes.end());
+    in = input_;
+  }
   while (in.size() >= sizeof(std::uint32_t) && peer_goodbye_.empty()) {
     auto rest = in;
     std::size_t size = take<std::uint32_t>(rest);
@@ -289,7 +293,7 @@ void LinkSession::receive(std::span<const std::uint8_t> bytes,
     take_frame(rest.first(size), deliver);
     in = rest.subspan(size);
   }
-  input_.erase(input_.begin(), input_.end() - static_cast<std::ptrdiff_t>(in.size()));
+  input_ = Bytes{in.begin(), in.end()};
 }
 
 void LinkSession::take_frame(std::span<const std::uint8_t> frame,
