@@ -14,7 +14,7 @@ Timestamp now(Self self) {
 
 const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::string& name) {
   for (auto& peer : state.peers)
-    if (peer.subarchitecture == name)
+    if (!peer.removed && peer.subarchitecture == name)
       return &peer.actor;
   return nullptr;
 }
@@ -22,7 +22,8 @@ const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::
 Failure unknown_subarchitecture(const WorkingMemoryState& state, const Address& address) {
   std::string known = state.options.subarchitecture;
   for (auto& peer : state.peers)
-    known += ", " + peer.subarchitecture;
+    if (!peer.removed)
+      known += ", " + peer.subarchitecture;
   if (address.subarchitecture.empty())
     return {FailureKind::bad_address, "an address without a subarchitecture; there are: " + known,
             address};
@@ -36,6 +37,26 @@ void monitor(Self self, const caf::strong_actor_ptr& who) {
     self->monitor(who);
 }
 
+namespace {
+
+void note_change(WorkingMemoryState& state, const ChangeEvent& x) {
+  auto what = x.operation == Operation::add         ? &Access::adds
+              : x.operation == Operation::overwrite ? &Access::overwrites
+                                                    : &Access::deletes;
+  state.accesses.note(x.source, x.address.subarchitecture, x.type_name(), what);
+}
+
+} // namespace
+
+void allow_writers(WorkingMemoryState& state, const std::set<std::string>& writers) {
+  for (auto& writer : writers) {
+    if (writer == "*")
+      state.store.access().allow_all();
+    else
+      state.store.access().allow(writer);
+  }
+}
+
 void commit(Self self, std::vector<EntryStore::Effect> effects) {
   auto& state = self->state;
   auto time = now(self);
@@ -46,6 +67,7 @@ void commit(Self self, std::vector<EntryStore::Effect> effects) {
       remember_client(self, effect.owner);
     Change change{nullptr, effect.entry->value, effect.before};
     change.event = state.store.commit(std::move(effect), time);
+    note_change(state, *change.event);
     if (change.event->operation == Operation::remove)
       state.leases.erase(change.event->address.id);
     changes.push_back(std::move(change));
@@ -125,12 +147,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
   auto& state = self->state;
   state.store = EntryStore{options.subarchitecture, options.store};
   state.leases = LeaseTable{options.leases};
-  for (auto& writer : options.writers) {
-    if (writer == "*")
-      state.store.access().allow_all();
-    else
-      state.store.access().allow(writer);
-  }
+  allow_writers(state, options.writers);
   state.options = std::move(options);
   self->set_down_handler([self](const caf::down_msg& x) {
     self->state.monitored.erase(x.source);
@@ -194,10 +211,11 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     },
     [self](const ForwardedEvents& x) { receive_forwarded(self, x); },
     [self](const Peers& x) {
-      introduce(self, x);
-      return Acknowledged{};
+      allow_writers(self->state, x.writers);
+      return introduce(self, x);
     },
-    [self](const StatusQuery&) { return status(self->state); },
+    [self](StatusQuery) { return status(self->state); },
+    [self](AccessQuery) { return AccessReport{self->state.accesses.all()}; },
   };
 }
 

@@ -40,6 +40,8 @@ struct WorkingMemoryState {
   /// One of a component's streams of events.
   struct Subscriber {
     caf::actor actor;
+    /// Empty for one that is no component.
+    std::string component;
     EventFlow flow;
     std::unordered_map<FilterId, ChangeFilter> filters;
   };
@@ -58,6 +60,8 @@ struct WorkingMemoryState {
     std::optional<std::size_t> route;
     /// Its process is.
     bool lost = false;
+    /// It is no part of the system any more; its name may come again, for another.
+    bool removed = false;
     std::map<InterestId, PeerInterest> interests;
   };
 
@@ -109,11 +113,14 @@ struct WorkingMemoryState {
   FilterIndex peer_index;
   std::vector<Peer> peers;
   std::vector<Route> routes;
+  /// Of working memories that have been introduced to this one, but it not yet to them.
+  std::vector<Interest> early_interests;
   std::map<ChangeFilter, OwnInterest> own_interests;
   std::unordered_map<InterestId, const OwnInterest*> interests_by_id;
   InterestId last_interest = 0;
 
   WorkingMemoryStatus counters;
+  AccessLog accesses;
   std::vector<FilterIndex::Key> matched;
   std::vector<FilterIndex::Key> matched_by_peers;
 };

@@ -48,9 +48,15 @@ void note_whether_behind(WorkingMemoryState& state, std::uint32_t number) {
 
 void send_notices(WorkingMemoryState& state, Notices notices) {
   for (auto& [number, list] : notices) {
-    for (auto& notice : list)
-      state.counters.matched += !notice.filters.empty();
     auto& subscriber = state.subscribers.at(number);
+    for (auto& [event, filters] : list) {
+      if (filters.empty())
+        continue;
+      ++state.counters.matched;
+      if (!subscriber.component.empty())
+        state.accesses.note(subscriber.component, event->address.subarchitecture,
+                            event->type_name(), &Access::events);
+    }
     if (auto piece = subscriber.flow.push(std::move(list)))
       send(state, subscriber.actor, *std::move(piece));
     else
@@ -58,25 +64,11 @@ void send_notices(WorkingMemoryState& state, Notices notices) {
   }
 }
 
-/// Whether a filter can match events of another working memory.
-bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer) {
-  return !peer.lost &&
-         (filter.subarchitecture->empty() || *filter.subarchitecture == peer.subarchitecture);
-}
-
 /// Tells the other working memories, and answers when the last of them has taken note.
 caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filter,
                                             FilterIndex::Key key) {
   auto& state = self->state;
-  struct Pending {
-    caf::typed_response_promise<Outcome<Acknowledged>> promise;
-    std::size_t missing = 0;
-  };
-  std::size_t concerned = 0;
-  for (auto& peer : state.peers)
-    if (concerns(filter, peer))
-      ++concerned;
-  if (concerned == 0)
+  if (*filter.subarchitecture == state.options.subarchitecture)
     return Outcome<Acknowledged>{Acknowledged{}};
   auto& interest = state.own_interests[filter];
   if (interest.filters.empty()) {
@@ -84,9 +76,17 @@ caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filte
     state.interests_by_id[interest.id] = &interest;
   }
   interest.filters.push_back(key);
+  struct Pending {
+    caf::typed_response_promise<Outcome<Acknowledged>> promise;
+    std::size_t missing = 0;
+  };
+  auto concerned = std::count_if(state.peers.begin(), state.peers.end(),
+                                 [&](auto& x) { return concerns(filter, x); });
+  if (concerned == 0)
+    return Outcome<Acknowledged>{Acknowledged{}};
   auto pending = std::make_shared<Pending>();
   pending->promise = self->make_response_promise<Outcome<Acknowledged>>();
-  pending->missing = concerned;
+  pending->missing = static_cast<std::size_t>(concerned);
   for (auto& peer : state.peers) {
     if (!concerns(filter, peer))
       continue;
@@ -137,7 +137,7 @@ std::uint32_t subscriber_number(Self self, const caf::strong_actor_ptr& who,
   if (is_new) {
     i->second = ++state.last_subscriber;
     state.subscribers[i->second] = {
-      caf::actor_cast<caf::actor>(who), EventFlow{request.queue_limit}, {}};
+      caf::actor_cast<caf::actor>(who), request.component, EventFlow{request.queue_limit}, {}};
     monitor(self, who);
   }
   return i->second;
@@ -152,7 +152,7 @@ const std::uint32_t* find_subscriber(const WorkingMemoryState& state, const caf:
 
 void remove_filter(Self self, std::uint32_t number, FilterId id) {
   auto& state = self->state;
-  auto& [actor, flow, filters] = state.subscribers.at(number);
+  auto& [actor, component, flow, filters] = state.subscribers.at(number);
   auto i = filters.find(id);
   if (i == filters.end())
     return;
@@ -164,6 +164,11 @@ void remove_filter(Self self, std::uint32_t number, FilterId id) {
 }
 
 } // namespace
+
+bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer) {
+  return !peer.lost &&
+         (filter.subarchitecture->empty() || *filter.subarchitecture == peer.subarchitecture);
+}
 
 void emit(Self self, const std::vector<Change>& changes) {
   auto& state = self->state;
@@ -246,7 +251,7 @@ void acknowledge(Self self, const EventsTaken& taken) {
   auto* number = find_subscriber(state, who, taken.stream);
   if (!number)
     return;
-  auto& [actor, flow, filters] = state.subscribers.at(*number);
+  auto& [actor, component, flow, filters] = state.subscribers.at(*number);
   flow.acknowledge(taken.count);
   while (auto piece = flow.next()) {
     for (auto& notice : *piece)
@@ -262,7 +267,7 @@ void end_subscriber(Self self, const caf::actor_addr& who) {
     auto* number = find_subscriber(state, who, stream);
     if (!number)
       continue;
-    auto& [actor, flow, filters] = state.subscribers.at(*number);
+    auto& [actor, component, flow, filters] = state.subscribers.at(*number);
     state.counters.suppressed += flow.backlog().suppressed();
     // Nobody waits for what it holds, so its filters need not be looked for there.
     flow = EventFlow{};

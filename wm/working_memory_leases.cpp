@@ -64,11 +64,29 @@ EntryPtr first_unreadable(const WorkingMemoryState& state, const std::vector<Ent
   return i == entries.end() ? nullptr : *i;
 }
 
+/// The component has read these entries.
+void note_reads(WorkingMemoryState& state, const ClientPtr& client,
+                const std::vector<EntryPtr>& entries) {
+  if (client)
+    for (auto& x : entries)
+      state.accesses.note(client->component, x->address.subarchitecture, x->type_name(),
+                          &Access::reads);
+}
+
+Outcome<EntryPtr> read_for(WorkingMemoryState& state, const std::string& id,
+                           const ClientPtr& client) {
+  auto result = state.store.read(id);
+  if (result)
+    note_reads(state, client, {*result});
+  return result;
+}
+
 void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
   auto& state = self->state;
   auto entries = state.store.read_by_type(pending->query);
   auto obstacle = first_unreadable(state, entries, pending->client);
   if (!obstacle) {
+    note_reads(state, pending->client, entries);
     pending->promise.deliver(Outcome<std::vector<EntryPtr>>{std::move(entries)});
     return;
   }
@@ -198,14 +216,14 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
   auto& address = request.address;
   catch_up(self);
   if (!request.patience.client || state.leases.may_read(address.id, *request.patience.client))
-    return state.store.read(address.id);
+    return read_for(state, address.id, request.patience.client);
   remember_client(self, request.patience.client);
   auto promise = self->make_response_promise<Outcome<EntryPtr>>();
   begin_wait(
     self, request.patience, address.id,
     [self, promise, address, client = request.patience.client](const SettledWait& x) mutable {
       if (x.result == SettledWait::Result::readable)
-        promise.deliver(self->state.store.read(address.id));
+        promise.deliver(read_for(self->state, address.id, client));
       else
         promise.deliver(Outcome<EntryPtr>{failed_wait(self->state, x, client, address, "read")});
     });
@@ -220,8 +238,10 @@ caf::result<Outcome<std::vector<EntryPtr>>> query(Self self, const QueryRequest&
   catch_up(self);
   auto& client = request.patience.client;
   auto entries = state.store.read_by_type(request.query);
-  if (!first_unreadable(state, entries, client))
+  if (!first_unreadable(state, entries, client)) {
+    note_reads(state, client, entries);
     return Outcome<std::vector<EntryPtr>>{std::move(entries)};
+  }
   remember_client(self, client);
   auto pending = std::make_shared<PendingQuery>(PendingQuery{
     request.query, client, request.patience.number, deadline_of(now(self), request.patience),

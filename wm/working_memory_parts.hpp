@@ -107,9 +107,12 @@ void unsubscribe(Self self, const Unsubscribe& request);
 void acknowledge(Self self, const EventsTaken& taken);
 void set_interest(WorkingMemoryState& state, const Interest& interest);
 
+/// Whether a filter can match events of another working memory.
+bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer);
+
 // -- other working memories (working_memory_routes.cpp)
 
-void introduce(Self self, const Peers& peers);
+caf::result<Acknowledged> introduce(Self self, const Peers& peers);
 
 /// What each of the other working memories is to be told of the events of one write.
 class ForwardedChanges {

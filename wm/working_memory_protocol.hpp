@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/wm/access_log.hpp"
 #include "castor/wm/caf.hpp"
 #include "castor/wm/change_filter.hpp"
 #include "castor/wm/change_notice.hpp"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,6 +125,8 @@ struct Subscribe {
   EventStream stream = EventStream::component;
   /// How many events of the stream may wait for the sender one by one; its first filter counts.
   std::uint32_t queue_limit = standard_queue_limit;
+  /// The component that the sender is; empty for none, whose events are not logged as accesses.
+  std::string component = {};
 };
 
 struct Unsubscribe {
@@ -179,11 +183,15 @@ struct RoutedEvents {
 /// How many events may be on a route and not acknowledged.
 inline constexpr std::uint32_t route_limit = 4096;
 
-/// The working memories of the other subarchitectures.
+/// The working memories of the other subarchitectures. May come again when some were added to the
+/// system or removed from it; those that are not here any more are forgotten. Answered once the new
+/// ones know what is wanted of them.
 struct Peers {
   std::map<std::string, caf::strong_actor_ptr> working_memories;
   /// What takes RoutedEvents to them, for those in other processes: the same for all of a process.
   std::map<std::string, caf::strong_actor_ptr> routes = {};
+  /// Subarchitectures whose components may write here from now on; "*" for all.
+  std::set<std::string> writers = {};
 };
 
 struct Acknowledged {};
@@ -220,6 +228,13 @@ struct WorkingMemoryStatus {
   /// Leases held now, and operations that wait for one to end.
   std::uint64_t leases = 0;
   std::uint64_t waiting = 0;
+};
+
+/// Asks who uses what.
+struct AccessQuery {};
+
+struct AccessReport {
+  std::vector<Access> accesses;
 };
 
 /// Every operation names the address; the working memory of another subarchitecture is reached
@@ -266,7 +281,9 @@ using WorkingMemoryActor = caf::typed_actor<
   // Introduces the other working memories.
   caf::replies_to<Peers>::with<Acknowledged>,
   // Answers how it is doing.
-  caf::replies_to<StatusQuery>::with<WorkingMemoryStatus>>;
+  caf::replies_to<StatusQuery>::with<WorkingMemoryStatus>,
+  // Answers what was done with the entries here, and which events of others were told here.
+  caf::replies_to<AccessQuery>::with<AccessReport>>;
 
 } // namespace castor
 
@@ -296,6 +313,8 @@ CASTOR_LOCAL_MESSAGE(castor::Peers)
 CASTOR_LOCAL_MESSAGE(castor::Acknowledged)
 CASTOR_LOCAL_MESSAGE(castor::StatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::WorkingMemoryStatus)
+CASTOR_LOCAL_MESSAGE(castor::AccessQuery)
+CASTOR_LOCAL_MESSAGE(castor::AccessReport)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Version>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::EntryPtr>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<std::vector<castor::EntryPtr>>)

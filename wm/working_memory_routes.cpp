@@ -54,41 +54,97 @@ std::size_t find_or_make_route(Self self, const caf::strong_actor_ptr& outlet) {
 
 } // namespace
 
-void introduce(Self self, const Peers& peers) {
-  auto& state = self->state;
-  for (auto& [name, actor] : peers.working_memories) {
-    if (name == state.options.subarchitecture || find_peer(state, name))
+namespace {
+
+/// The peer does not want it any more, whose name for it is `id`.
+void drop_interest(WorkingMemoryState& state, std::uint32_t number, InterestId id,
+                   const WorkingMemoryState::PeerInterest& interest) {
+  if (auto& peer = state.peers[number]; peer.route) {
+    auto& route = state.routes[*peer.route];
+    route.flow.erase(interest.number);
+    route.receivers.erase(interest.number);
+  }
+  state.peer_index.erase(key_of(number, id), interest.filter);
+}
+
+void drop_interests(WorkingMemoryState& state, std::uint32_t number) {
+  for (auto& [id, interest] : std::exchange(state.peers[number].interests, {}))
+    drop_interest(state, number, id, interest);
+}
+
+/// Those that are not part of the system any more.
+void forget_removed(WorkingMemoryState& state, const Peers& peers) {
+  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
+    auto& peer = state.peers[i];
+    if (peer.removed || peers.working_memories.count(peer.subarchitecture) > 0)
       continue;
-    state.peers.push_back({name, caf::actor_cast<WorkingMemoryActor>(actor), {}, false, {}});
-    if (auto route = peers.routes.find(name); route != peers.routes.end())
-      state.peers.back().route = find_or_make_route(self, route->second);
-    if (state.options.broadcast)
-      set_interest(state, {name, nobody, any_change().anywhere(), true});
+    peer.removed = peer.lost = true;
+    drop_interests(state, i);
   }
 }
 
-void set_interest(WorkingMemoryState& state, const Interest& interest) {
-  for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
-    auto& peer = state.peers[i];
-    if (peer.subarchitecture != interest.subarchitecture)
+} // namespace
+
+caf::result<Acknowledged> introduce(Self self, const Peers& peers) {
+  auto& state = self->state;
+  forget_removed(state, peers);
+  struct Pending {
+    caf::typed_response_promise<Acknowledged> promise;
+    std::size_t missing = 0;
+  };
+  auto pending = std::make_shared<Pending>();
+  // One that takes no note is out of reach, and will be lost or taken note of when it is back.
+  auto done = [pending] {
+    if (--pending->missing == 0)
+      pending->promise.deliver(Acknowledged{});
+  };
+  for (auto& [name, actor] : peers.working_memories) {
+    if (name == state.options.subarchitecture || find_peer(state, name))
       continue;
-    auto key = key_of(i, interest.id);
-    if (interest.wanted) {
-      auto [known, is_new] = peer.interests.try_emplace(interest.id);
-      if (!is_new)
+    auto& peer = state.peers.emplace_back();
+    peer.subarchitecture = name;
+    peer.actor = caf::actor_cast<WorkingMemoryActor>(actor);
+    if (auto route = peers.routes.find(name); route != peers.routes.end())
+      peer.route = find_or_make_route(self, route->second);
+    if (state.options.broadcast)
+      set_interest(state, {name, nobody, any_change().anywhere(), true});
+    for (auto& interest : std::exchange(state.early_interests, {}))
+      set_interest(state, interest);
+    for (auto& [filter, interest] : state.own_interests) {
+      if (!concerns(filter, peer))
         continue;
-      known->second.filter = interest.filter;
-      if (peer.route)
-        known->second.number = new_number(state, i, interest.id);
-      state.peer_index.insert(key, interest.filter);
-    } else if (auto known = peer.interests.extract(interest.id)) {
-      if (peer.route) {
-        auto& route = state.routes[*peer.route];
-        route.flow.erase(known.mapped().number);
-        route.receivers.erase(known.mapped().number);
-      }
-      state.peer_index.erase(key, interest.filter);
+      ++pending->missing;
+      self
+        ->request(peer.actor, state.options.peer_deadline,
+                  Interest{state.options.subarchitecture, interest.id, filter, true})
+        .then([done](Acknowledged) { done(); }, [done](const caf::error&) { done(); });
     }
+  }
+  if (pending->missing == 0)
+    return Acknowledged{};
+  pending->promise = self->make_response_promise<Acknowledged>();
+  return pending->promise;
+}
+
+void set_interest(WorkingMemoryState& state, const Interest& interest) {
+  auto found = std::find_if(state.peers.begin(), state.peers.end(), [&](auto& x) {
+    return !x.removed && x.subarchitecture == interest.subarchitecture;
+  });
+  if (found == state.peers.end()) {
+    state.early_interests.push_back(interest);
+    return;
+  }
+  auto number = static_cast<std::uint32_t>(found - state.peers.begin());
+  if (interest.wanted) {
+    auto [known, is_new] = found->interests.try_emplace(interest.id);
+    if (!is_new)
+      return;
+    known->second.filter = interest.filter;
+    if (found->route)
+      known->second.number = new_number(state, number, interest.id);
+    state.peer_index.insert(key_of(number, interest.id), interest.filter);
+  } else if (auto known = found->interests.extract(interest.id)) {
+    drop_interest(state, number, interest.id, known.mapped());
   }
 }
 
@@ -153,9 +209,7 @@ void end_route(Self self, const caf::actor_addr& who) {
     if (peer.route != route)
       continue;
     peer.lost = true;
-    for (auto& [id, interest] : peer.interests)
-      state.peer_index.erase(key_of(i, id), interest.filter);
-    peer.interests.clear();
+    drop_interests(state, i);
   }
   auto& ended = state.routes[*route];
   state.counters.suppressed += ended.flow.backlog().suppressed();

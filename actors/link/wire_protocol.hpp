@@ -154,7 +154,7 @@ void wire(A& a, WirePart<A, ChangeFilter>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, Subscribe>& x) {
-  a(x.id, x.filter, x.stream, x.queue_limit);
+  a(x.id, x.filter, x.stream, x.queue_limit, x.component);
 }
 
 template <class A>
@@ -225,6 +225,19 @@ template <class A>
 void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
   a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.matched, x.delivered,
     x.coalesced, x.suppressed, x.backlog, x.forwarded, x.routed, x.refused, x.leases, x.waiting);
+}
+
+template <class A>
+void wire(A&, WirePart<A, AccessQuery>&) {}
+
+template <class A>
+void wire(A& a, WirePart<A, Access>& x) {
+  a(x.component, x.subarchitecture, x.type, x.adds, x.overwrites, x.deletes, x.reads, x.events);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, AccessReport>& x) {
+  a(x.accesses);
 }
 
 // -- components

@@ -11,7 +11,7 @@ const WireTable& system_messages() {
     Outcome<EntryPtr>, QueryRequest, Outcome<std::vector<EntryPtr>>, ExistsQuery, Outcome<bool>,
     VersionQuery, LockRequest, Outcome<Lease>, UnlockRequest, Outcome<Acknowledged>, CancelWait,
     RenewRequest, RenewReply, LockQuery, Outcome<LockStatus>, DeadlockProbe, StatusQuery,
-    WorkingMemoryStatus,
+    WorkingMemoryStatus, AccessQuery, AccessReport,
     // Events
     Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, EventsTaken, Interest, Acknowledged,
     ForwardedEvents, RoutedEvents,
