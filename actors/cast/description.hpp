@@ -99,4 +99,18 @@ struct ArchitectureDescription {
   bool may_write(std::string_view writer, std::string_view owner) const noexcept;
 };
 
+/// Calls `f` with every component line, working memories and task managers included, in the order of
+/// the file. The architecture may be constant or not.
+template <class Architecture, class F>
+void for_each_component(Architecture& architecture, F&& f) {
+  for (auto& subarchitecture : architecture.subarchitectures) {
+    f(subarchitecture.working_memory);
+    f(subarchitecture.task_manager);
+    for (auto& x : subarchitecture.components)
+      f(x);
+  }
+  for (auto& x : architecture.standalone)
+    f(x);
+}
+
 } // namespace castor

@@ -23,8 +23,8 @@ namespace {
 
 class Grammar {
 public:
-  Grammar(Preprocessed& input, const Environment& environment, DiagnosticLog& log)
-    : input_(input), environment_(environment), log_(log) {
+  Grammar(Preprocessed& input, const ParseOptions& options, DiagnosticLog& log)
+    : input_(input), options_(options), log_(log) {
     // nop
   }
 
@@ -81,7 +81,7 @@ private:
 
   void begin(SectionKeyword keyword, const StructureLine& line) {
     end_section(&line);
-    WordStream words(line, environment_, log_);
+    WordStream words(line, options_.environment, log_);
     words.next();
     switch (keyword) {
       case SectionKeyword::subarchitecture:
@@ -211,7 +211,7 @@ private:
     std::string_view name = subarchitecture.name;
     if (name.empty())
       name = "?";
-    WordStream words(line, environment_, log_);
+    WordStream words(line, options_.environment, log_);
     auto parsed =
       parse_component_line(words, line, {name, subarchitecture.host}, input_.hosts, log_);
     if (parsed.kind == ComponentKind::working_memory)
@@ -272,6 +272,10 @@ private:
     if (!section->subarchitecture || section->is_broken)
       return;
     const auto& name = section->subarchitecture->name;
+    if (options_.running_subarchitectures.count(name) > 0) {
+      result_.subarchitectures.push_back(std::move(*section->subarchitecture));
+      return;
+    }
     if (section->working_memory == nullptr)
       report(Severity::error, *section->line,
              "subarchitecture " + in_quotes(name) + " has no working memory",
@@ -286,7 +290,7 @@ private:
   /// Stand-alone components come after all others, and see the last default host of the file.
   void read_standalone_components() {
     for (const auto& [line, host_here] : standalone_lines_) {
-      WordStream words(*line, environment_, log_);
+      WordStream words(*line, options_.environment, log_);
       words.next();
       auto has_own_host = !match_language(words.peek());
       auto parsed =
@@ -319,7 +323,7 @@ private:
 
   /// Those with errors in their sections, too.
   std::set<std::string, std::less<>> subarchitecture_names() const {
-    std::set<std::string, std::less<>> names;
+    auto names = options_.running_subarchitectures;
     for (const auto& [name, line] : subarchitecture_lines_)
       names.insert(name);
     return names;
@@ -335,7 +339,7 @@ private:
   }
 
   Preprocessed& input_;
-  const Environment& environment_;
+  const ParseOptions& options_;
   DiagnosticLog& log_;
   ArchitectureDescription result_;
   std::optional<Section> section_;
@@ -351,9 +355,9 @@ private:
 
 } // namespace
 
-ArchitectureDescription parse_structure(Preprocessed& input, const Environment& environment,
+ArchitectureDescription parse_structure(Preprocessed& input, const ParseOptions& options,
                                         DiagnosticLog& log) {
-  return Grammar(input, environment, log).run();
+  return Grammar(input, options, log).run();
 }
 
 } // namespace castor::cast

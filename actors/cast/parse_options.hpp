@@ -3,7 +3,9 @@
 #include "castor/actors/cast/surroundings.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 namespace castor::cast {
@@ -33,6 +35,9 @@ struct ParseOptions {
   FileLoader load = read_file;
   /// What CURRENT_DIR and CONFIG_DIR are relative to; empty means the process's working directory.
   std::string working_directory;
+  /// Of a system that runs, which the file is to be joined to: these need neither a WM nor a TM line
+  /// in the file, and access rules may name them.
+  std::set<std::string, std::less<>> running_subarchitectures;
   Limits limits;
 };
 

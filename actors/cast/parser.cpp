@@ -30,7 +30,7 @@ ParseResult parse(const Source& source, const std::string& file, const ParseOpti
     auto preprocessed = preprocess(source, options, config_dir, working_directory, log);
     result.expansions = std::move(preprocessed.expansions);
     if (!preprocessed.truncated) {
-      auto architecture = parse_structure(preprocessed, options.environment, log);
+      auto architecture = parse_structure(preprocessed, options, log);
       if (!log.has_errors() && architecture.subarchitectures.empty() &&
           architecture.standalone.empty())
         log.report(Severity::error, SourceLocation(file, 0), "the file describes no components",

@@ -4,10 +4,14 @@
 #include "castor/wm/client.hpp"
 #include "castor/wm/reflect.hpp"
 
+#include <pthread.h>
+#include <time.h>
+
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -107,6 +111,30 @@ public:
 
   void leave_user_code() { user_code_since_.store(0, std::memory_order_relaxed); }
 
+  /// The calling thread is the component's own until `thread_ends`.
+  void thread_begins() {
+    std::lock_guard guard{mutex_};
+    clockid_t clock{};
+    if (pthread_getcpuclockid(pthread_self(), &clock) == 0)
+      clock_ = clock;
+  }
+
+  void thread_ends() {
+    auto total = cpu();
+    std::lock_guard guard{mutex_};
+    clock_.reset();
+    cpu_ = total;
+  }
+
+  /// What the component's thread has computed.
+  std::chrono::nanoseconds cpu() const {
+    std::lock_guard guard{mutex_};
+    timespec time{};
+    if (!clock_ || clock_gettime(*clock_, &time) != 0)
+      return cpu_;
+    return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+  }
+
   /// How long the component has had something to do without a pause.
   Clock::duration busy_for(Clock::time_point now) const { return since(busy_since_, now); }
 
@@ -131,6 +159,9 @@ private:
   std::atomic<std::int64_t> user_code_since_{0};
   mutable std::mutex mutex_;
   std::string failure_;
+  /// Of the component's thread, while there is one.
+  std::optional<clockid_t> clock_;
+  std::chrono::nanoseconds cpu_{0};
 };
 
 } // namespace castor

@@ -6,6 +6,7 @@
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,14 +14,14 @@
 
 namespace castor {
 
-/// What the components of one process share. Filled before any component is started, and only read
-/// from then on; outlives the actor system.
+/// What the components of one process share; outlives the actor system.
 struct ComponentServices {
   /// The moment that times count from.
   std::chrono::steady_clock::time_point epoch;
 
-  /// The working memories of this process, sorted by address.
-  std::vector<caf::resumable*> working_memories;
+  /// The working memories of this process, sorted by address: the last list is that of now. A list
+  /// never changes, since components' threads look at the one that there was when they were made.
+  std::deque<std::vector<caf::resumable*>> working_memories;
 
   /// A working memory still knows the last component that ran it after that component is gone, so
   /// these stay until the end.

@@ -68,6 +68,8 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
 
 void ComponentShell::act() {
   context(unit_);
+  record_->thread_begins();
+  AtExit thread_ends{[this] { record_->thread_ends(); }};
   try {
     live();
   } catch (const ComponentStopped&) {
@@ -114,7 +116,7 @@ void ComponentShell::meet(NeighboursPtr neighbours) {
   neighbours_ = std::move(neighbours);
   auto& known = neighbours_->working_memories;
   auto home = known.find(identity().subarchitecture);
-  if (home == known.end())
+  if (home == known.end() || working_memory_)
     return;
   working_memory_ = home->second;
   monitor(working_memory_);
@@ -465,6 +467,7 @@ Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
 
 FilterId ComponentShell::subscribe(const ChangeFilter& filter, EventStream stream) {
   Subscribe request{++last_filter_, filter, stream};
+  request.component = identity().name;
   // The option is about the component's own queue.
   if (stream == EventStream::component)
     request.queue_limit = queue_limit_;

@@ -8,6 +8,7 @@ ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time
   result.state = x.state();
   result.failure = x.failure();
   result.busy = x.busy_for(now);
+  result.cpu = x.cpu();
   result.events_received = x.counters.events_received;
   result.callbacks = x.counters.callbacks;
   result.reads = x.counters.reads;

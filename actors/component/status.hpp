@@ -13,10 +13,14 @@ struct ComponentStatus {
   ComponentIdentity identity;
   bool is_task_manager = false;
   ComponentState state = ComponentState::created;
+  /// Its node does not answer, but is not lost yet: the rest is not known.
+  bool out_of_reach = false;
   /// Why it failed; empty if it did not.
   std::string failure;
   /// How long it has had something to do without a pause.
   std::chrono::nanoseconds busy{0};
+  /// What its thread has computed.
+  std::chrono::nanoseconds cpu{0};
 
   std::uint64_t events_received = 0;
   std::uint64_t callbacks = 0;

@@ -44,21 +44,22 @@ namespace castor {
 
 namespace {
 
-struct LinkState {
+struct BrokerState {
   static constexpr const char* name = "link";
 
   /// Set when the link ends, for threads that dial on its behalf.
   std::shared_ptr<std::atomic<bool>> over = std::make_shared<std::atomic<bool>>(false);
 
-  ~LinkState() { *over = true; }
+  ~BrokerState() { *over = true; }
 };
 
-using Self = caf::io::stateful_broker<LinkState>;
+using Self = caf::io::stateful_broker<BrokerState>;
 
 class Link : public std::enable_shared_from_this<Link> {
 public:
-  Link(Self* self, LinkParts parts)
-    : self_(self), parts_(std::move(parts)), session_(parts_.options.session) {}
+  Link(Self* self, LinkParts parts, std::shared_ptr<LinkRecord> record)
+    : self_(self), parts_(std::move(parts)), record_(std::move(record)),
+      session_(parts_.options.session) {}
 
   caf::behavior begin() {
     self_->delayed_send(self_, parts_.options.heartbeat, TickAtom::value);
@@ -153,7 +154,7 @@ private:
       backoff_ = 20ms;
     }
     if (!over_ && (was_up || why != reason_))
-      tell(LinkNews::Kind::down, why);
+      tell(LinkState::down, why);
     reason_ = why;
     if (parts_.dial) {
       // With some jitter, so that those who lost each other at once do not meet at once for ever.
@@ -173,7 +174,7 @@ private:
       drop_connection();
     }
     parts_.mesh->end_process(parts_.peer);
-    tell(LinkNews::Kind::lost, why);
+    tell(LinkState::lost, why);
     self_->quit();
   }
 
@@ -230,7 +231,7 @@ private:
     auto before = out.size();
     channel_->write(std::move(words), out);
     in_buffer_ += out.size() - before;
-    parts_.counters->bytes_out.fetch_add(out.size() - before, std::memory_order_relaxed);
+    LinkRecord::add(record_->bytes_out, out.size() - before);
     self_->flush(*connection_);
   }
 
@@ -250,8 +251,8 @@ private:
     session_.resume(x.received);
     greeted_ = true;
     backoff_ = 20ms;
-    parts_.counters->connections.fetch_add(1, std::memory_order_relaxed);
-    tell(LinkNews::Kind::up, {});
+    LinkRecord::add(record_->connections, 1);
+    tell(LinkState::up, {});
     hear(std::exchange(heard_words_, {}));
     flush();
   }
@@ -260,7 +261,7 @@ private:
     if (x.handle != connection_)
       return;
     heard_ = Clock::now();
-    parts_.counters->bytes_in.fetch_add(x.buf.size(), std::memory_order_relaxed);
+    LinkRecord::add(record_->bytes_in, x.buf.size());
     std::span bytes{reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()};
     guarded([&] {
       auto words = channel_->receive(bytes);
@@ -291,7 +292,7 @@ private:
 
   void hear(std::span<const std::uint8_t> bytes) {
     session_.receive(bytes, [this](IncomingMessage x) {
-      parts_.counters->messages_in.fetch_add(1, std::memory_order_relaxed);
+      LinkRecord::add(record_->messages_in, 1);
       parts_.mesh->receive(parts_.peer, std::move(x), self_->context());
     });
     if (!session_.goodbye().empty())
@@ -308,7 +309,7 @@ private:
     if (!unknown.empty())
       session_.send({parts_.mesh->introduction(unknown)});
     session_.send(std::move(x.message));
-    parts_.counters->messages_out.fetch_add(1, std::memory_order_relaxed);
+    LinkRecord::add(record_->messages_out, 1);
     flush();
   }
 
@@ -321,7 +322,7 @@ private:
       spoke_ = spoke_ || !words.empty();
       say(std::move(words));
     }
-    parts_.counters->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
+    record_->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
   }
 
   void tick() {
@@ -343,13 +344,16 @@ private:
            " s" + (reason_.empty() ? "" : " (" + reason_ + ")"));
   }
 
-  void tell(LinkNews::Kind kind, const std::string& why) {
+  void tell(LinkState state, const std::string& why) {
+    LinkNews news{parts_.peer, state, why, parts_.peer_name};
+    record_->set_news(news);
     if (parts_.on_news)
-      parts_.on_news({parts_.peer, kind, why, parts_.peer_name});
+      parts_.on_news(news);
   }
 
   Self* self_;
   LinkParts parts_;
+  std::shared_ptr<LinkRecord> record_;
   LinkSession session_;
   std::optional<caf::io::connection_handle> connection_;
   /// Whether the peer has introduced itself over the present connection.
@@ -372,14 +376,20 @@ private:
   std::minstd_rand random_{std::random_device{}()};
 };
 
-caf::behavior link(Self* self, LinkParts parts) {
-  return std::make_shared<Link>(self, std::move(parts))->begin();
+caf::behavior link(Self* self, LinkParts parts, std::shared_ptr<LinkRecord> record) {
+  return std::make_shared<Link>(self, std::move(parts), std::move(record))->begin();
 }
 
 } // namespace
 
-caf::actor spawn_link(caf::actor_system& system, LinkParts parts) {
-  return system.middleman().spawn_broker(link, std::move(parts));
+caf::actor spawn_link(LinkParts parts) {
+  auto mesh = parts.mesh;
+  auto peer = parts.peer;
+  auto record = std::make_shared<LinkRecord>(peer);
+  parts.self.receiver = peer;
+  auto result = mesh->system().middleman().spawn_broker(link, std::move(parts), record);
+  mesh->add_port(std::make_shared<LinkPort>(mesh, peer, result, std::move(record)));
+  return result;
 }
 
 } // namespace castor

@@ -3,9 +3,9 @@
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/link/handshake.hpp"
+#include "castor/actors/link/link_record.hpp"
 #include "castor/actors/link/mesh.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -14,17 +14,6 @@
 #include <string>
 
 namespace castor {
-
-/// What a link has carried; safe to read from any thread.
-struct LinkCounters {
-  std::atomic<std::uint64_t> messages_out{0};
-  std::atomic<std::uint64_t> messages_in{0};
-  std::atomic<std::uint64_t> bytes_out{0};
-  std::atomic<std::uint64_t> bytes_in{0};
-  std::atomic<std::uint64_t> connections{0};
-  /// Bytes of messages that the peer has not acknowledged.
-  std::atomic<std::uint64_t> unacknowledged{0};
-};
 
 struct LinkOptions {
   /// How often something is said, at least.
@@ -36,25 +25,6 @@ struct LinkOptions {
   /// How long a connection may take to be made, and the greetings to be said.
   std::chrono::milliseconds connecting{3000};
   SessionLimits session;
-};
-
-/// What becomes of a link.
-struct LinkNews {
-  enum class Kind : std::uint8_t {
-    /// There is a connection, for the first time or again.
-    up,
-    /// The connection was lost; what is sent meanwhile waits.
-    down,
-    /// There will be no connection any more.
-    lost,
-  };
-
-  ProcessNumber peer = 0;
-  Kind kind = Kind::up;
-  /// Why.
-  std::string reason;
-  /// The peer's name, once it has introduced itself.
-  std::string name;
 };
 
 struct LinkParts {
@@ -69,7 +39,6 @@ struct LinkParts {
   /// With them, connections are encrypted and names are proved.
   std::optional<Credentials> credentials;
   LinkOptions options;
-  std::shared_ptr<LinkCounters> counters;
   /// Called on the network's thread.
   std::function<void(const LinkNews&)> on_news;
 };
@@ -80,8 +49,9 @@ struct CloseLink {
 };
 
 /// Connects this process with another one of the same system, for as long as both live: lost
-/// connections are made anew and nothing is lost with them.
-caf::actor spawn_link(caf::actor_system& system, LinkParts parts);
+/// connections are made anew and nothing is lost with them. From now on it is the mesh's port to
+/// the peer.
+caf::actor spawn_link(LinkParts parts);
 
 } // namespace castor
 

@@ -63,8 +63,11 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
     }
   }
   OutgoingMessage message{out.take_head(), out.take_contents(), lane_of(sender, number)};
-  if (content.match_elements<RoutedEvents>())
-    message.arrived = acknowledgement(to, x.sender, content.get_as<RoutedEvents>(0).events.size());
+  if (content.match_elements<RoutedEvents>()) {
+    auto events = content.get_as<RoutedEvents>(0).events.size();
+    LinkRecord::add(record_->events_out, events);
+    message.arrived = acknowledgement(to, x.sender, events);
+  }
   hand_over({std::move(message), out.take_types()});
 }
 
@@ -117,7 +120,16 @@ void Mesh::set_event_sink(EventSink sink) {
 void Mesh::add_port(std::shared_ptr<LinkPort> port) {
   std::lock_guard guard{mutex_};
   auto process = port->peer();
+  records_[process] = port->record();
   processes_[process].port = std::move(port);
+}
+
+std::vector<LinkStatus> Mesh::links() const {
+  std::lock_guard guard{mutex_};
+  std::vector<LinkStatus> result;
+  for (auto& [peer, record] : records_)
+    result.push_back(record->status());
+  return result;
 }
 
 ActorName Mesh::name_of(const caf::strong_actor_ptr& x) {
@@ -276,6 +288,9 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
         {
           std::lock_guard guard{mutex_};
           sink = event_sink_;
+          if (content.match_elements<RoutedEvents>())
+            LinkRecord::add(records_.at(from)->events_in,
+                            content.get_as<RoutedEvents>(0).events.size());
         }
         if (sink)
           sink(content, context);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/link_record.hpp"
 #include "castor/actors/link/session.hpp"
 #include "castor/actors/link/wire_table.hpp"
 #include "castor/wm/caf.hpp"
@@ -17,9 +18,6 @@
 #include <vector>
 
 namespace castor {
-
-/// Counts the processes of a system; 0 is its coordinator.
-using ProcessNumber = std::uint16_t;
 
 /// Names an actor in the whole system; 0 is no actor.
 using ActorName = std::uint64_t;
@@ -52,10 +50,12 @@ class Mesh;
 /// thread.
 class LinkPort {
 public:
-  LinkPort(std::shared_ptr<Mesh> mesh, ProcessNumber peer, caf::actor link)
-    : mesh_(std::move(mesh)), peer_(peer), link_(std::move(link)) {}
+  LinkPort(std::shared_ptr<Mesh> mesh, ProcessNumber peer, caf::actor link,
+           std::shared_ptr<LinkRecord> record)
+    : mesh_(std::move(mesh)), peer_(peer), link_(std::move(link)), record_(std::move(record)) {}
 
   ProcessNumber peer() const { return peer_; }
+  const std::shared_ptr<LinkRecord>& record() const { return record_; }
 
   /// Sends what was sent to the actor of that name; answers a request that cannot travel itself.
   void send(ActorName to, caf::mailbox_element& x);
@@ -73,6 +73,7 @@ private:
   const std::shared_ptr<Mesh> mesh_;
   const ProcessNumber peer_;
   const caf::actor link_;
+  const std::shared_ptr<LinkRecord> record_;
   std::mutex mutex_;
   /// By working memory.
   std::unordered_map<caf::actor_id, std::shared_ptr<EventReceipts>> receipts_;
@@ -100,6 +101,9 @@ public:
 
   /// The link that leads to a process.
   void add_port(std::shared_ptr<LinkPort> port);
+
+  /// Of all links there ever were, in the order of their peers.
+  std::vector<LinkStatus> links() const;
 
   /// The process is lost: its actors have ended, as far as everybody here is concerned.
   void end_process(ProcessNumber process);
@@ -145,6 +149,7 @@ private:
   std::unordered_map<caf::actor_id, std::uint32_t> numbers_;
   std::unordered_map<std::uint32_t, caf::strong_actor_ptr> locals_;
   std::map<ProcessNumber, Process> processes_;
+  std::map<ProcessNumber, std::shared_ptr<LinkRecord>> records_;
   std::unordered_map<std::uint64_t, TypeDescriptorPtr> types_;
 };
 

@@ -70,14 +70,7 @@ void check_class(const ComponentDescription& x, Diagnostics& out) {
 
 std::vector<cast::Diagnostic> check_classes(const ArchitectureDescription& architecture) {
   Diagnostics out;
-  for (auto& subarchitecture : architecture.subarchitectures) {
-    check_class(subarchitecture.working_memory, out);
-    check_class(subarchitecture.task_manager, out);
-    for (auto& x : subarchitecture.components)
-      check_class(x, out);
-  }
-  for (auto& x : architecture.standalone)
-    check_class(x, out);
+  for_each_component(architecture, [&](auto& x) { check_class(x, out); });
   return out;
 }
 

@@ -98,7 +98,7 @@ private:
     for (std::size_t p = 1; p < plan.processes.size(); ++p) {
       auto number = static_cast<ProcessNumber>(p);
       auto& peer = plan.processes[p];
-      if (number == i->second.self.process)
+      if (number == i->second.self.process || peer.lost || i->second.links.count(number) > 0)
         continue;
       add_link(i->second, number, peer.name,
                number > i->second.self.process ? std::optional{Endpoint{peer.host, peer.port}}
@@ -114,19 +114,15 @@ private:
     parts.peer_name = name;
     parts.dial = std::move(dial);
     parts.self = membership.self;
-    parts.self.receiver = peer;
     parts.credentials = credentials_;
-    parts.counters = std::make_shared<LinkCounters>();
     parts.on_news = [node = weak_from_this(), agent = membership.agent,
                      system = membership.self.system](const LinkNews& x) {
       caf::anon_send(agent, x);
       auto self = node.lock();
-      if (self && x.peer == 0 && x.kind == LinkNews::Kind::lost)
+      if (self && x.peer == 0 && x.state == LinkState::lost)
         self->leave(system, x.reason);
     };
-    auto link = spawn_link(system_, std::move(parts));
-    membership.links[peer] = link;
-    membership.mesh->add_port(std::make_shared<LinkPort>(membership.mesh, peer, link));
+    membership.links[peer] = spawn_link(std::move(parts));
   }
 
   void leave(const std::string& system, const std::string& why) {

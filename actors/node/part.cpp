@@ -16,28 +16,58 @@ namespace {
 
 /// Calls `f` with every component line that the plan gives to a process, in the order of the file.
 template <class F>
-void for_each_component(const PartPlan& plan, ProcessNumber self, F&& f) {
-  auto visit = [&](const ComponentDescription& x) {
-    auto i = plan.placement.find(x.name);
-    if ((i == plan.placement.end() ? 0 : i->second) == self)
+void for_each_own(const PartPlan& plan, ProcessNumber self, F&& f) {
+  for_each_component(plan.architecture, [&](const ComponentDescription& x) {
+    if (process_of(plan.placement, x.name) == self)
       f(x);
-  };
-  for (auto& subarchitecture : plan.architecture.subarchitectures) {
-    visit(subarchitecture.working_memory);
-    visit(subarchitecture.task_manager);
-    for (auto& x : subarchitecture.components)
-      visit(x);
-  }
-  for (auto& x : plan.architecture.standalone)
-    visit(x);
+  });
+}
+
+caf::resumable* as_resumable(const WorkingMemoryActor& x) {
+  return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
 
 } // namespace
 
-SystemPart::SystemPart(caf::actor_system& system, const PartPlan& plan, ProcessNumber self)
-  : system_(system), architecture_(plan.architecture) {
-  for_each_component(plan, self, [&](auto& x) { check_class(x, problems_); });
-  if (!problems_.empty())
+std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
+  std::vector<cast::Diagnostic> problems;
+  std::vector<const ComponentDescription*> missing;
+  std::set<std::string> wanted;
+  for_each_own(plan, self_, [&](auto& x) {
+    wanted.insert(x.name);
+    if (has(x))
+      return;
+    missing.push_back(&x);
+    check_class(x, problems);
+  });
+  if (!problems.empty())
+    return problems;
+  begin(plan);
+  end_others(wanted);
+  for (auto* x : missing)
+    if (x->kind == ComponentKind::working_memory)
+      spawn_working_memory(plan, *architecture_.subarchitecture(x->subarchitecture));
+  auto& known = services_->working_memories.emplace_back();
+  for (auto& [name, actor] : working_memories_)
+    known.push_back(as_resumable(actor));
+  std::sort(known.begin(), known.end());
+  for (auto* x : missing)
+    if (x->kind != ComponentKind::working_memory)
+      spawn_component(*x);
+  return problems;
+}
+
+bool SystemPart::has(const ComponentDescription& x) const {
+  if (x.kind == ComponentKind::working_memory)
+    return working_memories_.count(x.subarchitecture) > 0;
+  return std::any_of(running_.begin(), running_.end(),
+                     [&](auto& y) { return y.record->identity().name == x.name; });
+}
+
+void SystemPart::begin(const PartPlan& plan) {
+  architecture_ = plan.architecture;
+  open_access_ = plan.open_access;
+  if (!services_->working_memories.empty())
     return;
   services_->epoch = std::chrono::steady_clock::now() - plan.age;
   services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
@@ -47,14 +77,21 @@ SystemPart::SystemPart(caf::actor_system& system, const PartPlan& plan, ProcessN
     services_->on_task = [to = plan.task_observer](TaskEvent x) {
       caf::anon_send(to, std::move(x));
     };
-  for_each_component(plan, self, [&](auto& x) {
-    if (x.kind == ComponentKind::working_memory)
-      spawn_working_memory(plan, *architecture_.subarchitecture(x.subarchitecture));
+}
+
+void SystemPart::end_others(const std::set<std::string>& wanted) {
+  std::erase_if(running_, [&](auto& x) {
+    if (wanted.count(x.record->identity().name) > 0)
+      return false;
+    caf::anon_send_exit(x.actor, caf::exit_reason::user_shutdown);
+    return true;
   });
-  std::sort(services_->working_memories.begin(), services_->working_memories.end());
-  for_each_component(plan, self, [&](auto& x) {
-    if (x.kind != ComponentKind::working_memory)
-      spawn_component(x);
+  std::erase_if(working_memories_, [&](auto& x) {
+    auto* subarchitecture = architecture_.subarchitecture(x.first);
+    if (subarchitecture && wanted.count(subarchitecture->working_memory.name) > 0)
+      return false;
+    caf::anon_send_exit(x.second, caf::exit_reason::user_shutdown);
+    return true;
   });
 }
 
@@ -67,9 +104,7 @@ SystemPart::~SystemPart() {
 }
 
 void SystemPart::spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x) {
-  WorkingMemoryClass wm_class;
-  for (auto& setting : x.working_memory.options)
-    wm_class.options.set(setting.name(), setting.value);
+  WorkingMemoryClass wm_class{x.working_memory};
   WorkingMemoryOptions options;
   options.subarchitecture = x.name;
   options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
@@ -77,17 +112,11 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const Subarchitectur
   options.broadcast = plan.broadcast;
   options.leases.duration = wm_class.lease.get();
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
-  if (plan.open_access)
-    options.writers.insert("*");
-  for (auto& rule : architecture_.access_rules)
-    if (rule.owner == x.name || rule.owner == "*")
-      options.writers.insert(rule.writer);
+  options.writers = writers(x.name);
   auto actor = system_.spawn(working_memory, std::move(options));
   working_memories_[x.name] = actor;
   // It may meet the unit of the component that ran it last until its own end.
   caf::actor_cast<caf::abstract_actor*>(actor)->attach_functor([services = services_] {});
-  services_->working_memories.push_back(
-    dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(actor)));
 }
 
 void SystemPart::spawn_component(const ComponentDescription& x) {
@@ -99,7 +128,7 @@ void SystemPart::spawn_component(const ComponentDescription& x) {
     x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number)});
   parts.services = services_;
   parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
-  parts.unit->set_working_memories(&services_->working_memories);
+  parts.unit->set_working_memories(&services_->working_memories.back());
   auto record = parts.record;
   running_.push_back({system_.spawn<ComponentShell>(std::move(parts)), std::move(record),
                       x.kind == ComponentKind::task_manager});
@@ -123,6 +152,16 @@ SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>&
   return result;
 }
 
+std::set<std::string> SystemPart::writers(const std::string& subarchitecture) const {
+  std::set<std::string> result;
+  if (open_access_)
+    result.insert("*");
+  for (auto& rule : architecture_.access_rules)
+    if (rule.owner == subarchitecture || rule.owner == "*")
+      result.insert(rule.writer);
+  return result;
+}
+
 void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
   auto neighbours = std::make_shared<Neighbours>();
   for (auto& [name, actor] : subarchitectures(actors))
@@ -131,6 +170,7 @@ void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors
     neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.task_manager.name));
   for (auto& x : architecture_.standalone)
     neighbours->providers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.name));
+  caf::anon_send_exit(std::exchange(keeper_, nullptr), caf::exit_reason::user_shutdown);
   KeeperParts parts;
   for (auto& x : running_) {
     caf::anon_send(x.actor, NeighboursPtr{neighbours});

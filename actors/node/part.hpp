@@ -6,25 +6,29 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace castor {
 
 /// What one process contributes to a system: the working memories and components that the plan
-/// gives it. Its actors are there once it is made; `join` lets them know those of the other parts.
+/// gives it. Its actors are there once a plan was applied; `join` lets them know those of the other
+/// parts.
 ///
 /// To be used by one thread at a time, and destroyed before the actor system.
 class SystemPart {
 public:
-  /// Does nothing but find `problems` if there are any.
-  SystemPart(caf::actor_system& system, const PartPlan& plan, ProcessNumber self);
+  SystemPart(caf::actor_system& system, ProcessNumber self) : system_(system), self_(self) {}
   SystemPart(const SystemPart&) = delete;
   SystemPart& operator=(const SystemPart&) = delete;
   /// Ends all its actors. Components that do not come back from their own code stay.
   ~SystemPart();
 
-  const std::vector<cast::Diagnostic>& problems() const { return problems_; }
+  /// Makes what the plan gives to this process and what is not there yet, and ends what it does not
+  /// give to it any more. Returns what stands in the way; if anything does, nothing is made or
+  /// ended.
+  std::vector<cast::Diagnostic> apply(const PartPlan& plan);
 
   /// By the names of the components.
   std::map<std::string, caf::strong_actor_ptr> actors() const;
@@ -33,7 +37,10 @@ public:
   std::map<std::string, caf::strong_actor_ptr>
   subarchitectures(const std::map<std::string, caf::strong_actor_ptr>& actors) const;
 
-  /// Introduces the actors of all parts to the components, before any of them configures itself;
+  /// Subarchitectures whose components may write to that one, "*" for all.
+  std::set<std::string> writers(const std::string& subarchitecture) const;
+
+  /// Introduces the actors of all parts to the components, before any new one configures itself;
   /// the working memories are told by Peers.
   void join(const std::map<std::string, caf::strong_actor_ptr>& actors);
 
@@ -51,12 +58,17 @@ private:
     bool is_task_manager = false;
   };
 
+  /// Whether a component or working memory is here.
+  bool has(const ComponentDescription& x) const;
+  void begin(const PartPlan& plan);
+  void end_others(const std::set<std::string>& wanted);
   void spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x);
   void spawn_component(const ComponentDescription& x);
 
   caf::actor_system& system_;
-  const ArchitectureDescription architecture_;
-  std::vector<cast::Diagnostic> problems_;
+  const ProcessNumber self_;
+  ArchitectureDescription architecture_;
+  bool open_access_ = false;
   /// Components' threads may use it after the part is gone.
   std::shared_ptr<ComponentServices> services_ = std::make_shared<ComponentServices>();
   std::map<std::string, WorkingMemoryActor> working_memories_;

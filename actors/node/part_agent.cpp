@@ -1,5 +1,8 @@
 #include "castor/actors/node/part_agent.hpp"
 
+#include "castor/actors/node/usage.hpp"
+
+#include <algorithm>
 #include <utility>
 
 namespace castor {
@@ -12,17 +15,23 @@ constexpr std::chrono::seconds patience{10};
 
 PartMade make(Self self, const PartPlan& plan) {
   auto& state = self->state;
-  state.others = plan.processes.size() - 1;
+  state.others.clear();
+  for (std::size_t i = 0; i < plan.processes.size(); ++i)
+    if (i != state.parts.self && !plan.processes[i].lost)
+      state.others.insert(static_cast<ProcessNumber>(i));
   if (state.parts.connect)
     state.parts.connect(plan);
-  state.part = std::make_unique<SystemPart>(self->system(), plan, state.parts.self);
-  return {state.part->problems(), state.part->actors()};
+  if (!state.part)
+    state.part = std::make_unique<SystemPart>(self->system(), state.parts.self);
+  auto problems = state.part->apply(plan);
+  return {std::move(problems), state.part->actors()};
 }
 
 void answer_if_joined(Self self) {
   auto& state = self->state;
   if (!state.joining || state.unanswered > 0 ||
-      (state.parts.connect && state.connected.size() < state.others))
+      (state.parts.connect && !std::includes(state.connected.begin(), state.connected.end(),
+                                             state.others.begin(), state.others.end())))
     return;
   std::exchange(state.joining, std::nullopt)->deliver(Acknowledged{});
 }
@@ -62,11 +71,13 @@ caf::response_promise join(Self self, const JoinParts& others) {
     });
   }
   state.unanswered = state.part->working_memories().size();
-  for (auto& [name, actor] : state.part->working_memories())
+  for (auto& [name, actor] : state.part->working_memories()) {
+    peers.writers = state.part->writers(name);
     self->request(actor, patience, peers).then([self](Acknowledged) {
       --self->state.unanswered;
       answer_if_joined(self);
     });
+  }
   answer_if_joined(self);
   return promise;
 }
@@ -82,13 +93,18 @@ caf::behavior part_agent(Self self, PartAgentParts parts) {
       PartStatus result;
       if (auto& part = self->state.part)
         result.components = part->components();
+      if (auto& mesh = self->state.parts.mesh)
+        result.links = mesh->links();
+      result.usage = usage_of_process();
       return result;
     },
     [self](const LinkNews& x) {
-      if (x.kind == LinkNews::Kind::up)
+      if (x.state == LinkState::up)
         self->state.connected.insert(x.peer);
       else
         self->state.connected.erase(x.peer);
+      if (x.state == LinkState::lost)
+        self->state.others.erase(x.peer);
       answer_if_joined(self);
     },
   };

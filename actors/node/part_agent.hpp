@@ -26,8 +26,8 @@ struct PartAgentState {
 
   PartAgentParts parts;
   std::unique_ptr<SystemPart> part;
-  /// How many other processes there are, and with which of them there is a connection.
-  std::size_t others = 0;
+  /// The other processes, and those of them with which there is a connection.
+  std::set<ProcessNumber> others;
   std::set<ProcessNumber> connected;
   /// Who waits for the part to have joined the others, and what is still missing.
   std::optional<caf::response_promise> joining;

@@ -9,6 +9,7 @@
 #include "castor/wm/timestamp.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -24,7 +25,16 @@ struct ProcessDescription {
   /// Where the others reach it.
   std::string host;
   std::uint16_t port = 0;
+  /// Nobody needs to reach it any more.
+  bool lost = false;
 };
+
+/// Where a component runs, as `placement` has it, which leaves out what the coordinator runs.
+inline ProcessNumber process_of(const std::map<std::string, ProcessNumber>& placement,
+                                const std::string& component) {
+  auto i = placement.find(component);
+  return i == placement.end() ? ProcessNumber{0} : i->second;
+}
 
 /// What a process needs to know in order to make its part of a system.
 struct PartPlan {
@@ -60,8 +70,20 @@ struct JoinParts {
 
 struct PartStatusQuery {};
 
+/// What a process has taken of its machine.
+struct ProcessUsage {
+  /// Of all its threads, since it was started.
+  std::chrono::nanoseconds cpu{0};
+  std::chrono::nanoseconds age{0};
+  /// Resident.
+  std::uint64_t memory_bytes = 0;
+};
+
 struct PartStatus {
   std::vector<ComponentStatus> components;
+  /// To the other processes.
+  std::vector<LinkStatus> links;
+  ProcessUsage usage;
 };
 
 /// A component wants the whole system to end.

@@ -51,7 +51,7 @@ void wire(A& a, WirePart<A, cast::Diagnostic>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, ProcessDescription>& x) {
-  a(x.name, x.host, x.port);
+  a(x.name, x.host, x.port, x.lost);
 }
 
 template <class A>
@@ -80,13 +80,29 @@ void wire(A& a, WirePart<A, ComponentIdentity>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, ComponentStatus>& x) {
-  a(x.identity, x.is_task_manager, x.state, x.failure, x.busy, x.events_received, x.callbacks,
-    x.reads, x.writes);
+  a(x.identity, x.is_task_manager, x.state, x.out_of_reach, x.failure, x.busy, x.cpu,
+    x.events_received, x.callbacks, x.reads, x.writes);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, LinkNews>& x) {
+  a(x.peer, x.state, x.reason, x.name);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, LinkStatus>& x) {
+  a(x.news, x.messages_out, x.messages_in, x.bytes_out, x.bytes_in, x.events_out, x.events_in,
+    x.connections, x.unacknowledged);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ProcessUsage>& x) {
+  a(x.cpu, x.age, x.memory_bytes);
 }
 
 template <class A>
 void wire(A& a, WirePart<A, PartStatus>& x) {
-  a(x.components);
+  a(x.components, x.links, x.usage);
 }
 
 template <class A>

@@ -10,25 +10,10 @@ namespace castor {
 namespace {
 
 bool is_this_machine(const ArchitectureDescription& architecture, const std::string& host) {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
   auto localhost = architecture.host_names.find("localhost");
   return host.empty() || host == "localhost" || host == "127.0.0.1" || host == "::1" ||
-         host == name.data() ||
+         host == name_of_machine() ||
          (localhost != architecture.host_names.end() && host == localhost->second);
-}
-
-/// Of a constant architecture or another.
-template <class Architecture, class F>
-void for_each_component(Architecture& architecture, F&& f) {
-  for (auto& subarchitecture : architecture.subarchitectures) {
-    f(subarchitecture.working_memory);
-    f(subarchitecture.task_manager);
-    for (auto& x : subarchitecture.components)
-      f(x);
-  }
-  for (auto& x : architecture.standalone)
-    f(x);
 }
 
 /// Empty if no HOSTNAME line names the host.
@@ -41,16 +26,22 @@ std::string given_name(const ArchitectureDescription& architecture, const std::s
 
 } // namespace
 
+std::string name_of_machine() {
+  std::array<char, 256> result{};
+  gethostname(result.data(), result.size() - 1);
+  return result.data();
+}
+
 Placement place(const ArchitectureDescription& architecture,
-                const std::map<std::string, Endpoint>& nodes) {
-  Placement result;
-  result.processes.emplace_back();
-  std::map<std::string, ProcessNumber> known;
+                const std::map<std::string, Endpoint>& nodes, Placement known) {
+  auto result = std::move(known);
+  result.of.clear();
   for_each_component(architecture, [&](const ComponentDescription& x) {
     auto node = nodes.find(x.host);
     if (node == nodes.end() && is_this_machine(architecture, x.host))
       return;
-    auto [i, is_new] = known.try_emplace(x.host, static_cast<ProcessNumber>(known.size() + 1));
+    auto [i, is_new] =
+      result.hosts.try_emplace(x.host, static_cast<ProcessNumber>(result.processes.size()));
     result.of[x.name] = i->second;
     if (!is_new)
       return;

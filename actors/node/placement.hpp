@@ -17,20 +17,31 @@ inline constexpr std::uint16_t default_node_port = 7117;
 /// Which processes a system runs in, and what runs where.
 struct Placement {
   /// The first is the coordinator's.
-  std::vector<ProcessDescription> processes;
+  std::vector<ProcessDescription> processes{1};
+  /// The processes at other hosts.
+  std::map<std::string, ProcessNumber> hosts;
   /// By the names of the components; the coordinator's own are left out.
   std::map<std::string, ProcessNumber> of;
   /// Hosts that are no addresses.
   std::vector<cast::Diagnostic> problems;
+
+  /// Where a component runs.
+  ProcessNumber process_of(const std::string& component) const {
+    return castor::process_of(of, component);
+  }
 };
 
 /// Places every component where its host says: in the coordinator's process if that is this
 /// machine, otherwise at the node that listens there. `nodes` says of hosts where their nodes
 /// listen, this machine included; the others are taken for HOST or HOST:PORT.
 ///
-/// Where a HOSTNAME line names the host, the node must have that name.
+/// Where a HOSTNAME line names the host, the node must have that name. Processes that are `known`
+/// keep their numbers, whether something is left for them or not.
 Placement place(const ArchitectureDescription& architecture,
-                const std::map<std::string, Endpoint>& nodes);
+                const std::map<std::string, Endpoint>& nodes, Placement known = {});
+
+/// The name of this machine.
+std::string name_of_machine();
 
 /// Hosts that are not this machine, with the names that HOSTNAME lines give them, otherwise their
 /// own.

@@ -1,27 +1,30 @@
 #include "castor/actors/node/system.hpp"
 
+#include "castor/actors/cast/running.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/incarnation.hpp"
-#include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/node/observer.hpp"
 #include "castor/actors/node/part_agent.hpp"
 #include "castor/actors/node/placement.hpp"
+#include "castor/actors/node/processes.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 
-#include <caf/atom.hpp>
 #include <caf/scoped_actor.hpp>
-#include <caf/stateful_actor.hpp>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 namespace castor {
@@ -38,45 +41,10 @@ constexpr auto glance = 50ms;
 /// one that merely polls does not.
 constexpr auto polling = 200ms;
 
-using FlushAtom = caf::atom_constant<caf::atom("flush")>;
-
-/// The level at which changes in a subarchitecture are logged, where they are.
-using LoggedChanges = std::map<std::string, LogLevel>;
-
-void observe_change(const SystemOptions& options, const LoggedChanges& logged,
-                    const ChangeEvent& event) {
-  if (options.on_change)
-    options.on_change(event);
-  auto& where = event.address.subarchitecture;
-  if (auto i = logged.find(where); i != logged.end())
-    log(i->second, where + '.' + where + "_wm", to_string(event));
-}
-
-struct ObserverState {
-  std::map<std::string, caf::strong_actor_ptr> working_memories;
-  std::map<std::string, EventReceipts> receipts;
-};
-
-caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOptions& options,
-                       const LoggedChanges& logged) {
-  auto observe = [self, &options, &logged](const ChangeEvent& event) {
-    observe_change(options, logged, event);
-    auto& where = event.address.subarchitecture;
-    if (auto count = self->state.receipts[where].take())
-      self->send(caf::actor_cast<WorkingMemoryActor>(self->state.working_memories.at(where)),
-                 EventsTaken{EventStream::component, count});
-  };
-  return {
-    [self](const Peers& x) { self->state.working_memories = x.working_memories; },
-    [observe](const ChangeNotice& x) { observe(*x.event); },
-    [observe](const ChangeNotices& x) {
-      for (auto& notice : x.notices)
-        observe(*notice.event);
-    },
-    [&options](const TaskEvent& x) { options.on_task(x); },
-    [](const Outcome<Acknowledged>&) {},
-    [](FlushAtom) { return true; },
-  };
+/// "vision-1234-77": differs from the names of all other systems.
+std::string new_system_name(const ArchitectureDescription& architecture) {
+  return std::filesystem::path{architecture.file}.stem().string() + '-' + std::to_string(getpid()) +
+         '-' + std::to_string(new_incarnation() % 10'000);
 }
 
 } // namespace
@@ -89,6 +57,8 @@ public:
   Implementation(ArchitectureDescription architecture, SystemOptions options)
     : architecture_(std::move(architecture)), options_(std::move(options)),
       placement_(checked(place(architecture_, options_.nodes))) {
+    for_each_component(architecture_,
+                       [&](auto& x) { next_number_ = std::max(next_number_, x.number + 1); });
     try {
       make();
     } catch (...) {
@@ -105,34 +75,7 @@ public:
 
   bool start() {
     observe();
-    std::vector<std::string> order;
-    auto configure = [&](const ComponentDescription& x) {
-      order.push_back(x.name);
-      return enter(Phase::configure, x.name);
-    };
-    for (auto& subarchitecture : architecture_.subarchitectures) {
-      if (!configure(subarchitecture.task_manager))
-        return false;
-      // Managed components first, then unmanaged ones.
-      for (auto kind : {ComponentKind::managed, ComponentKind::unmanaged})
-        for (auto& x : subarchitecture.components)
-          if (x.kind == kind && !configure(x))
-            return false;
-    }
-    auto first_standalone = order.size();
-    for (auto& x : architecture_.standalone)
-      if (!configure(x))
-        return false;
-    // What stands outside the subarchitectures starts first: the others will want to connect to it.
-    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first_standalone),
-                order.end());
-    order_ = order;
-    for (auto& name : order)
-      if (!enter(Phase::start, name))
-        return false;
-    for (auto& name : order)
-      self_->send(component(name), EnterPhase{Phase::run, caf::actor_cast<caf::actor>(self_)});
-    return true;
+    return start_components(architecture_);
   }
 
   EndReason wait(const Until& until) {
@@ -140,11 +83,9 @@ public:
     auto last_activity = begin;
     std::uint64_t last_events = 0;
     for (;;) {
-      {
-        std::unique_lock guard{mutex_};
-        if (changed_.wait_for(guard, glance, [this] { return ended_.has_value(); }))
-          return EndReason::ended_by_component;
-      }
+      if (sleep())
+        return EndReason::ended_by_component;
+      carry_out_orders();
       auto now = Clock::now();
       if (interrupted())
         return EndReason::interrupted;
@@ -168,59 +109,82 @@ public:
     return ended_;
   }
 
+  std::vector<cast::Diagnostic> add(ArchitectureDescription added) {
+    auto joined = architecture_;
+    if (auto problems = cast::join(joined, added, next_number_); !problems.empty())
+      return problems;
+    auto placement = place(joined, options_.nodes, placement_);
+    if (!placement.problems.empty())
+      return placement.problems;
+    try {
+      processes_.connect(joined, placement);
+      apply(joined, placement);
+    } catch (const SystemError& e) {
+      take_back(std::move(placement));
+      return e.diagnostics();
+    }
+    architecture_ = std::move(joined);
+    placement_ = std::move(placement);
+    tell_of_change();
+    start_components(added);
+    return {};
+  }
+
+  std::string remove(const std::string& name) {
+    auto rest = architecture_;
+    auto removal = cast::remove(rest, name);
+    if (!removal.problem.empty())
+      return removal.problem;
+    stop_components(removal.components);
+    for (auto& x : removal.components) {
+      std::erase(order_, x);
+      components_.erase(x);
+    }
+    architecture_ = std::move(rest);
+    placement_ = place(architecture_, options_.nodes, std::move(placement_));
+    try {
+      apply(architecture_, placement_);
+    } catch (const SystemError& e) {
+      // A node that does not answer now will be told of it when it is asked for something else.
+      note(LogLevel::warning, e.what());
+    }
+    tell_of_change();
+    return {};
+  }
+
   void stop() {
     stopped_ = true;
-    std::string stopped;
-    for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
-      // Of a node that is out of reach, the part ends by itself.
-      if (!is_in_reach(*i))
-        continue;
-      if (await_end(component(*i)))
-        stopped += (stopped.empty() ? "" : ", ") + *i;
-      else
-        stuck_.push_back(*i);
-    }
-    if (!stopped.empty())
-      note(LogLevel::info, "stopped, in this order: " + stopped);
-    for (auto& name : stuck_)
-      note(LogLevel::error, name + " did not stop: it has not come back from its own code");
+    processes_.be_silent();
+    refuse_orders();
+    stop_components({order_.rbegin(), order_.rend()});
     if (observer_)
       flush_observer();
   }
 
   SystemSummary summary() {
     SystemSummary result;
-    for (auto& [name, wm] : working_memories_) {
-      if (!is_in_reach(architecture_.subarchitecture(name)->working_memory.name))
-        continue;
-      self_->request(wm, options_.answer_patience, StatusQuery{})
-        .receive(
-          [&](const WorkingMemoryStatus& x) {
-            result.working_memories.push_back({x.subarchitecture, x.entries_by_type, x.events,
-                                               x.matched, x.delivered, x.coalesced, x.suppressed,
-                                               x.forwarded, x.routed, x.refused});
-          },
-          [](const caf::error&) {});
-    }
-    result.components = status();
+    auto parts = ask_parts();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i])
+        result.processes.push_back({processes_.state(static_cast<ProcessNumber>(i)).description,
+                                    parts[i]->usage, parts[i]->links});
+    result.working_memories = ask_working_memories();
+    result.components = status(parts);
     for (auto& name : stuck_)
-      if (process_of(name) == 0)
+      if (placement_.process_of(name) == 0)
         result.stuck.push_back(name);
     return result;
   }
 
   void abandon() {
     end();
-    caf::scoped_actor waiting{system_};
-    for (auto& x : processes_)
-      if (x.link)
-        waiting->wait_for(x.link);
+    processes_.await_close();
   }
 
   std::vector<EntryPtr> entries(const std::string& subarchitecture) {
     std::vector<EntryPtr> result;
     self_
-      ->request(working_memory_of(subarchitecture), options_.answer_patience,
+      ->request(working_memories_.at(subarchitecture), options_.answer_patience,
                 QueryRequest{{subarchitecture, {}, 0, false}, {}})
       .receive(
         [&](const Outcome<std::vector<EntryPtr>>& x) {
@@ -235,16 +199,6 @@ public:
   Clock::time_point epoch() const { return epoch_; }
 
 private:
-  /// A process that takes part, this one included.
-  struct Process {
-    ProcessDescription description;
-    caf::actor agent;
-    caf::actor link;
-    LinkNews news{0, LinkNews::Kind::down, "no answer yet", {}};
-    /// Whether it was ever reached.
-    bool joined = false;
-  };
-
   static Placement checked(Placement x) {
     if (!x.problems.empty())
       throw SystemError{std::move(x.problems)};
@@ -253,209 +207,166 @@ private:
 
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
+  /// For a glance; whether a component has ended the system.
+  bool sleep() {
+    std::unique_lock guard{mutex_};
+    changed_.wait_for(guard, glance, [this] { return ended_.has_value() || !orders_.empty(); });
+    return ended_.has_value();
+  }
+
   // -- making the system
 
   void make() {
-    for (auto& x : placement_.processes)
-      processes_.push_back({x, nullptr, nullptr});
     // Anybody may end the system, from the moment when there is somebody.
     desk_ = system_.spawn(
       [this]() -> caf::behavior { return {[this](const EndSystem& x) { end_asked_for(x); }}; });
     if (options_.on_task)
-      observer_ = spawn_observer();
-    if (processes_.size() > 1)
-      connect();
+      make_observer();
+    processes_.connect(architecture_, placement_);
     PartAgentParts parts;
-    parts.mesh = mesh_;
-    processes_.front().agent = system_.spawn(part_agent, std::move(parts));
-    join(make_parts());
+    parts.mesh = processes_.mesh();
+    processes_.set_own_agent(system_.spawn(part_agent, std::move(parts)));
+    apply(architecture_, placement_);
+    if (!options_.endpoint.empty())
+      open_endpoint();
   }
 
-  void connect() {
-    check_security();
-    mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
-    auto name = "castor-" + std::to_string(getpid());
-    Hello self;
-    self.node = options_.credentials ? options_.credentials->names().front() : name;
-    self.system = std::filesystem::path{architecture_.file}.stem().string() + '-' +
-                  std::to_string(getpid()) + '-' + std::to_string(new_incarnation() % 10'000);
-    self.incarnation = new_incarnation();
-    for (std::size_t i = 1; i < processes_.size(); ++i) {
-      auto& x = processes_[i];
-      LinkParts parts;
-      parts.mesh = mesh_;
-      parts.peer = static_cast<ProcessNumber>(i);
-      parts.peer_name = x.description.name;
-      parts.dial = Endpoint{x.description.host, x.description.port};
-      parts.self = self;
-      parts.self.receiver = parts.peer;
-      parts.credentials = options_.credentials;
-      parts.options = options_.link;
-      parts.counters = std::make_shared<LinkCounters>();
-      parts.on_news = [this](const LinkNews& news) { hear(news); };
-      x.link = spawn_link(system_, std::move(parts));
-      auto peer = static_cast<ProcessNumber>(i);
-      mesh_->add_port(std::make_shared<LinkPort>(mesh_, peer, x.link));
-      x.agent = caf::actor_cast<caf::actor>(mesh_->well_known(peer, WellKnownActor::agent));
-    }
-    await_connections();
-  }
-
-  void check_security() {
-    if (options_.credentials || options_.insecure)
-      return;
+  /// Makes it so in every process. Throws SystemError.
+  void apply(const ArchitectureDescription& architecture, const Placement& placement) {
     std::vector<cast::Diagnostic> problems;
-    for (std::size_t i = 1; i < processes_.size(); ++i) {
-      if (is_loopback(processes_[i].description.host))
+    auto plan = plan_for(architecture, placement);
+    auto made = ask_all<PartMade>(plan, problems);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      if (!made[i])
         continue;
-      processes_[i].news.reason = "what is said to another machine has to be encrypted";
-      problems.push_back(out_of_reach(static_cast<ProcessNumber>(i)));
-      problems.back().remedy = "name a certificate with --tls DIR (scripts/make-certs makes some), "
-                               "or say --insecure";
-    }
-    if (!problems.empty())
-      throw SystemError{std::move(problems)};
-  }
-
-  void hear(const LinkNews& news) {
-    std::lock_guard guard{mutex_};
-    auto& x = processes_[news.peer];
-    x.news = news;
-    if (!news.name.empty())
-      x.description.name = news.name;
-    if (x.joined && !stopped_) {
-      if (news.kind == LinkNews::Kind::up)
-        note(LogLevel::info, "node " + news.name + " is in reach again");
-      else
-        note(LogLevel::warning,
-             "node " + news.name +
-               (news.kind == LinkNews::Kind::lost ? " is lost: " : " is out of reach: ") +
-               news.reason);
-    }
-    x.joined = x.joined || news.kind == LinkNews::Kind::up;
-    changed_.notify_all();
-  }
-
-  void await_connections() {
-    auto until = Clock::now() + options_.connect_patience;
-    std::unique_lock guard{mutex_};
-    auto settled = [this] {
-      return std::all_of(processes_.begin() + 1, processes_.end(),
-                         [](auto& x) { return x.news.kind != LinkNews::Kind::down; });
-    };
-    while (!settled() && Clock::now() < until && !interrupted())
-      changed_.wait_for(guard, glance);
-    std::vector<cast::Diagnostic> problems;
-    for (std::size_t i = 1; i < processes_.size(); ++i)
-      if (processes_[i].news.kind != LinkNews::Kind::up)
-        problems.push_back(out_of_reach(static_cast<ProcessNumber>(i)));
-    if (!problems.empty())
-      throw SystemError{std::move(problems)};
-  }
-
-  /// At the first line that needs the node.
-  cast::Diagnostic out_of_reach(ProcessNumber process) {
-    auto& x = processes_[process];
-    auto at = to_string(Endpoint{x.description.host, x.description.port});
-    cast::Diagnostic result;
-    result.message = "cannot reach the node " +
-                     (x.description.name.empty() ? at : x.description.name + " at " + at) + ": " +
-                     x.news.reason;
-    result.remedy = "start it there with `castor node`, or try the system on this machine with "
-                    "`castor run --local-nodes`";
-    for_each_component([&](const ComponentDescription& component) {
-      auto i = placement_.of.find(component.name);
-      if (i != placement_.of.end() && i->second == process && result.line.empty()) {
-        result.where = component.where;
-        result.line = component.line;
+      for (auto& [name, actor] : made[i]->actors)
+        actors_[name] = actor;
+      for (auto problem : made[i]->problems) {
+        if (i > 0)
+          problem.message = "on the node " + plan.processes[i].name + ": " + problem.message;
+        problems.push_back(std::move(problem));
       }
-    });
-    return result;
-  }
-
-  template <class F>
-  void for_each_component(F&& f) {
-    for (auto& subarchitecture : architecture_.subarchitectures) {
-      f(subarchitecture.working_memory);
-      f(subarchitecture.task_manager);
-      for (auto& x : subarchitecture.components)
-        f(x);
     }
-    for (auto& x : architecture_.standalone)
-      f(x);
+    if (!problems.empty())
+      throw SystemError{std::move(problems)};
+    join(architecture);
   }
 
-  /// Asks every process to make its part; the actors of all of them.
-  std::map<std::string, caf::strong_actor_ptr> make_parts() {
+  PartPlan plan_for(const ArchitectureDescription& architecture, const Placement& placement) const {
     PartPlan plan;
-    plan.architecture = architecture_;
-    {
-      std::lock_guard guard{mutex_};
-      for (auto& x : processes_)
-        plan.processes.push_back(x.description);
-    }
-    plan.placement = placement_.of;
+    plan.architecture = architecture;
+    plan.processes = processes_.descriptions();
+    plan.placement = placement.of;
     plan.open_access = options_.open_access;
     plan.broadcast = options_.broadcast;
     plan.coordinator = desk_;
-    plan.task_observer = observer_;
-    std::map<std::string, caf::strong_actor_ptr> actors;
-    std::vector<cast::Diagnostic> problems;
-    // All at once: each may have libraries to load.
-    auto ask = [&](const Process& x) {
-      plan.age = std::chrono::duration_cast<Timestamp>(Clock::now() - epoch_);
-      return self_->request(x.agent, options_.connect_patience, plan);
-    };
-    std::vector<decltype(ask(processes_.front()))> answers;
-    for (auto& x : processes_)
-      answers.push_back(ask(x));
-    for (std::size_t i = 0; i < processes_.size(); ++i) {
-      auto& x = processes_[i];
-      answers[i].receive(
-        [&](const PartMade& made) {
-          actors.insert(made.actors.begin(), made.actors.end());
-          for (auto problem : made.problems) {
-            if (i > 0)
-              problem.message = "on the node " + plan.processes[i].name + ": " + problem.message;
-            problems.push_back(std::move(problem));
-          }
-        },
-        [&](const caf::error&) { problems.push_back(no_answer(x)); });
-    }
-    if (!problems.empty())
-      throw SystemError{std::move(problems)};
-    return actors;
+    plan.task_observer = options_.on_task ? observer_ : nullptr;
+    plan.age = std::chrono::duration_cast<Timestamp>(Clock::now() - epoch_);
+    return plan;
   }
 
-  cast::Diagnostic no_answer(const Process& x) {
-    std::lock_guard guard{mutex_};
-    cast::Diagnostic result;
-    result.message = "the node " + x.description.name + " did not make its part of the system in " +
-                     std::to_string(options_.connect_patience.count() / 1000) + " s";
-    if (x.news.kind != LinkNews::Kind::up)
-      result.message += ": " + x.news.reason;
+  /// Asks every process that is not lost the same, all at once; what they answer, by their numbers.
+  template <class Answer, class Question>
+  std::vector<std::optional<Answer>> ask_all(const Question& question,
+                                             std::vector<cast::Diagnostic>& problems) {
+    std::vector<std::optional<Answer>> result(processes_.size());
+    auto ask = [&](std::size_t i) {
+      return self_->request(processes_.agent(static_cast<ProcessNumber>(i)),
+                            options_.connect_patience, question);
+    };
+    std::vector<std::pair<std::size_t, decltype(ask(0))>> answers;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (processes_.state(static_cast<ProcessNumber>(i)).link != LinkState::lost)
+        answers.emplace_back(i, ask(i));
+    for (auto& [i, answer] : answers)
+      answer.receive([&, &to = result[i]](const Answer& x) { to = x; },
+                     [&, number = static_cast<ProcessNumber>(i)](const caf::error&) {
+                       problems.push_back(no_answer(number));
+                     });
     return result;
   }
 
-  void join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
+  cast::Diagnostic no_answer(ProcessNumber number) const {
+    auto x = processes_.state(number);
+    cast::Diagnostic result;
+    result.message = "the node " + x.description.name + " did not make its part of the system in " +
+                     std::to_string(options_.connect_patience.count() / 1000) + " s";
+    if (x.link != LinkState::up)
+      result.message += ": " + x.reason;
+    result.remedy = "see that the nodes can reach each other where the file says that they are";
+    return result;
+  }
+
+  /// Introduces all actors to each other. Throws SystemError.
+  void join(const ArchitectureDescription& architecture) {
+    std::set<std::string> names;
+    for_each_component(architecture, [&](auto& x) { names.insert(x.name); });
+    std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
     std::vector<cast::Diagnostic> problems;
-    for (auto& x : processes_)
-      self_->request(x.agent, options_.connect_patience, JoinParts{actors})
-        .receive([](Acknowledged) {},
-                 [&](const caf::error&) {
-                   problems.push_back(no_answer(x));
-                   problems.back().remedy =
-                     "see that the nodes can reach each other where the file says that they are";
-                 });
+    ask_all<Acknowledged>(JoinParts{actors_}, problems);
     if (!problems.empty())
       throw SystemError{std::move(problems)};
-    for (auto& x : architecture_.subarchitectures)
-      working_memories_.emplace_back(
-        x.name, caf::actor_cast<WorkingMemoryActor>(actors.at(x.working_memory.name)));
-    for_each_component([&](const ComponentDescription& x) {
+    working_memories_.clear();
+    for (auto& x : architecture.subarchitectures)
+      working_memories_[x.name] =
+        caf::actor_cast<WorkingMemoryActor>(actors_.at(x.working_memory.name));
+    for_each_component(architecture, [&](const ComponentDescription& x) {
       if (x.kind != ComponentKind::working_memory)
-        components_[x.name] = {caf::actor_cast<caf::actor>(actors.at(x.name)), x.number};
+        components_.try_emplace(
+          x.name, Component{caf::actor_cast<caf::actor>(actors_.at(x.name)), x.number});
     });
+  }
+
+  /// What could not be added is to be nowhere.
+  void take_back(Placement placement) {
+    // A host whose process could not be reached gets another one next time.
+    std::erase_if(placement.hosts, [&](auto& x) {
+      return placement_.hosts.count(x.first) == 0 &&
+             (x.second >= processes_.size() || processes_.state(x.second).link == LinkState::lost);
+    });
+    placement.processes.resize(processes_.size());
+    placement_.hosts = std::move(placement.hosts);
+    placement_.processes = std::move(placement.processes);
+    try {
+      apply(architecture_, placement_);
+    } catch (const SystemError& e) {
+      note(LogLevel::warning, e.what());
+    }
+  }
+
+  /// Configures them all, then starts them all, then lets them run; false if interrupted.
+  bool start_components(const ArchitectureDescription& x) {
+    std::vector<std::string> order;
+    auto configure = [&](const ComponentDescription& y) {
+      if (y.name.empty())
+        return true;
+      order.push_back(y.name);
+      return enter(Phase::configure, y.name);
+    };
+    for (auto& subarchitecture : x.subarchitectures) {
+      if (!configure(subarchitecture.task_manager))
+        return false;
+      // Managed components first, then unmanaged ones.
+      for (auto kind : {ComponentKind::managed, ComponentKind::unmanaged})
+        for (auto& y : subarchitecture.components)
+          if (y.kind == kind && !configure(y))
+            return false;
+    }
+    auto first_standalone = order.size();
+    for (auto& y : x.standalone)
+      if (!configure(y))
+        return false;
+    // What stands outside the subarchitectures starts first: the others will want to connect to it.
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first_standalone),
+                order.end());
+    order_.insert(order_.end(), order.begin(), order.end());
+    for (auto& name : order)
+      if (!enter(Phase::start, name))
+        return false;
+    for (auto& name : order)
+      self_->send(components_.at(name).actor,
+                  EnterPhase{Phase::run, caf::actor_cast<caf::actor>(self_)});
+    return true;
   }
 
   // -- while it runs
@@ -467,25 +378,9 @@ private:
     changed_.notify_all();
   }
 
-  const WorkingMemoryActor& working_memory_of(const std::string& subarchitecture) const {
-    for (auto& [name, actor] : working_memories_)
-      if (name == subarchitecture)
-        return actor;
-    throw std::out_of_range("no subarchitecture " + subarchitecture);
-  }
-
-  ProcessNumber process_of(const std::string& component) const {
-    auto i = placement_.of.find(component);
-    return i == placement_.of.end() ? 0 : i->second;
-  }
-
   bool is_in_reach(const std::string& component) const {
-    std::lock_guard guard{mutex_};
-    auto process = process_of(component);
-    return process == 0 || processes_[process].news.kind == LinkNews::Kind::up;
+    return processes_.is_up(placement_.process_of(component));
   }
-
-  const caf::actor& component(const std::string& name) const { return components_.at(name).actor; }
 
   /// Waits until the component has done what the phase asks of it; false if interrupted.
   bool enter(Phase phase, const std::string& name) {
@@ -521,31 +416,34 @@ private:
     return true;
   }
 
-  caf::actor spawn_observer() {
-    return system_.spawn<caf::detached>(observer, std::cref(options_), std::cref(logged_));
+  // -- who looks on
+
+  void make_observer() {
+    if (!observer_)
+      observer_ = system_.spawn<caf::detached>(observer, std::cref(options_));
   }
 
   void observe() {
+    ObservedSystem observed;
     for (auto& x : architecture_.subarchitectures) {
-      WorkingMemoryClass wm_class;
-      for (auto& setting : x.working_memory.options)
-        wm_class.options.set(setting.name(), setting.value);
+      WorkingMemoryClass wm_class{x.working_memory};
       if (wm_class.log || wm_class.debug)
-        logged_[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
+        observed.logged[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
     }
-    if (!options_.on_change && logged_.empty())
+    if (!options_.on_change && observed.logged.empty())
       return;
-    if (!observer_)
-      observer_ = spawn_observer();
-    Peers peers;
-    for (auto& [name, wm] : working_memories_)
-      peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(wm);
-    self_->send(observer_, peers);
-    for (auto& [name, wm] : working_memories_)
-      if (options_.on_change || logged_.count(name) > 0)
-        caf::send_as(observer_, wm, Subscribe{1, any_change()});
-    // Subscriptions are in force once the working memories have answered anything sent after them.
-    sum_of(&WorkingMemoryStatus::filters);
+    make_observer();
+    observed.working_memories = working_memories_;
+    self_->send(observer_, std::move(observed));
+    ask_observer();
+    // Its subscriptions are in force once the working memories have answered anything sent after
+    // them.
+    ask_working_memories();
+  }
+
+  void ask_observer() {
+    self_->request(observer_, caf::infinite, FlushObserver{})
+      .receive([](bool) {}, [](const caf::error&) {});
   }
 
   /// Lets it tell all there is to tell: what it was sent, and what it is sent when it has told
@@ -556,48 +454,119 @@ private:
     std::uint64_t sent = 0;
     do {
       last = sent;
-      self_->request(observer_, caf::infinite, FlushAtom::value)
-        .receive([](bool) {}, [](const caf::error&) {});
+      ask_observer();
       sent = sum_of(&WorkingMemoryStatus::delivered);
     } while (sent != last && Clock::now() < until);
   }
 
+  void open_endpoint() {
+    endpoint_ = open_local_endpoint(system_, options_.endpoint, [this](SystemOrder x) {
+      std::lock_guard guard{mutex_};
+      orders_.push_back(std::move(x));
+      changed_.notify_all();
+    });
+    tell_endpoint();
+  }
+
+  void tell_endpoint() {
+    if (!endpoint_)
+      return;
+    SystemRoster roster;
+    roster.file = architecture_.file;
+    roster.epoch = epoch_;
+    roster.processes = processes_.descriptions();
+    for (std::size_t i = 0; i < roster.processes.size(); ++i)
+      roster.agents.push_back(processes_.agent(static_cast<ProcessNumber>(i)));
+    for (auto& [name, wm] : working_memories_)
+      roster.working_memories[name] = wm;
+    for_each_component(architecture_,
+                       [&](auto& x) { roster.placement[x.name] = placement_.process_of(x.name); });
+    caf::anon_send(endpoint_, std::make_shared<const SystemRoster>(std::move(roster)));
+  }
+
+  void tell_of_change() {
+    observe();
+    tell_endpoint();
+  }
+
+  std::deque<SystemOrder> take_orders() {
+    std::lock_guard guard{mutex_};
+    return std::exchange(orders_, {});
+  }
+
+  void carry_out_orders() {
+    for (auto& order : take_orders()) {
+      if (auto* name = std::get_if<std::string>(&order.what)) {
+        order.done({remove(*name), {}});
+      } else {
+        order.done({{}, add(std::move(std::get<ArchitectureDescription>(order.what)))});
+      }
+    }
+  }
+
+  void refuse_orders() {
+    for (auto& order : take_orders())
+      order.done({"the system is about to end", {}});
+  }
+
+  // -- how it is doing
+
+  std::vector<WorkingMemoryStatus> ask_working_memories() {
+    auto ask = [&](const WorkingMemoryActor& wm) {
+      return self_->request(wm, options_.answer_patience, StatusQuery{});
+    };
+    std::vector<decltype(ask(WorkingMemoryActor{}))> answers;
+    for (auto& x : architecture_.subarchitectures)
+      if (is_in_reach(x.working_memory.name))
+        answers.push_back(ask(working_memories_.at(x.name)));
+    std::vector<WorkingMemoryStatus> result;
+    for (auto& answer : answers)
+      answer.receive([&](const WorkingMemoryStatus& x) { result.push_back(x); },
+                     [](const caf::error&) {});
+    return result;
+  }
+
   std::uint64_t sum_of(std::uint64_t WorkingMemoryStatus::*counter) {
     std::uint64_t result = 0;
-    for (auto& [name, wm] : working_memories_)
-      if (is_in_reach(architecture_.subarchitecture(name)->working_memory.name))
-        self_->request(wm, options_.answer_patience, StatusQuery{})
-          .receive([&](const WorkingMemoryStatus& x) { result += x.*counter; },
-                   [](const caf::error&) {});
+    for (auto& x : ask_working_memories())
+      result += x.*counter;
     return result;
   }
+
+  /// By the processes' numbers; nothing of those that do not answer.
+  std::vector<std::optional<PartStatus>> ask_parts() {
+    auto ask = [&](ProcessNumber i) {
+      return self_->request(processes_.agent(i), options_.answer_patience, PartStatusQuery{});
+    };
+    std::vector<std::optional<PartStatus>> result(processes_.size());
+    std::vector<std::pair<std::size_t, decltype(ask(0))>> answers;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (processes_.is_up(static_cast<ProcessNumber>(i)))
+        answers.emplace_back(i, ask(static_cast<ProcessNumber>(i)));
+    for (auto& [i, answer] : answers)
+      answer.receive([&, &to = result[i]](const PartStatus& x) { to = x; },
+                     [](const caf::error&) {});
+    return result;
+  }
+
+  std::vector<ComponentStatus> status() { return status(ask_parts()); }
 
   /// Of all components, in the order of their start.
-  std::vector<ComponentStatus> status() {
+  std::vector<ComponentStatus> status(const std::vector<std::optional<PartStatus>>& parts) {
     std::map<std::string, ComponentStatus> found;
-    for (auto& process : processes_) {
-      {
-        std::lock_guard guard{mutex_};
-        if (process.link && process.news.kind != LinkNews::Kind::up)
-          continue;
-      }
-      self_->request(process.agent, options_.answer_patience, PartStatusQuery{})
-        .receive(
-          [&](const PartStatus& x) {
-            for (auto& y : x.components)
-              found[y.identity.name] = y;
-          },
-          [](const caf::error&) {});
-    }
+    for (auto& part : parts)
+      if (part)
+        for (auto& x : part->components)
+          found[x.identity.name] = x;
     std::vector<ComponentStatus> result;
     for (auto& name : order_.empty() ? names() : order_)
-      result.push_back(found.count(name) > 0 ? found[name] : status_of_lost(name));
+      result.push_back(found.count(name) > 0 ? found[name] : status_of_absent(name));
     return result;
   }
 
-  std::vector<std::string> names() {
+  std::vector<std::string> names() const {
     std::vector<std::string> result;
-    for_each_component([&](const ComponentDescription& x) {
+    for_each_component(architecture_, [&](const ComponentDescription& x) {
       if (x.kind != ComponentKind::working_memory)
         result.push_back(x.name);
     });
@@ -605,18 +574,18 @@ private:
   }
 
   /// Of a component whose node does not answer.
-  ComponentStatus status_of_lost(const std::string& name) {
+  ComponentStatus status_of_absent(const std::string& name) const {
     auto& x = *architecture_.component(name);
-    auto& process = processes_[process_of(name)];
+    auto process = processes_.state(placement_.process_of(name));
     ComponentStatus result;
     result.identity = {x.name, x.subarchitecture, x.class_name,
                        static_cast<std::uint32_t>(x.number)};
     result.is_task_manager = x.kind == ComponentKind::task_manager;
     result.state = ComponentState::failed;
-    std::lock_guard guard{mutex_};
+    result.out_of_reach = process.link != LinkState::lost;
     result.failure = "its node " + process.description.name + " does not answer";
-    if (process.news.kind != LinkNews::Kind::up)
-      result.failure += ": " + process.news.reason;
+    if (process.link != LinkState::up)
+      result.failure += ": " + process.reason;
     return result;
   }
 
@@ -628,11 +597,29 @@ private:
   /// Task managers alone do nothing.
   static bool all_failed(const std::vector<ComponentStatus>& components) {
     return std::all_of(components.begin(), components.end(), [](auto& x) {
-      return x.is_task_manager || x.state == ComponentState::failed;
+      return x.is_task_manager || (x.state == ComponentState::failed && !x.out_of_reach);
     });
   }
 
   // -- the end
+
+  /// In this order.
+  void stop_components(const std::vector<std::string>& names) {
+    std::string stopped;
+    for (auto& name : names) {
+      // Of a node that is out of reach, the part ends by itself.
+      if (!is_in_reach(name))
+        continue;
+      if (await_end(components_.at(name).actor)) {
+        stopped += (stopped.empty() ? "" : ", ") + name;
+      } else {
+        stuck_.push_back(name);
+        note(LogLevel::error, name + " did not stop: it has not come back from its own code");
+      }
+    }
+    if (!stopped.empty())
+      note(LogLevel::info, "stopped, in this order: " + stopped);
+  }
 
   /// Stops a component; false if it does not stop in time.
   bool await_end(const caf::actor& x) {
@@ -647,13 +634,9 @@ private:
   }
 
   void end() {
-    for (std::size_t i = 1; i < processes_.size(); ++i)
-      if (processes_[i].link)
-        caf::anon_send(processes_[i].link, CloseLink{"the system has ended"});
-    if (!processes_.empty())
-      caf::anon_send_exit(processes_.front().agent, caf::exit_reason::user_shutdown);
-    if (mesh_)
-      mesh_->close();
+    caf::anon_send_exit(endpoint_, caf::exit_reason::user_shutdown);
+    processes_.close("the system has ended");
+    caf::anon_send_exit(processes_.agent(0), caf::exit_reason::user_shutdown);
     caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
     caf::anon_send_exit(desk_, caf::exit_reason::user_shutdown);
   }
@@ -664,25 +647,29 @@ private:
     bool failed = false;
   };
 
-  const ArchitectureDescription architecture_;
+  ArchitectureDescription architecture_;
   const SystemOptions options_;
-  const Placement placement_;
-  LoggedChanges logged_;
+  Placement placement_;
+  /// Of the next component that is added.
+  std::size_t next_number_ = 0;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<std::pair<int, std::string>> ended_;
-  std::vector<Process> processes_;
+  std::deque<SystemOrder> orders_;
 
-  ActorSystemConfig config_{placement_.processes.size() > 1};
+  ActorSystemConfig config_{placement_.processes.size() > 1 || !options_.endpoint.empty()};
   caf::actor_system system_{config_};
   const Clock::time_point epoch_ = Clock::now();
   caf::scoped_actor self_{system_};
 
-  std::shared_ptr<Mesh> mesh_;
+  Processes processes_{system_, options_, new_system_name(architecture_)};
   caf::actor desk_;
   caf::actor observer_;
-  std::vector<std::pair<std::string, WorkingMemoryActor>> working_memories_;
+  caf::actor endpoint_;
+  /// Of all parts, by the names of the components, working memories included.
+  std::map<std::string, caf::strong_actor_ptr> actors_;
+  std::map<std::string, WorkingMemoryActor> working_memories_;
   std::map<std::string, Component> components_;
   /// Of the components' start.
   std::vector<std::string> order_;
@@ -714,6 +701,14 @@ void System::stop() {
 
 void System::abandon() {
   implementation_->abandon();
+}
+
+std::vector<cast::Diagnostic> System::add(ArchitectureDescription added) {
+  return implementation_->add(std::move(added));
+}
+
+std::string System::remove(const std::string& name) {
+  return implementation_->remove(name);
 }
 
 SystemSummary System::summary() {

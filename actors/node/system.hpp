@@ -4,11 +4,13 @@
 #include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/component/status.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/entry.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -48,11 +50,15 @@ struct SystemOptions {
   /// Talk to nodes on other machines without credentials.
   bool insecure = false;
 
+  /// The socket at which people and programs of the same user find the running system
+  /// (local_endpoint.hpp); empty for none.
+  std::filesystem::path endpoint;
+
   /// How long nodes may take to be reached, before the system is given up.
   std::chrono::milliseconds connect_patience{5'000};
 
   /// How long processes may take to answer a question.
-  std::chrono::milliseconds answer_patience{5000};
+  std::chrono::milliseconds answer_patience{2000};
 
   /// How a node that went out of reach is treated.
   LinkOptions link;
@@ -72,22 +78,18 @@ struct SystemOptions {
   std::function<bool()> interrupted;
 };
 
-/// What a working memory holds and has done.
-struct WorkingMemorySummary {
-  std::string subarchitecture;
-  std::map<std::string, std::uint64_t> entries_by_type;
-  std::uint64_t events = 0;
-  std::uint64_t matched = 0;
-  std::uint64_t delivered = 0;
-  std::uint64_t coalesced = 0;
-  std::uint64_t suppressed = 0;
-  std::uint64_t forwarded = 0;
-  std::uint64_t routed = 0;
-  std::uint64_t refused = 0;
+/// A process, and what it has exchanged with the others.
+struct ProcessSummary {
+  ProcessDescription description;
+  ProcessUsage usage;
+  std::vector<LinkStatus> links;
 };
 
 struct SystemSummary {
-  std::vector<WorkingMemorySummary> working_memories;
+  /// The coordinator's first; those that are in reach.
+  std::vector<ProcessSummary> processes;
+  /// Those that are in reach, in the order of the file.
+  std::vector<WorkingMemoryStatus> working_memories;
   /// In the order of their start.
   std::vector<ComponentStatus> components;
   /// Components of this process that did not stop when they were told to; their threads are still
@@ -133,6 +135,16 @@ public:
 
   /// The status and the reason that a component gave when it ended the system.
   std::optional<std::pair<int, std::string>> ended() const;
+
+  /// Joins what a file describes to the running system: whole subarchitectures, and components of
+  /// those that run. The file is to be read with the names of the running subarchitectures
+  /// (`ParseOptions::running_subarchitectures`). Returns what stands in the way; then the system is
+  /// as it was.
+  std::vector<cast::Diagnostic> add(ArchitectureDescription added);
+
+  /// Stops a component, or a subarchitecture with all it consists of, and takes it out of the
+  /// system. Returns why that cannot be done; empty if it was.
+  std::string remove(const std::string& name);
 
   /// Stops the components in the reverse order of their start. Working memories stay readable.
   void stop();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/cast/description.hpp"
 #include "castor/actors/component/option.hpp"
 
 #include <chrono>
@@ -12,6 +13,14 @@ struct WorkingMemoryClass {
   static constexpr const char* name = "SubarchitectureWorkingMemory";
   static constexpr const char* help =
     "holds the entries of a subarchitecture and tells of their changes";
+
+  WorkingMemoryClass() = default;
+
+  /// With the options of a WM line, which have been checked.
+  explicit WorkingMemoryClass(const ComponentDescription& x) {
+    for (auto& setting : x.options)
+      options.set(setting.name(), setting.value);
+  }
 
   OptionList options;
   Option<std::vector<std::string>> ignore{

@@ -3,6 +3,7 @@
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/link/listener.hpp"
 #include "castor/actors/link/wire_protocol.hpp"
+#include "castor/actors/node/actor_system_config.hpp"
 #include "castor/tests/support/relay.hpp"
 #include "castor/wm/reflect.hpp"
 #include "castor/wm/working_memory.hpp"
@@ -38,15 +39,6 @@ const WireTable& table() {
   return result;
 }
 
-struct Config : caf::actor_system_config {
-  Config() {
-    load<caf::io::middleman>();
-    set("scheduler.policy", caf::atom("sharing"));
-    set("scheduler.max-threads", 2);
-    set("middleman.workers", 0);
-  }
-};
-
 /// One process's part of a system, in a test that has two of them in one process.
 struct Part {
   explicit Part(ProcessNumber number) : mesh(std::make_shared<Mesh>(system, table(), number)) {}
@@ -68,12 +60,11 @@ struct Part {
     x.peer = peer;
     x.peer_name = peer == 0 ? "run" : "robot";
     x.self = hello();
-    x.counters = counters;
     x.options.patience = 3s;
     x.on_news = [this](const LinkNews& news) {
-      if (news.kind == LinkNews::Kind::up)
+      if (news.state == LinkState::up)
         ++ups;
-      else if (news.kind == LinkNews::Kind::lost)
+      else if (news.state == LinkState::lost)
         lost = true;
     };
     return x;
@@ -94,14 +85,12 @@ struct Part {
   void connect(ProcessNumber peer, std::optional<Endpoint> to) {
     auto x = parts(peer);
     x.dial = std::move(to);
-    link = spawn_link(system, std::move(x));
-    mesh->add_port(std::make_shared<LinkPort>(mesh, peer, link));
+    link = spawn_link(std::move(x));
   }
 
   std::atomic<int> ups{0};
   std::atomic<bool> lost{false};
-  std::shared_ptr<LinkCounters> counters = std::make_shared<LinkCounters>();
-  Config config;
+  ActorSystemConfig config{true};
   caf::actor_system system{config};
   std::shared_ptr<Mesh> mesh;
   caf::actor link;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "castor/actors/node/local_endpoint.hpp"
+
+#include <caf/event_based_actor.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace castor {
+
+/// To an inspection: what somebody has asked for, a JSON object.
+struct InspectionRequest {
+  std::string text;
+};
+
+/// From an inspection: lines of JSON, each ended by a line break.
+struct InspectionReply {
+  std::uint64_t connection = 0;
+  std::string text;
+  /// There is no more to come.
+  bool last = false;
+};
+
+/// To an inspection: everything it has said was taken, so that there may be more.
+struct InspectionTaken {};
+
+struct InspectionParts {
+  /// Named in every reply.
+  std::uint64_t connection = 0;
+  caf::actor endpoint;
+  SystemRosterPtr roster;
+  std::function<void(SystemOrder)> give_order;
+};
+
+/// Answers one request for one connection, which may take for ever (`events`): it then goes on
+/// until it is ended.
+caf::behavior inspection(caf::event_based_actor* self, InspectionParts parts);
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::InspectionRequest)
+CASTOR_LOCAL_MESSAGE(castor::InspectionReply)
+CASTOR_LOCAL_MESSAGE(castor::InspectionTaken)

@@ -1,0 +1,203 @@
+#include "castor/actors/node/inspection_json.hpp"
+
+#include "castor/actors/link/dial.hpp"
+#include "castor/wm/json.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace castor {
+
+namespace {
+
+template <class Duration>
+double seconds(Duration x) {
+  return std::chrono::duration<double>(x).count();
+}
+
+template <class E>
+std::string name_of(E x) {
+  for (auto& [name, value] : reflection_of<E>().enumerators)
+    if (value == x)
+      return std::string{name};
+  return {};
+}
+
+const char* name_of(LinkState x) {
+  switch (x) {
+    case LinkState::up:
+      return "up";
+    case LinkState::down:
+      return "down";
+    case LinkState::lost:
+      return "lost";
+  }
+  return "";
+}
+
+/// As all else that names a process does.
+std::string name_of(const SystemRoster& roster, ProcessNumber x) {
+  if (x == 0)
+    return "localhost";
+  return x < roster.processes.size() ? roster.processes[x].name : std::string{};
+}
+
+Json to_json(const LinkStatus& x, const SystemRoster& roster) {
+  return {{"to", name_of(roster, x.news.peer)},
+          {"state", name_of(x.news.state)},
+          {"reason", x.news.reason},
+          {"messages_out", x.messages_out},
+          {"messages_in", x.messages_in},
+          {"bytes_out", x.bytes_out},
+          {"bytes_in", x.bytes_in},
+          {"events_out", x.events_out},
+          {"events_in", x.events_in},
+          {"connections", x.connections},
+          {"unacknowledged", x.unacknowledged}};
+}
+
+/// How the coordinator's own part sees the process.
+const LinkStatus* link_to(const SystemReport& report, std::size_t process) {
+  if (report.parts.empty() || !report.parts.front())
+    return nullptr;
+  for (auto& x : report.parts.front()->links)
+    if (x.news.peer == process)
+      return &x;
+  return nullptr;
+}
+
+Json node_as_json(const SystemReport& report, const SystemRoster& roster, std::size_t number) {
+  auto& x = roster.processes[number];
+  auto* link = link_to(report, number);
+  Json result{{"name", name_of(roster, static_cast<ProcessNumber>(number))},
+              {"address", number == 0 ? "" : to_string(Endpoint{x.host, x.port})},
+              {"state", link ? name_of(link->news.state) : "up"},
+              {"reason", link ? link->news.reason : ""}};
+  auto& part = report.parts[number];
+  if (!part)
+    return result;
+  result["components"] = part->components.size();
+  result["cpu"] = seconds(part->usage.cpu);
+  result["age"] = seconds(part->usage.age);
+  result["memory"] = part->usage.memory_bytes;
+  result["links"] = Json::array();
+  for (auto& y : part->links)
+    result["links"].push_back(to_json(y, roster));
+  return result;
+}
+
+Json to_json(const ComponentStatus& x, const std::string& node) {
+  return {{"name", x.identity.name},
+          {"subarchitecture", x.identity.subarchitecture},
+          {"class", x.identity.class_name},
+          {"node", node},
+          {"state", name_of(x.state)},
+          {"failure", x.failure},
+          {"incarnation", x.identity.incarnation},
+          {"busy", seconds(x.busy)},
+          {"cpu", seconds(x.cpu)},
+          {"events", x.events_received},
+          {"callbacks", x.callbacks},
+          {"writes", x.writes},
+          {"reads", x.reads}};
+}
+
+Json to_json(const WorkingMemoryStatus& x, const std::string& node) {
+  return {{"subarchitecture", x.subarchitecture},
+          {"node", node},
+          {"entries", x.entries},
+          {"entries_by_type", x.entries_by_type},
+          {"filters", x.filters},
+          {"leases", x.leases},
+          {"waiting", x.waiting},
+          {"events", x.events},
+          {"matched", x.matched},
+          {"delivered", x.delivered},
+          {"coalesced", x.coalesced},
+          {"suppressed", x.suppressed},
+          {"backlog", x.backlog},
+          {"forwarded", x.forwarded},
+          {"routed", x.routed},
+          {"refused", x.refused}};
+}
+
+/// The object with one member more, which is JSON already.
+std::string with_value(const Json& object, const std::string& value) {
+  auto result = object.dump();
+  result.pop_back();
+  return result + ",\"value\":" + value + "}";
+}
+
+} // namespace
+
+Json to_json(const SystemReport& report, const SystemRoster& roster) {
+  Json result{{"system", std::filesystem::path{roster.file}.stem().string()},
+              {"file", roster.file},
+              {"process", getpid()},
+              {"age", seconds(std::chrono::steady_clock::now() - roster.epoch)}};
+  auto node_of = [&](const std::string& component) {
+    return name_of(roster, process_of(roster.placement, component));
+  };
+  auto& nodes = result["nodes"] = Json::array();
+  for (std::size_t i = 0; i < roster.processes.size(); ++i)
+    // Some were only tried.
+    if (i == 0 || !roster.processes[i].host.empty())
+      nodes.push_back(node_as_json(report, roster, i));
+  auto& components = result["components"] = Json::array();
+  for (auto& part : report.parts)
+    if (part)
+      for (auto& x : part->components)
+        components.push_back(to_json(x, node_of(x.identity.name)));
+  auto& working_memories = result["working_memories"] = Json::array();
+  for (auto& x : report.working_memories)
+    working_memories.push_back(to_json(x, node_of(x.subarchitecture + "_wm")));
+  return result;
+}
+
+Json to_json(const Access& x) {
+  return {{"component", x.component},
+          {"subarchitecture", x.subarchitecture},
+          {"type", x.type},
+          {"adds", x.adds},
+          {"overwrites", x.overwrites},
+          {"deletes", x.deletes},
+          {"reads", x.reads},
+          {"events", x.events}};
+}
+
+Json to_json(const ChangeEvent& x) {
+  return {{"time", seconds(x.time)},
+          {"subarchitecture", x.address.subarchitecture},
+          {"operation", to_string(x.operation)},
+          {"type", x.type_name()},
+          {"id", x.address.id},
+          {"version", x.version},
+          {"component", x.source},
+          {"changed", x.changed_fields()},
+          {"coalesced", x.coalesced}};
+}
+
+std::string entry_as_json(const Entry& x, bool wanted, std::size_t max_bytes) {
+  Json result{{"subarchitecture", x.address.subarchitecture},
+              {"id", x.address.id},
+              {"type", x.type_name()},
+              {"version", x.version},
+              {"writer", x.writer},
+              {"bytes", x.value.bytes().size()}};
+  if (!wanted)
+    return result.dump();
+  JsonOptions options;
+  options.max_bytes = max_bytes;
+  return with_value(result, castor::to_json(x.value, options));
+}
+
+std::string change_as_json(const ChangeEvent& x, const Value& value, std::size_t max_bytes) {
+  if (!value.has_value())
+    return to_json(x).dump();
+  JsonOptions options;
+  options.max_bytes = max_bytes;
+  return with_value(to_json(x), castor::to_json(value, options));
+}
+
+} // namespace castor

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "castor/actors/node/local_endpoint.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What an inspection says, as JSON. Times are in seconds.
+namespace castor {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything about a system at one moment: what `castor ps` shows.
+struct SystemReport {
+  /// By the processes' numbers; nothing of those that do not answer.
+  std::vector<std::optional<PartStatus>> parts;
+  std::vector<WorkingMemoryStatus> working_memories;
+};
+
+Json to_json(const SystemReport& report, const SystemRoster& roster);
+Json to_json(const Access& x);
+Json to_json(const ChangeEvent& x);
+
+/// An entry, with its value if that is wanted. Byte fields of more than `max_bytes` are shown as
+/// their size.
+std::string entry_as_json(const Entry& x, bool with_value, std::size_t max_bytes);
+
+/// The event and, if there is one, the entry's value after it.
+std::string change_as_json(const ChangeEvent& x, const Value& value, std::size_t max_bytes);
+
+} // namespace castor

@@ -1,0 +1,195 @@
+#include "castor/actors/node/local_endpoint.hpp"
+
+#include "castor/actors/node/inspection.hpp"
+
+#include <caf/io/broker.hpp>
+#include <caf/io/middleman.hpp>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+namespace fs = std::filesystem;
+using caf::io::connection_handle;
+
+/// Of a request.
+constexpr std::size_t longest_line = std::size_t{64} << 10;
+constexpr std::size_t most_connections = 64;
+
+/// Throws unless it is a folder of this user that nobody else can look into.
+void check_folder(const fs::path& x) {
+  struct stat status {};
+  if (lstat(x.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+    throw std::runtime_error(x.string() + " cannot be made, or is no folder");
+  if (status.st_uid != geteuid() || (status.st_mode & 077) != 0)
+    throw std::runtime_error(x.string() + " is open to others: remove it, or say chmod 700 " +
+                             x.string());
+}
+
+int listen_at(const fs::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  auto text = path.string();
+  if (text.size() >= sizeof(address.sun_path))
+    throw std::runtime_error(text + " is too long for a socket's name");
+  text.copy(address.sun_path, text.size());
+  // What was left by a process that was killed.
+  unlink(text.c_str());
+  int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (fd < 0 || bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0 ||
+      chmod(text.c_str(), 0600) != 0 || listen(fd, SOMAXCONN) != 0) {
+    std::string problem = std::strerror(errno);
+    if (fd >= 0)
+      close(fd);
+    throw std::runtime_error("cannot listen at " + text + ": " + problem);
+  }
+  return fd;
+}
+
+/// The socket's file, and who has connected.
+struct EndpointState {
+  static constexpr const char* name = "local_endpoint";
+
+  struct Connection {
+    std::string received;
+    caf::actor inspection;
+    /// Whether something was said that has not been taken, and whether that was the last.
+    bool busy = false;
+    bool last = false;
+  };
+
+  fs::path socket;
+  SystemRosterPtr roster;
+  std::function<void(SystemOrder)> give_order;
+  std::map<connection_handle, Connection> connections;
+
+  ~EndpointState() { unlink(socket.c_str()); }
+};
+
+using Self = caf::io::stateful_broker<EndpointState>;
+
+void leave(Self* self, connection_handle handle) {
+  auto x = self->state.connections.extract(handle);
+  if (!x)
+    return;
+  caf::anon_send_exit(x.mapped().inspection, caf::exit_reason::user_shutdown);
+  self->close(handle);
+}
+
+void say(Self* self, connection_handle handle, const std::string& text, bool last) {
+  auto i = self->state.connections.find(handle);
+  if (i == self->state.connections.end())
+    return;
+  i->second.last = last;
+  if (text.empty()) {
+    if (last && !i->second.busy)
+      leave(self, handle);
+    return;
+  }
+  i->second.busy = true;
+  self->write(handle, text.size(), text.data());
+  self->flush(handle);
+}
+
+void admit(Self* self, connection_handle handle) {
+  if (self->state.connections.size() >= most_connections) {
+    self->close(handle);
+    return;
+  }
+  self->state.connections[handle];
+  self->configure_read(handle, caf::io::receive_policy::at_most(4096));
+  self->ack_writes(handle, true);
+}
+
+void hear(Self* self, const caf::io::new_data_msg& x) {
+  auto i = self->state.connections.find(x.handle);
+  // One request is enough for a connection.
+  if (i == self->state.connections.end() || i->second.inspection)
+    return;
+  auto& received = i->second.received;
+  received.append(x.buf.data(), x.buf.size());
+  auto end = received.find('\n');
+  if (end == std::string::npos) {
+    if (received.size() > longest_line)
+      leave(self, x.handle);
+    return;
+  }
+  InspectionParts parts;
+  parts.connection = static_cast<std::uint64_t>(x.handle.id());
+  parts.endpoint = self;
+  parts.roster = self->state.roster;
+  parts.give_order = self->state.give_order;
+  i->second.inspection = self->system().spawn(inspection, std::move(parts));
+  caf::anon_send(i->second.inspection, InspectionRequest{received.substr(0, end)});
+}
+
+void written(Self* self, const caf::io::data_transferred_msg& x) {
+  auto i = self->state.connections.find(x.handle);
+  if (i == self->state.connections.end() || x.remaining > 0)
+    return;
+  i->second.busy = false;
+  if (i->second.last)
+    leave(self, x.handle);
+  else
+    caf::anon_send(i->second.inspection, InspectionTaken{});
+}
+
+caf::behavior endpoint(Self* self, fs::path path, int socket,
+                       std::function<void(SystemOrder)> give_order) {
+  self->state.socket = std::move(path);
+  self->state.give_order = std::move(give_order);
+  self->add_doorman(socket);
+  return {
+    [self](const SystemRosterPtr& x) {
+      self->state.roster = x;
+      for (auto& [handle, connection] : self->state.connections)
+        if (connection.inspection)
+          caf::anon_send(connection.inspection, x);
+    },
+    [self](const InspectionReply& x) {
+      say(self, connection_handle::from_int(static_cast<std::int64_t>(x.connection)), x.text,
+          x.last);
+    },
+    [self](const caf::io::new_connection_msg& x) { admit(self, x.handle); },
+    [self](const caf::io::new_data_msg& x) { hear(self, x); },
+    [self](const caf::io::data_transferred_msg& x) { written(self, x); },
+    [self](const caf::io::connection_closed_msg& x) { leave(self, x.handle); },
+    [](const caf::io::acceptor_closed_msg&) {},
+  };
+}
+
+} // namespace
+
+fs::path endpoint_folder() {
+  auto* runtime = std::getenv("XDG_RUNTIME_DIR");
+  auto result = runtime && fs::is_directory(runtime)
+                  ? fs::path{runtime} / "castor"
+                  : fs::path{"/tmp"} / ("castor-" + std::to_string(geteuid()));
+  mkdir(result.c_str(), 0700);
+  check_folder(result);
+  return result;
+}
+
+fs::path endpoint_of_process(const std::string& system_file) {
+  return endpoint_folder() /
+         (fs::path{system_file}.stem().string() + '-' + std::to_string(getpid()) + ".sock");
+}
+
+caf::actor open_local_endpoint(caf::actor_system& system, const fs::path& socket,
+                               std::function<void(SystemOrder)> give_order) {
+  auto fd = listen_at(socket);
+  return system.middleman().spawn_broker(endpoint, socket, fd, std::move(give_order));
+}
+
+} // namespace castor

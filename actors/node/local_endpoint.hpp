@@ -1,0 +1,65 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/node/part_protocol.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// How people and programs on this machine find out about a running system, and change it: a socket
+/// that only their user can reach. It speaks JSON, one object on a line; docs/introspection.md has
+/// the requests.
+namespace castor {
+
+/// The folder with the sockets of this user's systems; is made if there is none. Throws
+/// std::runtime_error if others could reach what is in it.
+std::filesystem::path endpoint_folder();
+
+/// Where a system that this process runs can be found.
+std::filesystem::path endpoint_of_process(const std::string& system_file);
+
+/// Who takes part in a system, for those who look on.
+struct SystemRoster {
+  std::string file;
+  std::chrono::steady_clock::time_point epoch;
+  /// By their numbers, with the agent of each.
+  std::vector<ProcessDescription> processes;
+  std::vector<caf::actor> agents;
+  std::map<std::string, WorkingMemoryActor> working_memories;
+  /// Of all components, working memories included.
+  std::map<std::string, ProcessNumber> placement;
+};
+
+using SystemRosterPtr = std::shared_ptr<const SystemRoster>;
+
+/// Why the system could not be changed; all is empty if it was.
+struct OrderOutcome {
+  std::string problem;
+  /// Of what was to be added.
+  std::vector<cast::Diagnostic> findings;
+};
+
+/// Somebody wants the system to be changed.
+struct SystemOrder {
+  /// What to add, or the name of what to remove.
+  std::variant<ArchitectureDescription, std::string> what;
+  /// To be called with what stood in the way.
+  std::function<void(const OrderOutcome&)> done;
+};
+
+/// Listens at the socket, which goes with the actor. It has to be sent a SystemRosterPtr, and again
+/// whenever that has changed. `give_order` is called from any thread. Throws std::runtime_error.
+caf::actor open_local_endpoint(caf::actor_system& system, const std::filesystem::path& socket,
+                               std::function<void(SystemOrder)> give_order);
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::SystemRosterPtr)

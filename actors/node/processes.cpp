@@ -1,0 +1,207 @@
+#include "castor/actors/node/processes.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/node/incarnation.hpp"
+#include "castor/actors/node/messages.hpp"
+
+#include <caf/scoped_actor.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often a wait is interrupted to see whether it should go on.
+constexpr std::chrono::milliseconds glance{50};
+
+/// At the first line that needs the process.
+cast::Diagnostic out_of_reach(const ArchitectureDescription& architecture,
+                              const Placement& placement, ProcessNumber number,
+                              const Processes::State& x) {
+  auto at = to_string(Endpoint{x.description.host, x.description.port});
+  cast::Diagnostic result;
+  result.message = "cannot reach the node " +
+                   (x.description.name.empty() ? at : x.description.name + " at " + at) + ": " +
+                   x.reason;
+  result.remedy = "start it there with `castor node`, or try the system on this machine with "
+                  "`castor run --local-nodes`";
+  for_each_component(architecture, [&](const ComponentDescription& component) {
+    if (placement.process_of(component.name) == number && result.line.empty()) {
+      result.where = component.where;
+      result.line = component.line;
+    }
+  });
+  return result;
+}
+
+} // namespace
+
+Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name)
+  : system_(system), options_(options), name_(std::move(name)), incarnation_(new_incarnation()) {
+  processes_.emplace_back();
+  processes_.front().news.state = LinkState::up;
+  if (system_.has_middleman())
+    mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
+}
+
+void Processes::connect(const ArchitectureDescription& architecture, const Placement& placement) {
+  auto first = processes_.size();
+  if (placement.processes.size() == first)
+    return;
+  if (!mesh_)
+    throw SystemError{{out_of_reach(
+      architecture, placement, static_cast<ProcessNumber>(first),
+      {placement.processes[first], LinkState::down, "the system was started without a network"})}};
+  check_security(architecture, placement, first);
+  for (auto i = first; i < placement.processes.size(); ++i) {
+    {
+      std::lock_guard guard{mutex_};
+      processes_.emplace_back().description = placement.processes[i];
+    }
+    open_link(static_cast<ProcessNumber>(i));
+  }
+  try {
+    await_connections(architecture, placement, first);
+  } catch (const SystemError&) {
+    // Their numbers are not used again.
+    std::lock_guard guard{mutex_};
+    for (auto i = first; i < processes_.size(); ++i) {
+      processes_[i].news.state = LinkState::lost;
+      processes_[i].description = {};
+      caf::anon_send(processes_[i].link, CloseLink{"the system goes on without it"});
+    }
+    throw;
+  }
+}
+
+void Processes::check_security(const ArchitectureDescription& architecture,
+                               const Placement& placement, std::size_t first) const {
+  if (options_.credentials || options_.insecure)
+    return;
+  std::vector<cast::Diagnostic> problems;
+  for (auto i = first; i < placement.processes.size(); ++i) {
+    auto& x = placement.processes[i];
+    if (is_loopback(x.host))
+      continue;
+    problems.push_back(
+      out_of_reach(architecture, placement, static_cast<ProcessNumber>(i),
+                   {x, LinkState::down, "what is said to another machine has to be encrypted"}));
+    problems.back().remedy =
+      "name a certificate with --tls DIR (scripts/make-certs makes some), or "
+      "say --insecure";
+  }
+  if (!problems.empty())
+    throw SystemError{std::move(problems)};
+}
+
+void Processes::open_link(ProcessNumber number) {
+  auto& x = processes_[number];
+  LinkParts parts;
+  parts.mesh = mesh_;
+  parts.peer = number;
+  parts.peer_name = x.description.name;
+  parts.dial = Endpoint{x.description.host, x.description.port};
+  parts.self.node = options_.credentials ? options_.credentials->names().front()
+                                         : "castor-" + std::to_string(getpid());
+  parts.self.system = name_;
+  parts.self.incarnation = incarnation_;
+  parts.credentials = options_.credentials;
+  parts.options = options_.link;
+  parts.on_news = [this](const LinkNews& news) { hear(news); };
+  auto link = spawn_link(std::move(parts));
+  std::lock_guard guard{mutex_};
+  x.link = link;
+  x.agent = caf::actor_cast<caf::actor>(mesh_->well_known(number, WellKnownActor::agent));
+}
+
+void Processes::hear(const LinkNews& news) {
+  std::lock_guard guard{mutex_};
+  if (news.peer >= processes_.size())
+    return;
+  auto& x = processes_[news.peer];
+  x.news = news;
+  if (!news.name.empty())
+    x.description.name = news.name;
+  if (x.joined && !silent_) {
+    if (news.state == LinkState::up)
+      note(LogLevel::info, "node " + news.name + " is in reach again");
+    else
+      note(LogLevel::warning,
+           "node " + news.name +
+             (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") + news.reason);
+  }
+  x.joined = x.joined || news.state == LinkState::up;
+  changed_.notify_all();
+}
+
+void Processes::await_connections(const ArchitectureDescription& architecture,
+                                  const Placement& placement, std::size_t first) {
+  auto until = Clock::now() + options_.connect_patience;
+  std::unique_lock guard{mutex_};
+  auto begin = processes_.begin() + static_cast<std::ptrdiff_t>(first);
+  auto settled = [&] {
+    return std::all_of(begin, processes_.end(),
+                       [](auto& x) { return x.news.state != LinkState::down; });
+  };
+  while (!settled() && Clock::now() < until && !interrupted())
+    changed_.wait_for(guard, glance);
+  std::vector<cast::Diagnostic> problems;
+  for (auto i = first; i < processes_.size(); ++i) {
+    auto& x = processes_[i];
+    if (x.news.state != LinkState::up)
+      problems.push_back(out_of_reach(architecture, placement, static_cast<ProcessNumber>(i),
+                                      {x.description, x.news.state, x.news.reason}));
+  }
+  if (!problems.empty())
+    throw SystemError{std::move(problems)};
+}
+
+std::size_t Processes::size() const {
+  std::lock_guard guard{mutex_};
+  return processes_.size();
+}
+
+Processes::State Processes::state(ProcessNumber x) const {
+  std::lock_guard guard{mutex_};
+  auto& process = processes_[x];
+  return {process.description, process.news.state, process.news.reason};
+}
+
+std::vector<ProcessDescription> Processes::descriptions() const {
+  std::lock_guard guard{mutex_};
+  std::vector<ProcessDescription> result;
+  for (auto& x : processes_) {
+    result.push_back(x.description);
+    result.back().lost = x.news.state == LinkState::lost;
+  }
+  return result;
+}
+
+void Processes::be_silent() {
+  std::lock_guard guard{mutex_};
+  silent_ = true;
+}
+
+void Processes::close(const std::string& reason) {
+  for (auto& x : processes_)
+    if (x.link)
+      caf::anon_send(x.link, CloseLink{reason});
+  if (mesh_)
+    mesh_->close();
+}
+
+void Processes::await_close() {
+  caf::scoped_actor waiting{system_};
+  for (auto& x : processes_)
+    if (x.link)
+      waiting->wait_for(x.link);
+}
+
+} // namespace castor

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/link/link.hpp"
+#include "castor/actors/node/placement.hpp"
+#include "castor/actors/node/system.hpp"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// The processes that a system runs in, as its coordinator sees them: it connects with them, and
+/// knows which of them are in reach. Its own has the number 0.
+///
+/// Changed by one thread, safe to ask from any.
+class Processes {
+public:
+  /// How a process stands, and why.
+  struct State {
+    ProcessDescription description;
+    LinkState link = LinkState::down;
+    std::string reason;
+  };
+
+  /// The options have to outlive it. `name` is the system's.
+  Processes(caf::actor_system& system, const SystemOptions& options, std::string name);
+  Processes(const Processes&) = delete;
+  Processes& operator=(const Processes&) = delete;
+
+  void set_own_agent(const caf::actor& agent) { processes_.front().agent = agent; }
+
+  /// Null if the actor system has no network.
+  const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
+
+  /// Connects with those processes of the placement that are new to it. Throws SystemError, with
+  /// the lines of the architecture that need a process which is not to be reached in time; then the
+  /// new ones are left again, and count as lost processes without a name and a host.
+  void connect(const ArchitectureDescription& architecture, const Placement& placement);
+
+  std::size_t size() const;
+  const caf::actor& agent(ProcessNumber x) const { return processes_[x].agent; }
+  State state(ProcessNumber x) const;
+  bool is_up(ProcessNumber x) const { return state(x).link == LinkState::up; }
+  std::vector<ProcessDescription> descriptions() const;
+
+  /// What changes from now on is nobody's concern.
+  void be_silent();
+
+  /// Takes leave of all others.
+  void close(const std::string& reason);
+
+  /// Waits until that has been said.
+  void await_close();
+
+private:
+  struct Process {
+    ProcessDescription description;
+    caf::actor agent;
+    caf::actor link;
+    LinkNews news{0, LinkState::down, "no answer yet", {}};
+    /// Whether it was ever reached.
+    bool joined = false;
+  };
+
+  void check_security(const ArchitectureDescription& architecture, const Placement& placement,
+                      std::size_t first) const;
+  void open_link(ProcessNumber number);
+  void await_connections(const ArchitectureDescription& architecture, const Placement& placement,
+                         std::size_t first);
+  void hear(const LinkNews& news);
+  bool interrupted() const { return options_.interrupted && options_.interrupted(); }
+
+  caf::actor_system& system_;
+  const SystemOptions& options_;
+  const std::string name_;
+  std::uint64_t incarnation_;
+  std::shared_ptr<Mesh> mesh_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Process> processes_;
+  bool silent_ = false;
+};
+
+} // namespace castor
