@@ -37,12 +37,6 @@ struct Arguments {
   bool verbose = false;
 };
 
-std::string name_of_machine() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
 /// Whether everybody who could write to our standard input is gone.
 bool input_has_ended() {
   pollfd x{STDIN_FILENO, POLLIN, 0};

@@ -25,13 +25,19 @@ void add_architecture_arguments(CLI::App& command, ArchitectureArguments& argume
     });
 }
 
+std::map<std::string, std::string> variables_of(const ArchitectureArguments& arguments) {
+  std::map<std::string, std::string> result;
+  for (auto& x : arguments.variables) {
+    auto equals = x.find('=');
+    result[x.substr(0, equals)] = x.substr(equals + 1);
+  }
+  return result;
+}
+
 std::optional<ArchitectureDescription> read_architecture(const ArchitectureArguments& arguments,
                                                          bool expand) {
   cast::ParseOptions options;
-  for (auto& x : arguments.variables) {
-    auto equals = x.find('=');
-    options.variables[x.substr(0, equals)] = x.substr(equals + 1);
-  }
+  options.variables = variables_of(arguments);
   auto result = cast::parse_file(arguments.file, options);
   auto report = cast::render(result.diagnostics, isatty(STDERR_FILENO) != 0);
   std::fputs(report.c_str(), stderr);

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct ArchitectureArguments {
 
 /// Adds FILE and --set to a command.
 void add_architecture_arguments(CLI::App& command, ArchitectureArguments& arguments);
+
+/// Of --set.
+std::map<std::string, std::string> variables_of(const ArchitectureArguments& arguments);
 
 /// Reads the file, prints every finding to standard error and, if `expand`, the file's `#EXPAND`
 /// comments to standard output. Nothing if there were errors.

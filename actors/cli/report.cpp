@@ -1,11 +1,13 @@
 #include "castor/actors/cli/report.hpp"
 
+#include "castor/actors/cli/table.hpp"
 #include "castor/wm/json.hpp"
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace castor::cli {
 
@@ -29,34 +31,56 @@ std::string in_quotes(const std::string& x) {
   return result + '"';
 }
 
+std::string links_as_text(const SystemSummary& summary) {
+  std::map<ProcessNumber, std::string> names;
+  for (auto& process : summary.processes)
+    for (auto& x : process.links)
+      names[x.news.peer] = x.news.peer == 0 ? "localhost" : x.news.name;
+  Table result{{"link", ">events out", ">events in", ">messages out", ">messages in", ">sent",
+                ">received", ">connections"}};
+  for (auto& process : summary.processes)
+    for (auto& x : process.links) {
+      auto& from = process.description.name;
+      result.add({(from.empty() ? "localhost" : from) + " - " + names[x.news.peer],
+                  std::to_string(x.events_out), std::to_string(x.events_in),
+                  std::to_string(x.messages_out), std::to_string(x.messages_in),
+                  fmt::format("{:.1f} MB", static_cast<double>(x.bytes_out) / 1e6),
+                  fmt::format("{:.1f} MB", static_cast<double>(x.bytes_in) / 1e6),
+                  std::to_string(x.connections)});
+    }
+  return result.text();
+}
+
 } // namespace
 
 std::string report(const SystemSummary& summary) {
-  std::string out;
-  auto line = [&]<class... Ts>(fmt::format_string<Ts...> format, Ts&&... xs) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Ts>(xs)...);
-    out += '\n';
-  };
-  line("{:<16} {:<24} {:>8}", "working memory", "type", "entries");
+  Table entries{{"working memory", "type", ">entries"}};
+  Table events{{"working memory", ">events", ">matched", ">delivered", ">coalesced", ">suppressed",
+                ">forwarded", ">routed", ">refused"}};
   for (auto& wm : summary.working_memories) {
-    std::uint64_t total = 0;
-    for (auto& [type, count] : wm.entries_by_type) {
-      line("{:<16} {:<24} {:>8}", total == 0 ? wm.subarchitecture : "", type, count);
-      total += count;
-    }
-    if (total == 0)
-      line("{:<16} {:<24} {:>8}", wm.subarchitecture, "(empty)", 0);
+    std::string name = wm.subarchitecture;
+    for (auto& [type, count] : wm.entries_by_type)
+      entries.add({std::exchange(name, {}), type, std::to_string(count)});
+    if (wm.entries_by_type.empty())
+      entries.add({name, "(empty)", "0"});
+    std::vector<std::string> row{wm.subarchitecture};
+    for (auto x : {wm.events, wm.matched, wm.delivered, wm.coalesced, wm.suppressed, wm.forwarded,
+                   wm.routed, wm.refused})
+      row.push_back(std::to_string(x));
+    events.add(row);
   }
-  line("");
-  line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", "component", "state", "events", "callbacks",
-       "writes", "reads");
+  Table components{{"component", "state", ">events", ">callbacks", ">writes", ">reads"}};
   for (auto& x : summary.components) {
-    line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", x.identity.full_name(), state_of(x),
-         x.events_received, x.callbacks, x.writes, x.reads);
+    components.add({x.identity.full_name(), state_of(x), std::to_string(x.events_received),
+                    std::to_string(x.callbacks), std::to_string(x.writes),
+                    std::to_string(x.reads)});
     if (!x.failure.empty())
-      line("  {}", x.failure);
+      components.remark(x.failure);
   }
-  return out;
+  auto result = entries.text() + '\n' + components.text() + '\n' + events.text();
+  if (summary.processes.size() > 1)
+    result += '\n' + links_as_text(summary);
+  return result;
 }
 
 std::string entries_as_json(System& system) {

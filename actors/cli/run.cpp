@@ -7,6 +7,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
 
@@ -155,6 +156,11 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (arguments.local_nodes || arguments.spread > 0) {
     local_nodes.emplace(other_hosts(*architecture), plugins, arguments.tls);
     options.nodes.insert(local_nodes->endpoints().begin(), local_nodes->endpoints().end());
+  }
+  try {
+    options.endpoint = endpoint_of_process(architecture->file);
+  } catch (const std::runtime_error& e) {
+    note(LogLevel::warning, std::string{"`castor ps` will not find the system: "} + e.what());
   }
   std::unique_ptr<System> system;
   try {

@@ -1,6 +1,7 @@
 #include "castor/actors/cli/timeline.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <string_view>
@@ -15,16 +16,10 @@ constexpr std::string_view yellow = "\033[33m";
 constexpr std::string_view red = "\033[31m";
 constexpr std::string_view blue = "\033[34m";
 
-std::string_view colour_of(Operation x) {
-  switch (x) {
-    case Operation::add:
-      return green;
-    case Operation::overwrite:
-      return yellow;
-    case Operation::remove:
-      return red;
-  }
-  return {};
+std::string_view colour_of(std::string_view operation) {
+  if (operation == to_string(Operation::add))
+    return green;
+  return operation == to_string(Operation::remove) ? red : yellow;
 }
 
 std::string_view colour_of(TaskStep x) {
@@ -42,8 +37,12 @@ std::string_view colour_of(TaskStep x) {
   return {};
 }
 
-std::string seconds(Timestamp x) {
-  return fmt::format("{:.6f}", std::chrono::duration<double>(x).count());
+std::string seconds(double x) {
+  return fmt::format("{:.6f}", x);
+}
+
+double count(Timestamp x) {
+  return std::chrono::duration<double>(x).count();
 }
 
 std::string in_columns(std::string_view time, std::string_view subarchitecture,
@@ -59,18 +58,31 @@ std::string painted(const std::string& line, std::string_view colour, bool colou
   return coloured ? fmt::format("{}{}\033[0m", colour, line) : line;
 }
 
+std::string change_line(double time, std::string_view subarchitecture, std::string_view operation,
+                        std::string_view type, std::string_view id, std::string_view component,
+                        Version version, bool coalesced, bool coloured) {
+  return painted(in_columns(seconds(time), subarchitecture, operation, type, id, component,
+                            fmt::format("v{}{}", version, coalesced ? " coalesced" : "")),
+                 colour_of(operation), coloured);
+}
+
 } // namespace
 
 std::string timeline_line(const ChangeEvent& event, bool coloured) {
-  return painted(
-    in_columns(seconds(event.time), event.address.subarchitecture, to_string(event.operation),
-               event.type_name(), event.address.id, event.source,
-               fmt::format("v{}{}", event.version, event.coalesced ? " coalesced" : "")),
-    colour_of(event.operation), coloured);
+  return change_line(count(event.time), event.address.subarchitecture, to_string(event.operation),
+                     event.type_name(), event.address.id, event.source, event.version,
+                     event.coalesced, coloured);
+}
+
+std::string timeline_line(const nlohmann::ordered_json& event, bool coloured) {
+  auto text = [&](const char* key) { return event.at(key).get<std::string>(); };
+  return change_line(event.at("time"), text("subarchitecture"), text("operation"), text("type"),
+                     text("id"), text("component"), event.at("version"), event.at("coalesced"),
+                     coloured);
 }
 
 std::string timeline_line(const TaskEvent& event, bool coloured) {
-  return painted(in_columns(seconds(event.time), event.subarchitecture,
+  return painted(in_columns(seconds(count(event.time)), event.subarchitecture,
                             fmt::format("TASK {}", to_string(event.step)), event.task.name,
                             event.task.id, event.task.component, event.detail),
                  colour_of(event.step), coloured);

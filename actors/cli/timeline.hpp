@@ -5,10 +5,15 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace castor::cli {
 
 /// One line of the timeline: time, subarchitecture, operation, type, id, component, version.
 std::string timeline_line(const ChangeEvent& event, bool coloured);
+
+/// Of an event as a running system tells it.
+std::string timeline_line(const nlohmann::ordered_json& event, bool coloured);
 
 /// The same columns: time, subarchitecture, what became of the task, its name, id, component, and
 /// the reason or the outcome.

@@ -22,9 +22,16 @@ protected:
              ("castor-cli-" + std::to_string(getpid()) + "-" +
               testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(folder);
+    // Systems of other tests are not to be found. The names of sockets must be short.
+    runtime = std::filesystem::temp_directory_path() / ("castor-" + std::to_string(getpid()));
+    std::filesystem::create_directories(runtime);
+    setenv("XDG_RUNTIME_DIR", runtime.c_str(), 1);
   }
 
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  void TearDown() override {
+    std::filesystem::remove_all(folder);
+    std::filesystem::remove_all(runtime);
+  }
 
   static std::vector<std::string> command(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {CASTOR_EXECUTABLE, "--plugin", CASTOR_TEST_PLUGIN});
@@ -51,6 +58,8 @@ protected:
   }
 
   std::filesystem::path folder;
+  /// Where running systems can be found.
+  std::filesystem::path runtime;
 };
 
 } // namespace castor::test

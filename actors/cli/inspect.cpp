@@ -1,0 +1,283 @@
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/inspection_text.hpp"
+#include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/cli/running_system.hpp"
+#include "castor/actors/cli/timeline.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  std::string system;
+  bool json = false;
+  bool stats = false;
+  bool full = false;
+  /// What is looked at: SUBARCHITECTURE[/ID|TYPE].
+  std::string where;
+  std::vector<std::string> filter;
+  std::string name;
+  ArchitectureArguments architecture;
+};
+
+using ArgumentsPtr = std::shared_ptr<Arguments>;
+
+void print(const std::string& x) {
+  std::fputs(x.c_str(), stdout);
+  // In a pipe too, the reader sees a line when it comes.
+  std::fflush(stdout);
+}
+
+bool coloured() {
+  return isatty(STDOUT_FILENO) != 0;
+}
+
+Json ask_for_one(const RunningSystem& system, const Json& request) {
+  Json result;
+  ask(system, request, [&](const Json& x) { result = x; });
+  return result;
+}
+
+std::vector<Json> ask_for_all(const RunningSystem& system, const Json& request) {
+  std::vector<Json> result;
+  ask(system, request, [&](const Json& x) { result.push_back(x); });
+  return result;
+}
+
+int ps(const Arguments& arguments) {
+  std::vector<RunningSystem> systems;
+  if (arguments.system.empty())
+    systems = running_systems();
+  if (systems.empty())
+    systems.push_back(choose_system(arguments.system));
+  const char* separator = "";
+  for (auto& x : systems) {
+    auto report = ask_for_one(x, {{"do", "ps"}});
+    print(arguments.json ? report.dump() + '\n'
+                         : separator + system_as_text(report, arguments.stats));
+    separator = "\n";
+  }
+  return success;
+}
+
+/// SUBARCHITECTURE[/ID|TYPE], as a request has it.
+Json request_for(const Arguments& arguments, bool values) {
+  auto slash = arguments.where.find('/');
+  Json result{{"do", "wm"},
+              {"subarchitecture", arguments.where.substr(0, slash)},
+              {"values", values},
+              {"full", arguments.full}};
+  if (slash != std::string::npos)
+    result["what"] = arguments.where.substr(slash + 1);
+  return result;
+}
+
+void print_entries(const std::vector<Json>& entries, const Arguments& arguments) {
+  if (!arguments.json) {
+    print(entries_as_text(entries));
+    return;
+  }
+  for (auto& x : entries)
+    print(x.dump() + '\n');
+}
+
+int list_entries(const Arguments& arguments) {
+  auto system = choose_system(arguments.system);
+  if (!arguments.where.empty()) {
+    print_entries(ask_for_all(system, request_for(arguments, false)), arguments);
+    return success;
+  }
+  std::vector<Json> entries;
+  auto report = ask_for_one(system, {{"do", "ps"}});
+  for (auto& wm : report["working_memories"])
+    for (auto& x : ask_for_all(system, {{"do", "wm"}, {"subarchitecture", wm["subarchitecture"]}}))
+      entries.push_back(x);
+  print_entries(entries, arguments);
+  return success;
+}
+
+int get_entries(const Arguments& arguments) {
+  auto system = choose_system(arguments.system);
+  for (auto& x : ask_for_all(system, request_for(arguments, true)))
+    print((arguments.json ? x.dump() : x["value"].dump(2)) + '\n');
+  return success;
+}
+
+int follow(const Arguments& arguments, const Json& request) {
+  auto system = choose_system(arguments.system);
+  if (!arguments.json)
+    print(timeline_head(coloured()) + '\n');
+  ask(system, request, [&](const Json& x) {
+    print(arguments.json ? x.dump() + '\n' : change_as_text(x, coloured()));
+  });
+  return success;
+}
+
+int watch_entries(const Arguments& arguments) {
+  auto request = request_for(arguments, true);
+  request["do"] = "events";
+  request["filter"] = "in " + request["subarchitecture"].get<std::string>();
+  return follow(arguments, request);
+}
+
+int events(const Arguments& arguments) {
+  return follow(
+    arguments, {{"do", "events"}, {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))}});
+}
+
+int graph(const Arguments& arguments) {
+  auto system = choose_system(arguments.system);
+  auto report = ask_for_one(system, {{"do", "ps"}});
+  print(accesses_as_dot(report, ask_for_all(system, {{"do", "graph"}})));
+  return success;
+}
+
+int change(const Arguments& arguments, const Json& request) {
+  int status = success;
+  ask(choose_system(arguments.system), request, [&](const Json& x) {
+    for (auto* key : {"remarks", "findings"})
+      if (x.contains(key))
+        std::fputs(x[key].get<std::string>().c_str(), stderr);
+    if (x.contains("findings"))
+      status = bad_input;
+  });
+  return status;
+}
+
+int add(const Arguments& arguments) {
+  Json variables = Json::object();
+  for (auto& [name, value] : variables_of(arguments.architecture))
+    variables[name] = value;
+  return change(arguments, {{"do", "add"},
+                            {"file", arguments.architecture.file},
+                            {"directory", std::filesystem::current_path().string()},
+                            {"variables", variables}});
+}
+
+int remove(const Arguments& arguments) {
+  return change(arguments, {{"do", "remove"}, {"name", arguments.name}});
+}
+
+/// A command that looks at a running system.
+CLI::App* command(CLI::App& app, const std::string& name, const std::string& help,
+                  const ArgumentsPtr& arguments) {
+  auto* result = app.add_subcommand(name, help);
+  result
+    ->add_option("--system", arguments->system,
+                 "which of the systems that run on this machine, or the beginning of its name; "
+                 "`castor ps` shows them")
+    ->type_name("NAME");
+  return result;
+}
+
+void add_json_flag(CLI::App& command, const ArgumentsPtr& arguments) {
+  command.add_flag("--json", arguments->json, "print JSON, one object on a line");
+}
+
+template <class F>
+void on_call(CLI::App& command, Action& chosen, const ArgumentsPtr& arguments, F f) {
+  command.callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });
+}
+
+CLI::App* entry_command(CLI::App& wm, const std::string& name, const std::string& help,
+                        const ArgumentsPtr& arguments) {
+  auto* result = command(wm, name, help, arguments);
+  result->add_option("WHERE", arguments->where, "the subarchitecture, and perhaps an id or a type")
+    ->type_name("SUBARCHITECTURE[/ID|TYPE]");
+  add_json_flag(*result, arguments);
+  return result;
+}
+
+void add_full_flag(CLI::App& command, const ArgumentsPtr& arguments) {
+  command.add_flag("--full", arguments->full, "show byte fields, however long, as base64 text");
+}
+
+void add_wm(CLI::App& app, Action& chosen) {
+  auto* wm = app.add_subcommand("wm", "look into the working memories of a running system");
+  wm->require_subcommand(1);
+  auto arguments = std::make_shared<Arguments>();
+  auto* ls = entry_command(*wm, "ls", "list entries", arguments);
+  on_call(*ls, chosen, arguments, list_entries);
+  auto* get = entry_command(*wm, "get", "print the values of entries", arguments);
+  get->get_option("WHERE")->required();
+  add_full_flag(*get, arguments);
+  on_call(*get, chosen, arguments, get_entries);
+  auto* watch =
+    entry_command(*wm, "watch", "print changes with the new values, as they happen", arguments);
+  watch->get_option("WHERE")->required();
+  add_full_flag(*watch, arguments);
+  on_call(*watch, chosen, arguments, watch_entries);
+  wm->footer("Examples: castor wm ls\n"
+             "          castor wm get vision/SceneObject\n"
+             "          castor wm watch vision/0:3 --json");
+}
+
+} // namespace
+
+void add_inspection(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* ps_command =
+    command(app, "ps", "show the systems that run: nodes, components, working memories", arguments);
+  add_json_flag(*ps_command, arguments);
+  ps_command->add_flag("--stats", arguments->stats,
+                       "count what became of change events, and what every link has carried");
+  ps_command->footer("Load is the part of a processor that was used, on average since the start; "
+                     "busy is for how long a component has had something to do without a pause.");
+  on_call(*ps_command, chosen, arguments, ps);
+
+  add_wm(app, chosen);
+
+  arguments = std::make_shared<Arguments>();
+  auto* events_command =
+    command(app, "events", "print the changes in a running system, as they happen", arguments);
+  events_command
+    ->add_option("FILTER", arguments->filter,
+                 "[added|overwritten|deleted|changed] [TYPE] [in SUBARCHITECTURE] "
+                 "[from COMPONENT] [at ID] [changing FIELD,...] [where CONDITION]")
+    ->type_name("");
+  add_json_flag(*events_command, arguments);
+  events_command->footer(
+    "Examples: castor events\n"
+    "          castor events overwritten SceneObject in vision changing colour\n"
+    "          castor events added ROI where 'area > 400'\n"
+    "Events are filtered where they arise. A reader that is too slow gets them merged.");
+  on_call(*events_command, chosen, arguments, events);
+
+  arguments = std::make_shared<Arguments>();
+  auto* graph_command = command(
+    app, "graph", "draw who writes and reads what, as observed so far, for Graphviz", arguments);
+  graph_command->footer("Example: castor graph | dot -Tsvg > system.svg");
+  on_call(*graph_command, chosen, arguments, graph);
+
+  arguments = std::make_shared<Arguments>();
+  auto* add_command =
+    command(app, "add", "join what a .cast file describes to a running system", arguments);
+  add_architecture_arguments(*add_command, arguments->architecture);
+  add_command->footer(
+    "The file has whole subarchitectures, or lines for subarchitectures that run: these have "
+    "neither a WM nor a TM line.\nIf anything stands in the way, the system stays as it was.");
+  on_call(*add_command, chosen, arguments, add);
+
+  arguments = std::make_shared<Arguments>();
+  auto* remove_command =
+    command(app, "remove", "stop a component or a subarchitecture of a running system", arguments);
+  remove_command->add_option("NAME", arguments->name, "of the component or the subarchitecture")
+    ->required();
+  on_call(*remove_command, chosen, arguments, remove);
+}
+
+} // namespace castor::cli

@@ -1,0 +1,127 @@
+#include "castor/actors/cli/running_system.hpp"
+
+#include "castor/actors/node/local_endpoint.hpp"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace castor::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Connection {
+public:
+  explicit Connection(const fs::path& socket)
+    : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    socket.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
+    if (connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0)
+      error_ = errno;
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  ~Connection() { close(fd_); }
+
+  /// Why there is no connection; 0 if there is one.
+  int error() const { return error_; }
+
+  void say(const std::string& text) {
+    for (std::size_t sent = 0; sent < text.size();) {
+      auto n = send(fd_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
+      if (n <= 0)
+        return;
+      sent += static_cast<std::size_t>(n);
+    }
+  }
+
+  /// The next line; false at the end.
+  bool hear(std::string& line) {
+    for (;;) {
+      if (auto end = received_.find('\n', searched_); end != std::string::npos) {
+        line = received_.substr(0, end);
+        received_.erase(0, end + 1);
+        searched_ = 0;
+        return true;
+      }
+      searched_ = received_.size();
+      std::array<char, 65536> buffer;
+      auto n = recv(fd_, buffer.data(), buffer.size(), 0);
+      if (n <= 0)
+        return false;
+      received_.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+  }
+
+private:
+  int fd_;
+  int error_ = 0;
+  std::string received_;
+  std::size_t searched_ = 0;
+};
+
+std::string names_of(const std::vector<RunningSystem>& systems) {
+  std::string result;
+  for (auto& x : systems)
+    result += (result.empty() ? "" : ", ") + x.name;
+  return result;
+}
+
+} // namespace
+
+std::vector<RunningSystem> running_systems() {
+  std::vector<RunningSystem> result;
+  for (auto& x : fs::directory_iterator{endpoint_folder()}) {
+    if (x.path().extension() != ".sock")
+      continue;
+    if (Connection{x.path()}.error() == ECONNREFUSED)
+      fs::remove(x.path());
+    else
+      result.push_back({x.path().stem().string(), x.path()});
+  }
+  std::sort(result.begin(), result.end(), [](auto& a, auto& b) { return a.name < b.name; });
+  return result;
+}
+
+RunningSystem choose_system(const std::string& wanted) {
+  auto all = running_systems();
+  if (all.empty())
+    throw std::runtime_error("no system of this user runs on this machine; start one with "
+                             "`castor run FILE`");
+  auto found = all;
+  std::erase_if(found, [&](auto& x) { return !x.name.starts_with(wanted); });
+  if (found.size() == 1)
+    return found.front();
+  if (found.empty())
+    throw std::runtime_error("no system of the name " + wanted +
+                             " runs here; there are: " + names_of(all));
+  throw std::runtime_error("several systems run here, choose one with --system: " +
+                           names_of(found));
+}
+
+void ask(const RunningSystem& system, const Json& request,
+         const std::function<void(const Json&)>& hear) {
+  Connection connection{system.socket};
+  if (connection.error() != 0)
+    throw std::runtime_error("cannot reach " + system.name + ": " +
+                             std::strerror(connection.error()));
+  connection.say(request.dump() + '\n');
+  std::string line;
+  while (connection.hear(line)) {
+    auto x = Json::parse(line);
+    if (x.contains("error"))
+      throw std::runtime_error(x["error"].get<std::string>());
+    hear(x);
+  }
+}
+
+} // namespace castor::cli

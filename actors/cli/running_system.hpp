@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace castor::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// A system of this user that runs on this machine.
+struct RunningSystem {
+  /// "vision-1234": the file's name and the process's number.
+  std::string name;
+  std::filesystem::path socket;
+};
+
+/// What killed processes have left behind is removed.
+std::vector<RunningSystem> running_systems();
+
+/// The one whose name begins with `wanted`, or the only one. Throws std::runtime_error, which says
+/// how to choose.
+RunningSystem choose_system(const std::string& wanted);
+
+/// Asks the system for something, and calls `hear` with every object of the answer, until there is
+/// no more. Throws std::runtime_error if the system refuses or ends.
+void ask(const RunningSystem& system, const Json& request,
+         const std::function<void(const Json&)>& hear);
+
+} // namespace castor::cli

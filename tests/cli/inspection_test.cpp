@@ -1,0 +1,331 @@
+#include "castor_fixture.hpp"
+
+#include "castor/tests/support/eventually.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+namespace castor::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Inspection : public Castor {
+protected:
+  struct Answer {
+    int status;
+    std::string output;
+    std::string errors;
+  };
+
+  static Answer ask(const std::vector<std::string>& arguments) {
+    Process castor{command(arguments)};
+    auto status = castor.wait();
+    return {status, castor.output(), castor.errors()};
+  }
+
+  static json ps() {
+    auto answer = ask({"ps", "--json"});
+    return answer.status == 0 ? json::parse(answer.output) : json{};
+  }
+
+  /// The lines of what is printed as JSON.
+  static std::vector<json> objects(const std::string& text) {
+    std::vector<json> result;
+    std::istringstream in{text};
+    for (std::string line; std::getline(in, line);)
+      result.push_back(json::parse(line));
+    return result;
+  }
+
+  /// Starts a system with a ticker and somebody who hears ticks, and waits until that works.
+  std::unique_ptr<Process> start_ticking(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{
+      "run", system("CPP UM ticker Ticker\nCPP UM listener Listener --count 1000000\n")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    auto result = std::make_unique<Process>(command(arguments));
+    EXPECT_TRUE(result->wait_for_output("hears ticks")) << result->errors();
+    return result;
+  }
+
+  /// If there is only one.
+  std::filesystem::path socket_of_system() const {
+    return *std::filesystem::directory_iterator{runtime / "castor"};
+  }
+
+  static std::set<std::string> component_names() {
+    std::set<std::string> result;
+    for (auto& x : ps()["components"])
+      result.insert(x["name"]);
+    return result;
+  }
+};
+
+TEST_F(Inspection, PsShowsASystem) {
+  auto castor = start_ticking();
+  auto answer = ask({"ps"});
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_THAT(answer.output, ContainsRegex("^system: process [0-9]+, .* s old, "));
+  EXPECT_THAT(answer.output, ContainsRegex("localhost +up +3 "));
+  EXPECT_THAT(answer.output, ContainsRegex("a\\.ticker +Ticker +localhost +running +1 "));
+  EXPECT_THAT(answer.output, ContainsRegex("\na +localhost +1 +1 +0 +0\n"));
+  EXPECT_THAT(answer.output, Not(HasSubstr("suppressed")));
+  EXPECT_THAT(ask({"ps", "--stats"}).output, HasSubstr("suppressed"));
+}
+
+TEST_F(Inspection, PsShowsNodesAndTheirLinks) {
+  Process castor{command({"run",
+                          write("two.cast", "SUBARCHITECTURE a one\n"
+                                            "CPP WM SubarchitectureWorkingMemory\n"
+                                            "CPP TM AlwaysPositiveTaskManager\n"
+                                            "CPP UM ticker Ticker\n"
+                                            "SUBARCHITECTURE b two\n"
+                                            "CPP WM SubarchitectureWorkingMemory\n"
+                                            "CPP TM AlwaysPositiveTaskManager\n"
+                                            "CPP UM listener Listener --count 1000000\n"),
+                          "--local-nodes"})};
+  ASSERT_TRUE(castor.wait_for_output("hears ticks")) << castor.errors();
+  auto report = ps();
+  ASSERT_EQ(report["nodes"].size(), 3u);
+  auto& one = report["nodes"][1];
+  EXPECT_EQ(one["name"], "one");
+  EXPECT_EQ(one["state"], "up");
+  EXPECT_GT(one["memory"], 1'000'000);
+  std::optional<json> to_two;
+  for (auto& x : one["links"])
+    if (x["to"] == "two")
+      to_two = x;
+  ASSERT_TRUE(to_two) << one;
+  EXPECT_GE((*to_two)["events_out"], 10);
+  EXPECT_EQ((*to_two)["connections"], 1);
+  EXPECT_THAT(ask({"ps", "--stats"}).output, ContainsRegex("one - two +up +[0-9]+ +0 "));
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_THAT(castor.output(), ContainsRegex("one - two +[0-9]+ +0 "));
+}
+
+TEST_F(Inspection, WithoutASystemItSaysHowToStartOne) {
+  auto answer = ask({"ps"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.errors, HasSubstr("start one with `castor run FILE`"));
+}
+
+TEST_F(Inspection, EntriesAreListedAndPrinted) {
+  auto castor = start_ticking();
+  EXPECT_THAT(ask({"wm", "ls"}).output, ContainsRegex("\na +tick +Tick +[0-9]+ +ticker +4\n"));
+  EXPECT_THAT(ask({"wm", "ls", "a/Tick"}).output, HasSubstr("ticker"));
+  auto by_id = json::parse(ask({"wm", "get", "a/tick", "--json"}).output);
+  EXPECT_EQ(by_id["version"], by_id["value"]["number"]);
+  EXPECT_THAT(ask({"wm", "get", "a/Tick"}).output, ContainsRegex("\"number\": [0-9]+"));
+  auto wrong = ask({"wm", "get", "a/tock"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("neither an entry nor a type of the name tock"));
+  EXPECT_THAT(ask({"wm", "ls", "z"}).errors, HasSubstr("there is no subarchitecture z"));
+}
+
+TEST_F(Inspection, ChangesAreWatched) {
+  auto castor = start_ticking();
+  Process watch{command({"wm", "watch", "a/tick", "--json"})};
+  ASSERT_TRUE(watch.wait_for_output("\"value\""));
+  ASSERT_TRUE(eventually([&] { return watch.output().find('\n') != std::string::npos; }));
+  auto first = json::parse(watch.output().substr(0, watch.output().find('\n')));
+  EXPECT_EQ(first["operation"], "OVERWRITE");
+  EXPECT_GE(first["value"]["number"], first["version"]);
+  EXPECT_EQ(first["changed"], json{"number"});
+}
+
+TEST_F(Inspection, EventsAreFilteredByWords) {
+  auto castor = start_ticking();
+  Process all{command({"events"})};
+  EXPECT_TRUE(all.wait_for_output("OVERWRITE"));
+  Process some{command({"events", "overwritten", "Tick", "in", "a", "where", "number % 1"})};
+  EXPECT_EQ(some.wait(), 2);
+  Process few{command({"events", "overwritten", "Tick", "where", "number > 30"})};
+  EXPECT_TRUE(few.wait_for_output("OVERWRITE"));
+  Process none{command({"events", "in", "z"})};
+  EXPECT_EQ(none.wait(), 2);
+  EXPECT_THAT(none.errors(), HasSubstr("there is no subarchitecture z"));
+}
+
+/// A reader that takes what it is sent when it likes.
+class Reader {
+public:
+  Reader(const std::filesystem::path& path, const std::string& request)
+    : fd_(socket(AF_UNIX, SOCK_STREAM, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
+    EXPECT_EQ(connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0) << path;
+    EXPECT_GT(send(fd_, request.data(), request.size(), MSG_NOSIGNAL), 0);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { close(fd_); }
+
+  /// Empty at the end.
+  std::string line() {
+    std::string result;
+    for (char c = 0; recv(fd_, &c, 1, 0) == 1 && c != '\n';)
+      result += c;
+    return result;
+  }
+
+private:
+  int fd_;
+};
+
+TEST_F(Inspection, ASlowReaderIsToldOfTheNewest) {
+  Process castor{command({"run", system("CPP UM flood Flood --entries 1 --time 1s\n")})};
+  ASSERT_TRUE(eventually([&] { return ask({"wm", "ls", "a/Tick"}).status == 0; }));
+  Reader reader{socket_of_system(), "{\"do\": \"events\"}\n"};
+  ASSERT_TRUE(castor.wait_for_output("changes")) << castor.errors();
+  auto changes = ps()["working_memories"][0]["events"];
+  int heard = 0;
+  bool coalesced = false;
+  json x;
+  do {
+    x = json::parse(reader.line());
+    ++heard;
+    coalesced = coalesced || x["coalesced"];
+  } while (x["type"] != "Level");
+  EXPECT_TRUE(coalesced);
+  EXPECT_LT(heard, changes) << "who came late is not told of all";
+}
+
+TEST_F(Inspection, WhoUsesWhatIsDrawn) {
+  auto castor = start_ticking();
+  auto dot = ask({"graph"}).output;
+  EXPECT_THAT(dot, HasSubstr("digraph \"system\" {"));
+  EXPECT_THAT(dot, ContainsRegex("\"ticker\" -> \"a/Tick\" \\[label=\"adds 1, overwrites [0-9]+\""));
+  EXPECT_THAT(dot, ContainsRegex("\"a/Tick\" -> \"listener\" \\[label=\"events [0-9]+\""));
+}
+
+TEST_F(Inspection, ComponentsJoinAndLeave) {
+  auto castor = start_ticking();
+  auto more = write("more.cast", "SUBARCHITECTURE a\nCPP UM second Ticker --name tock\n"
+                                 "SUBARCHITECTURE b\nCPP WM SubarchitectureWorkingMemory\n"
+                                 "CPP TM AlwaysPositiveTaskManager\n"
+                                 "CPP UM hearer Listener --count 1000000 --of tick\n");
+  auto added = ask({"add", more});
+  EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_TRUE(castor->wait_for_output("[b.hearer] hears ticks")) << castor->errors();
+  EXPECT_EQ(component_names(), (std::set<std::string>{"a_tm", "ticker", "listener", "second",
+                                                      "b_tm", "hearer"}));
+  auto again = ask({"add", more});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.errors, HasSubstr("more.cast:2: error: there is a component second"));
+  EXPECT_EQ(ask({"remove", "second"}).status, 0);
+  EXPECT_EQ(ask({"remove", "b"}).status, 0);
+  EXPECT_EQ(component_names(), (std::set<std::string>{"a_tm", "ticker", "listener"}));
+  EXPECT_EQ(ask({"remove", "b"}).status, 2);
+  EXPECT_EQ(ask({"add", more}).status, 0);
+  castor->send_signal(SIGINT);
+  EXPECT_EQ(castor->wait(), 0) << castor->errors();
+  EXPECT_THAT(castor->errors(), HasSubstr("stopped, in this order: hearer, b_tm, second, listener"));
+}
+
+TEST_F(Inspection, WhatCannotJoinLeavesNothingBehind) {
+  auto castor = start_ticking();
+  auto before = component_names();
+  auto wrong = ask({"add", write("wrong.cast", "SUBARCHITECTURE a\nCPP UM good Ticker\n"
+                                               "CPP UM bad NoSuchClass\n")});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("wrong.cast:3: error: "));
+  auto far = ask({"add", write("far.cast", "SUBARCHITECTURE a\n127.0.0.1:1 CPP UM good Ticker\n")});
+  EXPECT_EQ(far.status, 2);
+  EXPECT_THAT(far.errors, HasSubstr("cannot reach the node 127.0.0.1:1"));
+  auto nonsense = ask({"add", write("nonsense.cast", "SUBARCHITECTURE\n")});
+  EXPECT_EQ(nonsense.status, 2);
+  EXPECT_THAT(nonsense.errors, HasSubstr("nonsense.cast:1: error: "));
+  EXPECT_EQ(component_names(), before);
+  EXPECT_EQ(ps()["nodes"].size(), 1u);
+}
+
+TEST_F(Inspection, ANodeJoins) {
+  Process node{command({"node", "--name", "late", "--listen", "127.0.0.1:0"})};
+  ASSERT_TRUE(node.wait_for_output("listens at "));
+  ASSERT_TRUE(eventually([&] { return node.output().ends_with("\n"); }));
+  auto output = node.output();
+  auto address = output.substr(output.rfind(' ') + 1);
+  auto castor = start_ticking();
+  auto file = write("late.cast", "HOSTNAME late " + address +
+                                   "SUBARCHITECTURE b [late]\n"
+                                   "CPP WM SubarchitectureWorkingMemory\n"
+                                   "CPP TM AlwaysPositiveTaskManager\n"
+                                   "CPP UM hearer Listener --count 1000000\n");
+  auto added = ask({"add", file});
+  EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_TRUE(node.wait_for_output("[b.hearer] hears ticks")) << node.errors();
+  EXPECT_EQ(ask({"remove", "b"}).status, 0);
+  EXPECT_EQ(ask({"add", file}).status, 0);
+  castor->send_signal(SIGINT);
+  EXPECT_EQ(castor->wait(), 0) << castor->errors();
+  EXPECT_TRUE(node.wait_for_output("late leaves"));
+}
+
+TEST_F(Inspection, SystemsAreToldApart) {
+  auto first = start_ticking();
+  auto second = start_ticking();
+  auto both = ask({"wm", "ls"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.errors, ContainsRegex("choose one with --system: system-[0-9]+, system-[0-9]+"));
+  EXPECT_EQ(objects(ask({"ps", "--json"}).output).size(), 2u);
+  second->send_signal(SIGKILL);
+  second->wait();
+  auto one = ask({"wm", "ls"});
+  EXPECT_EQ(one.status, 0) << one.errors;
+  EXPECT_THAT(ask({"wm", "ls", "--system", "other"}).errors,
+              HasSubstr("no system of the name other runs here"));
+}
+
+TEST_F(Inspection, OnlyTheUserReachesASystem) {
+  auto castor = start_ticking();
+  struct stat status {};
+  ASSERT_EQ(stat((runtime / "castor").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0700u);
+  for (auto& x : std::filesystem::directory_iterator{runtime / "castor"}) {
+    ASSERT_EQ(stat(x.path().c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0600u);
+  }
+}
+
+TEST_F(Inspection, AFolderThatIsOpenToOthersIsNotUsed) {
+  std::filesystem::create_directory(runtime / "castor");
+  chmod((runtime / "castor").c_str(), 0755);
+  Process castor{command({"run", system("CPP UM clock Clock --status 0\n")})};
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_THAT(castor.errors(), HasSubstr("is open to others"));
+}
+
+TEST_F(Inspection, StrangeRequestsAreRefused) {
+  auto castor = start_ticking();
+  EXPECT_THAT((Reader{socket_of_system(), "nonsense\n"}.line()), HasSubstr("cannot be read"));
+  EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"sing\"}\n"}.line()), HasSubstr("there is no request sing"));
+  EXPECT_THAT((Reader{socket_of_system(), std::string(100'000, 'x')}.line()), IsEmpty());
+  EXPECT_EQ(ask({"ps"}).status, 0);
+}
+
+} // namespace
+
+} // namespace castor::test
