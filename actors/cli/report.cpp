@@ -53,6 +53,8 @@ std::string report(const SystemSummary& summary) {
   for (auto& x : summary.components) {
     line("{:<28} {:<10} {:>8} {:>9} {:>8} {:>8}", x.identity.full_name(), state_of(x),
          x.events_received, x.callbacks, x.writes, x.reads);
+    if (x.pushes_dropped > 0)
+      line("  {} of its pushes were dropped for receivers that did not keep up", x.pushes_dropped);
     if (!x.failure.empty())
       line("  {}", x.failure);
   }

@@ -54,7 +54,7 @@ void observe_change(const SystemOptions& options, const LoggedChanges& logged,
 
 struct ObserverState {
   std::map<std::string, caf::strong_actor_ptr> working_memories;
-  std::map<std::string, EventReceipts> receipts;
+  std::map<std::string, Receipts> receipts;
 };
 
 caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOptions& options,
@@ -62,7 +62,8 @@ caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOpt
   auto observe = [self, &options, &logged](const ChangeEvent& event) {
     observe_change(options, logged, event);
     auto& where = event.address.subarchitecture;
-    if (auto count = self->state.receipts[where].take())
+    auto receipts = self->state.receipts.try_emplace(where, standard_queue_limit).first;
+    if (auto count = receipts->second.take())
       self->send(caf::actor_cast<WorkingMemoryActor>(self->state.working_memories.at(where)),
                  EventsTaken{EventStream::component, count});
   };
