@@ -33,6 +33,12 @@ struct Missed {
 };
 CASTOR_REFLECT(Missed, who)
 
+struct Note {
+  int number = 0;
+  std::string text;
+};
+CASTOR_REFLECT(Note, number, text)
+
 struct Blob {
   Bytes bytes;
 };
@@ -412,6 +418,41 @@ class Beacon final : public StandaloneComponent {
   }
 };
 CASTOR_COMPONENT(Beacon, "provides and pushes ticks")
+
+/// Pushes as fast as it can, and one last time.
+class PushFlood final : public StandaloneComponent {
+  void run() override {
+    int pushes = 0;
+    for (auto until = now() + time_.get(); is_running() && now() < until;)
+      push(Note{++pushes, text_});
+    info("made {} changes", pushes);
+    push(Note{0, {}});
+  }
+
+  Option<std::chrono::milliseconds> time_{this, "time", 4s, "for how long"};
+  std::string text_ = std::string(1000, '.');
+};
+CASTOR_COMPONENT(PushFlood, "pushes as fast as it can")
+
+/// Ends the system when it has got the last push of a flood, of which it cannot have got all.
+class PushDrain final : public UnmanagedComponent {
+  void start() override {
+    on_push<Note>("flood", [this](const std::shared_ptr<const Note>& x) {
+      if (++heard_ == 1000)
+        info("hears the flood");
+      if (x->number == 0)
+        end_system(0, fmt::format("heard {} changes, the last was {}", heard_, last_));
+      else if (x->number <= last_)
+        throw std::runtime_error("after " + std::to_string(last_) + " comes " +
+                                 std::to_string(x->number));
+      last_ = x->number;
+    });
+  }
+
+  int heard_ = 0;
+  int last_ = 0;
+};
+CASTOR_COMPONENT(PushDrain, "gets what is left of a flood")
 
 /// Done when it has pulled from the beacon and has got ticks from it, one after another.
 class Watcher final : public UnmanagedComponent {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <regex>
 #include <string>
 #include <thread>
@@ -61,40 +62,76 @@ TEST_F(Nodes, AnEntryThatIsLargerThanItsWorkingMemoryTakesIsRefused) {
     EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
 }
 
-/// By default 3 s; CASTOR_FLOOD_SECONDS makes it longer.
-TEST_P(NodesEitherWay, AFloodAgainstAStoppedNodeCostsNobodysMemory) {
-  auto* wanted = std::getenv("CASTOR_FLOOD_SECONDS");
-  auto seconds = wanted ? std::atoi(wanted) : 3;
-  auto one = start_node("one");
-  auto two = start_node("two");
-  Process castor{run_on({&one, &two}, subarchitecture("a", "one") + "CPP UM flood Flood --time " +
-                                        std::to_string(seconds + 1) + "s\n" +
-                                        subarchitecture("b", "two") +
-                                        "CPP UM drain Drain --deadline 30s\n")};
-  ASSERT_TRUE(two.process->wait_for_output("hears the flood")) << castor.errors();
-  auto begin = Clock::now();
-  auto before_one = resident(*one.process);
-  auto before_castor = resident(castor);
-  int most_one = 0;
-  int most_castor = 0;
-  // After 30 s of silence a node would be given up.
-  constexpr auto longest_stop = 20s;
-  for (auto i = 0s; i < std::chrono::seconds{seconds}; ++i) {
-    two.process->send_signal(i % (longest_stop + 1s) == longest_stop ? SIGCONT : SIGSTOP);
-    std::this_thread::sleep_until(begin + i + 1s);
-    most_one = std::max(most_one, resident(*one.process));
-    most_castor = std::max(most_castor, resident(castor));
-    std::cout << (i + 1s).count() << " s: one " << resident(*one.process) << " MB, two "
-              << resident(*two.process) << " MB, castor run " << resident(castor) << " MB\n";
+/// A flood from node one to node two, which is stopped meanwhile. By default 3 s;
+/// CASTOR_FLOOD_SECONDS makes it longer.
+class NodesUnderFlood : public NodesEitherWay {
+protected:
+  static std::chrono::seconds duration() {
+    auto* wanted = std::getenv("CASTOR_FLOOD_SECONDS");
+    return std::chrono::seconds{wanted ? std::atoi(wanted) : 3};
   }
-  two.process->send_signal(SIGCONT);
-  EXPECT_EQ(castor.wait(), 0) << castor.errors();
-  std::cout << find(*one.process, "(made .* changes)") << ", " << find(castor, "(heard .* merged)")
-            << '\n';
-  constexpr int allowed = 32;
-  EXPECT_LT(most_one - before_one, allowed);
-  EXPECT_LT(most_castor - before_castor, allowed);
+
+  /// An option of what makes the flood: it goes on for longer than anybody is stopped.
+  static std::string time() {
+    return " --time " + std::to_string((duration() + 1s).count()) + "s\n";
+  }
+
+  void run(const std::string& system) {
+    castor = std::make_unique<Process>(run_on({&one, &two}, system));
+    ASSERT_TRUE(two.process->wait_for_output("hears the flood")) << castor->errors();
+    auto before_one = resident(*one.process);
+    auto before_castor = resident(*castor);
+    int most_one = 0;
+    int most_castor = 0;
+    // After 30 s of silence a node would be given up.
+    constexpr auto longest_stop = 20s;
+    auto begin = Clock::now();
+    for (auto i = 0s; i < duration(); ++i) {
+      two.process->send_signal(i % (longest_stop + 1s) == longest_stop ? SIGCONT : SIGSTOP);
+      std::this_thread::sleep_until(begin + i + 1s);
+      most_one = std::max(most_one, resident(*one.process));
+      most_castor = std::max(most_castor, resident(*castor));
+      std::cout << (i + 1s).count() << " s: one " << resident(*one.process) << " MB, two "
+                << resident(*two.process) << " MB, castor run " << resident(*castor) << " MB\n";
+    }
+    two.process->send_signal(SIGCONT);
+    EXPECT_EQ(castor->wait(), 0) << castor->errors();
+    std::cout << find(*one.process, "(made .* changes)") << ", " << find(*castor, "(heard .*)\n")
+              << '\n';
+    constexpr int allowed = 32;
+    EXPECT_LT(most_one - before_one, allowed);
+    EXPECT_LT(most_castor - before_castor, allowed);
+  }
+
+  Node one;
+  Node two;
+  std::unique_ptr<Process> castor;
+
+private:
+  void SetUp() override {
+    NodesEitherWay::SetUp();
+    one = start_node("one");
+    two = start_node("two");
+  }
+};
+
+TEST_P(NodesUnderFlood, EventsForAStoppedNodeCostNobodysMemory) {
+  run(subarchitecture("a", "one") + "CPP UM flood Flood" + time() + subarchitecture("b", "two") +
+      "CPP UM drain Drain --deadline 30s\n");
 }
+
+TEST_P(NodesUnderFlood, PushesToAStoppedNodeCostNobodysMemory) {
+  run("COMPONENT [one] CPP flood PushFlood" + time() + subarchitecture("b", "two") +
+      "CPP UM drain PushDrain\n");
+  auto log = one.process->errors();
+  auto said = log.find("b.drain does not keep up");
+  EXPECT_NE(said, std::string::npos) << log;
+  EXPECT_EQ(log.find("does not keep up", said + 10), std::string::npos) << log;
+  EXPECT_NE(castor->output().find("of its pushes were dropped"), std::string::npos)
+    << castor->output();
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodes, NodesUnderFlood, testing::Bool(), encryption);
 
 } // namespace
 

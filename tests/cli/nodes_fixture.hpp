@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -60,7 +61,8 @@ protected:
     return result;
   }
 
-  /// `castor run` of a system whose hosts are these nodes.
+  /// `castor run` of a system whose hosts are these nodes. It ends after a while even if the system
+  /// does not do what the test waits for.
   std::vector<std::string> run_on(const std::vector<const Node*>& nodes, const std::string& system,
                                   const std::vector<std::string>& more = {}) {
     std::string text;
@@ -72,6 +74,8 @@ protected:
     }
     write(file, text + system);
     append(arguments, tls("run"));
+    if (std::find(more.begin(), more.end(), "--for") == more.end())
+      append(arguments, {"--for", "100s"});
     append(arguments, more);
     return command(arguments);
   }
