@@ -17,8 +17,8 @@ inline constexpr std::uint32_t standard_push_limit = 100;
 
 /// Pushes on their way to one receiver, which is sent no more while there are `limit` (at least 1)
 /// that it has not acknowledged. Of the rest the newest wait, and the older ones are dropped. That
-/// happens only if more than `limit` pushes are not taken: what was taken but not acknowledged has
-/// its place among those that wait.
+/// happens only if more than `limit` pushes are not taken, acknowledgements on their way apart:
+/// what was taken but not acknowledged has its place among those that wait.
 class PushFlow {
 public:
   explicit PushFlow(std::uint32_t limit)

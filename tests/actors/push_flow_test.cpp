@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -100,8 +101,9 @@ RC_GTEST_PROP(PushFlowProperties, DropsOnlyWhatIsTooMuchAndNeverTheNewest, ()) {
   PushLine line{limit};
   for (auto step : steps) {
     if (step == 2) {
-      // Those that the receiver does not have yet, and those it has but did not take.
-      auto not_taken = line.queue.size() + line.flow.waiting();
+      // As far as the provider can know.
+      auto not_taken = std::accumulate(line.acknowledgements.begin(), line.acknowledgements.end(),
+                                       line.queue.size() + line.flow.waiting());
       auto dropped = line.flow.dropped();
       line.push();
       RC_ASSERT(line.flow.dropped() == dropped || not_taken >= limit);
@@ -118,7 +120,8 @@ RC_GTEST_PROP(PushFlowProperties, DropsOnlyWhatIsTooMuchAndNeverTheNewest, ()) {
   RC_ASSERT(line.flow.waiting() == 0u);
   RC_ASSERT(line.taken.size() + line.flow.dropped() == static_cast<std::size_t>(line.pushed));
   RC_ASSERT(std::is_sorted(line.taken.begin(), line.taken.end()));
-  RC_ASSERT(line.pushed == 0 || line.taken.back() == line.pushed);
+  if (line.pushed > 0)
+    RC_ASSERT(line.taken.back() == line.pushed);
 }
 
 } // namespace
