@@ -121,6 +121,11 @@ namespace {
 WriteRequest write_request(ComponentShell& s, Operation operation, const Address& address,
                            Value value, std::optional<EntryLife> life) {
   auto seen = operation == Operation::overwrite ? s.last_seen(address) : std::nullopt;
+  // What has to be encoded on its way is encoded here: in the own working memory, which hands it
+  // on, others would wait for that.
+  if (operation != Operation::remove && address.subarchitecture != s.identity().subarchitecture &&
+      s.is_in_another_process(address.subarchitecture))
+    value.bytes();
   return {operation,
           address,
           std::move(value),

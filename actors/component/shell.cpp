@@ -3,6 +3,8 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
 
+#include <caf/actor_proxy.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -347,6 +349,14 @@ void ComponentShell::check_may_operate() const {
   // Operations on an idle working memory never wait, so this is where a stop ends a loop of them.
   if (stopping_ && !in_stop_hook_)
     throw ComponentStopped{};
+}
+
+bool ComponentShell::is_in_another_process(const std::string& subarchitecture) const {
+  if (!neighbours_)
+    return false;
+  auto i = neighbours_->working_memories.find(subarchitecture);
+  return i != neighbours_->working_memories.end() &&
+         dynamic_cast<caf::actor_proxy*>(caf::actor_cast<caf::abstract_actor*>(i->second));
 }
 
 Patience ComponentShell::patience(std::chrono::nanoseconds at_most) {

@@ -72,6 +72,9 @@ public:
   /// For an operation that may have to wait for a lease to end.
   Patience patience(std::chrono::nanoseconds at_most);
 
+  /// Whether the working memory of that subarchitecture is one of another process.
+  bool is_in_another_process(const std::string& subarchitecture) const;
+
   /// Sends an operation to the own working memory; its outcome is taken with `finish`, once.
   template <class Request>
   std::uint64_t begin(const Request& request) {
