@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/wm/event_backlog.hpp"
+#include "castor/wm/receipts.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,25 +15,6 @@ namespace castor {
 inline constexpr std::uint32_t standard_queue_limit = 100'000;
 inline constexpr std::uint32_t least_queue_limit = 16;
 
-/// The receiver's end of an `EventFlow` with the same limit: counts what the receiver takes, and
-/// says when to tell the sender, which is seldom, so that it costs next to nothing.
-class EventReceipts {
-public:
-  explicit EventReceipts(std::uint32_t limit = standard_queue_limit) : batch_(batch_for(limit)) {}
-
-  /// So many events are acknowledged at a time.
-  static std::uint32_t batch_for(std::uint32_t limit) {
-    return std::max(limit, least_queue_limit) / 4;
-  }
-
-  /// One more event is taken: how many are to be acknowledged now.
-  std::uint32_t take() { return ++taken_ < batch_ ? 0 : std::exchange(taken_, 0); }
-
-private:
-  std::uint32_t batch_;
-  std::uint32_t taken_ = 0;
-};
-
 /// Events on their way to one receiver, which is sent no more while there are `limit` (at least
 /// `least_queue_limit`) that it has not taken; a write of several entries goes as one, so the last
 /// may exceed that. The rest waits in a backlog. Nothing is merged unless more than `limit` events
@@ -42,7 +24,8 @@ public:
   using Piece = EventBacklog::Piece;
 
   explicit EventFlow(std::uint32_t limit = standard_queue_limit)
-    : limit_(std::max(limit, least_queue_limit)), backlog_(EventReceipts::batch_for(limit)) {}
+    : limit_(std::max(limit, least_queue_limit)),
+      backlog_(Receipts::batch_for(std::max(limit, least_queue_limit))) {}
 
   /// Returns what is to be sent at once: the piece, or nothing.
   std::optional<Piece> push(Piece piece) {

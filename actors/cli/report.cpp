@@ -74,6 +74,9 @@ std::string report(const SystemSummary& summary) {
     components.add({x.identity.full_name(), state_of(x), std::to_string(x.events_received),
                     std::to_string(x.callbacks), std::to_string(x.writes),
                     std::to_string(x.reads)});
+    if (x.pushes_dropped > 0)
+      components.remark(fmt::format(
+        "{} of its pushes were dropped for receivers that did not keep up", x.pushes_dropped));
     if (!x.failure.empty())
       components.remark(x.failure);
   }

@@ -81,12 +81,12 @@ void Component::end_system(int status, std::string reason) {
 }
 
 Value Component::pull_value(const std::string& provider, const TypeDescriptorPtr& type) {
-  return shell().pull(provider, type);
+  return shell().connections().pull(provider, type);
 }
 
 void Component::subscribe_to_pushes(const std::string& provider, const TypeDescriptorPtr& type,
                                     std::function<void(const Value&)> callback) {
-  shell().subscribe(provider, type, std::move(callback));
+  shell().connections().subscribe(provider, type, std::move(callback));
 }
 
 void Component::wrong_pull(const std::string& provider, const TypeDescriptor& wanted,
@@ -99,11 +99,11 @@ void Component::wrong_pull(const std::string& provider, const TypeDescriptor& wa
 
 void StandaloneComponent::provide_value(const TypeDescriptorPtr& type,
                                         std::function<Value()> make) {
-  shell().provide(type, std::move(make));
+  shell().connections().provide(type, std::move(make));
 }
 
 void StandaloneComponent::push_value(Value x) {
-  shell().push(x);
+  shell().connections().push(x);
 }
 
 // -- SubarchitectureComponent
@@ -121,6 +121,11 @@ namespace {
 WriteRequest write_request(ComponentShell& s, Operation operation, const Address& address,
                            Value value, std::optional<EntryLife> life) {
   auto seen = operation == Operation::overwrite ? s.last_seen(address) : std::nullopt;
+  // What has to be encoded on its way is encoded here: in the own working memory, which hands it
+  // on, others would wait for that.
+  if (operation != Operation::remove && address.subarchitecture != s.identity().subarchitecture &&
+      s.is_in_another_process(address.subarchitecture))
+    value.bytes();
   return {operation,
           address,
           std::move(value),

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
+#include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/component/record.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/failure.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -104,8 +106,7 @@ protected:
   }
 
   // -- connections to components outside the schema: images, motor commands and other things that
-  // are
-  //    too many or too large for working memory
+  // are too many or too large for working memory
 
   /// The newest `T` of the stand-alone component `provider`. Throws ConnectionError if there is no
   /// such component, if it does not provide a `T`, or if it does not answer within the deadline.
@@ -115,7 +116,9 @@ protected:
   }
 
   /// Calls `callback` with every `T` that the stand-alone component `provider` pushes from now on.
-  /// Throws like `pull`.
+  /// Of those that wait while this component is busy, the oldest are dropped when they are more
+  /// than its
+  /// `--push-limit`. Throws like `pull`.
   template <ReflectedRecord T>
   void on_push(const std::string& provider,
                std::function<void(const std::shared_ptr<const T>&)> callback) {
@@ -169,6 +172,10 @@ private:
   Option<std::chrono::milliseconds> budget_{
     this, "budget", std::chrono::seconds{10},
     "how long the component's own code may run without a pause before that is reported"};
+  Option<std::uint32_t> push_limit_{
+    this, "push-limit", standard_push_limit,
+    "how many pushes of one type may wait for the component (1 or more); beyond that the oldest "
+    "are dropped"};
 };
 
 /// A push or pull connection that cannot be: the message says why.
@@ -187,7 +194,8 @@ protected:
     provide_value(descriptor_of<T>(), [make = std::move(make)] { return Value::of(make()); });
   }
 
-  /// Sends `x` to every component that asked for pushes of `T`.
+  /// Sends `x` to every component that asked for pushes of `T`; never waits for them. One that does
+  /// not keep up gets the newest.
   template <ReflectedRecord T>
   void push(T x) {
     push_value(Value::of(std::move(x)));

@@ -50,6 +50,8 @@ struct ComponentCounters {
   /// Events replaced by newer ones before they were delivered (`--queue newest`).
   std::atomic<std::uint64_t> events_discarded{0};
   std::atomic<std::uint64_t> callbacks{0};
+  /// Pushes that a receiver was too slow for.
+  std::atomic<std::uint64_t> pushes_dropped{0};
   std::atomic<std::uint64_t> reads{0};
   std::atomic<std::uint64_t> adds{0};
   std::atomic<std::uint64_t> overwrites{0};

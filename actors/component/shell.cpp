@@ -1,8 +1,9 @@
 #include "castor/actors/component/shell.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
+
+#include <caf/actor_proxy.hpp>
 
 #include <fmt/core.h>
 
@@ -58,7 +59,7 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
   if (auto* x = dynamic_cast<SubarchitectureComponent*>(component_.get())) {
     queue_mode_ = x->queue_;
     queue_limit_ = x->queue_limit_;
-    component_receipts_ = EventReceipts{queue_limit_};
+    component_receipts_ = Receipts{queue_limit_};
   }
   record_->set_budget(component_->budget_);
   component_->attach(this);
@@ -106,8 +107,7 @@ void ComponentShell::let_go() {
   work_.clear();
   proposers_.clear();
   watched_.clear();
-  provisions_.clear();
-  push_receivers_.clear();
+  connections_.clear();
   conductor_ = nullptr;
   neighbours_ = nullptr;
 }
@@ -127,6 +127,8 @@ void ComponentShell::live() {
   if (queue_limit_ < least_queue_limit)
     throw std::invalid_argument(
       fmt::format("--queue-limit is {}, but the least is {}", queue_limit_, least_queue_limit));
+  if (push_limit() == 0)
+    throw std::invalid_argument("--push-limit is 0, but the least is 1");
   user_code(phase_name(Phase::configure), [this] { component_->configure(); });
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
@@ -205,6 +207,10 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
       working_memory_lost_ = true;
     else if (manager_)
       work_.push_back(std::move(x)); // in its turn: after the last words of who has ended
+    else
+      connections_.forget(content.get_as<caf::down_msg>(0).source);
+  } else if (content.match_elements<PushesTaken>()) {
+    connections_.taken(x->sender, content.get_as<PushesTaken>(0));
   } else {
     work_.push_back(std::move(x));
   }
@@ -267,14 +273,14 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
   }
 }
 
-template <class F>
-void ComponentShell::user_code(const std::string& what, F&& f) {
-  // After an exception `doing_` stays at the innermost call, for the report.
-  auto outer = std::exchange(doing_, what);
-  record_->enter_user_code(Clock::now());
-  f();
-  record_->leave_user_code();
-  doing_ = std::move(outer);
+void ComponentShell::respond(caf::mailbox_element& x, caf::message reply) {
+  if (x.mid.is_request() && x.sender)
+    x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
+}
+
+void ComponentShell::count_callback() {
+  ++callbacks_;
+  ++record_->counters.callbacks;
 }
 
 void ComponentShell::work_off(Work& x) {
@@ -285,14 +291,10 @@ void ComponentShell::work_off(Work& x) {
 }
 
 void ComponentShell::work_off_message(caf::mailbox_element& x) {
+  if (connections_.work_off(x))
+    return;
   auto& content = x.content();
-  if (content.match_elements<PullRequest>()) {
-    work_off_pull(x, content.get_as<PullRequest>(0));
-  } else if (content.match_elements<PushRequest>()) {
-    work_off_push_request(x, content.get_as<PushRequest>(0));
-  } else if (content.match_elements<Pushed>()) {
-    work_off_push(content.get_as<Pushed>(0));
-  } else if (managed_ && content.match_elements<TaskDecided>()) {
+  if (managed_ && content.match_elements<TaskDecided>()) {
     auto& decided = content.get_as<TaskDecided>(0);
     user_code("task " + decided.id, [&] { managed_->decided(decided); });
   } else if (manager_ && content.match_elements<ProposeTask>()) {
@@ -331,8 +333,7 @@ void ComponentShell::work_off_change(const ChangeNotice& notice) {
       return;
     if (receivers_.count(id) == 0)
       continue;
-    ++callbacks_;
-    ++record_->counters.callbacks;
+    count_callback();
     user_code("the callback for " + to_string(*notice.event),
               [&, &r = *receiver] { r.callback(*notice.event); });
   }
@@ -350,6 +351,14 @@ void ComponentShell::check_may_operate() const {
   // Operations on an idle working memory never wait, so this is where a stop ends a loop of them.
   if (stopping_ && !in_stop_hook_)
     throw ComponentStopped{};
+}
+
+bool ComponentShell::is_in_another_process(const std::string& subarchitecture) const {
+  if (!neighbours_)
+    return false;
+  auto i = neighbours_->working_memories.find(subarchitecture);
+  return i != neighbours_->working_memories.end() &&
+         dynamic_cast<caf::actor_proxy*>(caf::actor_cast<caf::abstract_actor*>(i->second));
 }
 
 Patience ComponentShell::patience(std::chrono::nanoseconds at_most) {
@@ -537,107 +546,6 @@ void ComponentShell::work_off_end(const caf::down_msg& x) {
   for (auto& id : left)
     proposers_.erase(id);
   user_code("the end of a component", [&] { manager_->abandoned(left, bool{x.reason}); });
-}
-
-// -- push and pull
-
-caf::actor ComponentShell::find_provider(const std::string& name) const {
-  auto& providers = neighbours_->providers;
-  auto i = providers.find(name);
-  if (i != providers.end())
-    return i->second;
-  std::vector<std::string_view> names;
-  for (auto& [known, actor] : providers)
-    names.push_back(known);
-  auto guess = cast::did_you_mean(name, names);
-  throw ConnectionError(
-    "there is no stand-alone component " + name + "; " +
-    (guess.empty() ? "add a COMPONENT line for it to the system's .cast file" : guess));
-}
-
-Outcome<Value> ComponentShell::ask_provider(const std::string& provider, std::uint64_t id) {
-  open_slot(id);
-  auto content = wait_for(id, {provider, {}}, deadline(), nullptr);
-  if (!content)
-    return content.failure();
-  return take<Outcome<Value>>(**content, {provider, {}});
-}
-
-Value ComponentShell::pull(const std::string& provider, const TypeDescriptorPtr& type) {
-  auto actor = find_provider(provider);
-  auto id = request(actor, caf::infinite, PullRequest{type}).id().integer_value();
-  auto outcome = ask_provider(provider, id);
-  if (!outcome)
-    throw ConnectionError("cannot pull a " + type->name() + " from " + provider + ": " +
-                          outcome.failure().message);
-  return *std::move(outcome);
-}
-
-void ComponentShell::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
-                               std::function<void(const Value&)> callback) {
-  auto actor = find_provider(provider);
-  auto id = request(actor, caf::infinite, PushRequest{type}).id().integer_value();
-  auto outcome = ask_provider(provider, id);
-  if (!outcome)
-    throw ConnectionError("cannot receive pushes of " + type->name() + " from " + provider + ": " +
-                          outcome.failure().message);
-  push_receivers_.push_back({provider, type->name(), std::move(callback)});
-}
-
-void ComponentShell::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
-  provisions_[type->name()].make = std::move(make);
-}
-
-void ComponentShell::push(const Value& x) {
-  for (auto& receiver : provisions_[x.type_name()].subscribers)
-    send(receiver, Pushed{identity().name, x});
-}
-
-void ComponentShell::respond(caf::mailbox_element& x, caf::message reply) {
-  if (x.mid.is_request() && x.sender)
-    x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
-}
-
-void ComponentShell::work_off_pull(caf::mailbox_element& x, const PullRequest& pull_request) {
-  auto i = provisions_.find(pull_request.type->name());
-  Outcome<Value> outcome;
-  if (i == provisions_.end() || !i->second.make) {
-    std::string offered;
-    for (auto& [type, provision] : provisions_)
-      offered += (offered.empty() ? "" : ", ") + type;
-    outcome = Failure{FailureKind::wrong_type,
-                      identity().name + " provides " + (offered.empty() ? "nothing" : offered),
-                      {identity().name, {}}};
-  } else {
-    try {
-      user_code("providing a " + i->first, [&] { outcome = i->second.make(); });
-    } catch (const std::exception& e) {
-      // Who pulls must learn of it too.
-      outcome = Failure{FailureKind::no_answer, e.what(), {identity().name, {}}};
-      respond(x, caf::make_message(std::move(outcome)));
-      throw;
-    }
-  }
-  respond(x, caf::make_message(std::move(outcome)));
-}
-
-void ComponentShell::work_off_push_request(caf::mailbox_element& x,
-                                           const PushRequest& push_request) {
-  provisions_[push_request.type->name()].subscribers.push_back(
-    caf::actor_cast<caf::actor>(x.sender));
-  respond(x, caf::make_message(Outcome<Value>{Value{}}));
-}
-
-void ComponentShell::work_off_push(const Pushed& x) {
-  for (std::size_t i = 0; i < push_receivers_.size(); ++i) {
-    if (push_receivers_[i].provider != x.provider || push_receivers_[i].type != x.value.type_name())
-      continue;
-    ++callbacks_;
-    ++record_->counters.callbacks;
-    auto callback = push_receivers_[i].callback;
-    user_code("the callback for a " + x.value.type_name() + " of " + x.provider,
-              [&] { callback(x.value); });
-  }
 }
 
 } // namespace castor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/component.hpp"
+#include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/mailbox.hpp"
 #include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/seen_versions.hpp"
@@ -8,6 +9,7 @@
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/wm/event_flow.hpp"
+#include "castor/wm/receipts.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <deque>
@@ -16,7 +18,7 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -64,8 +66,14 @@ public:
   /// How long operations may take.
   std::chrono::milliseconds deadline() const { return component_->deadline_.get(); }
 
+  /// How many pushes of one type may wait for the component.
+  std::uint32_t push_limit() const { return component_->push_limit_; }
+
   /// For an operation that may have to wait for a lease to end.
   Patience patience(std::chrono::nanoseconds at_most);
+
+  /// Whether the working memory of that subarchitecture is one of another process.
+  bool is_in_another_process(const std::string& subarchitecture) const;
 
   /// Sends an operation to the own working memory; its outcome is taken with `finish`, once.
   template <class Request>
@@ -129,31 +137,18 @@ public:
   /// Of a task manager: tells the component that proposed the task.
   void decide(const TaskDecided& x);
 
-  Value pull(const std::string& provider, const TypeDescriptorPtr& type);
-  void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
-                 std::function<void(const Value&)> callback);
-  void provide(const TypeDescriptorPtr& type, std::function<Value()> make);
-  void push(const Value& x);
+  Connections& connections() { return connections_; }
 
 private:
+  friend class Connections;
+
   struct Receiver {
     ChangeCallback callback;
     Priority priority;
   };
 
-  struct Provision {
-    std::function<Value()> make;
-    std::vector<caf::actor> subscribers;
-  };
-
   /// Something to be done when there is time: an event to deliver, or another message to answer.
   using Work = std::variant<ChangeNotice, caf::mailbox_element_ptr>;
-
-  struct PushReceiver {
-    std::string provider;
-    std::string type;
-    std::function<void(const Value&)> callback;
-  };
 
   void act() override;
   void file(caf::mailbox_element_ptr x) override;
@@ -175,12 +170,17 @@ private:
   void work_off(Work& x);
   void work_off_message(caf::mailbox_element& x);
   void work_off_change(const ChangeNotice& notice);
-  void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
-  void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
-  void work_off_push(const Pushed& x);
   void work_off_end(const caf::down_msg& x);
+  void count_callback();
   template <class F>
-  void user_code(const std::string& what, F&& f);
+  void user_code(const std::string& what, F&& f) {
+    // After an exception `doing_` stays at the innermost call, for the report.
+    auto outer = std::exchange(doing_, what);
+    record_->enter_user_code(Clock::now());
+    f();
+    record_->leave_user_code();
+    doing_ = std::move(outer);
+  }
   void respond(caf::mailbox_element& x, caf::message reply);
 
   // -- operations
@@ -199,9 +199,7 @@ private:
                                              const WaitEdge* wait);
   FilterId subscribe(const ChangeFilter& filter, EventStream stream);
   void receive_probe(DeadlockProbe probe);
-  Outcome<Value> ask_provider(const std::string& provider, std::uint64_t id);
   const caf::actor& task_manager() const;
-  caf::actor find_provider(const std::string& name) const;
 
   template <class Result>
   Result take(caf::mailbox_element& x, const Address& address) {
@@ -234,8 +232,8 @@ private:
   bool receiving_ = true;
   EventQueue queue_mode_ = EventQueue::all;
   std::uint32_t queue_limit_ = standard_queue_limit;
-  EventReceipts component_receipts_;
-  EventReceipts runtime_receipts_;
+  Receipts component_receipts_{standard_queue_limit};
+  Receipts runtime_receipts_{standard_queue_limit};
   /// What the component's own code is being called for, for the report if it throws.
   std::string doing_;
   std::uint64_t callbacks_ = 0;
@@ -251,8 +249,7 @@ private:
   /// The cycle that its wait has to be given up for; empty for none.
   std::string deadlock_;
 
-  std::map<std::string, Provision> provisions_;
-  std::vector<PushReceiver> push_receivers_;
+  Connections connections_{*this};
   std::map<TaskId, caf::actor> proposers_;
   /// Components whose end this task manager will be told.
   std::set<caf::actor_addr> watched_;

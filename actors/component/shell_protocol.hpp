@@ -45,15 +45,25 @@ struct PullRequest {
   TypeDescriptorPtr type;
 };
 
-/// To a stand-alone component: send the sender every value of the type that is pushed.
+/// To a stand-alone component: send the sender every value of the type that is pushed, but no more
+/// than `limit` that it has not taken.
 struct PushRequest {
   TypeDescriptorPtr type;
+  std::uint32_t limit = 0;
+  /// Its full name.
+  std::string subscriber;
 };
 
 /// From a stand-alone component.
 struct Pushed {
   std::string provider;
   Value value;
+};
+
+/// To a stand-alone component: so many more pushes of the type were taken.
+struct PushesTaken {
+  std::string type;
+  std::uint32_t count = 0;
 };
 
 } // namespace castor
@@ -67,4 +77,5 @@ CASTOR_LOCAL_MESSAGE(castor::TaskDecided)
 CASTOR_LOCAL_MESSAGE(castor::PullRequest)
 CASTOR_LOCAL_MESSAGE(castor::PushRequest)
 CASTOR_LOCAL_MESSAGE(castor::Pushed)
+CASTOR_LOCAL_MESSAGE(castor::PushesTaken)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Value>)

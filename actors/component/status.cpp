@@ -13,6 +13,7 @@ ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time
   result.callbacks = x.counters.callbacks;
   result.reads = x.counters.reads;
   result.writes = x.counters.adds + x.counters.overwrites + x.counters.deletes;
+  result.pushes_dropped = x.counters.pushes_dropped;
   return result;
 }
 

@@ -26,6 +26,8 @@ struct ComponentStatus {
   std::uint64_t callbacks = 0;
   std::uint64_t reads = 0;
   std::uint64_t writes = 0;
+  /// Pushes that a receiver was too slow for.
+  std::uint64_t pushes_dropped = 0;
 };
 
 ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);

@@ -73,12 +73,12 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
 
 std::function<void()> LinkPort::acknowledgement(ActorName route, caf::strong_actor_ptr sender,
                                                 std::size_t events) {
-  std::shared_ptr<EventReceipts> receipts;
+  std::shared_ptr<Receipts> receipts;
   {
     std::lock_guard guard{mutex_};
     auto& known = receipts_[sender->id()];
     if (!known)
-      known = std::make_shared<EventReceipts>(route_limit);
+      known = std::make_shared<Receipts>(route_limit);
     receipts = known;
   }
   return [mesh = mesh_, route, sender = std::move(sender), receipts = std::move(receipts), events] {

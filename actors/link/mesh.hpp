@@ -76,7 +76,7 @@ private:
   const std::shared_ptr<LinkRecord> record_;
   std::mutex mutex_;
   /// By working memory.
-  std::unordered_map<caf::actor_id, std::shared_ptr<EventReceipts>> receipts_;
+  std::unordered_map<caf::actor_id, std::shared_ptr<Receipts>> receipts_;
 };
 
 /// The actors of a system as one process sees them: its own, which others may know by name, and

@@ -297,12 +297,17 @@ void wire(A& a, WirePart<A, PullRequest>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, PushRequest>& x) {
-  a(x.type);
+  a(x.type, x.limit, x.subscriber);
 }
 
 template <class A>
 void wire(A& a, WirePart<A, Pushed>& x) {
   a(x.provider, x.value);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, PushesTaken>& x) {
+  a(x.type, x.count);
 }
 
 } // namespace castor

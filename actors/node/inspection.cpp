@@ -212,7 +212,7 @@ private:
       if ((!filter_->subarchitecture->empty() && *filter_->subarchitecture != name) ||
           watched_[name].actor == wm)
         continue;
-      watched_[name] = {wm, EventReceipts{event_limit}, 0};
+      watched_[name] = {wm, Receipts{event_limit}, 0};
       for (auto& filter : filters_for(name)) {
         Subscribe x{++last_filter_, filter};
         x.queue_limit = event_limit;
@@ -302,7 +302,7 @@ private:
 
   struct Watched {
     WorkingMemoryActor actor;
-    EventReceipts receipts;
+    Receipts receipts{event_limit};
     /// Events that were said and not yet taken.
     std::uint64_t told = 0;
   };

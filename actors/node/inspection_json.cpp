@@ -100,7 +100,8 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"events", x.events_received},
           {"callbacks", x.callbacks},
           {"writes", x.writes},
-          {"reads", x.reads}};
+          {"reads", x.reads},
+          {"pushes_dropped", x.pushes_dropped}};
 }
 
 Json to_json(const WorkingMemoryStatus& x, const std::string& node) {

@@ -17,7 +17,7 @@ const WireTable& system_messages() {
     ForwardedEvents, RoutedEvents,
     // Components
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
-    Outcome<Value>, PushRequest, Pushed,
+    Outcome<Value>, PushRequest, Pushed, PushesTaken,
     // Parts of a system
     PartPlan, PartMade, JoinParts, PartStatusQuery, PartStatus, EndSystem, TaskEvent>();
   return result;

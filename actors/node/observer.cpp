@@ -16,7 +16,8 @@ void observe(Self self, const SystemOptions& options, const ChangeEvent& event) 
   if (auto i = state.system.logged.find(where); i != state.system.logged.end())
     log(i->second, where + '.' + where + "_wm", to_string(event));
   auto wm = state.system.working_memories.find(where);
-  if (auto count = state.receipts[where].take();
+  auto receipts = state.receipts.try_emplace(where, standard_queue_limit).first;
+  if (auto count = receipts->second.take();
       count > 0 && wm != state.system.working_memories.end())
     self->send(wm->second, EventsTaken{EventStream::component, count});
 }

@@ -26,7 +26,7 @@ struct ObserverState {
   static constexpr const char* name = "observer";
 
   ObservedSystem system;
-  std::map<std::string, EventReceipts> receipts;
+  std::map<std::string, Receipts> receipts;
 };
 
 /// Calls `SystemOptions::on_change` and `on_task`, one at a time, and logs changes. It has to be

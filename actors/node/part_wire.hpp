@@ -81,7 +81,7 @@ void wire(A& a, WirePart<A, ComponentIdentity>& x) {
 template <class A>
 void wire(A& a, WirePart<A, ComponentStatus>& x) {
   a(x.identity, x.is_task_manager, x.state, x.out_of_reach, x.failure, x.busy, x.cpu,
-    x.events_received, x.callbacks, x.reads, x.writes);
+    x.events_received, x.callbacks, x.reads, x.writes, x.pushes_dropped);
 }
 
 template <class A>

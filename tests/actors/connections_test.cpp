@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace castor::test {
 
@@ -22,6 +27,14 @@ protected:
     };
     System system{architecture(server + subarchitecture("a") + "CPP UM client Unmanaged\n")};
     EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
+  }
+
+  /// How many pushes of the server nobody got.
+  static std::uint64_t dropped(System& system) {
+    for (auto& x : system.summary().components)
+      if (x.identity.name == "server")
+        return x.pushes_dropped;
+    return 0;
   }
 
   static std::string message_of(std::function<void()> f) {
@@ -75,6 +88,114 @@ TEST_F(Connections, PushesArriveInOrder) {
     while (count < 20)
       ASSERT_TRUE(self.sleep_for(1ms));
   });
+}
+
+TEST_F(Connections, ASlowReceiverMissesTheOldestOfWhatIsTooMuch) {
+  constexpr int pushes = 10'000;
+  std::atomic<bool> subscribed{false};
+  std::atomic<bool> pushed{false};
+  StandaloneScript::scripts()["server"].run = [&](auto& self) {
+    while (!subscribed)
+      ASSERT_TRUE(self.sleep_for(1ms));
+    for (int i = 1; i <= pushes; ++i)
+      self.push(Note{i, ""});
+    pushed = true;
+  };
+  std::vector<std::int64_t> got;
+  UnmanagedScript::scripts()["client"].start = [&](auto& self) {
+    self.template on_push<Note>("server", [&](const std::shared_ptr<const Note>& x) {
+      EXPECT_TRUE(eventually([&] { return pushed.load(); }));
+      got.push_back(x->number);
+      if (x->number == pushes)
+        self.end_system(0, "done");
+    });
+    subscribed = true;
+  };
+  System system{
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 8\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_EQ(got, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8, pushes - 1, pushes}));
+  EXPECT_EQ(dropped(system), pushes - got.size());
+}
+
+TEST_F(Connections, AReceiverThatKeepsUpGetsAllFromAServerThatNeverWaits) {
+  constexpr int pushes = 1000;
+  std::atomic<int> taken{-1};
+  StandaloneScript::scripts()["server"].run = [&](auto& self) {
+    while (taken < 0)
+      ASSERT_TRUE(self.sleep_for(1ms));
+    for (int i = 1; i <= pushes; ++i) {
+      self.push(Note{i, ""});
+      ASSERT_TRUE(eventually([&] { return taken == i; }));
+    }
+  };
+  UnmanagedScript::scripts()["client"].start = [&](auto& self) {
+    self.template on_push<Note>("server", [&](const std::shared_ptr<const Note>& x) {
+      EXPECT_EQ(x->number, taken + 1);
+      if (++taken == pushes)
+        self.end_system(0, "done");
+    });
+    taken = 0;
+  };
+  System system{
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 4\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_EQ(dropped(system), 0u);
+}
+
+TEST_F(Connections, EveryCallbackOfAReceiverGetsAPushOnce) {
+  StandaloneScript::scripts()["server"].run = [](auto& self) {
+    for (int i = 0; self.sleep_for(1ms); ++i)
+      self.push(Note{i, ""});
+  };
+  std::vector<std::int64_t> first;
+  std::vector<std::int64_t> second;
+  run_client([&](auto& self) {
+    for (auto* got : {&first, &second})
+      self.template on_push<Note>(
+        "server", [got](const std::shared_ptr<const Note>& x) { got->push_back(x->number); });
+    while (second.size() < 20)
+      ASSERT_TRUE(self.sleep_for(1ms));
+  });
+  first.erase(first.begin(), std::find(first.begin(), first.end(), second.front()));
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(std::adjacent_find(second.begin(), second.end(), std::greater_equal{}), second.end());
+}
+
+TEST_F(Connections, NothingIsKeptForAReceiverThatHasEnded) {
+  std::atomic<int> rounds{0};
+  StandaloneScript::scripts()["server"].run = [&](auto& self) {
+    for (; self.sleep_for(1ms); ++rounds)
+      for (int i = 0; i < 20; ++i)
+        self.push(Note{i, ""});
+  };
+  std::atomic<bool> got{false};
+  UnmanagedScript::scripts()["client"].start = [&](auto& self) {
+    self.template on_push<Note>("server", [&](const std::shared_ptr<const Note>&) {
+      got = true;
+      throw std::runtime_error("enough");
+    });
+  };
+  System system{
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 8\n")};
+  ASSERT_TRUE(system.start());
+  EXPECT_TRUE(eventually([&] { return got.load(); }));
+  // The server goes on pushing, but not to somebody who takes nothing.
+  EXPECT_TRUE(eventually([&] {
+    auto before = dropped(system);
+    auto begin = rounds.load();
+    return eventually([&] { return rounds > begin + 3; }) && dropped(system) == before;
+  }));
+  system.stop();
+}
+
+TEST_F(Connections, APushLimitHasToBeOneAtLeast) {
+  System system{
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 0\n")};
+  system.start();
+  EXPECT_NE(system.summary().components.back().failure.find("--push-limit is 0"),
+            std::string::npos);
+  system.stop();
 }
 
 TEST_F(Connections, MistakesAreNamed) {

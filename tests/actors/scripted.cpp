@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-#include <thread>
 
 namespace castor::test {
 
@@ -41,16 +40,6 @@ int run(System& system) {
     status = system.ended()->first;
   system.stop();
   return status;
-}
-
-bool eventually(const std::function<bool()>& condition) {
-  auto until = std::chrono::steady_clock::now() + 30s;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > until)
-      return false;
-    std::this_thread::yield();
-  }
-  return true;
 }
 
 } // namespace castor::test

@@ -3,6 +3,7 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/node/system.hpp"
+#include "castor/tests/support/eventually.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -244,8 +245,5 @@ std::string subarchitecture(const std::string& name);
 /// Runs the system until it ends itself, and stops it; the status it ended with, or -1 if it did
 /// not end within 30 s.
 int run(System& system);
-
-/// Waits until the condition holds; false if it does not within 30 s.
-bool eventually(const std::function<bool()>& condition);
 
 } // namespace castor::test

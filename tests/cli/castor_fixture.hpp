@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -18,9 +19,10 @@ namespace castor::test {
 class Castor : public testing::Test {
 protected:
   void SetUp() override {
+    std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(test.begin(), test.end(), '/', '-');
     folder = std::filesystem::temp_directory_path() /
-             ("castor-cli-" + std::to_string(getpid()) + "-" +
-              testing::UnitTest::GetInstance()->current_test_info()->name());
+             ("castor-cli-" + std::to_string(getpid()) + "-" + test);
     std::filesystem::create_directories(folder);
     // Systems of other tests are not to be found. The names of sockets must be short.
     runtime = std::filesystem::temp_directory_path() / ("castor-" + std::to_string(getpid()));

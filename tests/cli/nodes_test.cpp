@@ -1,13 +1,10 @@
-#include "castor_fixture.hpp"
+#include "nodes_fixture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <functional>
-#include <memory>
-#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,16 +32,6 @@ int processes_with(const std::string& words) {
   return result;
 }
 
-bool eventually(const std::function<bool()>& f) {
-  auto until = Clock::now() + 20s;
-  while (!f()) {
-    if (Clock::now() > until)
-      return false;
-    std::this_thread::sleep_for(5ms);
-  }
-  return true;
-}
-
 /// A connection that says what Castor does not expect.
 class StrangeConnection {
 public:
@@ -66,63 +53,10 @@ private:
   int fd_;
 };
 
-class Nodes : public Castor {
-protected:
-  struct Node {
-    std::unique_ptr<Process> process;
-    std::string address;
-
-    std::uint16_t port() const {
-      return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
-    }
-  };
-
-  /// Starts a node and waits until it listens.
-  static Node start_node(const std::string& name, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"node", "--name", name, "--listen", "127.0.0.1:0"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Node result{std::make_unique<Process>(command(arguments)), {}};
-    EXPECT_TRUE(result.process->wait_for_output("listens at ")) << result.process->errors();
-    EXPECT_TRUE(eventually([&] {
-      std::smatch found;
-      auto output = result.process->output();
-      if (!std::regex_search(output, found, std::regex{"listens at (.*)\n"}))
-        return false;
-      result.address = found[1];
-      return true;
-    }));
-    return result;
-  }
-
-  /// A ticker in a subarchitecture on the node `one`, and somebody on the node `two` who hears of
-  /// so many ticks.
-  std::string two_nodes(int ticks) const {
-    return write("two.cast", "HOSTNAME one one.test\nHOSTNAME two two.test\n"
-                             "SUBARCHITECTURE a [one]\n"
-                             "CPP WM SubarchitectureWorkingMemory\n"
-                             "CPP TM AlwaysPositiveTaskManager\n"
-                             "CPP UM ticker Ticker --deadline 1s\n"
-                             "SUBARCHITECTURE b [two]\n"
-                             "CPP WM SubarchitectureWorkingMemory\n"
-                             "CPP TM AlwaysPositiveTaskManager\n"
-                             "CPP UM listener Listener --count " +
-                               std::to_string(ticks) + "\n");
-  }
-
-  std::vector<std::string> run_on(const Node& one, const Node& two, int ticks,
-                                  const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"run",    two_nodes(ticks),
-                                       "--node", "one.test=" + one.address,
-                                       "--node", "two.test=" + two.address};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return command(arguments);
-  }
-};
-
-TEST_F(Nodes, ASystemRunsOverThem) {
+TEST_P(NodesEitherWay, ASystemRunsOverThem) {
   auto one = start_node("one");
   auto two = start_node("two");
-  Process castor{run_on(one, two, 20, {"--trace"})};
+  Process castor{run_on({&one, &two}, ticks(20), {"--trace"})};
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
   EXPECT_NE(castor.output().find("OVERWRITE       Tick"), std::string::npos) << castor.output();
   EXPECT_NE(castor.output().find("b.listener"), std::string::npos);
@@ -130,24 +64,37 @@ TEST_F(Nodes, ASystemRunsOverThem) {
   EXPECT_TRUE(two.process->wait_for_output("two leaves"));
 }
 
+TEST_P(NodesEitherWay, ValuesArePulledAndPushed) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_on({&one, &two}, "COMPONENT [one] CPP beacon Beacon\n" +
+                                        subarchitecture("a", "localhost") +
+                                        "CPP UM judge Judge --count 2\nCPP UM near Watcher\n" +
+                                        subarchitecture("b", "two") + "CPP UM far Watcher\n")};
+  EXPECT_EQ(castor.wait(), 7) << castor.errors();
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodes, NodesEitherWay, testing::Bool(), encryption);
+
 TEST_F(Nodes, TwoSystemsAtOnceDoNotDisturbEachOther) {
   auto one = start_node("one");
   auto two = start_node("two");
-  Process first{run_on(one, two, 30)};
-  Process second{run_on(one, two, 60)};
+  Process first{run_on({&one, &two}, ticks(30))};
+  Process second{run_on({&one, &two}, ticks(60))};
   EXPECT_EQ(first.wait(), 0) << first.errors();
   EXPECT_EQ(second.wait(), 0) << second.errors();
 }
 
 TEST_F(Nodes, WhatIsOutOfReachIsNamedAndNothingIsLeft) {
   auto one = start_node("one");
-  Node nobody{nullptr, "127.0.0.1:1"};
+  Node nobody{"two", nullptr, "127.0.0.1:1"};
   auto begin = Clock::now();
-  Process castor{run_on(one, nobody, 20)};
+  Process castor{run_on({&one, &nobody}, ticks(20))};
   EXPECT_EQ(castor.wait(), 2);
   EXPECT_LT(Clock::now() - begin, 20s);
-  EXPECT_NE(castor.errors().find("two.cast:8: error: cannot reach the node two at 127.0.0.1:1"),
-            std::string::npos)
+  EXPECT_NE(
+    castor.errors().find("system-1.cast:8: error: cannot reach the node two at 127.0.0.1:1"),
+    std::string::npos)
     << castor.errors();
   EXPECT_TRUE(one.process->wait_for_output("one leaves"));
 }
@@ -155,7 +102,8 @@ TEST_F(Nodes, WhatIsOutOfReachIsNamedAndNothingIsLeft) {
 TEST_F(Nodes, ANodeMustHaveTheNameThatTheFileGivesIt) {
   auto one = start_node("one");
   auto other = start_node("other");
-  Process castor{run_on(one, other, 20)};
+  other.name = "two";
+  Process castor{run_on({&one, &other}, ticks(20))};
   EXPECT_EQ(castor.wait(), 2);
   EXPECT_NE(castor.errors().find("there is a node other where two should be"), std::string::npos)
     << castor.errors();
@@ -163,14 +111,8 @@ TEST_F(Nodes, ANodeMustHaveTheNameThatTheFileGivesIt) {
 
 TEST_F(Nodes, AClassThatANodeDoesNotHaveIsNamed) {
   auto one = start_node("one");
-  Node two{std::make_unique<Process>(std::vector<std::string>{CASTOR_EXECUTABLE, "node", "--name",
-                                                              "two", "--listen", "127.0.0.1:0"}),
-           {}};
-  ASSERT_TRUE(two.process->wait_for_output("listens at "));
-  ASSERT_TRUE(eventually([&] { return two.process->output().ends_with("\n"); }));
-  auto output = two.process->output();
-  two.address = output.substr(output.rfind(' ') + 1, output.size() - output.rfind(' ') - 2);
-  Process castor{run_on(one, two, 20)};
+  auto two = start_node("two", {CASTOR_EXECUTABLE, "node"}, {});
+  Process castor{run_on({&one, &two}, ticks(20))};
   EXPECT_EQ(castor.wait(), 2);
   EXPECT_NE(castor.errors().find("on the node two: "), std::string::npos) << castor.errors();
   EXPECT_NE(castor.errors().find("Listener"), std::string::npos) << castor.errors();
@@ -179,7 +121,7 @@ TEST_F(Nodes, AClassThatANodeDoesNotHaveIsNamed) {
 TEST_F(Nodes, ALostNodeIsReportedAndTheOthersGoOn) {
   auto one = start_node("one");
   auto two = start_node("two");
-  Process castor{run_on(one, two, 1'000'000, {"--for", "5s"})};
+  Process castor{run_on({&one, &two}, ticks(1'000'000), {"--for", "5s"})};
   ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
   two.process->send_signal(SIGKILL);
   EXPECT_TRUE(castor.wait_for_output("node two is out of reach"));
@@ -189,10 +131,10 @@ TEST_F(Nodes, ALostNodeIsReportedAndTheOthersGoOn) {
   EXPECT_TRUE(one.process->wait_for_output("one leaves"));
 }
 
-TEST_F(Nodes, AStoppedNodeGoesOnWhereItWas) {
+TEST_P(NodesEitherWay, AStoppedNodeGoesOnWhereItWas) {
   auto one = start_node("one");
   auto two = start_node("two");
-  Process castor{run_on(one, two, 300)};
+  Process castor{run_on({&one, &two}, ticks(300))};
   ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
   two.process->send_signal(SIGSTOP);
   EXPECT_TRUE(castor.wait_for_output("node two is out of reach"));
@@ -204,7 +146,7 @@ TEST_F(Nodes, AStoppedNodeGoesOnWhereItWas) {
 TEST_F(Nodes, StrangersAreTurnedAwayAndNobodyElseNotices) {
   auto one = start_node("one");
   auto two = start_node("two");
-  Process castor{run_on(one, two, 200)};
+  Process castor{run_on({&one, &two}, ticks(200))};
   ASSERT_TRUE(two.process->wait_for_output("hears ticks"));
   StrangeConnection silent{two.port()};
   StrangeConnection slow{two.port()};
@@ -261,22 +203,21 @@ TEST_F(Nodes, VisionRunsOverThree) {
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "pictures-001.png"));
 }
 
-TEST_F(Nodes, EverythingIsEncryptedIfAsked) {
-  Process certs{{CASTOR_MAKE_CERTS, (folder / "certs").string(), "run", "one", "two"}};
-  ASSERT_EQ(certs.wait(), 0) << certs.errors();
+TEST_F(Nodes, OnlyWhoHasACertificateOfTheSameCATalksToThoseWhoDo) {
+  encrypt({"one", "two"});
+  auto one = start_node("one");
+  auto two = start_node("two");
   Process others{{CASTOR_MAKE_CERTS, (folder / "others").string(), "run"}};
   ASSERT_EQ(others.wait(), 0) << others.errors();
-  auto tls = [&](const std::string& which) {
-    return std::vector<std::string>{"--tls", (folder / which).string()};
-  };
-  auto one = start_node("one", tls("certs/one"));
-  auto two = start_node("two", tls("certs/two"));
-  Process castor{run_on(one, two, 20, tls("certs/run"))};
-  EXPECT_EQ(castor.wait(), 0) << castor.errors();
-  Process stranger{run_on(one, two, 20, tls("others/run"))};
+  auto arguments = run_on({&one, &two}, ticks(20));
+  auto tls = std::find(arguments.begin(), arguments.end(), "--tls");
+  ASSERT_NE(tls, arguments.end());
+  *(tls + 1) = (folder / "others" / "run").string();
+  Process stranger{arguments};
   EXPECT_EQ(stranger.wait(), 2);
   EXPECT_NE(stranger.errors().find("not signed by our CA"), std::string::npos) << stranger.errors();
-  Process plain{run_on(one, two, 20)};
+  arguments.erase(tls, tls + 2);
+  Process plain{arguments};
   EXPECT_EQ(plain.wait(), 2) << plain.errors();
 }
 

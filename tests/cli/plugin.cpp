@@ -1,20 +1,14 @@
 // Component classes that the castor executable does not have: a library for --plugin.
+#include "tick.hpp"
+
 #include "castor/actors/registry.hpp"
 
-#include <chrono>
 #include <stdexcept>
 #include <string>
 
 namespace castor::test {
 
 namespace {
-
-using namespace std::chrono_literals;
-
-struct Tick {
-  int number = 0;
-};
-CASTOR_REFLECT(Tick, number)
 
 class Clock final : public UnmanagedComponent {
   void run() override {
@@ -63,44 +57,6 @@ class Endless final : public UnmanagedComponent {
   }
 };
 CASTOR_COMPONENT(Endless, "never comes back")
-
-/// Adds an entry and overwrites it until it is stopped, whatever becomes of the others.
-class Ticker final : public UnmanagedComponent {
-  void run() override {
-    auto address = here("tick");
-    add(address, Tick{});
-    for (int i = 1; is_running(); ++i) {
-      try {
-        overwrite(address, Tick{i});
-      } catch (const DeadlineException&) {
-        info("no answer to tick {}", i);
-        read<Tick>(address);
-      }
-      sleep_for(10ms);
-    }
-  }
-};
-CASTOR_COMPONENT(Ticker, "ticks for ever")
-
-/// Ends the system when it has heard of so many ticks.
-class Listener final : public UnmanagedComponent {
-  void start() override {
-    on_change(overwritten<Tick>().anywhere(), [this](const ChangeEvent& event) {
-      if (event.version <= last_)
-        throw std::runtime_error("ticks come twice or backwards");
-      last_ = event.version;
-      if (++heard_ == count_)
-        end_system(0, "heard " + std::to_string(heard_) + " ticks");
-      if (heard_ == 10)
-        info("hears ticks");
-    });
-  }
-
-  Option<int> count_{this, "count", 20, "how many ticks"};
-  int heard_ = 0;
-  Version last_ = 0;
-};
-CASTOR_COMPONENT(Listener, "hears ticks")
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "castor/actors/link/listener.hpp"
 #include "castor/actors/link/wire_protocol.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
+#include "castor/tests/support/eventually.hpp"
 #include "castor/tests/support/relay.hpp"
 #include "castor/wm/reflect.hpp"
 #include "castor/wm/working_memory.hpp"
@@ -30,6 +31,7 @@ CASTOR_REFLECT(Box, label, pixels)
 namespace {
 
 using namespace std::chrono_literals;
+using test::eventually;
 
 const WireTable& table() {
   static const auto result =
@@ -96,16 +98,6 @@ struct Part {
   caf::actor link;
   caf::actor listener;
 };
-
-bool eventually(const std::function<bool()>& f) {
-  auto until = std::chrono::steady_clock::now() + 10s;
-  while (!f()) {
-    if (std::chrono::steady_clock::now() > until)
-      return false;
-    std::this_thread::sleep_for(1ms);
-  }
-  return true;
-}
 
 /// A coordinator, and a robot with a working memory.
 class TwoProcesses : public testing::Test {

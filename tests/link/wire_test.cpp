@@ -154,6 +154,16 @@ TEST_F(Wire, EventsArriveWithTheirReceivers) {
   EXPECT_EQ(x.events[0].receivers, sent.events[0].receivers);
 }
 
+TEST_F(Wire, PushesAreAskedForAndAcknowledged) {
+  auto request = there_and_back(PushRequest{descriptor_of<Letter>(), 7, "a.reader"});
+  EXPECT_EQ(request.type, descriptor_of<Letter>());
+  EXPECT_EQ(request.limit, 7u);
+  EXPECT_EQ(request.subscriber, "a.reader");
+  auto taken = there_and_back(PushesTaken{"Letter", 3});
+  EXPECT_EQ(taken.type, "Letter");
+  EXPECT_EQ(taken.count, 3u);
+}
+
 TEST_F(Wire, AProbeKeepsItsWay) {
   DeadlockProbe sent;
   sent.path.push_back({WaitEdge::Kind::read, client, 5, Timestamp{6}, {"a", "x"}, "waits", 7});

@@ -25,6 +25,8 @@ public:
   bool wait_for_output(const std::string& text,
                        std::chrono::seconds patience = std::chrono::seconds{30});
 
+  pid_t pid() const { return pid_; }
+
   void send_signal(int number);
 
   /// Waits for the end; the exit status, or 128 + the number of the signal that ended it.

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <iterator>
 #include <stdexcept>
 
 namespace castor::test {
@@ -58,7 +59,7 @@ void Relay::run() {
   int done = 0;
   while (!over_) {
     if (int wanted = cuts_; wanted > done) {
-      close_all();
+      close_connections([](auto&, auto&) { return true; });
       cuts_ = done = wanted + 1;
     }
     std::vector<pollfd> sockets{{listener_, POLLIN, 0}};
@@ -70,20 +71,15 @@ void Relay::run() {
     poll(sockets.data(), sockets.size(), 2);
     if (!frozen) {
       std::size_t i = 1;
-      bool ended = false;
       for (auto& x : pipes_)
-        if (sockets[i++].revents != 0) {
+        if (sockets[i++].revents != 0)
           pass_on(x);
-          ended = ended || x.from < 0;
-        }
-      // One broken connection ends all: nobody here needs more than one at a time.
-      if (ended)
-        close_all();
+      close_connections([](auto& there, auto& back) { return there.ended || back.ended; });
     }
     if (sockets[0].revents != 0)
       accept();
   }
-  close_all();
+  close_connections([](auto&, auto&) { return true; });
   close(listener_);
 }
 
@@ -102,8 +98,8 @@ void Relay::accept() {
   for (int socket : {near, far})
     setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
   ++connections_;
-  pipes_.push_back({near, far, {}});
-  pipes_.push_back({far, near, {}});
+  pipes_.push_back({near, far});
+  pipes_.push_back({far, near});
 }
 
 void Relay::pass_on(Pipe& pipe) {
@@ -113,25 +109,28 @@ void Relay::pass_on(Pipe& pipe) {
     if (n > 0)
       pipe.waiting.assign(buffer.begin(), buffer.begin() + n);
     else if (n == 0 || (errno != EAGAIN && errno != EINTR))
-      pipe.from = -1;
+      pipe.ended = true;
     return;
   }
   auto n = send(pipe.to, pipe.waiting.data(), pipe.waiting.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (n > 0)
     pipe.waiting.erase(pipe.waiting.begin(), pipe.waiting.begin() + n);
   else if (errno != EAGAIN && errno != EINTR)
-    pipe.from = -1;
+    pipe.ended = true;
 }
 
-void Relay::close_all() {
-  // Both ends of a connection stand in either of its two pipes.
-  for (auto i = pipes_.begin(); i != pipes_.end(); ++i) {
-    auto& there = *i;
-    auto& back = *++i;
-    close(there.to);
-    close(back.to);
+template <class F>
+void Relay::close_connections(F which) {
+  for (auto there = pipes_.begin(); there != pipes_.end();) {
+    auto back = std::next(there);
+    auto next = std::next(back);
+    if (which(*there, *back)) {
+      close(there->to);
+      close(back->to);
+      pipes_.erase(there, next);
+    }
+    there = next;
   }
-  pipes_.clear();
 }
 
 } // namespace castor::test

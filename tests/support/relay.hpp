@@ -36,13 +36,16 @@ private:
   struct Pipe {
     int from;
     int to;
-    std::vector<char> waiting;
+    std::vector<char> waiting = {};
+    bool ended = false;
   };
 
   void run();
   void accept();
   void pass_on(Pipe& pipe);
-  void close_all();
+  /// Of which this is said, given the pipes there and back.
+  template <class F>
+  void close_connections(F which);
 
   const std::uint16_t target_;
   std::uint16_t port_ = 0;

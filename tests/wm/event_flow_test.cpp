@@ -50,7 +50,7 @@ public:
   }
 
   EventFlow flow;
-  EventReceipts receipts;
+  Receipts receipts;
   std::uint64_t written = 0;
   std::deque<std::uint64_t> queue;
   std::vector<std::uint64_t> taken;
@@ -134,7 +134,7 @@ RC_GTEST_PROP(EventFlowProperties, NoEventIsLostOrComesTwiceAndNobodyStarves, ()
       line.acknowledge();
   }
   RC_ASSERT(line.flow.backlog().empty());
-  RC_ASSERT(line.flow.in_flight() < EventReceipts::batch_for(limit));
+  RC_ASSERT(line.flow.in_flight() < Receipts::batch_for(limit));
   RC_ASSERT(line.taken.size() == line.written);
   for (std::size_t i = 0; i < line.taken.size(); ++i)
     RC_ASSERT(line.taken[i] == i + 1);

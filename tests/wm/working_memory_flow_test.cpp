@@ -191,7 +191,7 @@ TEST_F(SlowComponents, CostNoMemoryForWhatIsNoMore) {
     overwrite_often(address, 1);
     remove(address);
     // Each keeps so many events before it merges, and merges with the next.
-    EXPECT_LE(status("a").backlog, 3 * (EventReceipts::batch_for(limit) + 1));
+    EXPECT_LE(status("a").backlog, 3 * (Receipts::batch_for(limit) + 1));
   }
 }
 

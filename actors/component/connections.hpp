@@ -1,0 +1,86 @@
+#pragma once
+
+#include "castor/actors/component/push_flow.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/wm/caf.hpp"
+#include "castor/wm/failure.hpp"
+#include "castor/wm/receipts.hpp"
+#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/value.hpp"
+
+#include <caf/mailbox_element.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+class ComponentShell;
+
+/// A component's push and pull connections, at either end. Used on the component's own thread only.
+class Connections {
+public:
+  explicit Connections(ComponentShell& shell) : shell_(shell) {}
+
+  // -- of one that provides
+
+  void provide(const TypeDescriptorPtr& type, std::function<Value()> make);
+  void push(const Value& x);
+
+  // -- of one that receives
+
+  /// Both throw ConnectionError.
+  Value pull(const std::string& provider, const TypeDescriptorPtr& type);
+  void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                 std::function<void(const Value&)> callback);
+
+  // -- what arrives
+
+  /// A subscriber has taken pushes, for which it may be sent others.
+  void taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x);
+
+  /// A subscriber has ended.
+  void forget(const caf::actor_addr& subscriber);
+
+  /// Carries out what the message asks for, if it is about connections; false if it is not.
+  bool work_off(caf::mailbox_element& x);
+
+  /// Gives up all of them.
+  void clear();
+
+private:
+  struct Subscriber {
+    caf::actor actor;
+    std::string name;
+    PushFlow flow;
+  };
+
+  struct Provision {
+    std::function<Value()> make;
+    std::vector<Subscriber> subscribers;
+  };
+
+  struct Reception {
+    std::vector<std::function<void(const Value&)>> callbacks;
+    Receipts receipts;
+  };
+
+  void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
+  void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
+  void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);
+  void send(const Subscriber& to, Value x);
+  caf::actor find_provider(const std::string& name) const;
+  Outcome<Value> ask(const std::string& provider, std::uint64_t id);
+
+  ComponentShell& shell_;
+  /// By type.
+  std::map<std::string, Provision> provisions_;
+  /// By provider and type.
+  std::map<std::pair<std::string, std::string>, Reception> receptions_;
+};
+
+} // namespace castor

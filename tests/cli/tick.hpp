@@ -1,0 +1,12 @@
+#pragma once
+
+#include "castor/wm/reflect.hpp"
+
+namespace castor::test {
+
+struct Tick {
+  int number = 0;
+};
+CASTOR_REFLECT(Tick, number)
+
+} // namespace castor::test
