@@ -76,7 +76,8 @@ protected:
 
   static std::set<std::string> component_names() {
     std::set<std::string> result;
-    for (auto& x : ps()["components"])
+    auto report = ps();
+    for (auto& x : report["components"])
       result.insert(x["name"]);
     return result;
   }
@@ -217,21 +218,22 @@ TEST_F(Inspection, WhoUsesWhatIsDrawn) {
   auto castor = start_ticking();
   auto dot = ask({"graph"}).output;
   EXPECT_THAT(dot, HasSubstr("digraph \"system\" {"));
-  EXPECT_THAT(dot, ContainsRegex("\"ticker\" -> \"a/Tick\" \\[label=\"adds 1, overwrites [0-9]+\""));
+  EXPECT_THAT(dot,
+              ContainsRegex("\"ticker\" -> \"a/Tick\" \\[label=\"adds 1, overwrites [0-9]+\""));
   EXPECT_THAT(dot, ContainsRegex("\"a/Tick\" -> \"listener\" \\[label=\"events [0-9]+\""));
 }
 
 TEST_F(Inspection, ComponentsJoinAndLeave) {
   auto castor = start_ticking();
-  auto more = write("more.cast", "SUBARCHITECTURE a\nCPP UM second Ticker --name tock\n"
+  auto more = write("more.cast", "SUBARCHITECTURE a\nCPP UM second Clock\n"
                                  "SUBARCHITECTURE b\nCPP WM SubarchitectureWorkingMemory\n"
                                  "CPP TM AlwaysPositiveTaskManager\n"
-                                 "CPP UM hearer Listener --count 1000000 --of tick\n");
+                                 "CPP UM hearer Listener --count 1000000 --late\n");
   auto added = ask({"add", more});
   EXPECT_EQ(added.status, 0) << added.errors;
   EXPECT_TRUE(castor->wait_for_output("[b.hearer] hears ticks")) << castor->errors();
-  EXPECT_EQ(component_names(), (std::set<std::string>{"a_tm", "ticker", "listener", "second",
-                                                      "b_tm", "hearer"}));
+  EXPECT_EQ(component_names(),
+            (std::set<std::string>{"a_tm", "ticker", "listener", "second", "b_tm", "hearer"}));
   auto again = ask({"add", more});
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.errors, HasSubstr("more.cast:2: error: there is a component second"));
@@ -242,7 +244,8 @@ TEST_F(Inspection, ComponentsJoinAndLeave) {
   EXPECT_EQ(ask({"add", more}).status, 0);
   castor->send_signal(SIGINT);
   EXPECT_EQ(castor->wait(), 0) << castor->errors();
-  EXPECT_THAT(castor->errors(), HasSubstr("stopped, in this order: hearer, b_tm, second, listener"));
+  EXPECT_THAT(castor->errors(),
+              HasSubstr("stopped, in this order: hearer, b_tm, second, listener"));
 }
 
 TEST_F(Inspection, WhatCannotJoinLeavesNothingBehind) {
@@ -273,7 +276,7 @@ TEST_F(Inspection, ANodeJoins) {
                                    "SUBARCHITECTURE b [late]\n"
                                    "CPP WM SubarchitectureWorkingMemory\n"
                                    "CPP TM AlwaysPositiveTaskManager\n"
-                                   "CPP UM hearer Listener --count 1000000\n");
+                                   "CPP UM hearer Listener --count 1000000 --late\n");
   auto added = ask({"add", file});
   EXPECT_EQ(added.status, 0) << added.errors;
   EXPECT_TRUE(node.wait_for_output("[b.hearer] hears ticks")) << node.errors();
@@ -321,7 +324,8 @@ TEST_F(Inspection, AFolderThatIsOpenToOthersIsNotUsed) {
 TEST_F(Inspection, StrangeRequestsAreRefused) {
   auto castor = start_ticking();
   EXPECT_THAT((Reader{socket_of_system(), "nonsense\n"}.line()), HasSubstr("cannot be read"));
-  EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"sing\"}\n"}.line()), HasSubstr("there is no request sing"));
+  EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"sing\"}\n"}.line()),
+              HasSubstr("there is no request sing"));
   EXPECT_THAT((Reader{socket_of_system(), std::string(100'000, 'x')}.line()), IsEmpty());
   EXPECT_EQ(ask({"ps"}).status, 0);
 }

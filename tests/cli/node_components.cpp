@@ -92,6 +92,8 @@ CASTOR_COMPONENT(Ticker, "ticks for ever")
 class Order {
 public:
   void check(const ChangeEvent& event) {
+    if (late_ && last_.count(event.address) == 0)
+      last_[event.address] = event.version - 1;
     auto last = last_.find(event.address);
     auto expected = last == last_.end() ? 0 : last->second + 1;
     if (event.operation == Operation::overwrite && last == last_.end())
@@ -102,6 +104,9 @@ public:
     last_[event.address] = event.version;
     merged_ += event.coalesced;
   }
+
+  /// From now on, the first event of an entry may be any.
+  void begin_late() { late_ = true; }
 
   /// 0 before the first event.
   Version last(const Address& x) const {
@@ -114,11 +119,14 @@ public:
 private:
   std::map<Address, Version> last_;
   int merged_ = 0;
+  bool late_ = false;
 };
 
 /// Ends the system when it has heard of so many ticks, each in its turn.
 class Listener final : public UnmanagedComponent {
   void start() override {
+    if (late_)
+      order_.begin_late();
     on_change(overwritten<Tick>().anywhere(), [this](const ChangeEvent& event) {
       order_.check(event);
       if (++heard_ == count_)
@@ -129,6 +137,7 @@ class Listener final : public UnmanagedComponent {
   }
 
   Option<int> count_{this, "count", 20, "how many ticks"};
+  Option<bool> late_{this, "late", false, "the first tick may be any"};
   int heard_ = 0;
   Order order_;
 };

@@ -21,11 +21,10 @@ TEST(AccessLog, CountsByComponentSubarchitectureAndType) {
   log.note("b", "vision", "Ball", &Access::deletes);
   log.note("b", "arm", "ROI", &Access::overwrites);
   log.note("b", "arm", "ROI", &Access::events);
-  EXPECT_THAT(log.all(),
-              ElementsAre(Access{"a", "vision", "ROI", 0, 0, 0, 1, 0},
-                          Access{"b", "arm", "ROI", 0, 1, 0, 0, 1},
-                          Access{"b", "vision", "Ball", 0, 0, 1, 0, 0},
-                          Access{"b", "vision", "ROI", 2, 0, 0, 0, 0}));
+  EXPECT_THAT(log.all(), ElementsAre(Access{"a", "vision", "ROI", 0, 0, 0, 1, 0},
+                                     Access{"b", "arm", "ROI", 0, 1, 0, 0, 1},
+                                     Access{"b", "vision", "Ball", 0, 0, 1, 0, 0},
+                                     Access{"b", "vision", "ROI", 2, 0, 0, 0, 0}));
   EXPECT_EQ(log.all().back().writes(), 2u);
 }
 

@@ -41,8 +41,8 @@ TEST(ParseChangeFilter, ReadsAllThereIs) {
   expected.subarchitecture = "vision";
   expected.source = "tracker";
   expected.id = "0:3";
-  expected = expected.changing_any({"pose", "label"})
-               .where("confidence > 0.8 && label == \"in box\"");
+  expected =
+    expected.changing_any({"pose", "label"}).where("confidence > 0.8 && label == \"in box\"");
   EXPECT_EQ(x, expected);
 }
 

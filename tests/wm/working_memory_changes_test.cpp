@@ -74,8 +74,7 @@ TEST_F(ChangingSystems, IntroductionsAreAnsweredEvenIfTheNewOneHasEnded) {
 
 TEST_F(ChangingSystems, WhatWasRemovedIsUnknown) {
   remove_subarchitecture("c");
-  auto outcome =
-    ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{{"c", "x"}, {}});
+  auto outcome = ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{{"c", "x"}, {}});
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.failure().kind, FailureKind::unknown_subarchitecture);
   EXPECT_EQ(outcome.failure().message, "there is no subarchitecture c; there are: a, b");
