@@ -1,7 +1,6 @@
 #include "castor/actors/node/node.hpp"
 
 #include "castor/actors/component/log.hpp"
-#include "castor/actors/link/link.hpp"
 #include "castor/actors/link/listener.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/incarnation.hpp"
@@ -32,7 +31,8 @@ using Route = std::variant<caf::actor, Refusal>;
 class Memberships : public std::enable_shared_from_this<Memberships> {
 public:
   Memberships(caf::actor_system& system, const NodeOptions& options)
-    : system_(system), name_(options.name), credentials_(options.credentials) {}
+    : system_(system), name_(options.name), credentials_(options.credentials), link_(options.link) {
+  }
 
   void end() {
     for (auto& name : systems())
@@ -116,6 +116,7 @@ private:
     parts.self = membership.self;
     parts.self.receiver = peer;
     parts.credentials = credentials_;
+    parts.options = link_;
     parts.counters = std::make_shared<LinkCounters>();
     parts.on_news = [node = weak_from_this(), agent = membership.agent,
                      system = membership.self.system](const LinkNews& x) {
@@ -148,6 +149,7 @@ private:
   caf::actor_system& system_;
   const std::string name_;
   const std::optional<Credentials> credentials_;
+  const LinkOptions link_;
   mutable std::mutex mutex_;
   std::map<std::string, Membership> memberships_;
 };
