@@ -33,8 +33,9 @@ constexpr std::size_t nodes = 3;
 constexpr std::size_t coordinator = 0;
 
 /// Who is silent for some time is given up soon, and tried again soon.
-LinkOptions impatient() {
+LinkOptions impatient(Milliseconds patience) {
   LinkOptions result;
+  result.patience = patience;
   result.heartbeat = 20ms;
   result.silence = 150ms;
   result.connecting = 300ms;
@@ -133,8 +134,8 @@ std::string describe(const Plan& plan) {
 /// A node and the way to it.
 class RemoteNode {
 public:
-  RemoteNode(std::string executable, std::string name)
-    : executable_(std::move(executable)), name_(std::move(name)) {
+  RemoteNode(std::string executable, std::string name, Milliseconds patience)
+    : executable_(std::move(executable)), name_(std::move(name)), patience_(patience) {
     start();
   }
 
@@ -154,8 +155,8 @@ public:
   }
 
   void start() {
-    process_ =
-      std::make_unique<test::Process>(std::vector<std::string>{executable_, "--serve", name_});
+    process_ = std::make_unique<test::Process>(std::vector<std::string>{
+      executable_, "--serve", name_, "--patience", std::to_string(patience_.count()) + "ms"});
     if (!process_->wait_for_output("\n"))
       throw std::runtime_error("the node " + name_ + " did not start: " + process_->errors());
     relay_.lead_to(std::uint16_t(std::stoi(process_->output())));
@@ -164,19 +165,20 @@ public:
 private:
   std::string executable_;
   std::string name_;
+  Milliseconds patience_;
   std::unique_ptr<test::Process> process_;
   test::Relay relay_{0};
 };
 
 } // namespace
 
-void serve(const std::string& name) {
+void serve(const std::string& name, Milliseconds patience) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   set_log_level(LogLevel::off);
   NodeOptions options;
   options.name = name;
   options.socket = listen_at({"127.0.0.1", 0});
-  options.link = impatient();
+  options.link = impatient(patience);
   std::printf("%d\n", port_of(options.socket));
   Node node{options};
   std::fflush(stdout);
@@ -186,9 +188,9 @@ void serve(const std::string& name) {
 
 class NodeRuns::Implementation {
 public:
-  explicit Implementation(const std::string& executable) {
+  Implementation(const std::string& executable, Milliseconds patience) : patience_(patience) {
     for (std::size_t i = 1; i <= nodes; ++i)
-      nodes_.push_back(std::make_unique<RemoteNode>(executable, host(i)));
+      nodes_.push_back(std::make_unique<RemoteNode>(executable, host(i), patience));
   }
 
   RealRunResult run(std::uint64_t seed, std::optional<Milliseconds> longest_fault) {
@@ -204,6 +206,7 @@ public:
     settings.pauses = 50;
     // So that operations go on for as long as faults do.
     settings.longest_pause = std::max<std::chrono::nanoseconds>(plan.end() / 15, 200us);
+    settings.may_lose = patience_ < ample_patience;
     for (std::size_t i = 0; i < plan.entries; ++i)
       settings.homes += name_of(plan.home_of(i));
     World world{settings};
@@ -214,7 +217,7 @@ public:
     } catch (const SystemError& e) {
       result.findings.push_back(std::string{"the system cannot be made: "} + e.what());
     }
-    judge(result, world, plan.lease);
+    judge(result, world, plan.lease, ends_of_leases(world));
     check_kills(plan, result);
     return result;
   }
@@ -224,9 +227,10 @@ public:
 private:
   void play(const Plan& plan, World& world, std::vector<std::string>& findings) {
     killed_.clear();
+    first_fault_ = never;
     SystemOptions options;
     options.open_access = true;
-    options.link = impatient();
+    options.link = impatient(patience_);
     for (std::size_t i = 1; i <= nodes; ++i)
       options.nodes[host(i)] = nodes_[i - 1]->address();
     System system{architecture(plan, world), options};
@@ -273,6 +277,7 @@ private:
     if (!node.is_alive() || world.all_have_left())
       return;
     ++faults_[x.kind];
+    first_fault_ = std::min(first_fault_, world.now());
     using Way = test::Relay::Way;
     switch (x.kind) {
       case FaultKind::stop:
@@ -331,6 +336,15 @@ private:
       nodes_[x.node]->start();
   }
 
+  /// When whoever is out of reach is lost, so are the leases that it holds.
+  std::map<Client, Tick> ends_of_leases(const World& world) const {
+    auto result = world.ends();
+    if (world.settings().may_lose)
+      for (Client x = 1; x <= world.settings().players; ++x)
+        result[x] = first_fault_;
+    return result;
+  }
+
   /// Nobody answers for a working memory that was killed.
   void check_kills(const Plan& plan, RealRunResult& result) const {
     for (auto& x : result.history) {
@@ -342,14 +356,16 @@ private:
     }
   }
 
+  const Milliseconds patience_;
   std::vector<std::unique_ptr<RemoteNode>> nodes_;
   std::map<FaultKind, std::size_t> faults_;
+  Tick first_fault_ = never;
   /// When the processes were killed that were.
   std::map<std::size_t, Tick> killed_;
 };
 
-NodeRuns::NodeRuns(const std::string& executable)
-  : implementation_(std::make_unique<Implementation>(executable)) {}
+NodeRuns::NodeRuns(const std::string& executable, Milliseconds patience)
+  : implementation_(std::make_unique<Implementation>(executable, patience)) {}
 
 NodeRuns::~NodeRuns() = default;
 

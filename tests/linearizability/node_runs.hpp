@@ -13,16 +13,22 @@
 
 namespace castor::linearizability {
 
+/// How long processes that cannot reach each other try, if nothing else is said: longer than any
+/// fault lasts.
+inline constexpr std::chrono::milliseconds ample_patience{30'000};
+
 /// Is a node of `NodeRuns`, for as long as its parent lives.
-[[noreturn]] void serve(const std::string& name);
+[[noreturn]] void serve(const std::string& name, std::chrono::milliseconds patience);
 
 /// Runs like those of `run_for_real` whose working memories and components are spread over this
 /// process and three nodes, which are processes of their own. What they did until they were killed
 /// is known, too.
 class NodeRuns {
 public:
-  /// `executable --serve NAME` has to `serve`.
-  explicit NodeRuns(const std::string& executable);
+  /// `executable --serve NAME --patience DURATION` has to `serve`. Where faults last longer than
+  /// the patience, processes lose each other though they live.
+  explicit NodeRuns(const std::string& executable,
+                    std::chrono::milliseconds patience = ample_patience);
   NodeRuns(const NodeRuns&) = delete;
   NodeRuns& operator=(const NodeRuns&) = delete;
   ~NodeRuns();

@@ -2,6 +2,7 @@
 
 #include "castor/actors/registry.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -303,15 +304,16 @@ void Player::note_undecided(const WorkingMemoryException& e, const Attempt& x) {
   // As its runtime does, which has nothing in hand any more.
   if (x->kind == OperationKind::unlock)
     learn(x.record);
+  auto said_to_be_lost = e.kind() == FailureKind::working_memory_lost;
   auto entry_lost = world_->is_lost(address(x).subarchitecture);
   auto home_lost = world_->is_lost(subarchitecture());
-  if (e.kind() == FailureKind::working_memory_lost && !entry_lost && !home_lost)
+  if (said_to_be_lost && !entry_lost && !home_lost && !settings_.may_lose)
     world_->find("a working memory that lives is said to be lost: " + std::string{e.what()});
   // To go on trying, now and then, shows that nothing is answered.
-  if (e.kind() != FailureKind::working_memory_lost && chance(30))
+  if (!said_to_be_lost && chance(30))
     return;
-  view.lost = entry_lost;
-  home_lost_ = home_lost;
+  view.lost = entry_lost || said_to_be_lost;
+  home_lost_ = home_lost || std::ranges::all_of(views_, &View::lost);
 }
 
 /// As its runtime does.
@@ -416,7 +418,8 @@ void Closer::look_at(World& world, std::uint32_t entry) {
   } catch (const DoesNotExistOnWM&) {
     note(OperationKind::exists, invoked, {Status::does_not_exist});
   } catch (const WorkingMemoryException& e) {
-    world.find("what cannot be looked at in the end: " + std::string{e.what()});
+    if (!world.settings().may_lose)
+      world.find("what cannot be looked at in the end: " + std::string{e.what()});
   }
 }
 

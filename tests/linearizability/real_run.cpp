@@ -63,11 +63,12 @@ bool await(const std::function<bool()>& condition, std::chrono::steady_clock::ti
   return true;
 }
 
-void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease) {
+void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease,
+           const std::map<Client, Tick>& ends) {
   std::ranges::copy(world.findings(), std::back_inserter(result.findings));
   result.history = world.operations();
   std::ranges::copy(possible_lapses(result.history, Tick(std::chrono::nanoseconds{lease}.count()),
-                                    world.ends(), world.now()),
+                                    ends, world.now()),
                     std::back_inserter(result.history));
   result.verdict = Checker{{.max_states = 4'000'000}}.check(result.history);
 }
@@ -101,7 +102,7 @@ RealRunResult run_for_real(std::uint64_t seed) {
       result.findings.push_back("nobody could look at how the entries stand in the end");
     system.stop();
   }
-  judge(result, world, plan.lease);
+  judge(result, world, plan.lease, world.ends());
   return result;
 }
 

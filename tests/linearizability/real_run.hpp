@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ RealRunResult run_for_real(std::uint64_t seed);
 /// Whether the condition comes true in time.
 bool await(const std::function<bool()>& condition, std::chrono::steady_clock::time_point until);
 
-/// Checks what was seen in a world.
-void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease);
+/// Checks what was seen in a world; `ends` says from when on the leases of a client may have ended.
+void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease,
+           const std::map<Client, Tick>& ends);
 
 } // namespace castor::linearizability

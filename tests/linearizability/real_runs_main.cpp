@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   bool faults = false;
   bool show = false;
   bool expect_violation = false;
+  std::int64_t patience_ms = ample_patience.count();
   std::string serves_as;
   app.add_option("--runs", runs, "how many")->capture_default_str();
   app.add_option("--seed", seed, "of the first; the next runs have the next ones")
@@ -43,17 +45,20 @@ int main(int argc, char** argv) {
   app.add_option("--nodes", nodes, "spread the systems over this process and 3 others")
     ->check(CLI::IsMember({0, 3}));
   app.add_flag("--faults", faults, "with --nodes: processes and connections fail");
+  app.add_option("--patience", patience_ms, "with --nodes: who is out of reach for longer is lost")
+    ->transform(CLI::AsNumberWithUnit(std::map<std::string, std::int64_t>{{"ms", 1}, {"s", 1000}}));
   app.add_flag("--show", show, "print the histories");
   app.add_flag("--expect-violation", expect_violation, "it is an error if there is none");
   app.add_option("--serve", serves_as, "be the node of that name")->group("");
   CLI11_PARSE(app, argc, argv);
+  std::chrono::milliseconds patience{patience_ms};
   if (!serves_as.empty())
-    serve(serves_as);
+    serve(serves_as, patience);
 
   std::optional<NodeRuns> over_nodes;
   std::function<RealRunResult(std::uint64_t)> run = run_for_real;
   if (nodes > 0) {
-    over_nodes.emplace("/proc/self/exe");
+    over_nodes.emplace("/proc/self/exe", patience);
     std::optional<std::chrono::milliseconds> longest_fault;
     if (faults)
       longest_fault = std::chrono::milliseconds{1500};
@@ -70,7 +75,10 @@ int main(int argc, char** argv) {
         ++operations;
         pending += x.pending();
       }
-    undecided += result.verdict.kind == Verdict::Kind::undecided;
+    if (result.verdict.kind == Verdict::Kind::undecided) {
+      fmt::print("seed {} undecided: {}\n", i, result.verdict.report);
+      ++undecided;
+    }
     if (show || (result.is_wrong() && !expect_violation))
       for (auto& x : result.history)
         fmt::print("entry {}: {}\n", x.entry, to_string(x));

@@ -47,6 +47,7 @@ struct World::Page {
   std::array<char, most_entries + 1> homes{};
   unsigned pauses = 0;
   std::chrono::nanoseconds longest_pause{0};
+  bool may_lose = false;
   std::chrono::nanoseconds begin{0};
 
   std::atomic<std::size_t> entered{0};
@@ -79,6 +80,7 @@ World::World(const WorldSettings& settings) : file_(memfd_create("world", MFD_CL
   settings.homes.copy(page_->homes.data(), most_entries);
   page_->pauses = settings.pauses;
   page_->longest_pause = settings.longest_pause;
+  page_->may_lose = settings.may_lose;
   page_->begin = steady_now();
 }
 
@@ -99,7 +101,8 @@ std::string World::path() const {
 }
 
 WorldSettings World::settings() const {
-  return {page_->seed, page_->players, page_->homes.data(), page_->pauses, page_->longest_pause};
+  return {page_->seed,   page_->players,       page_->homes.data(),
+          page_->pauses, page_->longest_pause, page_->may_lose};
 }
 
 Address World::address(std::uint32_t entry) const {

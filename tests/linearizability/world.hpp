@@ -21,6 +21,8 @@ struct WorldSettings {
   /// How often players pause between operations, in percent, and for how long at most.
   unsigned pauses = 5;
   std::chrono::nanoseconds longest_pause{0};
+  /// Processes may lose each other for good though they live.
+  bool may_lose = false;
 };
 
 /// What those share who take part in one run, whatever processes they are in. It outlives them:
