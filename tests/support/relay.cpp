@@ -42,6 +42,11 @@ Relay::~Relay() {
   stop();
 }
 
+std::size_t Relay::open() {
+  std::lock_guard guard{mutex_};
+  return open_.size();
+}
+
 void Relay::cut() {
   std::lock_guard guard{mutex_};
   close_all();
@@ -72,6 +77,13 @@ void Relay::freeze_one(std::size_t choice) {
   std::lock_guard guard{mutex_};
   if (auto i = chosen(choice); i != open_.end())
     i->frozen = true;
+}
+
+void Relay::freeze_present() {
+  std::lock_guard guard{mutex_};
+  frozen_ = {};
+  for (auto& x : open_)
+    x.frozen = true;
 }
 
 void Relay::refuse(bool on) {

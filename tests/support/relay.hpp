@@ -28,6 +28,9 @@ public:
   /// How many were accepted so far.
   int connections() const { return connections_; }
 
+  /// How many there are now.
+  std::size_t open();
+
   /// Ends all connections; new ones are taken.
   void cut();
 
@@ -44,6 +47,9 @@ public:
 
   /// Passes nothing on over one of the present connections, until it ends or all are to go on.
   void freeze_one(std::size_t choice);
+
+  /// Passes nothing on over the present connections, until all are to go on; only over new ones.
+  void freeze_present();
 
   /// Ends all connections, and every new one as soon as it is made.
   void refuse(bool on);
