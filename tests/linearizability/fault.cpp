@@ -41,6 +41,8 @@ std::string to_string(FaultKind x) {
       return "freeze_there";
     case FaultKind::freeze_back:
       return "freeze_back";
+    case FaultKind::delay:
+      return "delay";
     case FaultKind::refuse:
       return "refuse";
   }

@@ -27,11 +27,15 @@ enum class FaultKind : std::uint8_t {
   /// What is said to the node, or by it, does not arrive.
   freeze_there,
   freeze_back,
+  /// All connections hang, and those that are made meanwhile. After half of the time new ones do
+  /// not,
+  /// and in the end what was said over the first ones arrives.
+  delay,
   /// There is no connection, and none can be made.
   refuse,
 };
 
-inline constexpr std::size_t fault_kinds = 10;
+inline constexpr std::size_t fault_kinds = 11;
 
 struct Fault {
   FaultKind kind = FaultKind::stop;

@@ -176,6 +176,10 @@ castor_node_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
   rewritten_ = 0;"
   TO "")
 
+castor_node_mutant(late_connections_are_taken actors/link/link.cpp
+  FROM "x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_"
+  TO "false")
+
 castor_node_mutant(reads_are_answered_from_a_cache actors/component/component.cpp
   FROM "s.saw(address, (*outcome)->version);
     return *outcome;"

@@ -215,7 +215,9 @@ public:
     try {
       play(plan, world, result.findings);
     } catch (const SystemError& e) {
-      result.findings.push_back(std::string{"the system cannot be made: "} + e.what());
+      // Without patience, one that is slow to begin may be lost at once.
+      if (!settings.may_lose)
+        result.findings.push_back(std::string{"the system cannot be made: "} + e.what());
     }
     judge(result, world, plan.lease, ends_of_leases(world));
     check_kills(plan, result);
@@ -260,6 +262,9 @@ private:
     std::vector<std::pair<Milliseconds, std::function<void()>>> actions;
     for (auto& x : plan.faults) {
       actions.emplace_back(x.at, [&] { begin(x, plan, world); });
+      if (x.kind == FaultKind::delay)
+        actions.emplace_back(x.at + x.duration / 2,
+                             [&] { nodes_[x.node]->relay().freeze_present(); });
       if (lasts(x.kind))
         actions.emplace_back(x.at + x.duration, [&] { end(x); });
     }
@@ -294,6 +299,7 @@ private:
         relay.cut_one(x.choice);
         break;
       case FaultKind::freeze:
+      case FaultKind::delay:
         relay.freeze(true);
         break;
       case FaultKind::freeze_one:

@@ -12,8 +12,8 @@ TEST(NodeRuns, ComponentsOnManyNodesSeeLinearizableEntriesWhateverFails) {
   NodeRuns runs{CASTOR_REAL_RUNS};
   std::set<std::pair<OperationKind, Status>> seen;
   std::size_t pending = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    auto result = runs.run(seed, std::chrono::milliseconds{200});
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    auto result = runs.run(seed, std::chrono::milliseconds{100});
     ASSERT_FALSE(result.is_wrong())
       << "castor_real_runs --nodes 3 --faults --runs 1 --seed " << seed << " --show\n"
       << result.description << "\n"

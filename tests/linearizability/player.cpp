@@ -38,11 +38,11 @@ void Player::run() {
   number_ = Client(std::stoul(component_name().substr(1)));
   random_.seed(settings_.seed * 1000 + number_);
   views_.resize(settings_.homes.size());
-  world_->enter();
-  while (!world_->all_have_entered() && sleep_for(glance))
-    continue;
   auto dies = chance(10);
+  world_->enter();
   try {
+    while (!world_->all_have_entered() && sleep_for(glance))
+      continue;
     play(dies);
   } catch (...) {
     // It was stopped, or its own working memory is lost.
@@ -254,7 +254,12 @@ void Player::unlock_one(std::uint32_t entry) {
     return;
   }
   auto x = begin(entry, OperationKind::unlock, guard.token());
-  take(x, [&](Result&) { guard.unlock(); });
+  take(x, [&](Result&) {
+    guard.unlock();
+    // Who is told to stop does not wait for the answer.
+    if (!is_running())
+      throw ComponentStopped{};
+  });
 }
 
 void Player::unlock_all() {
