@@ -10,6 +10,10 @@ namespace {
 constexpr std::size_t most_faults = 4;
 constexpr std::size_t latest_ms = 150;
 constexpr double shortest_ms = 5;
+/// Long enough for connections to be given up and made again, and then for the next to be made and
+/// used.
+constexpr std::chrono::milliseconds until_turn{200};
+constexpr std::chrono::milliseconds from_turn{250};
 
 /// As often short as long.
 std::chrono::milliseconds random_duration(std::mt19937_64& random,
@@ -55,6 +59,16 @@ std::string to_string(const Fault& x) {
          (lasts(x.kind) ? " for " + std::to_string(x.duration.count()) + " ms" : "");
 }
 
+std::chrono::milliseconds Fault::turn() const {
+  return at + until_turn;
+}
+
+std::chrono::milliseconds Fault::end() const {
+  if (!lasts(kind))
+    return at;
+  return (kind == FaultKind::delay ? turn() : at) + duration;
+}
+
 bool kills(FaultKind x) {
   return x == FaultKind::kill || x == FaultKind::replace;
 }
@@ -73,6 +87,8 @@ std::vector<Fault> random_faults(std::mt19937_64& random, std::size_t nodes,
     x.node = random() % nodes;
     x.at = std::chrono::milliseconds{random() % latest_ms};
     x.duration = random_duration(random, longest);
+    if (x.kind == FaultKind::delay)
+      x.duration = std::max(x.duration, from_turn);
     x.choice = random();
     if (!(kills(x.kind) && killed))
       result.push_back(x);

@@ -27,9 +27,8 @@ enum class FaultKind : std::uint8_t {
   /// What is said to the node, or by it, does not arrive.
   freeze_there,
   freeze_back,
-  /// All connections hang, and those that are made meanwhile. After half of the time new ones do
-  /// not,
-  /// and in the end what was said over the first ones arrives.
+  /// All connections hang, and for some time new ones too; in the end what was said over them
+  /// arrives.
   delay,
   /// There is no connection, and none can be made.
   refuse,
@@ -45,6 +44,10 @@ struct Fault {
   std::chrono::milliseconds duration{0};
   /// Of several connections, which.
   std::size_t choice = 0;
+
+  std::chrono::milliseconds end() const;
+  /// Of a delay: when new connections do not hang any more.
+  std::chrono::milliseconds turn() const;
 };
 
 std::string to_string(FaultKind x);

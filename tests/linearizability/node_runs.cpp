@@ -38,7 +38,7 @@ LinkOptions impatient(Milliseconds patience) {
   result.patience = patience;
   result.heartbeat = 20ms;
   result.silence = 150ms;
-  result.connecting = 300ms;
+  result.connecting = 150ms;
   return result;
 }
 
@@ -62,7 +62,7 @@ struct Plan {
   Milliseconds end() const {
     Milliseconds result{0};
     for (auto& x : faults)
-      result = std::max(result, x.at + (lasts(x.kind) ? x.duration : 0ms));
+      result = std::max(result, x.end());
     return result;
   }
 };
@@ -263,10 +263,9 @@ private:
     for (auto& x : plan.faults) {
       actions.emplace_back(x.at, [&] { begin(x, plan, world); });
       if (x.kind == FaultKind::delay)
-        actions.emplace_back(x.at + x.duration / 2,
-                             [&] { nodes_[x.node]->relay().freeze_present(); });
+        actions.emplace_back(x.turn(), [&] { nodes_[x.node]->relay().freeze_present(); });
       if (lasts(x.kind))
-        actions.emplace_back(x.at + x.duration, [&] { end(x); });
+        actions.emplace_back(x.end(), [&] { end(x); });
     }
     std::ranges::stable_sort(actions, {}, [](auto& x) { return x.first; });
     auto since = Clock::now();

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   int nodes = 0;
   bool faults = false;
+  std::int64_t longest_fault_ms = 1500;
   bool show = false;
   bool expect_violation = false;
   std::int64_t patience_ms = ample_patience.count();
@@ -45,8 +46,11 @@ int main(int argc, char** argv) {
   app.add_option("--nodes", nodes, "spread the systems over this process and 3 others")
     ->check(CLI::IsMember({0, 3}));
   app.add_flag("--faults", faults, "with --nodes: processes and connections fail");
+  CLI::AsNumberWithUnit duration{std::map<std::string, std::int64_t>{{"ms", 1}, {"s", 1000}}};
+  app.add_option("--longest-fault", longest_fault_ms, "with --faults: for how long")
+    ->transform(duration);
   app.add_option("--patience", patience_ms, "with --nodes: who is out of reach for longer is lost")
-    ->transform(CLI::AsNumberWithUnit(std::map<std::string, std::int64_t>{{"ms", 1}, {"s", 1000}}));
+    ->transform(duration);
   app.add_flag("--show", show, "print the histories");
   app.add_flag("--expect-violation", expect_violation, "it is an error if there is none");
   app.add_option("--serve", serves_as, "be the node of that name")->group("");
@@ -61,7 +65,7 @@ int main(int argc, char** argv) {
     over_nodes.emplace("/proc/self/exe", patience);
     std::optional<std::chrono::milliseconds> longest_fault;
     if (faults)
-      longest_fault = std::chrono::milliseconds{1500};
+      longest_fault = std::chrono::milliseconds{longest_fault_ms};
     run = [&, longest_fault](std::uint64_t x) { return over_nodes->run(x, longest_fault); };
   }
   auto begin = std::chrono::steady_clock::now();
