@@ -281,7 +281,7 @@ void Player::take(Attempt& x, F&& result) {
     }
     auto status = status_of(e.kind(), x->kind);
     if (!status)
-      world_->find("an operation that cannot end so: " + std::string{e.what()});
+      world_->report("an operation that cannot end so: " + std::string{e.what()});
     x->result = {status.value_or(Status::timed_out)};
   }
   x->returned = world_->now();
@@ -313,7 +313,7 @@ void Player::note_undecided(const WorkingMemoryException& e, const Attempt& x) {
   auto entry_lost = world_->is_lost(address(x).subarchitecture);
   auto home_lost = world_->is_lost(subarchitecture());
   if (said_to_be_lost && !entry_lost && !home_lost && !settings_.may_lose)
-    world_->find("a working memory that lives is said to be lost: " + std::string{e.what()});
+    world_->report("a working memory that lives is said to be lost: " + std::string{e.what()});
   // To go on trying, now and then, shows that nothing is answered.
   if (!said_to_be_lost && chance(30))
     return;
@@ -424,7 +424,7 @@ void Closer::look_at(World& world, std::uint32_t entry) {
     note(OperationKind::exists, invoked, {Status::does_not_exist});
   } catch (const WorkingMemoryException& e) {
     if (!world.settings().may_lose)
-      world.find("what cannot be looked at in the end: " + std::string{e.what()});
+      world.report("what cannot be looked at in the end: " + std::string{e.what()});
   }
 }
 

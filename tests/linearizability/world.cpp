@@ -142,7 +142,7 @@ void World::drop(Number operation) {
   page_->operations.at(operation).stage.store(Stage::dropped, std::memory_order_release);
 }
 
-void World::find(const std::string& what) {
+void World::report(const std::string& what) {
   auto number = page_->found++;
   if (number >= most_findings)
     return;

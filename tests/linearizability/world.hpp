@@ -65,7 +65,7 @@ public:
   /// It was not made, for a reason that lies elsewhere.
   void drop(Number operation);
   /// Something is wrong that the history does not show.
-  void find(const std::string& what);
+  void report(const std::string& what);
 
   // -- who is there
 
