@@ -29,6 +29,7 @@ void write_greeting(std::vector<char>& out, const Greeting& x) {
     encoder.put(hello->receiver);
     encoder.put(hello->known);
     encoder.put(hello->received);
+    encoder.put(hello->attempt);
   } else {
     auto& refusal = std::get<Refusal>(x);
     encoder.put(false);
@@ -66,6 +67,7 @@ std::optional<Greeting> read_greeting(Bytes& bytes) {
       content.get(hello.receiver);
       content.get(hello.known);
       content.get(hello.received);
+      content.get(hello.attempt);
       result = std::move(hello);
     } else {
       Refusal refusal;

@@ -27,6 +27,9 @@ struct Hello {
   std::uint64_t known = 0;
   /// How much the sender has received in the session so far.
   std::uint64_t received = 0;
+  /// Counts the connections that the sender has made: what comes late over an earlier one is of no
+  /// interest any more.
+  std::uint64_t attempt = 0;
 };
 
 /// Instead of a hello: the connection is not wanted, and why.

@@ -108,16 +108,23 @@ private:
       disconnected(x.problem);
       return;
     }
+    ++attempt_;
     begin_connection(self_->add_scribe(x.socket),
                      std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::dials));
     guarded([this] { say({}); });
   }
 
   void adopt(AdoptConnection x) {
-    if (connection_)
-      drop_connection();
     auto handle = x.connection->hdl();
     self_->move_scribe(std::move(x.connection));
+    // The peer has given that one up before it made the present one.
+    if (x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_) {
+      self_->close(handle);
+      return;
+    }
+    attempt_ = x.hello.attempt;
+    if (connection_)
+      drop_connection();
     begin_connection(handle, std::move(x.channel));
     heard_words_ = std::move(x.received);
     guarded([&] {
@@ -225,6 +232,7 @@ private:
       auto hello = parts_.self;
       hello.known = incarnation_;
       hello.received = session_.received();
+      hello.attempt = attempt_;
       write_greeting(words, hello);
     }
     auto& out = self_->wr_buf(*connection_);
@@ -366,6 +374,8 @@ private:
   Bytes heard_words_;
   /// The peer's, once it is known.
   std::uint64_t incarnation_ = 0;
+  /// Counts the connections, on the side that makes them.
+  std::uint64_t attempt_ = 0;
   std::unordered_set<std::uint64_t> told_types_;
   std::size_t in_buffer_ = 0;
   bool spoke_ = false;

@@ -1,7 +1,6 @@
 #include "castor/actors/node/node.hpp"
 
 #include "castor/actors/component/log.hpp"
-#include "castor/actors/link/link.hpp"
 #include "castor/actors/link/listener.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/incarnation.hpp"
@@ -32,7 +31,8 @@ using Route = std::variant<caf::actor, Refusal>;
 class Memberships : public std::enable_shared_from_this<Memberships> {
 public:
   Memberships(caf::actor_system& system, const NodeOptions& options)
-    : system_(system), name_(options.name), credentials_(options.credentials) {}
+    : system_(system), name_(options.name), credentials_(options.credentials), link_(options.link) {
+  }
 
   void end() {
     for (auto& name : systems())
@@ -115,6 +115,7 @@ private:
     parts.dial = std::move(dial);
     parts.self = membership.self;
     parts.credentials = credentials_;
+    parts.options = link_;
     parts.on_news = [node = weak_from_this(), agent = membership.agent,
                      system = membership.self.system](const LinkNews& x) {
       caf::anon_send(agent, x);
@@ -144,6 +145,7 @@ private:
   caf::actor_system& system_;
   const std::string name_;
   const std::optional<Credentials> credentials_;
+  const LinkOptions link_;
   mutable std::mutex mutex_;
   std::map<std::string, Membership> memberships_;
 };

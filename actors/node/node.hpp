@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/link/credentials.hpp"
+#include "castor/actors/link/link.hpp"
 
 #include <memory>
 #include <optional>
@@ -16,6 +17,8 @@ struct NodeOptions {
   int socket = -1;
   /// With them, it talks to those only whose certificates are signed by the same CA.
   std::optional<Credentials> credentials = {};
+  /// How processes that went out of reach are treated.
+  LinkOptions link = {};
 };
 
 /// A process that makes its part of every system whose coordinator asks it to. Systems on the same

@@ -1,25 +1,34 @@
-# Working memories that are wrong on purpose, to see that the simulation notices.
+# Working memories, components and links that are wrong on purpose, to see that the simulation or the
+# runs over nodes notice.
 
-# castor_mutant(<name> <source> FROM <text> TO <text> [ALL])
+# castor_mutate(<name> <source> <from> <to>)
 #
-# castor_mutant_<name>, the simulation of working memories in whose source file <text>, which must
-# occur there exactly once, says something else. With ALL it is built and tested with everything
-# else; without, by the target castor_mutants and scripts/mutation-check.
-function(castor_mutant name source)
-  cmake_parse_arguments(PARSE_ARGV 2 ARG "ALL" "FROM;TO" "")
+# Sets `mutated` to a copy of the source file in which <from>, which must occur there exactly once,
+# says <to>.
+function(castor_mutate name source from to)
   set(path "${PROJECT_SOURCE_DIR}/${source}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
   file(READ "${path}" text)
-  string(FIND "${text}" "${ARG_FROM}" first)
-  string(FIND "${text}" "${ARG_FROM}" last REVERSE)
+  string(FIND "${text}" "${from}" first)
+  string(FIND "${text}" "${from}" last REVERSE)
   if(first EQUAL -1 OR NOT first EQUAL last)
     message(FATAL_ERROR
-      "mutant ${name}: this does not stand in ${source} exactly once, adapt the mutant:\n${ARG_FROM}")
+      "mutant ${name}: this does not stand in ${source} exactly once, adapt the mutant:\n${from}")
   endif()
-  string(REPLACE "${ARG_FROM}" "${ARG_TO}" text "${text}")
-  set(mutated "${CMAKE_CURRENT_BINARY_DIR}/mutants/${name}.cpp")
-  file(CONFIGURE OUTPUT "${mutated}" CONTENT "${text}" @ONLY)
+  string(REPLACE "${from}" "${to}" text "${text}")
+  set(path "${CMAKE_CURRENT_BINARY_DIR}/mutants/${name}.cpp")
+  file(CONFIGURE OUTPUT "${path}" CONTENT "${text}" @ONLY)
+  set(mutated "${path}" PARENT_SCOPE)
+endfunction()
 
+# castor_mutant(<name> <source> FROM <text> TO <text> [ALL])
+#
+# castor_mutant_<name>, the simulation of working memories in whose source file <text> says something
+# else. With ALL it is built and tested with everything else; without, by the target castor_mutants
+# and scripts/mutation-check.
+function(castor_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "ALL" "FROM;TO" "")
+  castor_mutate(${name} ${source} "${ARG_FROM}" "${ARG_TO}")
   cmake_path(GET source FILENAME file)
   set(target castor_mutant_${name})
   # Linked together from objects: a mutant differs from the product by one file.
@@ -37,6 +46,23 @@ function(castor_mutant name source)
   else()
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endif()
+endfunction()
+
+# castor_node_mutant(<name> <source> FROM <text> TO <text>)
+#
+# castor_mutant_node_<name>, a `castor_real_runs` in which <text> says something else: for
+# scripts/mutation-check.
+function(castor_node_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
+  castor_mutate(node_${name} ${source} "${ARG_FROM}" "${ARG_TO}")
+  set(target castor_mutant_node_${name})
+  # What an executable defines takes precedence over what its libraries do.
+  castor_executable(${target}
+    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_real_runs>
+    DEPENDS castor_real_run_parts CAF::io CLI11::CLI11 fmt::fmt)
+  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS node_${name})
 endfunction()
 
 castor_mutant(no_version_check wm/entry_store.cpp ALL
@@ -131,6 +157,60 @@ castor_mutant(nobody_is_told_of_deletions wm/working_memory_events.cpp
   FROM "state.peer_index.match(*event, content, foreign);"
   TO "if (event->operation != Operation::remove)
       state.peer_index.match(*event, content, foreign);")
+
+# -- over nodes
+
+castor_node_mutant(messages_arrive_twice actors/link/session.cpp
+  FROM "deliver(std::move(result));"
+  TO "if (received_ % 64 == 0)
+    deliver(result);
+  deliver(std::move(result));")
+
+castor_node_mutant(resumed_sessions_send_all_again actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "rewritten_ = 0;")
+
+castor_node_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "")
+
+castor_node_mutant(late_connections_are_taken actors/link/link.cpp
+  FROM "x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_"
+  TO "false")
+
+castor_node_mutant(reads_are_answered_from_a_cache actors/component/component.cpp
+  FROM "s.saw(address, (*outcome)->version);
+    return *outcome;"
+  TO "static thread_local std::map<Address, EntryPtr> cache;
+    auto& known = cache[address];
+    if (!known || s.counters().reads % 4 == 0)
+      known = *outcome;
+    s.saw(address, known->version);
+    return known;")
+
+castor_node_mutant(acknowledged_before_applied wm/working_memory.cpp
+  FROM "[self](const WriteRequest& x) {"
+  TO "[self](const WriteRequest& x) -> caf::result<Outcome<Version>> {
+      auto* owner = find_peer(self->state, x.address.subarchitecture);
+      if (owner && x.last_seen) {
+        caf::anon_send(*owner, x);
+        return Outcome<Version>{*x.last_seen + 1};
+      }")
+
+castor_node_mutant(stale_tokens_are_good wm/lease_table.cpp
+  FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
+  TO "return true ? Verdict::permitted")
+
+castor_node_mutant(leases_never_expire wm/lease_table.cpp
+  FROM "if (row->second.holding->lease.expires > now)
+      break;"
+  TO "break;")
+
+castor_node_mutant(leases_expire_too_early wm/lease_table.cpp
+  FROM "level, now + options_.duration}, client"
+  TO "level, now + options_.duration / 2}, client")
 
 get_property(mutants GLOBAL PROPERTY CASTOR_MUTANTS)
 list(TRANSFORM mutants PREPEND castor_mutant_ OUTPUT_VARIABLE mutant_targets)

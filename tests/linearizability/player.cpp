@@ -5,49 +5,65 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 namespace castor::linearizability {
 
 CASTOR_COMPONENT(Player, "operates on entries at random and writes down what it sees")
+CASTOR_COMPONENT(Closer, "looks at how the entries stand in the end")
 
 namespace {
 
-/// Longer than that after its time-out an operation was given up by the component and not by the
-/// working memory, which may have granted it meanwhile.
-constexpr std::chrono::milliseconds grace{500};
+using namespace std::chrono_literals;
+
+/// A wait that lasts longer than this was given up by the component and not by the working memory,
+/// which may have granted it meanwhile: the component gives the working memory a second, and no
+/// time-outs of locks are longer than this.
+constexpr auto grace = 500ms;
+constexpr std::size_t longest_lock_wait_ms = 20;
+
+/// How often who waits for others looks whether they are there.
+constexpr auto glance = 100us;
 
 constexpr std::size_t most_operations = 60;
-constexpr std::size_t most_operations_per_entry = 200;
 /// What a player may have begun before it sees that others have begun enough, with all that it has
 /// to unlock in the end.
 constexpr std::size_t reserve = 4;
 
 } // namespace
 
-RealWorld* Player::world = nullptr;
-
 void Player::run() {
+  world_.emplace(path_.get());
+  settings_ = world_->settings();
   number_ = Client(std::stoul(component_name().substr(1)));
-  random_.seed(world->seed * 1000 + number_);
-  views_.resize(world->entries.size());
-  for (++world->ready; world->ready < world->players;)
-    std::this_thread::yield();
+  random_.seed(settings_.seed * 1000 + number_);
+  views_.resize(settings_.homes.size());
   auto dies = chance(10);
-  for (std::size_t i = 0; i < most_operations && !(dies && chance(5)); ++i) {
+  world_->enter();
+  try {
+    while (!world_->all_have_entered() && sleep_for(glance))
+      continue;
+    play(dies);
+  } catch (...) {
+    // It was stopped, or its own working memory is lost.
+    leave();
+    throw;
+  }
+  leave();
+  // Without its own working memory it could give nothing back.
+  if (dies || home_lost_)
+    throw std::runtime_error("dies on purpose");
+}
+
+void Player::play(bool dies) {
+  for (std::size_t i = 0; i < most_operations && !home_lost_ && !(dies && chance(5)); ++i) {
     act();
-    if (chance(5))
-      sleep_for(world->longest_pause * pick(100) / 100);
+    if (chance(settings_.pauses))
+      sleep_for(settings_.longest_pause * pick(100) / 100);
   }
   take_reads();
   if (!dies)
     unlock_all();
-  hand_in();
-  if (++world->finished == world->players)
-    end_system(0, "all have played");
-  if (dies)
-    throw std::runtime_error("dies on purpose");
 }
 
 // -- operations
@@ -60,16 +76,20 @@ void Player::act() {
     return;
   }
   auto entry = std::uint32_t(pick(views_.size()));
-  if (world->begun[entry] + reserve * world->players > most_operations_per_entry)
+  if (views_[entry].lost || world_->is_worn_out(entry, reserve))
     return;
   auto kind = pick_kind(views_[entry]);
-  auto x = planned(entry, kind);
+  if (kind == OperationKind::unlock) {
+    unlock_one(entry);
+    return;
+  }
+  if (kind == OperationKind::add || kind == OperationKind::overwrite ||
+      kind == OperationKind::remove) {
+    write(entry, kind);
+    return;
+  }
+  auto x = begin(entry, kind);
   switch (kind) {
-    case OperationKind::add:
-    case OperationKind::overwrite:
-    case OperationKind::remove:
-      write(entry, kind);
-      break;
     case OperationKind::read:
       if (chance(30))
         read_later(x);
@@ -86,9 +106,6 @@ void Player::act() {
       break;
     case OperationKind::version:
       take(x, [&](Result& result) { result = {Status::ok, version(address(x))}; });
-      break;
-    case OperationKind::unlock:
-      unlock_one(entry);
       break;
     default:
       lock_one(x);
@@ -110,81 +127,97 @@ OperationKind Player::pick_kind(const View& view) {
   return kinds[pick(kinds.size())];
 }
 
-OperationRecord Player::planned(std::uint32_t entry, OperationKind kind) {
-  ++world->begun[entry];
-  auto& view = views_[entry];
-  OperationRecord x;
-  x.client = number_;
-  x.entry = entry;
-  x.kind = kind;
-  auto writes = kind == OperationKind::add || kind == OperationKind::overwrite;
-  if (writes)
-    x.content = ++world->contents;
-  if (kind == OperationKind::overwrite)
-    x.last_seen = view.seen;
-  if (kind == OperationKind::overwrite || kind == OperationKind::remove)
-    x.token = view.token;
-  x.level = LockLevel(1 + pick(3));
-  x.invoked = world->now();
+Player::Attempt Player::begin(std::uint32_t entry, OperationKind kind, Token token,
+                              std::optional<Version> last_seen) {
+  Attempt x;
+  x->client = number_;
+  x->entry = entry;
+  x->kind = kind;
+  if (kind == OperationKind::add || kind == OperationKind::overwrite)
+    x->content = world_->new_content();
+  x->last_seen = last_seen;
+  x->token = token;
+  x->level = LockLevel(1 + pick(3));
+  x->invoked = world_->now();
+  x.number = world_->begin(x.record);
   return x;
 }
 
 /// Several overwrites at once, sometimes: each counts on the one before.
 void Player::write(std::uint32_t entry, OperationKind kind) {
+  auto& view = views_[entry];
   auto overwrites = kind == OperationKind::overwrite;
-  auto& seen = views_[entry].seen;
-  auto seen_before = seen;
-  std::vector<std::pair<OperationRecord, Pending<Version>>> sent;
+  auto seen_before = view.seen;
+  auto seen = seen_before;
+  std::vector<PendingWrite> sent;
   for (auto count = overwrites && chance(20) ? 3 : 1; count > 0; --count) {
-    auto x = planned(entry, kind);
-    Stamp stamp{std::int64_t(x.content)};
-    auto answer = overwrites                   ? overwrite_async(address(x), stamp)
-                  : kind == OperationKind::add ? add_async(address(x), stamp)
-                                               : delete_entry_async(address(x));
-    sent.emplace_back(x, std::move(answer));
-    if (x.last_seen)
-      seen = *x.last_seen + 1;
+    auto adds = kind == OperationKind::add;
+    auto x = begin(entry, kind, adds ? 0 : view.token, overwrites ? seen : std::nullopt);
+    Stamp stamp{std::int64_t(x->content)};
+    auto answer = overwrites ? overwrite_async(address(x), stamp)
+                  : adds     ? add_async(address(x), stamp)
+                             : delete_entry_async(address(x));
+    sent.push_back({x, std::move(answer)});
+    if (seen)
+      seen = *seen + 1;
   }
-  seen = seen_before;
-  for (auto& [x, answer] : sent) {
-    // Who failed to write a version cannot count on it, unless by an earlier write.
-    if (x.last_seen != seen_before && !views_[entry].written.contains(*x.last_seen))
-      x.last_seen.reset();
-    take(x, [&, &y = answer](Result& result) { result = {Status::ok, y.get()}; });
-  }
+  for (auto& [x, answer] : sent)
+    take(x, [&, &attempt = x, &y = answer](Result& result) {
+      auto& last_seen = attempt->last_seen;
+      // Who failed to write a version cannot count on it, unless by an earlier write.
+      auto failed_before =
+        last_seen && last_seen != seen_before && !view.written.contains(*last_seen);
+      try {
+        result = {Status::ok, y.get()};
+      } catch (const WorkingMemoryException&) {
+        if (failed_before)
+          last_seen.reset();
+        throw;
+      }
+      if (failed_before && !view.in_doubt)
+        last_seen.reset();
+    });
 }
 
 void Player::write_several() {
-  auto& home = world->entries[pick(views_.size())].subarchitecture;
+  auto home = settings_.homes[pick(views_.size())];
   WriteBatch batch;
-  std::vector<OperationRecord> records;
+  std::vector<Attempt> attempts;
   for (std::uint32_t entry = 0; entry < views_.size(); ++entry) {
-    if (world->entries[entry].subarchitecture != home)
+    auto& view = views_[entry];
+    if (settings_.homes[entry] != home)
       continue;
-    auto x = planned(entry, views_[entry].present ? OperationKind::overwrite : OperationKind::add);
-    Stamp stamp{std::int64_t(x.content)};
-    if (x.kind == OperationKind::add)
-      batch.add(address(x), stamp);
-    else
+    if (view.lost)
+      return;
+    auto x = view.present ? begin(entry, OperationKind::overwrite, view.token, view.seen)
+                          : begin(entry, OperationKind::add);
+    Stamp stamp{std::int64_t(x->content)};
+    if (view.present)
       batch.overwrite(address(x), stamp);
-    records.push_back(x);
+    else
+      batch.add(address(x), stamp);
+    attempts.push_back(x);
   }
   std::vector<Version> versions;
   try {
     versions = SubarchitectureComponent::write(batch);
   } catch (const WorkingMemoryException& e) {
-    // All versions are checked before any lease, so of a batch an old version says nothing of the
-    // leases.
-    for (auto& x : records)
-      if (address(x) == e.address() && e.kind() != FailureKind::inconsistent)
+    for (auto& x : attempts) {
+      // All versions are checked before any lease, so of a batch an old version says nothing of the
+      // leases.
+      auto tells = address(x) == e.address() && e.kind() != FailureKind::inconsistent;
+      if (is_undecided(e, x) || tells)
         take(x, [&](Result&) { throw; });
+      else
+        world_->drop(x.number);
+    }
     return;
   }
-  for (std::size_t i = 0; i < records.size(); ++i)
-    take(records[i], [&](Result& result) { result = {Status::ok, versions[i]}; });
+  for (std::size_t i = 0; i < attempts.size(); ++i)
+    take(attempts[i], [&](Result& result) { result = {Status::ok, versions[i]}; });
 }
 
-void Player::read_later(const OperationRecord& x) {
+void Player::read_later(const Attempt& x) {
   reads_.push_back({x, read_async<Stamp>(address(x))});
 }
 
@@ -196,64 +229,96 @@ void Player::take_reads() {
     });
 }
 
-void Player::lock_one(OperationRecord x) {
-  std::chrono::milliseconds timeout{1 + pick(20)};
+void Player::lock_one(Attempt x) {
+  std::chrono::milliseconds timeout{1 + pick(longest_lock_wait_ms)};
   std::optional<LockGuard> guard;
   take(x, [&](Result& result) {
-    auto level = level_of(x.level);
-    if (x.kind == OperationKind::lock)
+    auto level = level_of(x->level);
+    if (x->kind == OperationKind::lock)
       guard.emplace(lock(address(x), level, timeout));
     else
       guard = try_lock(address(x), level);
     result = {guard ? Status::ok : Status::busy, 0, 0, guard ? guard->token() : 0};
   });
   if (guard)
-    views_[x.entry].guards.push_back(*std::move(guard));
+    views_[x->entry].guards.push_back(*std::move(guard));
 }
 
 void Player::unlock_one(std::uint32_t entry) {
   auto& view = views_[entry];
   auto guard = std::move(view.guards.back());
   view.guards.pop_back();
-  auto x = planned(entry, OperationKind::unlock);
-  x.token = guard.token();
   // Who has deleted the entry has nothing to give back.
-  if (view.token == 0)
+  if (view.token == 0) {
     guard.unlock();
-  else
-    take(x, [&](Result&) { guard.unlock(); });
+    return;
+  }
+  auto x = begin(entry, OperationKind::unlock, guard.token());
+  take(x, [&](Result&) {
+    guard.unlock();
+    // Who is told to stop does not wait for the answer.
+    if (!is_running())
+      throw ComponentStopped{};
+  });
 }
 
 void Player::unlock_all() {
   for (std::uint32_t entry = 0; entry < views_.size(); ++entry)
-    while (!views_[entry].guards.empty())
+    while (!views_[entry].guards.empty() && !views_[entry].lost && !home_lost_)
       unlock_one(entry);
 }
 
 // -- what came of them
 
 template <class F>
-void Player::take(OperationRecord x, F&& result) {
+void Player::take(Attempt& x, F&& result) {
   try {
-    result(x.result);
+    result(x->result);
   } catch (const WorkingMemoryException& e) {
-    auto status = status_of(e.kind(), x.kind);
-    auto took = std::chrono::nanoseconds{world->now() - x.invoked};
-    auto given_up =
-      e.kind() == FailureKind::deadlock || (e.kind() == FailureKind::no_answer && took > grace);
-    if (given_up) {
-      may_lapse(x.entry, 0, x.invoked);
-      history_.push_back(x);
+    if (is_undecided(e, x)) {
+      note_undecided(e, x);
       return;
     }
+    auto status = status_of(e.kind(), x->kind);
     if (!status)
-      findings_.push_back("an operation that cannot end so: " + std::string{e.what()});
-    x.result = {status.value_or(Status::timed_out)};
+      world_->report("an operation that cannot end so: " + std::string{e.what()});
+    x->result = {status.value_or(Status::timed_out)};
   }
-  x.returned = world->now();
-  known_to_have_arrived(x);
-  learn(x);
-  history_.push_back(x);
+  x->returned = world_->now();
+  world_->end(x.number, x.record);
+  known_to_have_arrived(x.record);
+  learn(x.record);
+}
+
+/// Whether nobody knows if the operation was made, is still on its way, or never will be.
+bool Player::is_undecided(const WorkingMemoryException& e, const Attempt& x) const {
+  switch (e.kind()) {
+    case FailureKind::deadlock:
+    case FailureKind::working_memory_lost:
+      return true;
+    case FailureKind::no_answer:
+      return !x->may_wait() || std::chrono::nanoseconds{world_->now() - x->invoked} > grace;
+    default:
+      return false;
+  }
+}
+
+void Player::note_undecided(const WorkingMemoryException& e, const Attempt& x) {
+  auto& view = views_[x->entry];
+  view.in_doubt |= x->kind == OperationKind::add || x->kind == OperationKind::overwrite;
+  // As its runtime does, which has nothing in hand any more.
+  if (x->kind == OperationKind::unlock)
+    learn(x.record);
+  auto said_to_be_lost = e.kind() == FailureKind::working_memory_lost;
+  auto entry_lost = world_->is_lost(address(x).subarchitecture);
+  auto home_lost = world_->is_lost(subarchitecture());
+  if (said_to_be_lost && !entry_lost && !home_lost && !settings_.may_lose)
+    world_->report("a working memory that lives is said to be lost: " + std::string{e.what()});
+  // To go on trying, now and then, shows that nothing is answered.
+  if (!said_to_be_lost && chance(30))
+    return;
+  view.lost = entry_lost || said_to_be_lost;
+  home_lost_ = home_lost || std::ranges::all_of(views_, &View::lost);
 }
 
 /// As its runtime does.
@@ -293,7 +358,6 @@ void Player::learn(const OperationRecord& x) {
       if (view.token != x.result.token) {
         view.token = x.result.token;
         view.times = 0;
-        may_lapse(x.entry, x.result.token, x.invoked + Tick(world->lease_duration.count()));
       }
       ++view.times;
       break;
@@ -309,35 +373,59 @@ void Player::learn(const OperationRecord& x) {
 /// What was sent before an operation that is answered has reached the working memory too.
 void Player::known_to_have_arrived(const OperationRecord& answered) {
   for (auto& [x, answer] : reads_)
-    if (x.invoked < answered.invoked && x.queued_by == never &&
-        address(x).subarchitecture == address(answered).subarchitecture)
-      x.queued_by = answered.returned;
+    if (x->invoked < answered.invoked && x->queued_by == never &&
+        settings_.homes[x->entry] == settings_.homes[answered.entry])
+      x->queued_by = answered.returned;
 }
 
-void Player::may_lapse(std::uint32_t entry, Token token, Tick from) {
-  OperationRecord x;
-  x.client = number_;
-  x.entry = entry;
-  x.kind = OperationKind::lapse;
-  x.token = token;
-  x.invoked = from;
-  history_.push_back(x);
+/// Of one who goes with leases in hand, the guards give them back, unless his end ends them first.
+void Player::leave() {
+  for (std::uint32_t entry = 0; entry < views_.size(); ++entry)
+    for (auto& guard : views_[entry].guards)
+      begin(entry, OperationKind::unlock, guard.token());
+  world_->leave(number_);
 }
 
-/// Of one who dies now, the guards give back their leases, unless his death ends them first.
-void Player::hand_in() {
-  for (std::uint32_t entry = 0; entry < views_.size(); ++entry) {
-    for (auto& guard : views_[entry].guards) {
-      auto x = planned(entry, OperationKind::unlock);
-      x.token = guard.token();
-      history_.push_back(x);
-    }
-    if (auto token = views_[entry].token; token != 0)
-      may_lapse(entry, token, world->now());
+// -- Closer
+
+void Closer::run() {
+  World world{path_.get()};
+  while (!world.may_close() && sleep_for(glance))
+    continue;
+  if (!world.may_close())
+    return;
+  for (std::uint32_t entry = 0; entry < world.settings().homes.size(); ++entry)
+    if (!world.is_lost(world.address(entry).subarchitecture))
+      look_at(world, entry);
+  world.close();
+}
+
+void Closer::look_at(World& world, std::uint32_t entry) {
+  auto at = world.address(entry);
+  auto note = [&](OperationKind kind, Tick invoked, const Result& result) {
+    OperationRecord x;
+    x.entry = entry;
+    x.kind = kind;
+    x.level = LockLevel::odr;
+    x.invoked = invoked;
+    auto number = world.begin(x);
+    x.result = result;
+    x.returned = world.now();
+    world.end(number, x);
+  };
+  auto invoked = world.now();
+  try {
+    auto guard = lock(at, castor::LockLevel::odr);
+    note(OperationKind::lock, invoked, {.token = guard.token()});
+    invoked = world.now();
+    auto found = read<Stamp>(at);
+    note(OperationKind::read, invoked, {Status::ok, found.version, Content(found->number)});
+  } catch (const DoesNotExistOnWM&) {
+    note(OperationKind::exists, invoked, {Status::does_not_exist});
+  } catch (const WorkingMemoryException& e) {
+    if (!world.settings().may_lose)
+      world.report("what cannot be looked at in the end: " + std::string{e.what()});
   }
-  std::lock_guard guard{world->mutex};
-  world->history.insert(world->history.end(), history_.begin(), history_.end());
-  world->findings.insert(world->findings.end(), findings_.begin(), findings_.end());
 }
 
 } // namespace castor::linearizability

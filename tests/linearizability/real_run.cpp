@@ -3,10 +3,11 @@
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/node/system.hpp"
-#include "castor/tests/linearizability/player.hpp"
+#include "castor/tests/linearizability/lapses.hpp"
 
 #include <algorithm>
 #include <random>
+#include <thread>
 
 namespace castor::linearizability {
 
@@ -38,60 +39,51 @@ std::string name_of(std::size_t subarchitecture) {
   return std::string(1, char('a' + subarchitecture));
 }
 
-ArchitectureDescription architecture(const Plan& plan) {
+ArchitectureDescription architecture(const Plan& plan, const World& world) {
   std::string text;
   for (std::size_t i = 0; i < plan.subarchitectures; ++i) {
     text += "SUBARCHITECTURE " + name_of(i) +
             " localhost\nCPP WM SubarchitectureWorkingMemory --lease " +
             std::to_string(plan.lease.count()) + "ms\nCPP TM AlwaysPositiveTaskManager\n";
     for (auto player = i; player < plan.players; player += plan.subarchitectures)
-      text += "CPP UM p" + std::to_string(player + 1) + " Player\n";
+      text += "CPP UM p" + std::to_string(player + 1) + " Player --world " + world.path() + "\n";
   }
+  text += "CPP UM closer Closer --world " + world.path() + "\n";
   return *cast::parse_string(text, "real_run.cast").architecture;
 }
 
-/// How the entries stand in the end.
-void look_at_what_is_left(System& system, const Plan& plan, RealWorld& world) {
-  std::vector<EntryPtr> left;
-  for (std::size_t i = 0; i < plan.subarchitectures; ++i)
-    std::ranges::copy(system.entries(name_of(i)), std::back_inserter(left));
-  for (std::uint32_t entry = 0; entry < world.entries.size(); ++entry) {
-    auto found = std::ranges::find(left, world.entries[entry], [](auto& x) { return x->address; });
-    OperationRecord x;
-    x.entry = entry;
-    // No read: the last holders may not have ended for the working memory.
-    x.kind = found == left.end() ? OperationKind::exists : OperationKind::version;
-    x.result =
-      found == left.end() ? Result{Status::does_not_exist} : Result{Status::ok, (*found)->version};
-    x.invoked = x.returned = world.now();
-    world.history.push_back(x);
-  }
-}
-
-/// Lapses end with the run.
-History finished(History history, Tick end) {
-  std::erase_if(history,
-                [&](auto& x) { return x.kind == OperationKind::lapse && x.invoked > end; });
-  for (auto& x : history)
-    if (x.kind == OperationKind::lapse)
-      x.returned = end;
-  return history;
-}
-
 } // namespace
+
+bool await(const std::function<bool()>& condition, std::chrono::steady_clock::time_point until) {
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > until)
+      return false;
+    std::this_thread::sleep_for(500us);
+  }
+  return true;
+}
+
+void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease,
+           const std::map<Client, Tick>& ends) {
+  std::ranges::copy(world.findings(), std::back_inserter(result.findings));
+  result.history = world.operations();
+  std::ranges::copy(possible_lapses(result.history, Tick(std::chrono::nanoseconds{lease}.count()),
+                                    ends, world.now()),
+                    std::back_inserter(result.history));
+  result.verdict = Checker{{.max_states = 4'000'000}}.check(result.history);
+}
 
 RealRunResult run_for_real(std::uint64_t seed) {
   // Components die on purpose, which is no news.
   set_log_level(LogLevel::off);
   auto plan = plan_for(seed);
-  RealWorld world;
-  world.seed = seed;
-  world.players = plan.players;
-  world.lease_duration = plan.lease;
-  world.longest_pause = plan.lease < 1s ? plan.lease * 3 / 2 : 300us;
+  WorldSettings settings;
+  settings.seed = seed;
+  settings.players = plan.players;
+  settings.longest_pause = plan.lease < 1s ? plan.lease * 3 / 2 : 300us;
   for (std::size_t i = 0; i < plan.entries; ++i)
-    world.entries.push_back({name_of(i % plan.subarchitectures), std::string(1, char('w' + i))});
-  Player::world = &world;
+    settings.homes += name_of(i % plan.subarchitectures);
+  World world{settings};
   RealRunResult result;
   result.description = std::to_string(plan.players) + " components in " +
                        std::to_string(plan.subarchitectures) + " subarchitectures, " +
@@ -100,16 +92,17 @@ RealRunResult run_for_real(std::uint64_t seed) {
   {
     SystemOptions options;
     options.open_access = true;
-    System system{architecture(plan), options};
+    System system{architecture(plan, world), options};
     system.start();
-    if (system.wait({30s, {}}) != EndReason::ended_by_component)
-      result.findings.push_back("it did not come to an end within 30 s");
+    auto until = std::chrono::steady_clock::now() + 30s;
+    if (!await([&] { return world.all_have_left(); }, until))
+      result.findings.push_back("the players did not come to an end within 30 s");
+    world.let_close();
+    if (!await([&] { return world.is_closed(); }, until + 15s))
+      result.findings.push_back("nobody could look at how the entries stand in the end");
     system.stop();
-    look_at_what_is_left(system, plan, world);
   }
-  std::ranges::copy(world.findings, std::back_inserter(result.findings));
-  result.history = finished(std::move(world.history), world.now());
-  result.verdict = Checker{{.max_states = 4'000'000}}.check(result.history);
+  judge(result, world, plan.lease, world.ends());
   return result;
 }
 

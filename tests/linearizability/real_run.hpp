@@ -2,8 +2,12 @@
 
 #include "castor/tests/linearizability/checker.hpp"
 #include "castor/tests/linearizability/history.hpp"
+#include "castor/tests/linearizability/world.hpp"
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,5 +29,12 @@ struct RealRunResult {
 /// random through the interface that component authors use, and checks what they saw. What they
 /// try follows from the seed; what comes of it does not.
 RealRunResult run_for_real(std::uint64_t seed);
+
+/// Whether the condition comes true in time.
+bool await(const std::function<bool()>& condition, std::chrono::steady_clock::time_point until);
+
+/// Checks what was seen in a world; `ends` says from when on the leases of a client may have ended.
+void judge(RealRunResult& result, const World& world, std::chrono::milliseconds lease,
+           const std::map<Client, Tick>& ends);
 
 } // namespace castor::linearizability

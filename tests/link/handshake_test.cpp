@@ -30,7 +30,7 @@ std::string problem(Bytes bytes) {
 }
 
 TEST(Greeting, ArrivesHoweverItIsCut) {
-  auto all = written(Hello{"robot", "vision-7", 11, 3, 4, 12, 99});
+  auto all = written(Hello{"robot", "vision-7", 11, 3, 4, 12, 99, 7});
   Bytes received;
   for (auto x : all) {
     ASSERT_FALSE(read_greeting(received));
@@ -47,6 +47,7 @@ TEST(Greeting, ArrivesHoweverItIsCut) {
   EXPECT_EQ(hello.receiver, 4u);
   EXPECT_EQ(hello.known, 12u);
   EXPECT_EQ(hello.received, 99u);
+  EXPECT_EQ(hello.attempt, 7u);
   EXPECT_EQ(received, Bytes{'!'});
 }
 

@@ -63,6 +63,7 @@ struct Part {
     x.peer_name = peer == 0 ? "run" : "robot";
     x.self = hello();
     x.options.patience = 3s;
+    x.options.connecting = 500ms;
     x.on_news = [this](const LinkNews& news) {
       if (news.state == LinkState::up)
         ++ups;
@@ -228,6 +229,26 @@ TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {
   EXPECT_TRUE(eventually([&] { return relay->connections() > 1; }));
   relay->freeze(false);
   EXPECT_TRUE(read("x"));
+}
+
+TEST_F(TwoProcesses, AConnectionThatArrivesLateDisturbsNobody) {
+  add("x", {});
+  relay->freeze(true);
+  relay->cut();
+  auto before = relay->connections();
+  ASSERT_TRUE(eventually([&] { return relay->connections() > before; }));
+  // What was said over that connection is still on its way when the next one is there.
+  relay->freeze_present();
+  for (int i = 0; i < 50; ++i)
+    EXPECT_EQ(*add(std::to_string(i), {}), 0u);
+  ASSERT_TRUE(eventually([&] { return robot.counters->unacknowledged == 0; }));
+  int ups = run.ups;
+  relay->freeze(false);
+  ASSERT_TRUE(eventually([&] { return relay->open() == 1; }));
+  for (int i = 50; i < 100; ++i)
+    EXPECT_EQ(*add(std::to_string(i), {}), 0u);
+  EXPECT_FALSE(run.lost);
+  EXPECT_EQ(run.ups, ups);
 }
 
 } // namespace

@@ -42,11 +42,55 @@ Relay::~Relay() {
   stop();
 }
 
+std::size_t Relay::open() {
+  std::lock_guard guard{mutex_};
+  return open_.size();
+}
+
 void Relay::cut() {
-  int before = cuts_++;
-  // Done once the thread has seen it, so that whatever is sent next meets no old connection.
-  while (cuts_ == before + 1 && !over_)
-    std::this_thread::yield();
+  std::lock_guard guard{mutex_};
+  close_all();
+}
+
+void Relay::cut_one(std::size_t choice) {
+  std::lock_guard guard{mutex_};
+  if (auto i = chosen(choice); i != open_.end()) {
+    close(*i);
+    open_.erase(i);
+  }
+}
+
+void Relay::freeze(bool on) {
+  std::lock_guard guard{mutex_};
+  frozen_ = {on, on};
+  if (!on)
+    for (auto& x : open_)
+      x.frozen = false;
+}
+
+void Relay::freeze(Way way, bool on) {
+  std::lock_guard guard{mutex_};
+  frozen_[static_cast<std::size_t>(way)] = on;
+}
+
+void Relay::freeze_one(std::size_t choice) {
+  std::lock_guard guard{mutex_};
+  if (auto i = chosen(choice); i != open_.end())
+    i->frozen = true;
+}
+
+void Relay::freeze_present() {
+  std::lock_guard guard{mutex_};
+  frozen_ = {};
+  for (auto& x : open_)
+    x.frozen = true;
+}
+
+void Relay::refuse(bool on) {
+  std::lock_guard guard{mutex_};
+  refuses_ = on;
+  if (on)
+    close_all();
 }
 
 void Relay::stop() {
@@ -56,31 +100,34 @@ void Relay::stop() {
 }
 
 void Relay::run() {
-  int done = 0;
+  std::vector<pollfd> sockets;
   while (!over_) {
-    if (int wanted = cuts_; wanted > done) {
-      close_connections([](auto&, auto&) { return true; });
-      cuts_ = done = wanted + 1;
+    sockets.assign({{listener_, POLLIN, 0}});
+    {
+      std::lock_guard guard{mutex_};
+      for (auto& x : open_)
+        for (std::size_t way = 0; way < x.pipes.size(); ++way)
+          if (auto& pipe = x.pipes[way]; !x.frozen && !frozen_[way])
+            sockets.push_back(pipe.waiting.empty() ? pollfd{pipe.from, POLLIN, 0}
+                                                   : pollfd{pipe.to, POLLOUT, 0});
     }
-    std::vector<pollfd> sockets{{listener_, POLLIN, 0}};
-    bool frozen = frozen_;
-    for (auto& x : pipes_) {
-      short events = frozen ? 0 : x.waiting.empty() ? POLLIN : POLLOUT;
-      sockets.push_back({x.waiting.empty() ? x.from : x.to, events, 0});
-    }
+    // What is told meanwhile is seen soon.
     poll(sockets.data(), sockets.size(), 2);
-    if (!frozen) {
-      std::size_t i = 1;
-      for (auto& x : pipes_)
-        if (sockets[i++].revents != 0)
-          pass_on(x);
-      close_connections([](auto& there, auto& back) { return there.ended || back.ended; });
+    std::lock_guard guard{mutex_};
+    for (auto i = open_.begin(); i != open_.end();) {
+      for (std::size_t way = 0; way < i->pipes.size(); ++way)
+        if (!i->frozen && !frozen_[way])
+          pass_on(*i, i->pipes[way]);
+      if (i->ended)
+        close(*i);
+      i = i->ended ? open_.erase(i) : std::next(i);
     }
     if (sockets[0].revents != 0)
       accept();
   }
-  close_connections([](auto&, auto&) { return true; });
-  close(listener_);
+  std::lock_guard guard{mutex_};
+  close_all();
+  ::close(listener_);
 }
 
 void Relay::accept() {
@@ -89,48 +136,52 @@ void Relay::accept() {
     return;
   int far = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   auto address = loopback(target_);
-  if (connect(far, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
-    close(near);
-    close(far);
+  if (refuses_ || connect(far, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
+    ::close(near);
+    ::close(far);
     return;
   }
   int on = 1;
   for (int socket : {near, far})
     setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
   ++connections_;
-  pipes_.push_back({near, far});
-  pipes_.push_back({far, near});
+  open_.push_back({{Pipe{near, far}, Pipe{far, near}}});
 }
 
-void Relay::pass_on(Pipe& pipe) {
+void Relay::pass_on(Connection& connection, Pipe& pipe) {
+  auto failed = [] { return errno != EAGAIN && errno != EINTR; };
   if (pipe.waiting.empty()) {
     std::array<char, 65536> buffer;
     auto n = recv(pipe.from, buffer.data(), buffer.size(), MSG_DONTWAIT);
     if (n > 0)
       pipe.waiting.assign(buffer.begin(), buffer.begin() + n);
-    else if (n == 0 || (errno != EAGAIN && errno != EINTR))
-      pipe.ended = true;
-    return;
+    else if (n == 0 || failed())
+      connection.ended = true;
   }
+  if (pipe.waiting.empty())
+    return;
   auto n = send(pipe.to, pipe.waiting.data(), pipe.waiting.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (n > 0)
     pipe.waiting.erase(pipe.waiting.begin(), pipe.waiting.begin() + n);
-  else if (errno != EAGAIN && errno != EINTR)
-    pipe.ended = true;
+  else if (failed())
+    connection.ended = true;
 }
 
-template <class F>
-void Relay::close_connections(F which) {
-  for (auto there = pipes_.begin(); there != pipes_.end();) {
-    auto back = std::next(there);
-    auto next = std::next(back);
-    if (which(*there, *back)) {
-      close(there->to);
-      close(back->to);
-      pipes_.erase(there, next);
-    }
-    there = next;
-  }
+void Relay::close(Connection& connection) {
+  for (auto& x : connection.pipes)
+    ::close(x.to);
+}
+
+void Relay::close_all() {
+  for (auto& x : open_)
+    close(x);
+  open_.clear();
+}
+
+Relay::Connections::iterator Relay::chosen(std::size_t choice) {
+  if (open_.empty())
+    return open_.end();
+  return std::next(open_.begin(), static_cast<std::ptrdiff_t>(choice % open_.size()));
 }
 
 } // namespace castor::test
