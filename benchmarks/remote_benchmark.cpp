@@ -2,7 +2,10 @@
 // actor of another process over CAF's own network protocol, with the same payload and as many
 // clients, measured in the same run; and how long an event takes from there.
 //
-//   remote_benchmark [REPETITIONS]
+//   remote_benchmark [--tls DIR] [REPETITIONS]
+//
+// With certificates that `scripts/make-certs DIR run far.test` has made, what Castor says is
+// encrypted; the bare framework's requests are not.
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/dial.hpp"
@@ -28,6 +31,7 @@
 #include <deque>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -133,6 +137,15 @@ class Echo final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Echo, "measures events")
 
+/// The folder with the certificates; empty for none.
+std::string tls;
+
+std::optional<Credentials> credentials(const std::string& name) {
+  if (tls.empty())
+    return std::nullopt;
+  return Credentials::load(tls + '/' + name);
+}
+
 void run(const Endpoint& node, const std::string& components) {
   auto parsed = cast::parse_string("ACCESS * WRITES *\nSUBARCHITECTURE far far.test\n"
                                    "CPP WM SubarchitectureWorkingMemory\n"
@@ -144,6 +157,7 @@ void run(const Endpoint& node, const std::string& components) {
                                    "benchmark");
   SystemOptions options;
   options.nodes["far.test"] = node;
+  options.credentials = credentials("run");
   System system{parsed.architecture.value(), options};
   system.start();
   system.wait({});
@@ -240,6 +254,7 @@ Rates bare_rates(std::uint16_t port, const Size& size, int clients) {
 int serve() {
   NodeOptions options;
   options.name = "far.test";
+  options.credentials = credentials("far.test");
   options.socket = listen_at({"127.0.0.1", 0});
   auto node_port = port_of(options.socket);
   Node node{options};
@@ -271,7 +286,7 @@ public:
       posix_spawn_file_actions_addclose(&actions, x);
     std::string name = "remote_benchmark";
     std::string argument = "--serve";
-    std::array<char*, 3> arguments{name.data(), argument.data(), nullptr};
+    std::array<char*, 4> arguments{name.data(), argument.data(), tls.data(), nullptr};
     if (posix_spawn(&id_, "/proc/self/exe", &actions, nullptr, arguments.data(), environ) != 0)
       std::abort();
     posix_spawn_file_actions_destroy(&actions);
@@ -326,14 +341,16 @@ void report_operations(const Server& server) {
 }
 
 void report_events(const Server& server) {
-  fmt::print("\n{:<34}{:>12}{:>12}\n", "overwrite there to callback here, us", "median", "99 %");
+  fmt::print("\n{:<34}{:>12}{:>12}{:>24}\n", "overwrite there to callback here, us", "median",
+             "99 %", "ratio to a bare request");
   for (auto& size : sizes) {
     task.size = size;
     latencies_us.clear();
     run(server.node(), "CPP UM echo Echo --deadline 1h\n");
     std::sort(latencies_us.begin(), latencies_us.end());
-    fmt::print("{:<34}{:>12.1f}{:>12.1f}\n", size.name, median(latencies_us),
-               latencies_us[latencies_us.size() * 99 / 100]);
+    auto bare_us = 1e6 / bare_rates(server.bare_port(), size, 1).front();
+    fmt::print("{:<34}{:>12.1f}{:>12.1f}{:>24.2f}\n", size.name, median(latencies_us),
+               latencies_us[latencies_us.size() * 99 / 100], median(latencies_us) / bare_us);
   }
 }
 
@@ -344,8 +361,15 @@ void report_events(const Server& server) {
 int main(int argc, char** argv) {
   using namespace castor::benchmark;
   castor::set_log_level(castor::LogLevel::warning);
-  if (argc > 1 && argv[1] == std::string{"--serve"})
+  if (argc > 2 && argv[1] == std::string{"--serve"}) {
+    tls = argv[2];
     return serve();
+  }
+  if (argc > 2 && argv[1] == std::string{"--tls"}) {
+    tls = argv[2];
+    argc -= 2;
+    argv += 2;
+  }
   if (argc > 1)
     repetitions = std::max(1, std::atoi(argv[1]));
   Server server;

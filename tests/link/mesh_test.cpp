@@ -241,7 +241,7 @@ TEST_F(TwoProcesses, AConnectionThatArrivesLateDisturbsNobody) {
   relay->freeze_present();
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(*add(std::to_string(i), {}), 0u);
-  ASSERT_TRUE(eventually([&] { return robot.counters->unacknowledged == 0; }));
+  ASSERT_TRUE(eventually([&] { return robot.mesh->links().at(0).unacknowledged == 0; }));
   int ups = run.ups;
   relay->freeze(false);
   ASSERT_TRUE(eventually([&] { return relay->open() == 1; }));
