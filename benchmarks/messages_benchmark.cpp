@@ -36,7 +36,8 @@ struct Finished {
 };
 CASTOR_REFLECT(Finished, changes)
 
-int changes = 10'000;
+/// Few enough for none of them to be merged with another.
+int changes = 2000;
 double seconds = 0;
 
 class Writer final : public UnmanagedComponent {

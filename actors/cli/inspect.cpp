@@ -252,7 +252,7 @@ void add_inspection(CLI::App& app, Action& chosen) {
   add_json_flag(*events_command, arguments);
   events_command->footer(
     "Examples: castor events\n"
-    "          castor events overwritten SceneObject in vision changing colour\n"
+    "          castor events overwritten SceneObject in vision changing color\n"
     "          castor events added ROI where 'area > 400'\n"
     "Events are filtered where they arise. A reader that is too slow gets them merged.");
   on_call(*events_command, chosen, arguments, events);

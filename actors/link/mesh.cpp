@@ -32,6 +32,15 @@ const char* name_of_type(const caf::type_erased_tuple& message) {
   return type ? type->name() : "one of the framework's own";
 }
 
+/// How many change events it carries, for working memories or for components.
+std::size_t count_events(const caf::type_erased_tuple& message) {
+  if (message.match_elements<RoutedEvents>())
+    return message.get_as<RoutedEvents>(0).events.size();
+  if (message.match_elements<ChangeNotices>())
+    return message.get_as<ChangeNotices>(0).notices.size();
+  return message.match_elements<ChangeNotice>() ? 1 : 0;
+}
+
 /// The lane of what one actor sends to another: these messages keep their order.
 Lane lane_of(ActorName sender, std::uint32_t receiver) {
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
@@ -63,11 +72,10 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
     }
   }
   OutgoingMessage message{out.take_head(), out.take_contents(), lane_of(sender, number)};
-  if (content.match_elements<RoutedEvents>()) {
-    auto events = content.get_as<RoutedEvents>(0).events.size();
-    LinkRecord::add(record_->events_out, events);
+  auto events = count_events(content);
+  LinkRecord::add(record_->events_out, events);
+  if (content.match_elements<RoutedEvents>())
     message.arrived = acknowledgement(to, x.sender, events);
-  }
   hand_over({std::move(message), out.take_types()});
 }
 
@@ -283,14 +291,15 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
         subject == Subject::message
           ? table_.read(in)
           : caf::make_message(caf::make_error(caf::sec::runtime_error, in.take<std::string>()));
+      if (auto events = count_events(content)) {
+        std::lock_guard guard{mutex_};
+        LinkRecord::add(records_.at(from)->events_in, events);
+      }
       if (number == static_cast<std::uint32_t>(WellKnownActor::events)) {
         EventSink sink;
         {
           std::lock_guard guard{mutex_};
           sink = event_sink_;
-          if (content.match_elements<RoutedEvents>())
-            LinkRecord::add(records_.at(from)->events_in,
-                            content.get_as<RoutedEvents>(0).events.size());
         }
         if (sink)
           sink(content, context);
