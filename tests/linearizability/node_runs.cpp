@@ -134,8 +134,8 @@ std::string describe(const Plan& plan) {
 /// A node and the way to it.
 class RemoteNode {
 public:
-  RemoteNode(std::string executable, std::string name, Milliseconds patience)
-    : executable_(std::move(executable)), name_(std::move(name)), patience_(patience) {
+  RemoteNode(std::string executable, std::string name, NodeRunOptions options)
+    : executable_(std::move(executable)), name_(std::move(name)), options_(std::move(options)) {
     start();
   }
 
@@ -155,8 +155,11 @@ public:
   }
 
   void start() {
-    process_ = std::make_unique<test::Process>(std::vector<std::string>{
-      executable_, "--serve", name_, "--patience", std::to_string(patience_.count()) + "ms"});
+    std::vector<std::string> arguments{executable_, "--serve", name_, "--patience",
+                                       std::to_string(options_.patience.count()) + "ms"};
+    if (!options_.certificates.empty())
+      arguments.insert(arguments.end(), {"--tls", options_.certificates.string()});
+    process_ = std::make_unique<test::Process>(std::move(arguments));
     if (!process_->wait_for_output("\n"))
       throw std::runtime_error("the node " + name_ + " did not start: " + process_->errors());
     relay_.lead_to(std::uint16_t(std::stoi(process_->output())));
@@ -165,20 +168,27 @@ public:
 private:
   std::string executable_;
   std::string name_;
-  Milliseconds patience_;
+  NodeRunOptions options_;
   std::unique_ptr<test::Process> process_;
   test::Relay relay_{0};
 };
 
+std::optional<Credentials> credentials(const NodeRunOptions& options, const std::string& name) {
+  if (options.certificates.empty())
+    return std::nullopt;
+  return Credentials::load(options.certificates / name);
+}
+
 } // namespace
 
-void serve(const std::string& name, Milliseconds patience) {
+void serve(const std::string& name, const NodeRunOptions& run_options) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   set_log_level(LogLevel::off);
   NodeOptions options;
   options.name = name;
   options.socket = listen_at({"127.0.0.1", 0});
-  options.link = impatient(patience);
+  options.link = impatient(run_options.patience);
+  options.credentials = credentials(run_options, name);
   std::printf("%d\n", port_of(options.socket));
   Node node{options};
   std::fflush(stdout);
@@ -188,9 +198,9 @@ void serve(const std::string& name, Milliseconds patience) {
 
 class NodeRuns::Implementation {
 public:
-  Implementation(const std::string& executable, Milliseconds patience) : patience_(patience) {
+  Implementation(const std::string& executable, const NodeRunOptions& options) : options_(options) {
     for (std::size_t i = 1; i <= nodes; ++i)
-      nodes_.push_back(std::make_unique<RemoteNode>(executable, host(i), patience));
+      nodes_.push_back(std::make_unique<RemoteNode>(executable, host(i), options));
   }
 
   RealRunResult run(std::uint64_t seed, std::optional<Milliseconds> longest_fault) {
@@ -206,7 +216,7 @@ public:
     settings.pauses = 50;
     // So that operations go on for as long as faults do.
     settings.longest_pause = std::max<std::chrono::nanoseconds>(plan.end() / 15, 200us);
-    settings.may_lose = patience_ < ample_patience;
+    settings.may_lose = options_.patience < ample_patience;
     for (std::size_t i = 0; i < plan.entries; ++i)
       settings.homes += name_of(plan.home_of(i));
     World world{settings};
@@ -232,7 +242,8 @@ private:
     first_fault_ = never;
     SystemOptions options;
     options.open_access = true;
-    options.link = impatient(patience_);
+    options.link = impatient(options_.patience);
+    options.credentials = credentials(options_, "run");
     for (std::size_t i = 1; i <= nodes; ++i)
       options.nodes[host(i)] = nodes_[i - 1]->address();
     System system{architecture(plan, world), options};
@@ -361,7 +372,7 @@ private:
     }
   }
 
-  const Milliseconds patience_;
+  const NodeRunOptions options_;
   std::vector<std::unique_ptr<RemoteNode>> nodes_;
   std::map<FaultKind, std::size_t> faults_;
   Tick first_fault_ = never;
@@ -369,8 +380,8 @@ private:
   std::map<std::size_t, Tick> killed_;
 };
 
-NodeRuns::NodeRuns(const std::string& executable, Milliseconds patience)
-  : implementation_(std::make_unique<Implementation>(executable, patience)) {}
+NodeRuns::NodeRuns(const std::string& executable, const NodeRunOptions& options)
+  : implementation_(std::make_unique<Implementation>(executable, options)) {}
 
 NodeRuns::~NodeRuns() = default;
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,18 +18,25 @@ namespace castor::linearizability {
 /// fault lasts.
 inline constexpr std::chrono::milliseconds ample_patience{30'000};
 
+/// How the processes of `NodeRuns` deal with each other.
+struct NodeRunOptions {
+  std::chrono::milliseconds patience = ample_patience;
+  /// A folder that `scripts/make-certs` has made for run, node1, node2 and node3, if all is to be
+  /// encrypted.
+  std::filesystem::path certificates;
+};
+
 /// Is a node of `NodeRuns`, for as long as its parent lives.
-[[noreturn]] void serve(const std::string& name, std::chrono::milliseconds patience);
+[[noreturn]] void serve(const std::string& name, const NodeRunOptions& options);
 
 /// Runs like those of `run_for_real` whose working memories and components are spread over this
 /// process and three nodes, which are processes of their own. What they did until they were killed
 /// is known, too.
 class NodeRuns {
 public:
-  /// `executable --serve NAME --patience DURATION` has to `serve`. Where faults last longer than
-  /// the patience, processes lose each other though they live.
-  explicit NodeRuns(const std::string& executable,
-                    std::chrono::milliseconds patience = ample_patience);
+  /// `executable --serve NAME --patience DURATION [--tls DIR]` has to `serve`. Where faults last
+  /// longer than the patience, processes lose each other though they live.
+  explicit NodeRuns(const std::string& executable, const NodeRunOptions& options = {});
   NodeRuns(const NodeRuns&) = delete;
   NodeRuns& operator=(const NodeRuns&) = delete;
   ~NodeRuns();

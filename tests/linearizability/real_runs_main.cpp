@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   bool expect_violation = false;
   std::int64_t patience_ms = ample_patience.count();
   std::string serves_as;
+  NodeRunOptions options;
   app.add_option("--runs", runs, "how many")->capture_default_str();
   app.add_option("--seed", seed, "of the first; the next runs have the next ones")
     ->capture_default_str();
@@ -51,18 +52,23 @@ int main(int argc, char** argv) {
     ->transform(duration);
   app.add_option("--patience", patience_ms, "with --nodes: who is out of reach for longer is lost")
     ->transform(duration);
+  app
+    .add_option("--tls", options.certificates,
+                "with --nodes: encrypt, with what `scripts/make-certs DIR run node1 node2 node3` "
+                "has made")
+    ->type_name("DIR");
   app.add_flag("--show", show, "print the histories");
   app.add_flag("--expect-violation", expect_violation, "it is an error if there is none");
   app.add_option("--serve", serves_as, "be the node of that name")->group("");
   CLI11_PARSE(app, argc, argv);
-  std::chrono::milliseconds patience{patience_ms};
+  options.patience = std::chrono::milliseconds{patience_ms};
   if (!serves_as.empty())
-    serve(serves_as, patience);
+    serve(serves_as, options);
 
   std::optional<NodeRuns> over_nodes;
   std::function<RealRunResult(std::uint64_t)> run = run_for_real;
   if (nodes > 0) {
-    over_nodes.emplace("/proc/self/exe", patience);
+    over_nodes.emplace("/proc/self/exe", options);
     std::optional<std::chrono::milliseconds> longest_fault;
     if (faults)
       longest_fault = std::chrono::milliseconds{longest_fault_ms};
