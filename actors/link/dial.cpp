@@ -155,6 +155,15 @@ std::uint16_t port_of(int socket) {
                                        : ntohs(reinterpret_cast<sockaddr_in*>(&address)->sin_port);
 }
 
+std::string why_unknown(const std::string& host) {
+  try {
+    resolve({host, 0}, 0);
+    return {};
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+}
+
 bool is_loopback(const std::string& host) {
   try {
     auto addresses = resolve({host, 0}, AI_PASSIVE);

@@ -33,6 +33,9 @@ int listen_at(const Endpoint& at);
 /// The port that a listening socket has.
 std::uint16_t port_of(int socket);
 
+/// Why nobody knows where that host is; empty if it has an address.
+std::string why_unknown(const std::string& host);
+
 /// Whether everybody who can connect is on this machine.
 bool is_loopback(const std::string& host);
 

@@ -7,6 +7,7 @@
 #include <caf/blocking_actor.hpp>
 #include <caf/io/broker.hpp>
 #include <caf/io/middleman.hpp>
+#include <caf/scoped_actor.hpp>
 
 #include <algorithm>
 #include <random>
@@ -391,6 +392,13 @@ caf::behavior link(Self* self, LinkParts parts, std::shared_ptr<LinkRecord> reco
 }
 
 } // namespace
+
+void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors) {
+  caf::scoped_actor self{system};
+  for (auto& x : actors)
+    if (x)
+      self->wait_for(x);
+}
 
 caf::actor spawn_link(LinkParts parts) {
   auto mesh = parts.mesh;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace castor {
 
@@ -52,6 +53,10 @@ struct CloseLink {
 /// connections are made anew and nothing is lost with them. From now on it is the mesh's port to
 /// the peer.
 caf::actor spawn_link(LinkParts parts);
+
+/// Waits until actors that were told to end have ended: those of the network are not waited for
+/// when an actor system is destroyed, and what they were sent before is lost then.
+void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors);
 
 } // namespace castor
 

@@ -34,9 +34,13 @@ public:
     : system_(system), name_(options.name), credentials_(options.credentials), link_(options.link) {
   }
 
-  void end() {
+  /// Leaves all systems; the links that end thereby.
+  std::vector<caf::actor> end() {
+    std::vector<caf::actor> result;
     for (auto& name : systems())
-      leave(name, name_ + " ends");
+      for (auto& link : leave(name, name_ + " ends"))
+        result.push_back(link);
+    return result;
   }
 
   std::vector<std::string> systems() const {
@@ -126,20 +130,24 @@ private:
     membership.links[peer] = spawn_link(std::move(parts));
   }
 
-  void leave(const std::string& system, const std::string& why) {
+  std::vector<caf::actor> leave(const std::string& system, const std::string& why) {
     std::map<std::string, Membership>::node_type left;
     {
       std::lock_guard guard{mutex_};
       left = memberships_.extract(system);
     }
+    std::vector<caf::actor> links;
     if (!left)
-      return;
+      return links;
     note(LogLevel::info, name_ + " leaves " + system + ": " + why);
     auto& membership = left.mapped();
     caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);
-    for (auto& [peer, link] : membership.links)
+    for (auto& [peer, link] : membership.links) {
       caf::anon_send(link, CloseLink{why});
+      links.push_back(link);
+    }
     membership.mesh->close();
+    return links;
   }
 
   caf::actor_system& system_;
@@ -165,7 +173,9 @@ public:
 
   ~Implementation() {
     caf::anon_send_exit(listener_, caf::exit_reason::user_shutdown);
-    memberships_->end();
+    auto ending = memberships_->end();
+    ending.push_back(listener_);
+    await_ends(system_, ending);
   }
 
   std::vector<std::string> systems() const { return memberships_->systems(); }

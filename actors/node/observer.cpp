@@ -17,8 +17,7 @@ void observe(Self self, const SystemOptions& options, const ChangeEvent& event) 
     log(i->second, where + '.' + where + "_wm", to_string(event));
   auto wm = state.system.working_memories.find(where);
   auto receipts = state.receipts.try_emplace(where, standard_queue_limit).first;
-  if (auto count = receipts->second.take();
-      count > 0 && wm != state.system.working_memories.end())
+  if (auto count = receipts->second.take(); count > 0 && wm != state.system.working_memories.end())
     self->send(wm->second, EventsTaken{EventStream::component, count});
 }
 

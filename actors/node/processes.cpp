@@ -4,8 +4,6 @@
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/messages.hpp"
 
-#include <caf/scoped_actor.hpp>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -90,12 +88,15 @@ void Processes::check_security(const ArchitectureDescription& architecture,
     auto& x = placement.processes[i];
     if (is_loopback(x.host))
       continue;
-    problems.push_back(
-      out_of_reach(architecture, placement, static_cast<ProcessNumber>(i),
-                   {x, LinkState::down, "what is said to another machine has to be encrypted"}));
-    problems.back().remedy =
-      "name a certificate with --tls DIR (scripts/make-certs makes some), or "
-      "say --insecure";
+    auto reason = why_unknown(x.host);
+    bool is_known = reason.empty();
+    if (is_known)
+      reason = "what is said to another machine has to be encrypted";
+    problems.push_back(out_of_reach(architecture, placement, static_cast<ProcessNumber>(i),
+                                    {x, LinkState::down, reason}));
+    if (is_known)
+      problems.back().remedy = "name a certificate with --tls DIR (scripts/make-certs makes some), "
+                               "or say --insecure";
   }
   if (!problems.empty())
     throw SystemError{std::move(problems)};
@@ -190,18 +191,15 @@ void Processes::be_silent() {
 }
 
 void Processes::close(const std::string& reason) {
-  for (auto& x : processes_)
+  std::vector<caf::actor> links;
+  for (auto& x : processes_) {
     if (x.link)
       caf::anon_send(x.link, CloseLink{reason});
+    links.push_back(x.link);
+  }
   if (mesh_)
     mesh_->close();
-}
-
-void Processes::await_close() {
-  caf::scoped_actor waiting{system_};
-  for (auto& x : processes_)
-    if (x.link)
-      waiting->wait_for(x.link);
+  await_ends(system_, links);
 }
 
 } // namespace castor

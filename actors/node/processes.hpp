@@ -50,11 +50,8 @@ public:
   /// What changes from now on is nobody's concern.
   void be_silent();
 
-  /// Takes leave of all others.
+  /// Takes leave of all others, and waits until that has been said.
   void close(const std::string& reason);
-
-  /// Waits until that has been said.
-  void await_close();
 
 private:
   struct Process {

@@ -142,6 +142,7 @@ public:
     }
     architecture_ = std::move(rest);
     placement_ = place(architecture_, options_.nodes, std::move(placement_));
+    forget_lost_hosts();
     try {
       apply(architecture_, placement_);
     } catch (const SystemError& e) {
@@ -176,10 +177,7 @@ public:
     return result;
   }
 
-  void abandon() {
-    end();
-    processes_.await_close();
-  }
+  void abandon() { end(); }
 
   std::vector<EntryPtr> entries(const std::string& subarchitecture) {
     std::vector<EntryPtr> result;
@@ -332,6 +330,16 @@ private:
     } catch (const SystemError& e) {
       note(LogLevel::warning, e.what());
     }
+  }
+
+  /// What is added for a host whose process is lost, once nothing is left of what it ran, goes to
+  /// the process that listens there then.
+  void forget_lost_hosts() {
+    std::erase_if(placement_.hosts, [&](auto& host) {
+      return processes_.state(host.second).link == LinkState::lost &&
+             std::none_of(placement_.of.begin(), placement_.of.end(),
+                          [&](auto& x) { return x.second == host.second; });
+    });
   }
 
   /// Configures them all, then starts them all, then lets them run; false if interrupted.
@@ -635,6 +643,7 @@ private:
 
   void end() {
     caf::anon_send_exit(endpoint_, caf::exit_reason::user_shutdown);
+    await_ends(system_, {endpoint_});
     processes_.close("the system has ended");
     caf::anon_send_exit(processes_.agent(0), caf::exit_reason::user_shutdown);
     caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);

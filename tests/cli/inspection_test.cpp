@@ -287,6 +287,34 @@ TEST_F(Inspection, ANodeJoins) {
   EXPECT_TRUE(node.wait_for_output("late leaves"));
 }
 
+TEST_F(Inspection, WhatRanOnALostNodeJoinsAgain) {
+  auto start_node = [](const std::string& at) {
+    auto result = std::make_unique<Process>(command({"node", "--name", "late", "--listen", at}));
+    EXPECT_TRUE(result->wait_for_output("listens at ")) << result->errors();
+    EXPECT_TRUE(eventually([&] { return result->output().ends_with("\n"); }));
+    return result;
+  };
+  auto node = start_node("127.0.0.1:0");
+  auto output = node->output();
+  auto address = output.substr(output.rfind(' ') + 1);
+  auto castor = start_ticking();
+  auto file = write("late.cast", "HOSTNAME late " + address +
+                                   "SUBARCHITECTURE b [late]\n"
+                                   "CPP WM SubarchitectureWorkingMemory\n"
+                                   "CPP TM AlwaysPositiveTaskManager\n"
+                                   "CPP UM hearer Listener --count 1000000 --late\n");
+  EXPECT_EQ(ask({"add", file}).status, 0);
+  node->send_signal(SIGKILL);
+  node->wait();
+  node = start_node(address.substr(0, address.size() - 1));
+  EXPECT_TRUE(castor->wait_for_output("node late is lost")) << castor->errors();
+  EXPECT_EQ(ask({"add", file}).status, 2) << "they are still there, as lost";
+  EXPECT_EQ(ask({"remove", "b"}).status, 0);
+  auto added = ask({"add", file});
+  EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_TRUE(node->wait_for_output("[b.hearer] hears ticks")) << node->errors();
+}
+
 TEST_F(Inspection, SystemsAreToldApart) {
   auto first = start_ticking();
   auto second = start_ticking();

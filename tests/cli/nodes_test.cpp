@@ -99,6 +99,17 @@ TEST_F(Nodes, WhatIsOutOfReachIsNamedAndNothingIsLeft) {
   EXPECT_TRUE(one.process->wait_for_output("one leaves"));
 }
 
+TEST_F(Nodes, AHostThatNobodyKnowsIsNamed) {
+  Process castor{command({"run", write("far.cast", "SUBARCHITECTURE a no-such-host.invalid\n"
+                                                   "CPP WM SubarchitectureWorkingMemory\n"
+                                                   "CPP TM AlwaysPositiveTaskManager\n")})};
+  EXPECT_EQ(castor.wait(), 2);
+  EXPECT_NE(castor.errors().find("far.cast:2: error: cannot reach the node "
+                                 "no-such-host.invalid:7117: no address for no-such-host.invalid"),
+            std::string::npos)
+    << castor.errors();
+}
+
 TEST_F(Nodes, ANodeMustHaveTheNameThatTheFileGivesIt) {
   auto one = start_node("one");
   auto other = start_node("other");

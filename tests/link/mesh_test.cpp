@@ -49,6 +49,7 @@ struct Part {
     caf::anon_send(link, CloseLink{"the test ends"});
     caf::anon_send_exit(listener, caf::exit_reason::user_shutdown);
     mesh->close();
+    await_ends(system, {link, listener});
   }
 
   Hello hello() const {
