@@ -74,7 +74,11 @@ struct EndpointState {
   std::function<void(SystemOrder)> give_order;
   std::map<connection_handle, Connection> connections;
 
-  ~EndpointState() { unlink(socket.c_str()); }
+  ~EndpointState() {
+    unlink(socket.c_str());
+    for (auto& [handle, connection] : connections)
+      caf::anon_send_exit(connection.inspection, caf::exit_reason::user_shutdown);
+  }
 };
 
 using Self = caf::io::stateful_broker<EndpointState>;

@@ -169,6 +169,19 @@ TEST_F(Inspection, EventsAreFilteredByWords) {
   EXPECT_THAT(none.errors(), HasSubstr("there is no subarchitecture z"));
 }
 
+TEST_F(Inspection, WhoLooksOnIsNotInTheWayOfTheEnd) {
+  auto castor = start_ticking();
+  Process events{command({"events"})};
+  Process watch{command({"wm", "watch", "a/Tick"})};
+  EXPECT_TRUE(events.wait_for_output("OVERWRITE"));
+  EXPECT_TRUE(watch.wait_for_output("OVERWRITE"));
+  castor->send_signal(SIGINT);
+  EXPECT_EQ(castor->wait(), 0) << castor->errors();
+  EXPECT_EQ(events.wait(), 0) << events.errors();
+  EXPECT_EQ(watch.wait(), 0) << watch.errors();
+  EXPECT_TRUE(std::filesystem::is_empty(runtime / "castor"));
+}
+
 /// A reader that takes what it is sent when it likes.
 class Reader {
 public:
