@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
+#include "castor/actors/link/send_later.hpp"
 
 #include <caf/atom.hpp>
 #include <caf/blocking_actor.hpp>
@@ -63,7 +64,9 @@ public:
       session_(parts_.options.session) {}
 
   caf::behavior begin() {
-    self_->delayed_send(self_, parts_.options.heartbeat, TickAtom::value);
+    // Without itself as the sender: a broker that ends leaves in its mailbox what it has not looked
+    // at, and would live for ever if it was named there.
+    send_later(self_, parts_.options.heartbeat, TickAtom::value);
     if (parts_.dial)
       dial_now();
     auto link = shared_from_this();
@@ -167,7 +170,7 @@ private:
     if (parts_.dial) {
       // With some jitter, so that those who lost each other at once do not meet at once for ever.
       std::uniform_int_distribution<int> jitter{0, static_cast<int>(backoff_.count()) / 2};
-      self_->delayed_send(self_, backoff_ + Milliseconds{jitter(random_)}, DialAtom::value);
+      send_later(self_, backoff_ + Milliseconds{jitter(random_)}, DialAtom::value);
       backoff_ = std::min<Milliseconds>(backoff_ * 2, 1000ms);
     }
   }
@@ -337,7 +340,7 @@ private:
   void tick() {
     if (over_)
       return;
-    self_->delayed_send(self_, parts_.options.heartbeat, TickAtom::value);
+    send_later(self_, parts_.options.heartbeat, TickAtom::value);
     auto now = Clock::now();
     if (connection_) {
       if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {

@@ -3,6 +3,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/link/send_later.hpp"
 
 #include <caf/atom.hpp>
 #include <caf/io/broker.hpp>
@@ -37,7 +38,7 @@ public:
 
   caf::behavior begin() {
     self_->add_doorman(parts_.socket);
-    self_->delayed_send(self_, period, TickAtom::value);
+    send_later(self_, period, TickAtom::value);
     auto listener = shared_from_this();
     return {
       [listener](const caf::io::new_connection_msg& x) { listener->admit(x.handle); },
@@ -124,7 +125,7 @@ private:
   }
 
   void tick() {
-    self_->delayed_send(self_, period, TickAtom::value);
+    send_later(self_, period, TickAtom::value);
     auto now = Clock::now();
     std::vector<connection_handle> late;
     for (auto& [handle, stranger] : strangers_)

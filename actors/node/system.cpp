@@ -269,8 +269,8 @@ private:
                                              std::vector<cast::Diagnostic>& problems) {
     std::vector<std::optional<Answer>> result(processes_.size());
     auto ask = [&](std::size_t i) {
-      return self_->request(processes_.agent(static_cast<ProcessNumber>(i)),
-                            options_.connect_patience, question);
+      return self_->request(processes_.agent(static_cast<ProcessNumber>(i)), options_.part_patience,
+                            question);
     };
     std::vector<std::pair<std::size_t, decltype(ask(0))>> answers;
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -287,8 +287,9 @@ private:
   cast::Diagnostic no_answer(ProcessNumber number) const {
     auto x = processes_.state(number);
     cast::Diagnostic result;
-    result.message = "the node " + x.description.name + " did not make its part of the system in " +
-                     std::to_string(options_.connect_patience.count() / 1000) + " s";
+    result.message = (number == 0 ? "this process" : "the node " + x.description.name) +
+                     " did not make its part of the system in " +
+                     std::to_string(options_.part_patience.count() / 1000) + " s";
     if (x.link != LinkState::up)
       result.message += ": " + x.reason;
     result.remedy = "see that the nodes can reach each other where the file says that they are";

@@ -57,6 +57,10 @@ struct SystemOptions {
   /// How long nodes may take to be reached, before the system is given up.
   std::chrono::milliseconds connect_patience{5'000};
 
+  /// How long processes may take to make their parts of the system, for which they may have to load
+  /// libraries.
+  std::chrono::milliseconds part_patience{15'000};
+
   /// How long processes may take to answer a question.
   std::chrono::milliseconds answer_patience{2000};
 
