@@ -52,10 +52,6 @@ std::size_t find_or_make_route(Self self, const caf::strong_actor_ptr& outlet) {
   return routes.size() - 1;
 }
 
-} // namespace
-
-namespace {
-
 /// The peer does not want it any more, whose name for it is `id`.
 void drop_interest(WorkingMemoryState& state, std::uint32_t number, InterestId id,
                    const WorkingMemoryState::PeerInterest& interest) {

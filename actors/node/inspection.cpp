@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,11 @@ constexpr std::uint32_t event_limit = 1024;
 
 /// Byte fields are shown up to this length, unless everything is wanted.
 constexpr std::size_t shown_bytes = 64;
+
+/// How many of a byte field the request wants to see.
+std::size_t bytes_shown(const Json& request) {
+  return request.value("full", false) ? std::numeric_limits<std::size_t>::max() : shown_bytes;
+}
 
 /// A system that was just started, or a request that makes no sense.
 class InspectionError : public std::runtime_error {
@@ -141,8 +147,7 @@ private:
     auto name = request.at("subarchitecture").get<std::string>();
     auto what = request.value("what", "");
     bool with_values = request.value("values", false);
-    auto max_bytes =
-      request.value("full", false) ? std::numeric_limits<std::size_t>::max() : shown_bytes;
+    auto max_bytes = bytes_shown(request);
     self_->request(working_memory(name), patience, QueryRequest{{name, {}, 0, false}, {}})
       .then(
         [=, this](const Outcome<std::vector<EntryPtr>>& found) {
@@ -202,8 +207,7 @@ private:
       working_memory(*filter_->subarchitecture);
     what_ = request.value("what", "");
     with_values_ = request.value("values", false);
-    max_bytes_ =
-      request.value("full", false) ? std::numeric_limits<std::size_t>::max() : shown_bytes;
+    max_bytes_ = bytes_shown(request);
     subscribe();
   }
 
