@@ -90,9 +90,7 @@ caf::result<Outcome<Acknowledged>> announce(Self self, const ChangeFilter& filte
   for (auto& peer : state.peers) {
     if (!concerns(filter, peer))
       continue;
-    self
-      ->request(peer.actor, state.options.peer_deadline,
-                Interest{state.options.subarchitecture, interest.id, filter, true})
+    tell_interest(self, peer, filter, interest.id, true)
       .then(
         [pending](Acknowledged) {
           if (--pending->missing == 0)
@@ -119,9 +117,7 @@ void withdraw(Self self, const ChangeFilter& filter, FilterIndex::Key key) {
     return;
   for (auto& peer : state.peers)
     if (concerns(filter, peer))
-      self
-        ->request(peer.actor, state.options.peer_deadline,
-                  Interest{state.options.subarchitecture, interest.id, filter, false})
+      tell_interest(self, peer, filter, interest.id, false)
         .then([](Acknowledged) {}, [](const caf::error&) {});
   state.interests_by_id.erase(interest.id);
   state.own_interests.erase(i);

@@ -110,6 +110,14 @@ void set_interest(WorkingMemoryState& state, const Interest& interest);
 /// Whether a filter can match events of another working memory.
 bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer);
 
+/// Tells another working memory what is wanted of it, or is not any more; to be followed by `then`.
+inline auto tell_interest(Self self, const WorkingMemoryState::Peer& peer,
+                          const ChangeFilter& filter, InterestId id, bool wanted) {
+  auto& options = self->state.options;
+  return self->request(peer.actor, options.peer_deadline,
+                       Interest{options.subarchitecture, id, filter, wanted});
+}
+
 // -- other working memories (working_memory_routes.cpp)
 
 caf::result<Acknowledged> introduce(Self self, const Peers& peers);

@@ -110,9 +110,7 @@ caf::result<Acknowledged> introduce(Self self, const Peers& peers) {
       if (!concerns(filter, peer))
         continue;
       ++pending->missing;
-      self
-        ->request(peer.actor, state.options.peer_deadline,
-                  Interest{state.options.subarchitecture, interest.id, filter, true})
+      tell_interest(self, peer, filter, interest.id, true)
         .then([done](Acknowledged) { done(); }, [done](const caf::error&) { done(); });
     }
   }

@@ -1,6 +1,7 @@
 #include "castor/actors/component/push_flow.hpp"
 
 #include "castor/tests/actors/scripted.hpp"
+#include "castor/tests/support/flow_line.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -16,31 +17,18 @@ namespace castor::test {
 
 namespace {
 
+struct ArriveAsPush {
+  void operator()(const Value& x, std::deque<std::int64_t>& queue) const {
+    queue.push_back(x.as<Note>()->number);
+  }
+};
+
 /// A provider and a receiver, and what is on its way between them.
-class PushLine {
+class PushLine : public FlowLine<PushFlow, std::int64_t, ArriveAsPush> {
 public:
-  explicit PushLine(std::uint32_t limit) : flow(limit), receipts(limit) {}
+  using FlowLine::FlowLine;
 
-  void push() {
-    if (auto now = flow.push(Value::of(Note{++pushed, {}})))
-      arrive(*now);
-  }
-
-  /// The receiver takes one.
-  void take() {
-    taken.push_back(queue.front());
-    queue.pop_front();
-    if (auto count = receipts.take())
-      acknowledgements.push_back(count);
-  }
-
-  /// The provider hears of what was taken.
-  void acknowledge() {
-    for (auto count : std::exchange(acknowledgements, {}))
-      flow.acknowledge(count);
-    while (auto next = flow.next())
-      arrive(*next);
-  }
+  void push() { send(flow.push(Value::of(Note{++pushed, {}}))); }
 
   void push_often(int times) {
     for (int i = 0; i < times; ++i)
@@ -54,15 +42,7 @@ public:
     }
   }
 
-  PushFlow flow;
-  Receipts receipts;
   std::int64_t pushed = 0;
-  std::deque<std::int64_t> queue;
-  std::vector<std::int64_t> taken;
-  std::vector<std::uint32_t> acknowledgements;
-
-private:
-  void arrive(const Value& x) { queue.push_back(x.as<Note>()->number); }
 };
 
 TEST(PushFlow, KeepsTheNewestOfWhatIsTooMuch) {

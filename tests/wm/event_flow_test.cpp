@@ -2,6 +2,8 @@
 
 #include "test_types.hpp"
 
+#include "castor/tests/support/flow_line.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,10 +16,17 @@ namespace castor::test {
 
 namespace {
 
+struct ArriveAsEvents {
+  void operator()(const EventFlow::Piece& piece, std::deque<std::uint64_t>& queue) const {
+    for (auto& notice : piece)
+      queue.push_back(notice.event->sequence);
+  }
+};
+
 /// A sender and a receiver, and what is on its way between them.
-class Line {
+class Line : public FlowLine<EventFlow, std::uint64_t, ArriveAsEvents> {
 public:
-  explicit Line(std::uint32_t limit) : flow(limit), receipts(limit) {}
+  using FlowLine::FlowLine;
 
   /// So many entries are written at once, for the first time.
   void write(std::size_t entries) {
@@ -29,38 +38,10 @@ public:
       event->sequence = written;
       piece.push_back({event, {1}});
     }
-    if (auto now = flow.push(std::move(piece)))
-      arrive(*std::move(now));
+    send(flow.push(std::move(piece)));
   }
 
-  /// The receiver takes one event.
-  void take() {
-    taken.push_back(queue.front());
-    queue.pop_front();
-    if (auto count = receipts.take())
-      acknowledgements.push_back(count);
-  }
-
-  /// The sender hears of what was taken.
-  void acknowledge() {
-    for (auto count : std::exchange(acknowledgements, {}))
-      flow.acknowledge(count);
-    while (auto piece = flow.next())
-      arrive(*std::move(piece));
-  }
-
-  EventFlow flow;
-  Receipts receipts;
   std::uint64_t written = 0;
-  std::deque<std::uint64_t> queue;
-  std::vector<std::uint64_t> taken;
-  std::vector<std::uint32_t> acknowledgements;
-
-private:
-  void arrive(EventFlow::Piece piece) {
-    for (auto& notice : piece)
-      queue.push_back(notice.event->sequence);
-  }
 };
 
 TEST(EventFlow, SendsUpToItsLimitAndGoesOnWithWhatIsTaken) {
