@@ -27,7 +27,8 @@ if(CASTOR_SANITIZE)
   target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # What sanitizers insert confuses GCC's analysis of what is initialised, and how large it is.
-    target_compile_options(castor_build_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds)
+    target_compile_options(castor_build_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
+      -Wno-stringop-overflow)
   endif()
 endif()
 

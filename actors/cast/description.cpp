@@ -93,4 +93,22 @@ bool ArchitectureDescription::may_write(std::string_view writer,
          });
 }
 
+SupervisionPolicy
+ArchitectureDescription::supervision_of(std::string_view who) const noexcept {
+  const SupervisionRule* found = nullptr;
+  for (const auto& rule : supervision)
+    if (rule.who == who || (rule.who == "*" && !found && who != SupervisionRule::system))
+      found = &rule;
+  return found ? found->policy : SupervisionPolicy{};
+}
+
+std::vector<std::string>
+ArchitectureDescription::failover_of(const ComponentDescription& component) const {
+  const FailoverRule* found = nullptr;
+  for (const auto& rule : failover)
+    if (rule.who == component.name || (rule.who == component.subarchitecture && !found))
+      found = &rule;
+  return found ? found->hosts : std::vector<std::string>{};
+}
+
 } // namespace castor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/source_location.hpp"
+#include "castor/actors/cast/supervision_policy.hpp"
 
 #include <cstddef>
 #include <map>
@@ -77,6 +78,26 @@ struct AccessRule {
   SourceLocation where;
 };
 
+/// How the failures of a subarchitecture's components are dealt with.
+struct SupervisionRule {
+  /// Stands for the level above the subarchitectures.
+  static constexpr std::string_view system = "SYSTEM";
+
+  /// A subarchitecture, "*" for all that no other rule names, or `system`.
+  std::string who;
+  SupervisionPolicy policy;
+  SourceLocation where;
+};
+
+/// Where something is started again when its node is lost.
+struct FailoverRule {
+  /// A subarchitecture or a component.
+  std::string who;
+  /// The first of these that is there.
+  std::vector<std::string> hosts;
+  SourceLocation where;
+};
+
 /// A whole system, as a `.cast` file describes it. Pure data: nothing has been looked up outside of
 /// the file.
 struct ArchitectureDescription {
@@ -89,6 +110,8 @@ struct ArchitectureDescription {
   /// Names given by HOSTNAME lines, and what they stand for.
   std::map<std::string, std::string> host_names;
   std::vector<AccessRule> access_rules;
+  std::vector<SupervisionRule> supervision;
+  std::vector<FailoverRule> failover;
 
   /// All look-ups return null if there is no such name.
   const SubarchitectureDescription* subarchitecture(std::string_view name) const noexcept;
@@ -97,6 +120,12 @@ struct ArchitectureDescription {
   /// Whether components of `writer` may write to the working memory of `owner`: at home always,
   /// elsewhere if an access rule says so.
   bool may_write(std::string_view writer, std::string_view owner) const noexcept;
+
+  /// What the rules say of a subarchitecture, or of SupervisionRule::system.
+  SupervisionPolicy supervision_of(std::string_view who) const noexcept;
+
+  /// Where a component may move; empty for nowhere.
+  std::vector<std::string> failover_of(const ComponentDescription& component) const;
 };
 
 /// Calls `f` with every component line, working memories and task managers included, in the order of

@@ -4,6 +4,7 @@
 #include "castor/actors/cast/component_line.hpp"
 #include "castor/actors/cast/keywords.hpp"
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/supervision_rules.hpp"
 #include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/words.hpp"
 
@@ -34,7 +35,9 @@ public:
     end_section(nullptr);
     read_standalone_components();
     check_reserved_names();
-    result_.access_rules = access_rules_.finish(subarchitecture_names(), log_);
+    auto names = subarchitecture_names();
+    result_.access_rules = access_rules_.finish(names, log_);
+    supervision_rules_.finish(names, result_, log_);
     result_.host_names = input_.hosts.definitions();
     return std::move(result_);
   }
@@ -71,7 +74,8 @@ private:
       component_line(line);
     else
       report(Severity::error, line, in_quotes(first_word(line)) + " is not a keyword",
-             "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS or INCLUDE, or # before a comment");
+             "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS, SUPERVISE, FAILOVER or INCLUDE, or # before "
+             "a comment");
   }
 
   static std::string_view first_word(const StructureLine& line) noexcept {
@@ -103,6 +107,13 @@ private:
         return;
       case SectionKeyword::access:
         access_rules_.read(words, line, log_);
+        return;
+      case SectionKeyword::supervise:
+        supervision_rules_.read_supervise(words, line, log_);
+        return;
+      case SectionKeyword::failover:
+        supervision_rules_.read_failover(words, line, log_,
+                                         [&](auto host) { return used_host(host, line); });
         return;
     }
   }
@@ -348,6 +359,7 @@ private:
   std::string default_host_;
   std::vector<StandaloneLine> standalone_lines_;
   AccessRules access_rules_;
+  SupervisionRules supervision_rules_;
   std::map<std::string, const SourceLine*, std::less<>> subarchitecture_lines_;
   std::map<std::string, const StructureLine*, std::less<>> component_lines_;
   std::size_t next_number_ = 0;

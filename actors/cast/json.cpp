@@ -71,6 +71,19 @@ Json json_of(const ArchitectureDescription& architecture) {
   result["subarchitectures"] = std::move(subarchitectures);
   result["standalone"] = json_of(architecture.standalone);
   result["access_rules"] = std::move(rules);
+  result["supervision"] = Json::array();
+  for (const auto& rule : architecture.supervision)
+    result["supervision"].push_back({{"who", rule.who},
+                                     {"strategy", to_string(rule.policy.strategy)},
+                                     {"restarts", rule.policy.restarts},
+                                     {"period_ms", rule.policy.period.count()},
+                                     {"first_delay_ms", rule.policy.first_delay.count()},
+                                     {"longest_delay_ms", rule.policy.longest_delay.count()},
+                                     {"where", json_of(rule.where)}});
+  result["failover"] = Json::array();
+  for (const auto& rule : architecture.failover)
+    result["failover"].push_back(
+      {{"who", rule.who}, {"hosts", rule.hosts}, {"where", json_of(rule.where)}});
   return result;
 }
 

@@ -24,6 +24,8 @@ constexpr std::array section_rules{
   Rule<SectionKeyword>{SectionKeyword::connection, "CONNECTION"},
   Rule<SectionKeyword>{SectionKeyword::component, "COMPONENT"},
   Rule<SectionKeyword>{SectionKeyword::access, "ACCESS", Matching::whole_word},
+  Rule<SectionKeyword>{SectionKeyword::supervise, "SUPERVISE", Matching::whole_word},
+  Rule<SectionKeyword>{SectionKeyword::failover, "FAILOVER", Matching::whole_word},
 };
 
 constexpr std::array variable_rules{
@@ -63,7 +65,7 @@ std::optional<KeywordMatch<SectionKeyword>> match_section_keyword(std::string_vi
   if (line.starts_with(host_name_keyword))
     return std::nullopt;
   auto result = match(section_rules, line);
-  if (!result || result->keyword != SectionKeyword::access)
+  if (!result || result->keyword < SectionKeyword::access)
     return result;
   // A component line may begin with the name of a host that happens to be called like a keyword
   // which the language did not always have.

@@ -10,7 +10,16 @@ namespace castor::cast {
 
 /// A word that begins a section or stands for itself at top level. To add one, add it here, to the
 /// table in keywords.cpp, and to the dispatch in grammar.cpp.
-enum class SectionKeyword { subarchitecture, architecture, host, connection, component, access };
+enum class SectionKeyword {
+  subarchitecture,
+  architecture,
+  host,
+  connection,
+  component,
+  access,
+  supervise,
+  failover
+};
 
 enum class VariableCommand { set, set_default, set_options, default_options };
 

@@ -67,6 +67,8 @@ Removal remove_subarchitecture(ArchitectureDescription& running, const std::stri
   result.components.push_back(x.task_manager.name);
   std::erase_if(running.subarchitectures, [&](auto& y) { return y.name == name; });
   std::erase_if(running.access_rules, [&](auto& y) { return y.writer == name || y.owner == name; });
+  std::erase_if(running.supervision, [&](auto& y) { return y.who == name; });
+  std::erase_if(running.failover, [&](auto& y) { return y.who == name; });
   return result;
 }
 
@@ -96,6 +98,14 @@ std::vector<Diagnostic> join(ArchitectureDescription& running, ArchitectureDescr
             std::back_inserter(running.standalone));
   std::move(added.access_rules.begin(), added.access_rules.end(),
             std::back_inserter(running.access_rules));
+  // How the system itself and what runs in it are supervised was said when it was started.
+  std::erase_if(added.supervision, [&](auto& x) {
+    return std::any_of(running.supervision.begin(), running.supervision.end(),
+                       [&](auto& y) { return y.who == x.who; });
+  });
+  std::move(added.supervision.begin(), added.supervision.end(),
+            std::back_inserter(running.supervision));
+  std::move(added.failover.begin(), added.failover.end(), std::back_inserter(running.failover));
   running.host_names.merge(added.host_names);
   return problems;
 }
@@ -127,6 +137,7 @@ Removal remove(ArchitectureDescription& running, const std::string& name) {
   for (auto& x : running.subarchitectures)
     std::erase_if(x.components, is_it);
   std::erase_if(running.standalone, is_it);
+  std::erase_if(running.failover, [&](auto& x) { return x.who == name; });
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "castor/actors/component/option.hpp"
 
+#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/component/component.hpp"
 
@@ -56,22 +57,9 @@ bool parse_option(std::string_view text, double& out) {
 }
 
 bool parse_option(std::string_view text, std::chrono::milliseconds& out) {
-  static constexpr std::pair<std::string_view, double> units[] = {
-    {"ms", 1}, {"min", 60'000}, {"s", 1000}, {"h", 3'600'000}};
-  auto digits = text.find_first_not_of("0123456789.");
-  if (digits == text.npos)
-    return false;
-  double number = 0;
-  if (!parse_number(text.substr(0, digits), number))
-    return false;
-  for (auto& [unit, factor] : units) {
-    auto ms = number * factor;
-    if (text.substr(digits) == unit && ms < 1e15) {
-      out = std::chrono::milliseconds{std::llround(ms)};
-      return true;
-    }
-  }
-  return false;
+  auto x = cast::parse_duration(text);
+  out = x.value_or(out);
+  return x.has_value();
 }
 
 bool parse_option(std::string_view text, std::vector<std::string>& out) {
@@ -92,9 +80,7 @@ std::string print_option(double x) {
 }
 
 std::string print_option(std::chrono::milliseconds x) {
-  if (x.count() != 0 && x.count() % 1000 == 0)
-    return std::to_string(x.count() / 1000) + "s";
-  return std::to_string(x.count()) + "ms";
+  return cast::to_string(x);
 }
 
 std::string print_option(const std::vector<std::string>& x) {

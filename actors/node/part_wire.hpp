@@ -40,8 +40,24 @@ void wire(A& a, WirePart<A, AccessRule>& x) {
 }
 
 template <class A>
+void wire(A& a, WirePart<A, SupervisionPolicy>& x) {
+  a(x.strategy, x.restarts, x.period, x.first_delay, x.longest_delay);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, SupervisionRule>& x) {
+  a(x.who, x.policy, x.where);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, FailoverRule>& x) {
+  a(x.who, x.hosts, x.where);
+}
+
+template <class A>
 void wire(A& a, WirePart<A, ArchitectureDescription>& x) {
-  a(x.file, x.config_dir, x.subarchitectures, x.standalone, x.host_names, x.access_rules);
+  a(x.file, x.config_dir, x.subarchitectures, x.standalone, x.host_names, x.access_rules,
+    x.supervision, x.failover);
 }
 
 template <class A>

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 
 namespace castor {
@@ -36,39 +37,53 @@ Placement place(const ArchitectureDescription& architecture,
                 const std::map<std::string, Endpoint>& nodes, Placement known) {
   auto result = std::move(known);
   result.of.clear();
-  for_each_component(architecture, [&](const ComponentDescription& x) {
-    auto node = nodes.find(x.host);
-    if (node == nodes.end() && is_this_machine(architecture, x.host))
-      return;
+  // The process at a host; nothing for this one.
+  auto process_at = [&](const std::string& host, const std::string& whose,
+                        const SourceLocation& where,
+                        const std::string& line) -> std::optional<ProcessNumber> {
+    auto node = nodes.find(host);
+    if (node == nodes.end() && is_this_machine(architecture, host))
+      return std::nullopt;
     auto [i, is_new] =
-      result.hosts.try_emplace(x.host, static_cast<ProcessNumber>(result.processes.size()));
-    result.of[x.name] = i->second;
+      result.hosts.try_emplace(host, static_cast<ProcessNumber>(result.processes.size()));
     if (!is_new)
-      return;
+      return i->second;
     try {
-      auto at = node == nodes.end() ? parse_endpoint(x.host, default_node_port) : node->second;
-      result.processes.push_back({given_name(architecture, x.host), at.host, at.port});
+      auto at = node == nodes.end() ? parse_endpoint(host, default_node_port) : node->second;
+      result.processes.push_back({given_name(architecture, host), at.host, at.port});
     } catch (const std::invalid_argument& e) {
       result.processes.emplace_back();
       result.problems.push_back({cast::Severity::error,
-                                 x.where,
-                                 x.line,
+                                 where,
+                                 line,
                                  {},
-                                 "the host of " + x.name + " is no address: " + e.what(),
+                                 "the host of " + whose + " is no address: " + e.what(),
                                  {}});
     }
+    return i->second;
+  };
+  for_each_component(architecture, [&](const ComponentDescription& x) {
+    if (auto process = process_at(x.host, x.name, x.where, x.line))
+      result.of[x.name] = *process;
   });
+  for (auto& rule : architecture.failover)
+    for (auto& host : rule.hosts)
+      process_at(host, rule.who, rule.where, "FAILOVER " + rule.who + " TO " + host);
   return result;
 }
 
 std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture) {
   std::map<std::string, std::string> result;
-  for_each_component(architecture, [&](const ComponentDescription& x) {
-    if (is_this_machine(architecture, x.host))
+  auto add = [&](const std::string& host) {
+    if (is_this_machine(architecture, host))
       return;
-    auto name = given_name(architecture, x.host);
-    result[x.host] = name.empty() ? x.host : name;
-  });
+    auto name = given_name(architecture, host);
+    result[host] = name.empty() ? host : name;
+  };
+  for_each_component(architecture, [&](const ComponentDescription& x) { add(x.host); });
+  for (auto& rule : architecture.failover)
+    for (auto& host : rule.hosts)
+      add(host);
   return result;
 }
 

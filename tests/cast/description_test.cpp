@@ -51,7 +51,8 @@ TEST(Description, NamesKindsAndLanguages) {
 
 TEST(Json, HoldsTheWholeDescription) {
   auto result = parse("HOSTNAME Main robot\nHOST [Main]\nACCESS s WRITES *\nSUBARCHITECTURE s\n"
-                      "CPP WM W --log\nCPP TM T\nCPP MG a A --k \"v w\"\nCOMPONENT CPP x X\n");
+                      "CPP WM W --log\nCPP TM T\nCPP MG a A --k \"v w\"\nCOMPONENT CPP x X\n"
+                      "SUPERVISE s one_for_all\nFAILOVER a TO other\n");
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(to_json(*result.architecture), R"({
   "file": "main.cast",
@@ -144,6 +145,32 @@ TEST(Json, HoldsTheWholeDescription) {
         "line": 3
       }
     }
+  ],
+  "supervision": [
+    {
+      "who": "s",
+      "strategy": "one_for_all",
+      "restarts": 3,
+      "period_ms": 10000,
+      "first_delay_ms": 100,
+      "longest_delay_ms": 5000,
+      "where": {
+        "file": "main.cast",
+        "line": 9
+      }
+    }
+  ],
+  "failover": [
+    {
+      "who": "a",
+      "hosts": [
+        "other"
+      ],
+      "where": {
+        "file": "main.cast",
+        "line": 10
+      }
+    }
   ]
 })");
 }
@@ -168,7 +195,7 @@ TEST(Json, HoldsTheDiagnosticsOfAParse) {
       "line": "nonsense",
       "expanded": "",
       "message": "'nonsense' is not a keyword",
-      "remedy": "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS or INCLUDE, or # before a comment"
+      "remedy": "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS, SUPERVISE, FAILOVER or INCLUDE, or # before a comment"
     }
   ],
   "expansions": [

@@ -1,3 +1,4 @@
+#include "castor/actors/cast/duration.hpp"
 #include "castor/tests/cast/support.hpp"
 
 #include <gtest/gtest.h>
@@ -132,6 +133,16 @@ std::string text_of(const ArchitectureDescription& architecture) {
   }
   for (const auto& rule : architecture.access_rules)
     text += "ACCESS " + rule.writer + " WRITES " + rule.owner + "\n";
+  for (const auto& [who, policy, where] : architecture.supervision)
+    text += "SUPERVISE " + who + " " + std::string(to_string(policy.strategy)) + " RESTARTS " +
+            std::to_string(policy.restarts) + " IN " + to_string(policy.period) + " DELAY " +
+            to_string(policy.first_delay) + " TO " + to_string(policy.longest_delay) + "\n";
+  for (const auto& rule : architecture.failover) {
+    text += "FAILOVER " + rule.who + " TO";
+    for (const auto& host : rule.hosts)
+      text += " " + host;
+    text += "\n";
+  }
   return text;
 }
 
@@ -155,7 +166,29 @@ std::string facts(const ArchitectureDescription& architecture) {
   std::for_each(architecture.standalone.begin(), architecture.standalone.end(), add);
   for (const auto& rule : architecture.access_rules)
     text += rule.writer + ">" + rule.owner + "\n";
+  for (const auto& [who, policy, where] : architecture.supervision)
+    text += who + "|" + std::string(to_string(policy.strategy)) + "|" +
+            std::to_string(policy.restarts) + "|" + to_string(policy.period) + "|" +
+            to_string(policy.first_delay) + "|" + to_string(policy.longest_delay) + "\n";
+  for (const auto& rule : architecture.failover) {
+    text += rule.who;
+    for (const auto& host : rule.hosts)
+      text += ">" + host;
+    text += "\n";
+  }
   return text;
+}
+
+SupervisionPolicy policy() {
+  auto some = [](int most) { return std::chrono::milliseconds{*rc::gen::inRange(0, most)}; };
+  SupervisionPolicy result;
+  result.strategy = *rc::gen::element(RestartStrategy::one_for_one, RestartStrategy::one_for_all,
+                                      RestartStrategy::rest_for_one);
+  result.restarts = *rc::gen::arbitrary<std::uint32_t>();
+  result.period = std::chrono::milliseconds{1} + some(100'000);
+  result.first_delay = some(5000);
+  result.longest_delay = result.first_delay + some(5000);
+  return result;
 }
 
 RC_GTEST_PROP(RoundTrip, OfADescriptionThroughItsTextChangesNothing, ()) {
@@ -170,6 +203,10 @@ RC_GTEST_PROP(RoundTrip, OfADescriptionThroughItsTextChangesNothing, ()) {
   complete(architecture);
   for (const auto& sa : architecture.subarchitectures)
     architecture.access_rules.push_back({sa.name, "*", {}});
+  for (const auto& sa : architecture.subarchitectures) {
+    architecture.supervision.push_back({sa.name, policy(), {}});
+    architecture.failover.push_back({sa.name, {"h1", "h2"}, {}});
+  }
   auto result = test::parse(text_of(architecture));
   RC_ASSERT(render(result.diagnostics) == "");
   RC_ASSERT(facts(*result.architecture) == facts(architecture));
@@ -180,7 +217,8 @@ RC_GTEST_PROP(AnyText, IsEitherDescribedOrRefused, ()) {
   auto piece =
     rc::gen::oneOf(rc::gen::element<std::string>(
                      "\n", " ", "HOST h", "SUBARCHITECTURE s", "CPP WM W", "CPP TM T", "CPP MG a A",
-                     "COMPONENT CPP b B", "ACCESS * WRITES s", "SETVAR a=", "SETOPT a=", "%(a)",
+                     "COMPONENT CPP b B", "ACCESS * WRITES s",
+                     "SUPERVISE s one_for_all RESTARTS 1 IN 2s", "FAILOVER s TO h", "SETVAR a=", "SETOPT a=", "%(a)",
                      "%(", ")", "<multiline>", "</multiline>", "IFEQ(a, %(a))", "IFTRUE(", "ELSE",
                      "ENDIF", "HOSTNAME A", "[A]", "$A", "#", "\"", "-x", "!", "INCLUDE x"),
                    rc::gen::arbitrary<std::string>());
