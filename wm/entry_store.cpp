@@ -24,7 +24,8 @@ std::string_view verb(Operation x) {
 } // namespace
 
 EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
-  : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_) {}
+  : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_),
+    floor_(options.first_version) {}
 
 Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) const {
   auto& client = *request.client;
@@ -286,7 +287,7 @@ std::string EntryStore::absence(const std::string& id) const {
   if (tombstones_.count(id) > 0)
     return "it was deleted";
   std::string result = "nothing was added there";
-  if (floor_ > 0)
+  if (floor_ > options_.first_version)
     result += ", or it was deleted too long ago to be remembered";
   return result;
 }

@@ -57,6 +57,8 @@ struct TypeQuery {
 };
 
 struct EntryStoreOptions {
+  /// That of the first entry of any id.
+  Version first_version = 0;
   /// How many deleted ids keep their version; beyond that the oldest are forgotten.
   std::size_t remembered_deletions = 100'000;
   /// The largest value that is taken, in bytes of its wire form.

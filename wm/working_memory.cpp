@@ -145,6 +145,9 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
 
 WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions options) {
   auto& state = self->state;
+  auto first = (options.incarnation - 1) << 32;
+  options.store.first_version = first;
+  options.leases.first_token = first + 1;
   state.store = EntryStore{options.subarchitecture, options.store};
   state.leases = LeaseTable{options.leases};
   allow_writers(state, options.writers);

@@ -24,6 +24,9 @@ struct WorkingMemoryOptions {
   std::set<std::string> writers;
   /// Changes in these subarchitectures are not told to the components of this one.
   std::set<std::string> ignored;
+  /// Which of its lives this is. Versions and tokens of a later one are above those of the lives
+  /// before, so that nobody takes an entry for one that is gone.
+  std::uint64_t incarnation = 1;
   /// The moment that event times count from.
   std::chrono::steady_clock::time_point epoch{};
   /// Every event is sent to every other working memory, wanted or not.

@@ -68,11 +68,13 @@ void drop_interests(WorkingMemoryState& state, std::uint32_t number) {
     drop_interest(state, number, id, interest);
 }
 
-/// Those that are not part of the system any more.
+/// Those that are not part of the system any more, or that another has taken the place of.
 void forget_removed(WorkingMemoryState& state, const Peers& peers) {
   for (std::uint32_t i = 0; i < state.peers.size(); ++i) {
     auto& peer = state.peers[i];
-    if (peer.removed || peers.working_memories.count(peer.subarchitecture) > 0)
+    auto now = peers.working_memories.find(peer.subarchitecture);
+    if (peer.removed || (now != peers.working_memories.end() &&
+                         now->second == caf::actor_cast<caf::strong_actor_ptr>(peer.actor)))
       continue;
     peer.removed = peer.lost = true;
     drop_interests(state, i);

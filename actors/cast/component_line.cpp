@@ -128,7 +128,7 @@ private:
 
   bool read_name() {
     if (component_.kind == ComponentKind::working_memory) {
-      component_.name = component_.subarchitecture + "_wm";
+      component_.name = working_memory_of(component_.subarchitecture);
       return true;
     }
     if (component_.kind == ComponentKind::task_manager) {

@@ -56,6 +56,11 @@ struct ComponentDescription {
   const OptionSetting* option(std::string_view key_or_name) const noexcept;
 };
 
+/// What the language calls the working memory of a subarchitecture.
+inline std::string working_memory_of(const std::string& subarchitecture) {
+  return subarchitecture + "_wm";
+}
+
 struct SubarchitectureDescription {
   std::string name;
   /// Default host of its component lines.

@@ -43,6 +43,7 @@ struct Arguments {
   bool trace = false;
   bool open_access = false;
   bool broadcast = false;
+  bool no_restarts = false;
   std::vector<std::string> nodes;
   bool local_nodes = false;
   int spread = 0;
@@ -139,6 +140,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   SystemOptions options;
   options.open_access = arguments.open_access;
   options.broadcast = arguments.broadcast;
+  options.restarts = !arguments.no_restarts;
   if (timeline.wanted()) {
     options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
     options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
@@ -226,6 +228,9 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
   command->add_flag("--broadcast", arguments->broadcast,
                     "tell every working memory of every change, as the original CAST did before it "
                     "filtered: to see what filtering is worth");
+  command->add_flag("--no-restarts", arguments->no_restarts,
+                    "leave components down that fail, whatever the file says: to see what went "
+                    "wrong");
   command
     ->add_option("--node", arguments->nodes,
                  "where the node of a host of the .cast file listens, if not where the host's name "

@@ -76,6 +76,10 @@ Timestamp Component::now() const {
   return shell().now();
 }
 
+void Component::end_component() {
+  throw ComponentStopped{};
+}
+
 void Component::end_system(int status, std::string reason) {
   shell().services().end_system(status, log_name_ + ": " + reason);
 }
@@ -113,7 +117,10 @@ const std::string& SubarchitectureComponent::subarchitecture() const {
 }
 
 std::string SubarchitectureComponent::new_id() {
-  return base62(ids_made_++) + ':' + base62(shell().identity().number);
+  auto& self = shell().identity();
+  auto result = fmt::format("{}:{}", base62(ids_made_++), base62(self.number));
+  // Those that it made in former lives may still be there.
+  return self.incarnation == 1 ? result : fmt::format("{}:{}", result, base62(self.incarnation));
 }
 
 namespace {
@@ -379,7 +386,10 @@ TaskId ManagedComponent::propose_task(const std::string& name, TaskOptions optio
 
 TaskId ManagedComponent::propose_task(const std::string& name, std::function<void()> work,
                                       TaskOptions options) {
-  auto id = "task:" + component_name() + ":" + std::to_string(++tasks_made_);
+  auto& self = shell().identity();
+  // The tasks of a former life are others.
+  auto life = self.incarnation == 1 ? std::string{} : fmt::format(".{}", self.incarnation);
+  auto id = fmt::format("task:{}{}:{}", self.name, life, ++tasks_made_);
   tasks_[id] = std::move(work);
   shell().propose({id, name, component_name(), std::move(options)});
   return id;

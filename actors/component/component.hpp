@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/cast/supervision_policy.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/push_flow.hpp"
@@ -33,6 +34,7 @@ enum class EventQueue : std::uint8_t {
   newest,
 };
 CASTOR_REFLECT_ENUM(EventQueue, all, newest)
+CASTOR_REFLECT_ENUM(RestartType, permanent, transient, temporary)
 
 /// A unit of processing with a thread of its own.
 ///
@@ -45,7 +47,9 @@ CASTOR_REFLECT_ENUM(EventQueue, all, newest)
 /// and `wait_for_changes`, and whenever `run()` has returned. Two pieces of a component's code
 /// therefore never run at the same time, and a component needs no locks for its members.
 ///
-/// An exception that leaves one of these functions or a callback ends the component, and only it.
+/// An exception that leaves one of these functions or a callback ends the component, and only it. A
+/// new one of the same name and with the same options then takes its place, unless its --restart says
+/// otherwise or it failed too often (docs/supervision.md).
 class Component {
 public:
   Component();
@@ -80,6 +84,10 @@ protected:
 
   /// Since the system began.
   Timestamp now() const;
+
+  /// Ends this component, which has done its work. It is started again only if its --restart says
+  /// `permanent`, as it does of itself. Does not return.
+  [[noreturn]] void end_component();
 
   /// Ends the whole system; the process exits with `status`.
   void end_system(int status, std::string reason);
@@ -172,6 +180,11 @@ private:
   Option<std::chrono::milliseconds> budget_{
     this, "budget", std::chrono::seconds{10},
     "how long the component's own code may run without a pause before that is reported"};
+  Option<RestartType> restart_{
+    this, "restart", RestartType::permanent,
+    "whether it is started again: always, only if it has failed, or never"};
+  Option<std::chrono::milliseconds> shutdown_{this, "shutdown", std::chrono::seconds{5},
+                                              "how long the component may take to stop"};
   Option<std::uint32_t> push_limit_{
     this, "push-limit", standard_push_limit,
     "how many pushes of one type may wait for the component (1 or more); beyond that the oldest "

@@ -128,16 +128,33 @@ void Connections::subscribe(const std::string& provider, const TypeDescriptorPtr
   auto known = receptions_.find({provider, type->name()});
   if (known == receptions_.end()) {
     auto actor = find_provider(provider);
-    PushRequest request{type, limit, shell_.identity().full_name()};
-    auto id = shell_.request(actor, caf::infinite, std::move(request)).id().integer_value();
+    auto id = shell_.request(actor, caf::infinite, push_request(type)).id().integer_value();
     auto outcome = ask(provider, id);
     if (!outcome)
       throw ConnectionError("cannot receive pushes of " + type->name() + " from " + provider +
                             ": " + outcome.failure().message);
     known =
-      receptions_.emplace(std::pair{provider, type->name()}, Reception{{}, Receipts{limit}}).first;
+      receptions_
+        .emplace(std::pair{provider, type->name()}, Reception{type, actor, {}, Receipts{limit}})
+        .first;
   }
   known->second.callbacks.push_back(std::move(callback));
+}
+
+PushRequest Connections::push_request(const TypeDescriptorPtr& type) const {
+  return {type, shell_.push_limit(), shell_.identity().full_name()};
+}
+
+void Connections::meet() {
+  auto& providers = shell_.neighbours().providers;
+  for (auto& [key, reception] : receptions_) {
+    auto i = providers.find(key.first);
+    if (i == providers.end() || i->second == reception.provider)
+      continue;
+    reception.provider = i->second;
+    reception.receipts = Receipts{shell_.push_limit()};
+    shell_.send(reception.provider, push_request(reception.type));
+  }
 }
 
 void Connections::work_off_push(const caf::mailbox_element& x, const Pushed& pushed) {

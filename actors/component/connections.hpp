@@ -40,6 +40,10 @@ public:
 
   // -- what arrives
 
+  /// The neighbours are others now: of providers that were started again, pushes are asked for once
+  /// more.
+  void meet();
+
   /// A subscriber has taken pushes, for which it may be sent others.
   void taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x);
 
@@ -65,6 +69,8 @@ private:
   };
 
   struct Reception {
+    TypeDescriptorPtr type;
+    caf::actor provider;
     std::vector<std::function<void(const Value&)>> callbacks;
     Receipts receipts;
   };
@@ -74,6 +80,7 @@ private:
   void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);
   void send(const Subscriber& to, Value x);
   caf::actor find_provider(const std::string& name) const;
+  PushRequest push_request(const TypeDescriptorPtr& type) const;
   Outcome<Value> ask(const std::string& provider, std::uint64_t id);
 
   ComponentShell& shell_;

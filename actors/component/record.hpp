@@ -81,6 +81,10 @@ public:
   ComponentState state() const { return state_.load(); }
   void set_state(ComponentState x) { state_.store(x); }
 
+  /// The component could not go on without its working memory, which has ended.
+  bool is_orphaned() const { return orphaned_.load(); }
+  void set_orphaned() { orphaned_.store(true); }
+
   /// Why the component failed; empty if it did not.
   std::string failure() const {
     std::lock_guard guard{mutex_};
@@ -156,6 +160,7 @@ private:
   const ComponentIdentity identity_;
   const ClientPtr client_;
   std::atomic<ComponentState> state_{ComponentState::created};
+  std::atomic<bool> orphaned_{false};
   std::atomic<std::chrono::milliseconds> budget_{std::chrono::milliseconds::max()};
   std::atomic<std::int64_t> busy_since_{0};
   std::atomic<std::int64_t> user_code_since_{0};

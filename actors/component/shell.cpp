@@ -75,6 +75,10 @@ void ComponentShell::act() {
     live();
   } catch (const ComponentStopped&) {
     // The normal way to end.
+  } catch (const WorkingMemoryLostException& e) {
+    if (working_memory_lost_)
+      record_->set_orphaned();
+    fail(e.what());
   } catch (const std::exception& e) {
     fail(e.what());
   } catch (...) {
@@ -114,6 +118,7 @@ void ComponentShell::let_go() {
 
 void ComponentShell::meet(NeighboursPtr neighbours) {
   neighbours_ = std::move(neighbours);
+  connections_.meet();
   auto& known = neighbours_->working_memories;
   auto home = known.find(identity().subarchitecture);
   if (home == known.end() || working_memory_)

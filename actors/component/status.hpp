@@ -15,6 +15,10 @@ struct ComponentStatus {
   ComponentState state = ComponentState::created;
   /// Its node does not answer, but is not lost yet: the rest is not known.
   bool out_of_reach = false;
+  /// How often it was started again.
+  std::uint64_t restarts = 0;
+  /// It has ended, and will be started again.
+  bool will_restart = false;
   /// Why it failed; empty if it did not.
   std::string failure;
   /// How long it has had something to do without a pause.

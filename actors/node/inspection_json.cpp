@@ -152,7 +152,7 @@ Json to_json(const SystemReport& report, const SystemRoster& roster) {
         components.push_back(to_json(x, node_of(x.identity.name)));
   auto& working_memories = result["working_memories"] = Json::array();
   for (auto& x : report.working_memories)
-    working_memories.push_back(to_json(x, node_of(x.subarchitecture + "_wm")));
+    working_memories.push_back(to_json(x, node_of(working_memory_of(x.subarchitecture))));
   return result;
 }
 

@@ -14,7 +14,7 @@ void observe(Self self, const SystemOptions& options, const ChangeEvent& event) 
     options.on_change(event);
   auto& where = event.address.subarchitecture;
   if (auto i = state.system.logged.find(where); i != state.system.logged.end())
-    log(i->second, where + '.' + where + "_wm", to_string(event));
+    log(i->second, where + '.' + working_memory_of(where), to_string(event));
   auto wm = state.system.working_memories.find(where);
   auto receipts = state.receipts.try_emplace(where, standard_queue_limit).first;
   if (auto count = receipts->second.take(); count > 0 && wm != state.system.working_memories.end())

@@ -5,6 +5,7 @@
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
+#include "castor/actors/supervision/health.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <algorithm>
@@ -23,6 +24,16 @@ void for_each_own(const PartPlan& plan, ProcessNumber self, F&& f) {
   });
 }
 
+/// The working memory that tells of the system's health, which no file names.
+ComponentDescription health_working_memory() {
+  ComponentDescription result;
+  result.kind = ComponentKind::working_memory;
+  result.subarchitecture = health_subarchitecture;
+  result.name = working_memory_of(result.subarchitecture);
+  result.class_name = WorkingMemoryClass::name;
+  return result;
+}
+
 caf::resumable* as_resumable(const WorkingMemoryActor& x) {
   return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
@@ -31,37 +42,65 @@ caf::resumable* as_resumable(const WorkingMemoryActor& x) {
 
 std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::vector<cast::Diagnostic> problems;
+  std::map<std::string, std::uint64_t> wanted;
   std::vector<const ComponentDescription*> missing;
-  std::set<std::string> wanted;
-  for_each_own(plan, self_, [&](auto& x) {
-    wanted.insert(x.name);
-    if (has(x))
+  auto want = [&](const ComponentDescription& x) {
+    auto i = plan.incarnations.find(x.name);
+    wanted[x.name] = i == plan.incarnations.end() ? 1 : i->second;
+  };
+  for_each_own(plan, self_, want);
+  auto health = health_working_memory();
+  if (plan.supervisor && self_ == 0)
+    want(health);
+  std::map<std::string, std::uint64_t> here;
+  for (auto& x : residents())
+    here[x.name] = x.incarnation;
+  auto look_for = [&](const ComponentDescription& x) {
+    auto i = here.find(x.name);
+    if (i != here.end() && i->second == wanted.at(x.name))
       return;
     missing.push_back(&x);
     check_class(x, problems);
-  });
+  };
+  for_each_own(plan, self_, look_for);
+  if (wanted.count(health.name) > 0)
+    look_for(health);
   if (!problems.empty())
     return problems;
   begin(plan);
   end_others(wanted);
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
-      spawn_working_memory(plan, *architecture_.subarchitecture(x->subarchitecture));
-  auto& known = services_->working_memories.emplace_back();
-  for (auto& [name, actor] : working_memories_)
-    known.push_back(as_resumable(actor));
-  std::sort(known.begin(), known.end());
+      spawn_working_memory(plan, *x, wanted.at(x->name));
+  list_working_memories();
   for (auto* x : missing)
     if (x->kind != ComponentKind::working_memory)
-      spawn_component(*x);
+      spawn_component(*x, wanted.at(x->name));
   return problems;
 }
 
-bool SystemPart::has(const ComponentDescription& x) const {
-  if (x.kind == ComponentKind::working_memory)
-    return working_memories_.count(x.subarchitecture) > 0;
-  return std::any_of(running_.begin(), running_.end(),
-                     [&](auto& y) { return y.record->identity().name == x.name; });
+void SystemPart::list_working_memories() {
+  auto& known = services_->working_memories.emplace_back();
+  for (auto& [name, x] : working_memories_)
+    known.push_back(as_resumable(x.actor));
+  std::sort(known.begin(), known.end());
+}
+
+void SystemPart::restart(const std::string& component, std::uint64_t incarnation) {
+  auto* x = architecture_.component(component);
+  if (!x)
+    return;
+  std::erase_if(running_, [&](auto& y) {
+    if (y.record->identity().name != component)
+      return false;
+    caf::anon_send_exit(y.actor, caf::exit_reason::user_shutdown);
+    return true;
+  });
+  spawn_component(*x, incarnation);
+  if (!neighbours_)
+    return;
+  caf::anon_send(running_.back().actor, neighbours_);
+  spawn_keeper();
 }
 
 void SystemPart::begin(const PartPlan& plan) {
@@ -79,18 +118,22 @@ void SystemPart::begin(const PartPlan& plan) {
     };
 }
 
-void SystemPart::end_others(const std::set<std::string>& wanted) {
+void SystemPart::end_others(const std::map<std::string, std::uint64_t>& wanted) {
+  auto is_wanted = [&](const std::string& name, std::uint64_t incarnation) {
+    auto i = wanted.find(name);
+    return i != wanted.end() && i->second == incarnation;
+  };
   std::erase_if(running_, [&](auto& x) {
-    if (wanted.count(x.record->identity().name) > 0)
+    auto& identity = x.record->identity();
+    if (is_wanted(identity.name, identity.incarnation))
       return false;
     caf::anon_send_exit(x.actor, caf::exit_reason::user_shutdown);
     return true;
   });
   std::erase_if(working_memories_, [&](auto& x) {
-    auto* subarchitecture = architecture_.subarchitecture(x.first);
-    if (subarchitecture && wanted.count(subarchitecture->working_memory.name) > 0)
+    if (is_wanted(working_memory_of(x.first), x.second.incarnation))
       return false;
-    caf::anon_send_exit(x.second, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(x.second.actor, caf::exit_reason::user_shutdown);
     return true;
   });
 }
@@ -99,33 +142,36 @@ SystemPart::~SystemPart() {
   caf::anon_send_exit(keeper_, caf::exit_reason::user_shutdown);
   for (auto& x : running_)
     caf::anon_send_exit(x.actor, caf::exit_reason::user_shutdown);
-  for (auto& [name, actor] : working_memories_)
-    caf::anon_send_exit(actor, caf::exit_reason::user_shutdown);
+  for (auto& [name, x] : working_memories_)
+    caf::anon_send_exit(x.actor, caf::exit_reason::user_shutdown);
 }
 
-void SystemPart::spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x) {
-  WorkingMemoryClass wm_class{x.working_memory};
+void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
+                                      std::uint64_t incarnation) {
+  WorkingMemoryClass wm_class{x};
+  auto& name = x.subarchitecture;
   WorkingMemoryOptions options;
-  options.subarchitecture = x.name;
+  options.subarchitecture = name;
   options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
   options.epoch = services_->epoch;
   options.broadcast = plan.broadcast;
   options.leases.duration = wm_class.lease.get();
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
-  options.writers = writers(x.name);
+  options.writers = writers(name);
+  options.incarnation = incarnation;
   auto actor = system_.spawn(working_memory, std::move(options));
-  working_memories_[x.name] = actor;
+  working_memories_[name] = {actor, incarnation};
   // It may meet the unit of the component that ran it last until its own end.
   caf::actor_cast<caf::abstract_actor*>(actor)->attach_functor([services = services_] {});
 }
 
-void SystemPart::spawn_component(const ComponentDescription& x) {
+void SystemPart::spawn_component(const ComponentDescription& x, std::uint64_t incarnation) {
   ShellParts parts;
   parts.component = find_class(x.class_name).found->make();
   for (auto& setting : x.options)
     parts.component->options().set(setting.name(), setting.value);
   parts.record = std::make_shared<ComponentRecord>(ComponentIdentity{
-    x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number)});
+    x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number), incarnation});
   parts.services = services_;
   parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
   parts.unit->set_working_memories(&services_->working_memories.back());
@@ -134,13 +180,28 @@ void SystemPart::spawn_component(const ComponentDescription& x) {
                       x.kind == ComponentKind::task_manager});
 }
 
+std::vector<SystemPart::Resident> SystemPart::residents() const {
+  std::vector<Resident> result;
+  for (auto& [name, x] : working_memories_)
+    result.push_back({working_memory_of(name), x.incarnation,
+                      caf::actor_cast<caf::strong_actor_ptr>(x.actor), nullptr});
+  for (auto& x : running_)
+    result.push_back({x.record->identity().name, x.record->identity().incarnation,
+                      caf::actor_cast<caf::strong_actor_ptr>(x.actor), x.record});
+  return result;
+}
+
+std::map<std::string, WorkingMemoryActor> SystemPart::working_memories() const {
+  std::map<std::string, WorkingMemoryActor> result;
+  for (auto& [name, x] : working_memories_)
+    result[name] = x.actor;
+  return result;
+}
+
 std::map<std::string, caf::strong_actor_ptr> SystemPart::actors() const {
   std::map<std::string, caf::strong_actor_ptr> result;
-  for (auto& [subarchitecture, actor] : working_memories_)
-    result[architecture_.subarchitecture(subarchitecture)->working_memory.name] =
-      caf::actor_cast<caf::strong_actor_ptr>(actor);
-  for (auto& x : running_)
-    result[x.record->identity().name] = caf::actor_cast<caf::strong_actor_ptr>(x.actor);
+  for (auto& x : residents())
+    result[x.name] = x.actor;
   return result;
 }
 
@@ -149,6 +210,8 @@ SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>&
   std::map<std::string, caf::strong_actor_ptr> result;
   for (auto& x : architecture_.subarchitectures)
     result[x.name] = actors.at(x.working_memory.name);
+  if (auto i = actors.find(health_working_memory().name); i != actors.end())
+    result[health_subarchitecture] = i->second;
   return result;
 }
 
@@ -170,13 +233,18 @@ void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors
     neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.task_manager.name));
   for (auto& x : architecture_.standalone)
     neighbours->providers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.name));
+  neighbours_ = std::move(neighbours);
+  for (auto& x : running_)
+    caf::anon_send(x.actor, neighbours_);
+  spawn_keeper();
+}
+
+void SystemPart::spawn_keeper() {
   caf::anon_send_exit(std::exchange(keeper_, nullptr), caf::exit_reason::user_shutdown);
   KeeperParts parts;
-  for (auto& x : running_) {
-    caf::anon_send(x.actor, NeighboursPtr{neighbours});
+  for (auto& x : running_)
     parts.components.push_back(x.record);
-  }
-  parts.working_memories = neighbours->working_memories;
+  parts.working_memories = neighbours_->working_memories;
   keeper_ = system_.spawn(keeper, std::move(parts));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
@@ -30,8 +31,22 @@ public:
   /// ended.
   std::vector<cast::Diagnostic> apply(const PartPlan& plan);
 
+  /// Makes a component anew that the last plan gave to this process; its predecessor ends, if it
+  /// has not. It knows its neighbours.
+  void restart(const std::string& component, std::uint64_t incarnation);
+
   /// By the names of the components.
   std::map<std::string, caf::strong_actor_ptr> actors() const;
+
+  /// Something that runs here.
+  struct Resident {
+    std::string name;
+    std::uint64_t incarnation = 1;
+    caf::strong_actor_ptr actor;
+    /// Null for a working memory.
+    std::shared_ptr<const ComponentRecord> record;
+  };
+  std::vector<Resident> residents() const;
 
   /// Of all parts' actors, the working memories by subarchitecture.
   std::map<std::string, caf::strong_actor_ptr>
@@ -44,9 +59,7 @@ public:
   /// the working memories are told by Peers.
   void join(const std::map<std::string, caf::strong_actor_ptr>& actors);
 
-  const std::map<std::string, WorkingMemoryActor>& working_memories() const {
-    return working_memories_;
-  }
+  std::map<std::string, WorkingMemoryActor> working_memories() const;
 
   /// The components, in the order of the file.
   std::vector<ComponentStatus> components() const;
@@ -58,12 +71,19 @@ private:
     bool is_task_manager = false;
   };
 
-  /// Whether a component or working memory is here.
-  bool has(const ComponentDescription& x) const;
+  struct WorkingMemory {
+    WorkingMemoryActor actor;
+    std::uint64_t incarnation = 1;
+  };
+
   void begin(const PartPlan& plan);
-  void end_others(const std::set<std::string>& wanted);
-  void spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x);
-  void spawn_component(const ComponentDescription& x);
+  /// Ends what is not `wanted`, or is to live another life.
+  void end_others(const std::map<std::string, std::uint64_t>& wanted);
+  void spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
+                            std::uint64_t incarnation);
+  void spawn_component(const ComponentDescription& x, std::uint64_t incarnation);
+  void list_working_memories();
+  void spawn_keeper();
 
   caf::actor_system& system_;
   const ProcessNumber self_;
@@ -71,8 +91,11 @@ private:
   bool open_access_ = false;
   /// Components' threads may use it after the part is gone.
   std::shared_ptr<ComponentServices> services_ = std::make_shared<ComponentServices>();
-  std::map<std::string, WorkingMemoryActor> working_memories_;
+  /// By subarchitecture.
+  std::map<std::string, WorkingMemory> working_memories_;
   std::vector<Running> running_;
+  /// Null before `join`.
+  NeighboursPtr neighbours_;
   caf::actor keeper_;
 };
 

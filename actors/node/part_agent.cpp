@@ -13,6 +13,17 @@ using Self = caf::stateful_actor<PartAgentState>*;
 
 constexpr std::chrono::seconds patience{10};
 
+/// Learns of the ends of all that is here.
+void watch(Self self) {
+  auto& state = self->state;
+  for (auto& x : state.part->residents()) {
+    auto [i, is_new] = state.watched.try_emplace(
+      caf::actor_cast<caf::actor_addr>(x.actor), PartAgentState::Watched{x.name, x.incarnation, x.record});
+    if (is_new)
+      self->monitor(x.actor);
+  }
+}
+
 PartMade make(Self self, const PartPlan& plan) {
   auto& state = self->state;
   state.others.clear();
@@ -23,8 +34,39 @@ PartMade make(Self self, const PartPlan& plan) {
     state.parts.connect(plan);
   if (!state.part)
     state.part = std::make_unique<SystemPart>(self->system(), state.parts.self);
+  state.supervisor = plan.supervisor;
   auto problems = state.part->apply(plan);
+  watch(self);
   return {std::move(problems), state.part->actors()};
+}
+
+PartMade restart(Self self, const RestartComponent& x) {
+  auto& state = self->state;
+  if (!state.part)
+    return {};
+  state.part->restart(x.name, x.incarnation);
+  watch(self);
+  return {{}, state.part->actors()};
+}
+
+/// Something that was here has ended.
+void report_end(Self self, const caf::down_msg& x) {
+  auto& state = self->state;
+  auto watched = state.watched.extract(x.source);
+  if (!watched)
+    return;
+  auto& [name, incarnation, record] = watched.mapped();
+  ComponentEnded ended{name, incarnation, ComponentEnded::How::stopped, {}};
+  if (record) {
+    ended.failure = record->failure();
+    if (record->state() == ComponentState::failed)
+      ended.how = record->is_orphaned() ? ComponentEnded::How::orphaned
+                                        : ComponentEnded::How::failed;
+  } else if (x.reason && x.reason != caf::exit_reason::user_shutdown) {
+    ended.how = ComponentEnded::How::failed;
+    ended.failure = self->system().render(x.reason);
+  }
+  caf::anon_send(state.supervisor, std::move(ended));
 }
 
 void answer_if_joined(Self self) {
@@ -54,10 +96,13 @@ void deliver_events(const std::map<std::string, WorkingMemoryActor>& working_mem
 caf::response_promise join(Self self, const JoinParts& others) {
   auto& state = self->state;
   auto promise = self->make_response_promise();
-  if (!state.part || state.joining) {
+  if (!state.part) {
     promise.deliver(caf::make_error(caf::sec::runtime_error));
     return promise;
   }
+  // What was to be known before is known better now.
+  if (state.joining)
+    state.joining->deliver(Acknowledged{});
   state.joining = promise;
   state.part->join(others.actors);
   Peers peers;
@@ -70,13 +115,19 @@ caf::response_promise join(Self self, const JoinParts& others) {
       deliver_events(here, message, context);
     });
   }
-  state.unanswered = state.part->working_memories().size();
-  for (auto& [name, actor] : state.part->working_memories()) {
+  auto working_memories = state.part->working_memories();
+  state.unanswered = working_memories.size();
+  // One that has ended meanwhile knows the others when it is back.
+  auto answered = [self, number = ++state.joins] {
+    if (number != self->state.joins)
+      return;
+    --self->state.unanswered;
+    answer_if_joined(self);
+  };
+  for (auto& [name, actor] : working_memories) {
     peers.writers = state.part->writers(name);
-    self->request(actor, patience, peers).then([self](Acknowledged) {
-      --self->state.unanswered;
-      answer_if_joined(self);
-    });
+    self->request(actor, patience, peers)
+      .then([answered](Acknowledged) { answered(); }, [answered](const caf::error&) { answered(); });
   }
   answer_if_joined(self);
   return promise;
@@ -86,8 +137,10 @@ caf::response_promise join(Self self, const JoinParts& others) {
 
 caf::behavior part_agent(Self self, PartAgentParts parts) {
   self->state.parts = std::move(parts);
+  self->set_down_handler([self](const caf::down_msg& x) { report_end(self, x); });
   return {
     [self](const PartPlan& x) { return make(self, x); },
+    [self](const RestartComponent& x) { return restart(self, x); },
     [self](const JoinParts& x) { return join(self, x); },
     [self](PartStatusQuery) {
       PartStatus result;

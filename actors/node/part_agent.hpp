@@ -7,6 +7,7 @@
 #include <caf/stateful_actor.hpp>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -26,12 +27,22 @@ struct PartAgentState {
 
   PartAgentParts parts;
   std::unique_ptr<SystemPart> part;
+  caf::actor supervisor;
+  struct Watched {
+    std::string name;
+    std::uint64_t incarnation = 1;
+    std::shared_ptr<const ComponentRecord> record;
+  };
+  /// What runs here, or did until its end is known.
+  std::map<caf::actor_addr, Watched> watched;
   /// The other processes, and those of them with which there is a connection.
   std::set<ProcessNumber> others;
   std::set<ProcessNumber> connected;
   /// Who waits for the part to have joined the others, and what is still missing.
   std::optional<caf::response_promise> joining;
   std::size_t unanswered = 0;
+  /// Counts what others had to be joined.
+  std::size_t joins = 0;
 };
 
 /// Makes and represents a process's part of a system. Its end is that of the part.

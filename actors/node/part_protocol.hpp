@@ -43,6 +43,9 @@ struct PartPlan {
   std::vector<ProcessDescription> processes;
   /// Where components, working memories and task managers live, by name.
   std::map<std::string, ProcessNumber> placement;
+  /// Which of its lives each of them is to live, by name; the first where nothing is said. One that
+  /// lives another one is ended and made anew.
+  std::map<std::string, std::uint64_t> incarnations;
   /// Every subarchitecture may write to every other.
   bool open_access = false;
   /// Every change is told to every working memory.
@@ -51,6 +54,8 @@ struct PartPlan {
   Timestamp age{0};
   /// Is sent EndSystem by whoever wants that.
   caf::actor coordinator;
+  /// Is sent ComponentEnded.
+  caf::actor supervisor;
   /// Is sent every TaskEvent; null if nobody wants to know.
   caf::actor task_observer;
 };
@@ -66,6 +71,29 @@ struct PartMade {
 /// is connected with all others and its working memories know theirs.
 struct JoinParts {
   std::map<std::string, caf::strong_actor_ptr> actors;
+};
+
+/// Ends a component, if it has not ended yet, and makes it anew; answered with PartMade.
+struct RestartComponent {
+  std::string name;
+  std::uint64_t incarnation = 0;
+};
+
+/// To the supervisor: a component or a working memory is not there any more.
+struct ComponentEnded {
+  enum class How : std::uint8_t {
+    /// It was told to, or had done its work.
+    stopped,
+    failed,
+    /// Its working memory has ended, and it could not go on without.
+    orphaned,
+  };
+
+  std::string name;
+  std::uint64_t incarnation = 0;
+  How how = How::stopped;
+  /// Why it failed.
+  std::string failure;
 };
 
 struct PartStatusQuery {};
@@ -97,6 +125,8 @@ struct EndSystem {
 CASTOR_LOCAL_MESSAGE(castor::PartPlan)
 CASTOR_LOCAL_MESSAGE(castor::PartMade)
 CASTOR_LOCAL_MESSAGE(castor::JoinParts)
+CASTOR_LOCAL_MESSAGE(castor::RestartComponent)
+CASTOR_LOCAL_MESSAGE(castor::ComponentEnded)
 CASTOR_LOCAL_MESSAGE(castor::PartStatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::PartStatus)
 CASTOR_LOCAL_MESSAGE(castor::EndSystem)

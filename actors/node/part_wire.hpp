@@ -72,8 +72,8 @@ void wire(A& a, WirePart<A, ProcessDescription>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, PartPlan>& x) {
-  a(x.architecture, x.processes, x.placement, x.open_access, x.broadcast, x.age, x.coordinator,
-    x.task_observer);
+  a(x.architecture, x.processes, x.placement, x.incarnations, x.open_access, x.broadcast, x.age,
+    x.coordinator, x.supervisor, x.task_observer);
 }
 
 template <class A>
@@ -84,6 +84,16 @@ void wire(A& a, WirePart<A, PartMade>& x) {
 template <class A>
 void wire(A& a, WirePart<A, JoinParts>& x) {
   a(x.actors);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, RestartComponent>& x) {
+  a(x.name, x.incarnation);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, ComponentEnded>& x) {
+  a(x.name, x.incarnation, x.how, x.failure);
 }
 
 template <class A>

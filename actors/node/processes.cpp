@@ -41,30 +41,43 @@ cast::Diagnostic out_of_reach(const ArchitectureDescription& architecture,
 
 } // namespace
 
-Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name)
-  : system_(system), options_(options), name_(std::move(name)), incarnation_(new_incarnation()) {
+Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
+                     std::function<void(const LinkNews&)> on_news)
+  : system_(system), options_(options), name_(std::move(name)), on_news_(std::move(on_news)),
+    incarnation_(new_incarnation()) {
   processes_.emplace_back();
   processes_.front().news.state = LinkState::up;
   if (system_.has_middleman())
     mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
 }
 
+void Processes::set_own_agent(const caf::actor& agent) {
+  std::lock_guard guard{mutex_};
+  processes_.front().agent = agent;
+}
+
+caf::actor Processes::agent(ProcessNumber x) const {
+  std::lock_guard guard{mutex_};
+  return processes_[x].agent;
+}
+
+ProcessNumber Processes::look_for_successor(ProcessNumber lost) {
+  auto description = state(lost).description;
+  description.lost = false;
+  return open_link(description);
+}
+
 void Processes::connect(const ArchitectureDescription& architecture, const Placement& placement) {
-  auto first = processes_.size();
-  if (placement.processes.size() == first)
+  auto first = size();
+  if (placement.processes.size() <= first)
     return;
   if (!mesh_)
     throw SystemError{{out_of_reach(
       architecture, placement, static_cast<ProcessNumber>(first),
       {placement.processes[first], LinkState::down, "the system was started without a network"})}};
   check_security(architecture, placement, first);
-  for (auto i = first; i < placement.processes.size(); ++i) {
-    {
-      std::lock_guard guard{mutex_};
-      processes_.emplace_back().description = placement.processes[i];
-    }
-    open_link(static_cast<ProcessNumber>(i));
-  }
+  for (auto i = first; i < placement.processes.size(); ++i)
+    open_link(placement.processes[i]);
   try {
     await_connections(architecture, placement, first);
   } catch (const SystemError&) {
@@ -102,13 +115,19 @@ void Processes::check_security(const ArchitectureDescription& architecture,
     throw SystemError{std::move(problems)};
 }
 
-void Processes::open_link(ProcessNumber number) {
-  auto& x = processes_[number];
+ProcessNumber Processes::open_link(const ProcessDescription& description) {
   LinkParts parts;
+  {
+    std::lock_guard guard{mutex_};
+    parts.peer = static_cast<ProcessNumber>(processes_.size());
+    auto& x = processes_.emplace_back();
+    x.description = description;
+    x.news.peer = parts.peer;
+  }
+  auto number = parts.peer;
   parts.mesh = mesh_;
-  parts.peer = number;
-  parts.peer_name = x.description.name;
-  parts.dial = Endpoint{x.description.host, x.description.port};
+  parts.peer_name = description.name;
+  parts.dial = Endpoint{description.host, description.port};
   parts.self.node = options_.credentials ? options_.credentials->names().front()
                                          : "castor-" + std::to_string(getpid());
   parts.self.system = name_;
@@ -118,28 +137,33 @@ void Processes::open_link(ProcessNumber number) {
   parts.on_news = [this](const LinkNews& news) { hear(news); };
   auto link = spawn_link(std::move(parts));
   std::lock_guard guard{mutex_};
-  x.link = link;
-  x.agent = caf::actor_cast<caf::actor>(mesh_->well_known(number, WellKnownActor::agent));
+  processes_[number].link = link;
+  processes_[number].agent =
+    caf::actor_cast<caf::actor>(mesh_->well_known(number, WellKnownActor::agent));
+  return number;
 }
 
 void Processes::hear(const LinkNews& news) {
-  std::lock_guard guard{mutex_};
-  if (news.peer >= processes_.size())
-    return;
-  auto& x = processes_[news.peer];
-  x.news = news;
-  if (!news.name.empty())
-    x.description.name = news.name;
-  if (x.joined && !silent_) {
-    if (news.state == LinkState::up)
-      note(LogLevel::info, "node " + news.name + " is in reach again");
-    else
-      note(LogLevel::warning,
-           "node " + news.name +
-             (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") + news.reason);
+  {
+    std::lock_guard guard{mutex_};
+    if (news.peer >= processes_.size())
+      return;
+    auto& x = processes_[news.peer];
+    x.news = news;
+    if (!news.name.empty())
+      x.description.name = news.name;
+    if (x.joined && !silent_) {
+      if (news.state == LinkState::up)
+        note(LogLevel::info, "node " + news.name + " is in reach again");
+      else
+        note(LogLevel::warning,
+             "node " + news.name +
+               (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") + news.reason);
+    }
+    x.joined = x.joined || news.state == LinkState::up;
+    changed_.notify_all();
   }
-  x.joined = x.joined || news.state == LinkState::up;
-  changed_.notify_all();
+  on_news_(news);
 }
 
 void Processes::await_connections(const ArchitectureDescription& architecture,
@@ -192,11 +216,13 @@ void Processes::be_silent() {
 
 void Processes::close(const std::string& reason) {
   std::vector<caf::actor> links;
+  std::unique_lock guard{mutex_};
   for (auto& x : processes_) {
     if (x.link)
       caf::anon_send(x.link, CloseLink{reason});
     links.push_back(x.link);
   }
+  guard.unlock();
   if (mesh_)
     mesh_->close();
   await_ends(system_, links);

@@ -6,6 +6,8 @@
 #include "castor/actors/node/system.hpp"
 
 #include <condition_variable>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -16,7 +18,7 @@ namespace castor {
 /// The processes that a system runs in, as its coordinator sees them: it connects with them, and
 /// knows which of them are in reach. Its own has the number 0.
 ///
-/// Changed by one thread, safe to ask from any.
+/// Safe to use from any thread.
 class Processes {
 public:
   /// How a process stands, and why.
@@ -27,11 +29,13 @@ public:
   };
 
   /// The options have to outlive it. `name` is the system's.
-  Processes(caf::actor_system& system, const SystemOptions& options, std::string name);
+  /// `on_news` is called on the network's thread.
+  Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
+            std::function<void(const LinkNews&)> on_news);
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
-  void set_own_agent(const caf::actor& agent) { processes_.front().agent = agent; }
+  void set_own_agent(const caf::actor& agent);
 
   /// Null if the actor system has no network.
   const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
@@ -41,8 +45,12 @@ public:
   /// new ones are left again, and count as lost processes without a name and a host.
   void connect(const ArchitectureDescription& architecture, const Placement& placement);
 
+  /// Looks for another process where a lost one was, for as long as one can be lost; it has the
+  /// number that is returned.
+  ProcessNumber look_for_successor(ProcessNumber lost);
+
   std::size_t size() const;
-  const caf::actor& agent(ProcessNumber x) const { return processes_[x].agent; }
+  caf::actor agent(ProcessNumber x) const;
   State state(ProcessNumber x) const;
   bool is_up(ProcessNumber x) const { return state(x).link == LinkState::up; }
   std::vector<ProcessDescription> descriptions() const;
@@ -65,7 +73,8 @@ private:
 
   void check_security(const ArchitectureDescription& architecture, const Placement& placement,
                       std::size_t first) const;
-  void open_link(ProcessNumber number);
+  /// Of one that takes part from now on.
+  ProcessNumber open_link(const ProcessDescription& description);
   void await_connections(const ArchitectureDescription& architecture, const Placement& placement,
                          std::size_t first);
   void hear(const LinkNews& news);
@@ -74,12 +83,13 @@ private:
   caf::actor_system& system_;
   const SystemOptions& options_;
   const std::string name_;
+  const std::function<void(const LinkNews&)> on_news_;
   std::uint64_t incarnation_;
   std::shared_ptr<Mesh> mesh_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Process> processes_;
+  std::deque<Process> processes_;
   bool silent_ = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include "castor/actors/cast/running.hpp"
 #include "castor/actors/component/log.hpp"
-#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
@@ -10,7 +9,9 @@
 #include "castor/actors/node/part_agent.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/processes.hpp"
+#include "castor/actors/node/supervisor.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
+#include "castor/actors/supervision/supervision_tree.hpp"
 
 #include <caf/scoped_actor.hpp>
 
@@ -22,6 +23,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <map>
 #include <mutex>
 #include <set>
@@ -56,7 +58,7 @@ class System::Implementation {
 public:
   Implementation(ArchitectureDescription architecture, SystemOptions options)
     : architecture_(std::move(architecture)), options_(std::move(options)),
-      placement_(checked(place(architecture_, options_.nodes))) {
+      placed_(checked(place(architecture_, options_.nodes))) {
     for_each_component(architecture_,
                        [&](auto& x) { next_number_ = std::max(next_number_, x.number + 1); });
     try {
@@ -74,6 +76,7 @@ public:
   }
 
   bool start() {
+    started_ = true;
     observe();
     return start_components(architecture_);
   }
@@ -113,7 +116,7 @@ public:
     auto joined = architecture_;
     if (auto problems = cast::join(joined, added, next_number_); !problems.empty())
       return problems;
-    auto placement = place(joined, options_.nodes, placement_);
+    auto placement = place(joined, options_.nodes, roster()->hosts);
     if (!placement.problems.empty())
       return placement.problems;
     try {
@@ -124,8 +127,7 @@ public:
       return e.diagnostics();
     }
     architecture_ = std::move(joined);
-    placement_ = std::move(placement);
-    tell_of_change();
+    observe();
     start_components(added);
     return {};
   }
@@ -136,20 +138,16 @@ public:
     if (!removal.problem.empty())
       return removal.problem;
     stop_components(removal.components);
-    for (auto& x : removal.components) {
-      std::erase(order_, x);
-      components_.erase(x);
-    }
     architecture_ = std::move(rest);
-    placement_ = place(architecture_, options_.nodes, std::move(placement_));
-    forget_lost_hosts();
+    auto placement = place(architecture_, options_.nodes, roster()->hosts);
+    forget_lost_hosts(placement);
     try {
-      apply(architecture_, placement_);
+      apply(architecture_, placement);
     } catch (const SystemError& e) {
       // A node that does not answer now will be told of it when it is asked for something else.
       note(LogLevel::warning, e.what());
     }
-    tell_of_change();
+    observe();
     return {};
   }
 
@@ -157,7 +155,8 @@ public:
     stopped_ = true;
     processes_.be_silent();
     refuse_orders();
-    stop_components({order_.rbegin(), order_.rend()});
+    if (started_)
+      stop_components(names());
     if (observer_)
       flush_observer();
   }
@@ -172,7 +171,7 @@ public:
     result.working_memories = ask_working_memories();
     result.components = status(parts);
     for (auto& name : stuck_)
-      if (placement_.process_of(name) == 0)
+      if (process_of(name) == 0)
         result.stuck.push_back(name);
     return result;
   }
@@ -182,7 +181,7 @@ public:
   std::vector<EntryPtr> entries(const std::string& subarchitecture) {
     std::vector<EntryPtr> result;
     self_
-      ->request(working_memories_.at(subarchitecture), options_.answer_patience,
+      ->request(roster()->working_memories.at(subarchitecture), options_.answer_patience,
                 QueryRequest{{subarchitecture, {}, 0, false}, {}})
       .receive(
         [&](const Outcome<std::vector<EntryPtr>>& x) {
@@ -212,6 +211,36 @@ private:
     return ended_.has_value();
   }
 
+  /// What the system is now.
+  SystemRosterPtr roster() const {
+    std::lock_guard guard{mutex_};
+    return roster_;
+  }
+
+  ProcessNumber process_of(const std::string& name) const {
+    auto x = roster();
+    auto i = x->placement.find(name);
+    return i == x->placement.end() ? ProcessNumber{0} : i->second;
+  }
+
+  /// Tells the supervisor something; nothing if the answer was not waited for, because somebody has
+  /// interrupted that.
+  template <class Answer, class Question>
+  std::optional<Answer> tell_supervisor(const Question& question, bool interruptible) {
+    std::optional<Answer> result;
+    auto answer = std::make_shared<std::promise<std::optional<Answer>>>();
+    auto future = answer->get_future();
+    system_.spawn([answer, question, to = supervisor_](caf::event_based_actor* self) {
+      self->request(to, caf::infinite, question)
+        .then([answer](const Answer& x) { answer->set_value(x); },
+              [answer](const caf::error&) { answer->set_value(std::nullopt); });
+    });
+    while (future.wait_for(glance) != std::future_status::ready)
+      if (interruptible && interrupted())
+        return std::nullopt;
+    return future.get();
+  }
+
   // -- making the system
 
   void make() {
@@ -220,114 +249,67 @@ private:
       [this]() -> caf::behavior { return {[this](const EndSystem& x) { end_asked_for(x); }}; });
     if (options_.on_task)
       make_observer();
-    processes_.connect(architecture_, placement_);
+    make_supervisor();
+    processes_.connect(architecture_, placed_);
     PartAgentParts parts;
     parts.mesh = processes_.mesh();
     processes_.set_own_agent(system_.spawn(part_agent, std::move(parts)));
-    apply(architecture_, placement_);
+    apply(architecture_, placed_);
     if (!options_.endpoint.empty())
       open_endpoint();
   }
 
+  void make_supervisor() {
+    SupervisorParts parts;
+    parts.processes = &processes_;
+    parts.options = &options_;
+    parts.file = architecture_.file;
+    parts.epoch = epoch_;
+    parts.desk = desk_;
+    parts.task_observer = options_.on_task ? observer_ : nullptr;
+    parts.on_change = [this](SystemRosterPtr x) { become(std::move(x)); };
+    supervisor_ = system_.spawn(supervisor, std::move(parts));
+    std::lock_guard guard{mutex_};
+    reported_to_ = supervisor_;
+  }
+
+  /// Called by the supervisor.
+  void become(SystemRosterPtr x) {
+    std::lock_guard guard{mutex_};
+    roster_ = std::move(x);
+    if (endpoint_)
+      caf::anon_send(endpoint_, roster_);
+    if (observed_)
+      tell_observer();
+  }
+
+  /// Called by the network.
+  void hear(const LinkNews& x) {
+    std::lock_guard guard{mutex_};
+    if (reported_to_)
+      caf::anon_send(reported_to_, x);
+  }
+
   /// Makes it so in every process. Throws SystemError.
   void apply(const ArchitectureDescription& architecture, const Placement& placement) {
-    std::vector<cast::Diagnostic> problems;
-    auto plan = plan_for(architecture, placement);
-    auto made = ask_all<PartMade>(plan, problems);
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      if (!made[i])
-        continue;
-      for (auto& [name, actor] : made[i]->actors)
-        actors_[name] = actor;
-      for (auto problem : made[i]->problems) {
-        if (i > 0)
-          problem.message = "on the node " + plan.processes[i].name + ": " + problem.message;
-        problems.push_back(std::move(problem));
-      }
-    }
-    if (!problems.empty())
-      throw SystemError{std::move(problems)};
-    join(architecture);
-  }
-
-  PartPlan plan_for(const ArchitectureDescription& architecture, const Placement& placement) const {
-    PartPlan plan;
-    plan.architecture = architecture;
-    plan.processes = processes_.descriptions();
-    plan.placement = placement.of;
-    plan.open_access = options_.open_access;
-    plan.broadcast = options_.broadcast;
-    plan.coordinator = desk_;
-    plan.task_observer = options_.on_task ? observer_ : nullptr;
-    plan.age = std::chrono::duration_cast<Timestamp>(Clock::now() - epoch_);
-    return plan;
-  }
-
-  /// Asks every process that is not lost the same, all at once; what they answer, by their numbers.
-  template <class Answer, class Question>
-  std::vector<std::optional<Answer>> ask_all(const Question& question,
-                                             std::vector<cast::Diagnostic>& problems) {
-    std::vector<std::optional<Answer>> result(processes_.size());
-    auto ask = [&](std::size_t i) {
-      return self_->request(processes_.agent(static_cast<ProcessNumber>(i)), options_.part_patience,
-                            question);
-    };
-    std::vector<std::pair<std::size_t, decltype(ask(0))>> answers;
-    for (std::size_t i = 0; i < result.size(); ++i)
-      if (processes_.state(static_cast<ProcessNumber>(i)).link != LinkState::lost)
-        answers.emplace_back(i, ask(i));
-    for (auto& [i, answer] : answers)
-      answer.receive([&, &to = result[i]](const Answer& x) { to = x; },
-                     [&, number = static_cast<ProcessNumber>(i)](const caf::error&) {
-                       problems.push_back(no_answer(number));
-                     });
-    return result;
-  }
-
-  cast::Diagnostic no_answer(ProcessNumber number) const {
-    auto x = processes_.state(number);
-    cast::Diagnostic result;
-    result.message = (number == 0 ? "this process" : "the node " + x.description.name) +
-                     " did not make its part of the system in " +
-                     std::to_string(options_.part_patience.count() / 1000) + " s";
-    if (x.link != LinkState::up)
-      result.message += ": " + x.reason;
-    result.remedy = "see that the nodes can reach each other where the file says that they are";
-    return result;
-  }
-
-  /// Introduces all actors to each other. Throws SystemError.
-  void join(const ArchitectureDescription& architecture) {
-    std::set<std::string> names;
-    for_each_component(architecture, [&](auto& x) { names.insert(x.name); });
-    std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
-    std::vector<cast::Diagnostic> problems;
-    ask_all<Acknowledged>(JoinParts{actors_}, problems);
-    if (!problems.empty())
-      throw SystemError{std::move(problems)};
-    working_memories_.clear();
-    for (auto& x : architecture.subarchitectures)
-      working_memories_[x.name] =
-        caf::actor_cast<WorkingMemoryActor>(actors_.at(x.working_memory.name));
-    for_each_component(architecture, [&](const ComponentDescription& x) {
-      if (x.kind != ComponentKind::working_memory)
-        components_.try_emplace(
-          x.name, Component{caf::actor_cast<caf::actor>(actors_.at(x.name)), x.number});
-    });
+    auto deployed = tell_supervisor<Deployed>(Deploy{architecture, placement}, false);
+    if (deployed && !deployed->problems.empty())
+      throw SystemError{std::move(deployed->problems)};
   }
 
   /// What could not be added is to be nowhere.
   void take_back(Placement placement) {
+    auto before = place(architecture_, options_.nodes, roster()->hosts);
     // A host whose process could not be reached gets another one next time.
     std::erase_if(placement.hosts, [&](auto& x) {
-      return placement_.hosts.count(x.first) == 0 &&
+      return before.hosts.count(x.first) == 0 &&
              (x.second >= processes_.size() || processes_.state(x.second).link == LinkState::lost);
     });
     placement.processes.resize(processes_.size());
-    placement_.hosts = std::move(placement.hosts);
-    placement_.processes = std::move(placement.processes);
+    before.hosts = std::move(placement.hosts);
+    before.processes = std::move(placement.processes);
     try {
-      apply(architecture_, placement_);
+      apply(architecture_, before);
     } catch (const SystemError& e) {
       note(LogLevel::warning, e.what());
     }
@@ -335,47 +317,22 @@ private:
 
   /// What is added for a host whose process is lost, once nothing is left of what it ran, goes to
   /// the process that listens there then.
-  void forget_lost_hosts() {
-    std::erase_if(placement_.hosts, [&](auto& host) {
+  void forget_lost_hosts(Placement& placement) const {
+    std::erase_if(placement.hosts, [&](auto& host) {
       return processes_.state(host.second).link == LinkState::lost &&
-             std::none_of(placement_.of.begin(), placement_.of.end(),
+             std::none_of(placement.of.begin(), placement.of.end(),
                           [&](auto& x) { return x.second == host.second; });
     });
   }
 
   /// Configures them all, then starts them all, then lets them run; false if interrupted.
   bool start_components(const ArchitectureDescription& x) {
-    std::vector<std::string> order;
-    auto configure = [&](const ComponentDescription& y) {
-      if (y.name.empty())
-        return true;
-      order.push_back(y.name);
-      return enter(Phase::configure, y.name);
-    };
-    for (auto& subarchitecture : x.subarchitectures) {
-      if (!configure(subarchitecture.task_manager))
-        return false;
-      // Managed components first, then unmanaged ones.
-      for (auto kind : {ComponentKind::managed, ComponentKind::unmanaged})
-        for (auto& y : subarchitecture.components)
-          if (y.kind == kind && !configure(y))
-            return false;
-    }
-    auto first_standalone = order.size();
-    for (auto& y : x.standalone)
-      if (!configure(y))
-        return false;
-    // What stands outside the subarchitectures starts first: the others will want to connect to it.
-    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first_standalone),
-                order.end());
-    order_.insert(order_.end(), order.begin(), order.end());
-    for (auto& name : order)
-      if (!enter(Phase::start, name))
-        return false;
-    for (auto& name : order)
-      self_->send(components_.at(name).actor,
-                  EnterPhase{Phase::run, caf::actor_cast<caf::actor>(self_)});
-    return true;
+    StartComponents start;
+    for_each_component(x, [&](auto& y) {
+      if (!y.name.empty())
+        start.names.push_back(y.name);
+    });
+    return tell_supervisor<ComponentsStarted>(start, true).has_value();
   }
 
   // -- while it runs
@@ -388,41 +345,7 @@ private:
   }
 
   bool is_in_reach(const std::string& component) const {
-    return processes_.is_up(placement_.process_of(component));
-  }
-
-  /// Waits until the component has done what the phase asks of it; false if interrupted.
-  bool enter(Phase phase, const std::string& name) {
-    auto& x = components_.at(name);
-    if (x.failed)
-      return true;
-    self_->monitor(x.actor);
-    self_->send(x.actor, EnterPhase{phase, caf::actor_cast<caf::actor>(self_)});
-    bool done = false;
-    auto next_report = Clock::now() + 5s;
-    while (!done) {
-      self_->receive(
-        [&](const PhaseDone& y) {
-          if (y.component != x.number)
-            return;
-          done = true;
-          x.failed = !y.failure.empty();
-        },
-        [&](const caf::down_msg& y) {
-          if (y.source == x.actor.address())
-            done = x.failed = true;
-        },
-        caf::after(glance) >> [] {});
-      if (interrupted())
-        return false;
-      if (!done && Clock::now() >= next_report) {
-        next_report += 5s;
-        note(LogLevel::info,
-             "waiting for " + name + " to " + (phase == Phase::configure ? "configure" : "start"));
-      }
-    }
-    self_->demonitor(x.actor);
-    return true;
+    return processes_.is_up(process_of(component));
   }
 
   // -- who looks on
@@ -433,21 +356,29 @@ private:
   }
 
   void observe() {
-    ObservedSystem observed;
+    std::map<std::string, LogLevel> logged;
     for (auto& x : architecture_.subarchitectures) {
       WorkingMemoryClass wm_class{x.working_memory};
       if (wm_class.log || wm_class.debug)
-        observed.logged[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
+        logged[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
     }
-    if (!options_.on_change && observed.logged.empty())
+    if (!options_.on_change && logged.empty())
       return;
     make_observer();
-    observed.working_memories = working_memories_;
-    self_->send(observer_, std::move(observed));
+    {
+      std::lock_guard guard{mutex_};
+      observed_ = std::move(logged);
+      tell_observer();
+    }
     ask_observer();
     // Its subscriptions are in force once the working memories have answered anything sent after
     // them.
     ask_working_memories();
+  }
+
+  /// What it is to look at; with the mutex locked.
+  void tell_observer() {
+    caf::anon_send(observer_, ObservedSystem{roster_->working_memories, *observed_});
   }
 
   void ask_observer() {
@@ -469,33 +400,14 @@ private:
   }
 
   void open_endpoint() {
-    endpoint_ = open_local_endpoint(system_, options_.endpoint, [this](SystemOrder x) {
+    auto endpoint = open_local_endpoint(system_, options_.endpoint, [this](SystemOrder x) {
       std::lock_guard guard{mutex_};
       orders_.push_back(std::move(x));
       changed_.notify_all();
     });
-    tell_endpoint();
-  }
-
-  void tell_endpoint() {
-    if (!endpoint_)
-      return;
-    SystemRoster roster;
-    roster.file = architecture_.file;
-    roster.epoch = epoch_;
-    roster.processes = processes_.descriptions();
-    for (std::size_t i = 0; i < roster.processes.size(); ++i)
-      roster.agents.push_back(processes_.agent(static_cast<ProcessNumber>(i)));
-    for (auto& [name, wm] : working_memories_)
-      roster.working_memories[name] = wm;
-    for_each_component(architecture_,
-                       [&](auto& x) { roster.placement[x.name] = placement_.process_of(x.name); });
-    caf::anon_send(endpoint_, std::make_shared<const SystemRoster>(std::move(roster)));
-  }
-
-  void tell_of_change() {
-    observe();
-    tell_endpoint();
+    std::lock_guard guard{mutex_};
+    endpoint_ = endpoint;
+    caf::anon_send(endpoint_, roster_);
   }
 
   std::deque<SystemOrder> take_orders() {
@@ -525,9 +437,11 @@ private:
       return self_->request(wm, options_.answer_patience, StatusQuery{});
     };
     std::vector<decltype(ask(WorkingMemoryActor{}))> answers;
+    auto known = roster();
     for (auto& x : architecture_.subarchitectures)
-      if (is_in_reach(x.working_memory.name))
-        answers.push_back(ask(working_memories_.at(x.name)));
+      if (auto i = known->working_memories.find(x.name);
+          i != known->working_memories.end() && is_in_reach(x.working_memory.name))
+        answers.push_back(ask(i->second));
     std::vector<WorkingMemoryStatus> result;
     for (auto& answer : answers)
       answer.receive([&](const WorkingMemoryStatus& x) { result.push_back(x); },
@@ -568,24 +482,32 @@ private:
         for (auto& x : part->components)
           found[x.identity.name] = x;
     std::vector<ComponentStatus> result;
-    for (auto& name : order_.empty() ? names() : order_)
+    auto known = roster();
+    for (auto& name : names()) {
       result.push_back(found.count(name) > 0 ? found[name] : status_of_absent(name));
+      if (auto life = known->lives.find(name); life != known->lives.end()) {
+        result.back().restarts = life->second.incarnation - 1;
+        result.back().will_restart = life->second.will_restart;
+      }
+    }
     return result;
   }
 
+  /// Of the components, in the order of their start.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
-    for_each_component(architecture_, [&](const ComponentDescription& x) {
-      if (x.kind != ComponentKind::working_memory)
-        result.push_back(x.name);
-    });
+    SupervisionTree tree;
+    tree.set(architecture_);
+    for (auto& name : tree.order())
+      if (architecture_.component(name)->kind != ComponentKind::working_memory)
+        result.push_back(name);
     return result;
   }
 
   /// Of a component whose node does not answer.
   ComponentStatus status_of_absent(const std::string& name) const {
     auto& x = *architecture_.component(name);
-    auto process = processes_.state(placement_.process_of(name));
+    auto process = processes_.state(process_of(name));
     ComponentStatus result;
     result.identity = {x.name, x.subarchitecture, x.class_name,
                        static_cast<std::uint32_t>(x.number)};
@@ -606,43 +528,34 @@ private:
   /// Task managers alone do nothing.
   static bool all_failed(const std::vector<ComponentStatus>& components) {
     return std::all_of(components.begin(), components.end(), [](auto& x) {
-      return x.is_task_manager || (x.state == ComponentState::failed && !x.out_of_reach);
+      return x.is_task_manager || (x.state == ComponentState::failed && !x.out_of_reach &&
+                                   !x.will_restart);
     });
   }
 
   // -- the end
 
-  /// In this order.
   void stop_components(const std::vector<std::string>& names) {
-    std::string stopped;
-    for (auto& name : names) {
-      // Of a node that is out of reach, the part ends by itself.
-      if (!is_in_reach(name))
-        continue;
-      if (await_end(components_.at(name).actor)) {
-        stopped += (stopped.empty() ? "" : ", ") + name;
-      } else {
-        stuck_.push_back(name);
-        note(LogLevel::error, name + " did not stop: it has not come back from its own code");
-      }
-    }
-    if (!stopped.empty())
-      note(LogLevel::info, "stopped, in this order: " + stopped);
-  }
-
-  /// Stops a component; false if it does not stop in time.
-  bool await_end(const caf::actor& x) {
-    self_->monitor(x);
-    self_->send_exit(x, caf::exit_reason::user_shutdown);
-    auto until = Clock::now() + options_.stop_patience;
-    bool down = false;
-    while (!down && Clock::now() < until && !(interrupted() && Clock::now() > until - 4s))
-      self_->receive([&](const caf::down_msg& y) { down = y.source == x.address(); },
-                     [](const PhaseDone&) {}, caf::after(glance) >> [] {});
-    return down;
+    auto outcome = tell_supervisor<ComponentsStopped>(StopComponents{names}, false);
+    if (!outcome)
+      return;
+    stuck_.insert(stuck_.end(), outcome->stuck.begin(), outcome->stuck.end());
+    if (outcome->stopped.empty())
+      return;
+    std::string list;
+    for (auto& name : outcome->stopped)
+      list += (list.empty() ? "" : ", ") + name;
+    note(LogLevel::info, "stopped, in this order: " + list);
   }
 
   void end() {
+    // Nobody calls this object any more.
+    caf::anon_send_exit(supervisor_, caf::exit_reason::user_shutdown);
+    await_ends(system_, {supervisor_});
+    {
+      std::lock_guard guard{mutex_};
+      reported_to_ = nullptr;
+    }
     caf::anon_send_exit(endpoint_, caf::exit_reason::user_shutdown);
     await_ends(system_, {endpoint_});
     processes_.close("the system has ended");
@@ -651,15 +564,10 @@ private:
     caf::anon_send_exit(desk_, caf::exit_reason::user_shutdown);
   }
 
-  struct Component {
-    caf::actor actor;
-    std::size_t number = 0;
-    bool failed = false;
-  };
-
   ArchitectureDescription architecture_;
   const SystemOptions options_;
-  Placement placement_;
+  /// As the file has it; `roster` knows better later.
+  const Placement placed_;
   /// Of the next component that is added.
   std::size_t next_number_ = 0;
 
@@ -667,23 +575,25 @@ private:
   std::condition_variable changed_;
   std::optional<std::pair<int, std::string>> ended_;
   std::deque<SystemOrder> orders_;
+  SystemRosterPtr roster_ = std::make_shared<const SystemRoster>();
+  /// Who is told of news of the network.
+  caf::actor reported_to_;
+  /// At which levels changes are logged, by subarchitecture; nothing if nobody observes.
+  std::optional<std::map<std::string, LogLevel>> observed_;
 
-  ActorSystemConfig config_{placement_.processes.size() > 1 || !options_.endpoint.empty()};
+  ActorSystemConfig config_{placed_.processes.size() > 1 || !options_.endpoint.empty()};
   caf::actor_system system_{config_};
   const Clock::time_point epoch_ = Clock::now();
   caf::scoped_actor self_{system_};
 
-  Processes processes_{system_, options_, new_system_name(architecture_)};
+  Processes processes_{system_, options_, new_system_name(architecture_),
+                       [this](const LinkNews& x) { hear(x); }};
   caf::actor desk_;
+  caf::actor supervisor_;
   caf::actor observer_;
   caf::actor endpoint_;
-  /// Of all parts, by the names of the components, working memories included.
-  std::map<std::string, caf::strong_actor_ptr> actors_;
-  std::map<std::string, WorkingMemoryActor> working_memories_;
-  std::map<std::string, Component> components_;
-  /// Of the components' start.
-  std::vector<std::string> order_;
   std::vector<std::string> stuck_;
+  bool started_ = false;
   std::atomic<bool> stopped_{false};
 };
 

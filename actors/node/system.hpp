@@ -40,6 +40,10 @@ struct SystemOptions {
   /// comparison.
   bool broadcast = false;
 
+  /// Components that fail are started again, as the architecture says. Otherwise each stays down, and
+  /// the others go on without it.
+  bool restarts = true;
+
   /// Where nodes listen, by the hosts that the architecture names; hosts that are not here are
   /// looked for where their names say.
   std::map<std::string, Endpoint> nodes;
@@ -124,7 +128,7 @@ public:
   ~System();
 
   /// Configures every component, then starts every component, then lets them run. False if it was
-  /// interrupted. A component that fails is reported and the others go on without it.
+  /// interrupted. A component that fails is dealt with by its supervisors.
   bool start();
 
   struct Until {

@@ -33,7 +33,7 @@ std::string limit_of(const SupervisionPolicy& x) {
 
 } // namespace
 
-void SupervisionTree::set(const ArchitectureDescription& architecture) {
+void SupervisionTree::set(const ArchitectureDescription& architecture, bool restarts) {
   auto known = std::exchange(children_, {});
   auto known_supervisors = std::exchange(subarchitectures_, {});
   order_.clear();
@@ -41,7 +41,7 @@ void SupervisionTree::set(const ArchitectureDescription& architecture) {
   system_.children.clear();
   auto add = [&](const ComponentDescription& x, std::vector<std::string>& to) {
     auto& child = children_[x.name];
-    child = {restart_type_of(x), x.kind, x.subarchitecture, std::move(known[x.name].failures)};
+    child = {restarts ? restart_type_of(x) : RestartType::temporary, x.kind, x.subarchitecture, std::move(known[x.name].failures)};
     to.push_back(x.name);
     order_.push_back(x.name);
   };
@@ -105,7 +105,7 @@ SupervisionDecision SupervisionTree::restart_child(const std::string& component,
   result.delay = delay_of(supervisor.policy, child.failures, now);
   auto affected_children = affected(supervisor, component);
   result.stop = child.subarchitecture.empty() ? components_of(affected_children)
-                                              : with_dependents(supervisor, affected_children);
+                                              : with_dependents(affected_children);
   // Those that are never started again are ended all the same.
   std::copy_if(result.stop.begin(), result.stop.end(), std::back_inserter(result.start),
                [&](auto& x) { return restart_type(x) != RestartType::temporary; });
@@ -154,20 +154,20 @@ std::vector<std::string> SupervisionTree::affected(const Supervisor& supervisor,
 }
 
 std::vector<std::string>
-SupervisionTree::with_dependents(const Supervisor& supervisor,
-                                 std::vector<std::string> children) const {
-  std::set<std::string> wanted{children.begin(), children.end()};
-  auto includes = [&](ComponentKind kind) {
-    return std::any_of(children.begin(), children.end(),
-                       [&](auto& x) { return children_.at(x).kind == kind; });
-  };
-  if (includes(ComponentKind::working_memory))
-    return supervisor.children;
-  bool managed_too = includes(ComponentKind::task_manager);
+SupervisionTree::with_dependents(const std::vector<std::string>& components) const {
+  std::set<std::string> wanted{components.begin(), components.end()};
+  for (auto& name : components) {
+    auto& child = children_.at(name);
+    bool all = child.kind == ComponentKind::working_memory;
+    if (!all && child.kind != ComponentKind::task_manager)
+      continue;
+    for (auto& x : subarchitectures_.at(child.subarchitecture).children)
+      if (all || children_.at(x).kind == ComponentKind::managed)
+        wanted.insert(x);
+  }
   std::vector<std::string> result;
-  for (auto& x : supervisor.children)
-    if (wanted.count(x) > 0 || (managed_too && children_.at(x).kind == ComponentKind::managed))
-      result.push_back(x);
+  std::copy_if(order_.begin(), order_.end(), std::back_inserter(result),
+               [&](auto& x) { return wanted.count(x) > 0; });
   return result;
 }
 

@@ -50,8 +50,8 @@ public:
   explicit SupervisionTree(std::uint64_t seed = 0) : random_(seed) {}
 
   /// Takes the children and the rules from the architecture. What is known of past failures of
-  /// those that stay is kept.
-  void set(const ArchitectureDescription& architecture);
+  /// those that stay is kept. Without `restarts` nobody is started again.
+  void set(const ArchitectureDescription& architecture, bool restarts = true);
 
   /// A child has failed.
   SupervisionDecision failed(const std::string& component, Timestamp now);
@@ -60,6 +60,9 @@ public:
   SupervisionDecision ended(const std::string& component, Timestamp now);
 
   RestartType restart_type(const std::string& component) const;
+
+  /// Those that go down with any of these, in the order of their start.
+  std::vector<std::string> with_dependents(const std::vector<std::string>& components) const;
 
   /// In the order of their start.
   const std::vector<std::string>& order() const { return order_; }
@@ -89,9 +92,6 @@ private:
                                Timestamp now);
   /// Of a supervisor's children, those that go down with one of them.
   std::vector<std::string> affected(const Supervisor& supervisor, const std::string& child) const;
-  /// Also those that one of them would not survive.
-  std::vector<std::string> with_dependents(const Supervisor& supervisor,
-                                           std::vector<std::string> children) const;
   /// Of the children of the system, what they consist of.
   std::vector<std::string> components_of(const std::vector<std::string>& children) const;
   Timestamp delay_of(const SupervisionPolicy& policy, std::deque<Timestamp>& failures,

@@ -25,7 +25,8 @@ protected:
       body(self);
       self.end_system(0, "done");
     };
-    System system{architecture(server + subarchitecture("a") + "CPP UM client Unmanaged\n")};
+    System system{architecture(server + subarchitecture("a") + "CPP UM client Unmanaged\n"),
+                  without_restarts()};
     EXPECT_EQ(run(system), 0) << system.summary().components.back().failure;
   }
 
@@ -177,7 +178,8 @@ TEST_F(Connections, NothingIsKeptForAReceiverThatHasEnded) {
     });
   };
   System system{
-    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 8\n")};
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 8\n"),
+    without_restarts()};
   ASSERT_TRUE(system.start());
   EXPECT_TRUE(eventually([&] { return got.load(); }));
   // The server goes on pushing, but not to somebody who takes nothing.
@@ -191,7 +193,8 @@ TEST_F(Connections, NothingIsKeptForAReceiverThatHasEnded) {
 
 TEST_F(Connections, APushLimitHasToBeOneAtLeast) {
   System system{
-    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 0\n")};
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 0\n"),
+    without_restarts()};
   system.start();
   EXPECT_NE(system.summary().components.back().failure.find("--push-limit is 0"),
             std::string::npos);

@@ -175,7 +175,7 @@ TEST_F(Locks, EndWithTheirHolder) {
     auto guard = self.lock(x, LockLevel::odr);
     self.end_system(0, "done");
   };
-  System system{with({"doomed"}, {"heir"})};
+  System system{with({"doomed --restart temporary"}, {"heir"})};
   EXPECT_EQ(run(system), 0);
 }
 

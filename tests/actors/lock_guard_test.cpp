@@ -18,7 +18,8 @@ protected:
 
   static int run_two() {
     System system{
-      architecture(subarchitecture("a") + "CPP UM one Unmanaged\nCPP UM two Unmanaged\n")};
+      architecture(subarchitecture("a") + "CPP UM one Unmanaged\nCPP UM two Unmanaged\n"),
+      without_restarts()};
     return run(system);
   }
 

@@ -19,7 +19,7 @@ namespace {
 class TaskLog {
 public:
   SystemOptions options() {
-    SystemOptions result;
+    auto result = without_restarts();
     result.on_task = [this](const TaskEvent& x) {
       std::lock_guard guard{mutex_};
       lines_.push_back(std::string{to_string(x.step)} + ' ' + x.task.name +
@@ -238,7 +238,8 @@ TEST_F(Scheduling, TasksAndChangesAreObservedOnOneThread) {
 
 TEST_F(Scheduling, ABudgetIsNotNegative) {
   script("m").run = [](auto& self) { self.end_system(0, "done"); };
-  System system{with("SchedulingTaskManager --resource-budget \"-1\"", {"m"})};
+  System system{with("SchedulingTaskManager --resource-budget \"-1\"", {"m"}),
+                without_restarts()};
   EXPECT_EQ(run(system), 0);
   EXPECT_EQ(system.summary().components.front().failure,
             "failed in configure(): --resource-budget is -1, but a budget is a number from 0");

@@ -34,6 +34,12 @@ std::string subarchitecture(const std::string& name) {
          " localhost\nCPP WM SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n";
 }
 
+SystemOptions without_restarts() {
+  SystemOptions result;
+  result.restarts = false;
+  return result;
+}
+
 int run(System& system) {
   auto status = -1;
   if (system.start() && system.wait({30s, {}}) == EndReason::ended_by_component)

@@ -58,6 +58,7 @@ public:
   std::function<void(Scripted&, const TaskId&)> on_rejected;
 
   using Base::component_name;
+  using Base::end_component;
   using Base::end_system;
   using Base::is_running;
   using Base::now;
@@ -241,6 +242,9 @@ ArchitectureDescription architecture(const std::string& text);
 
 /// "CPP WM ..." and "CPP TM ..." for a subarchitecture, to be followed by its components.
 std::string subarchitecture(const std::string& name);
+
+/// Components that fail stay down.
+SystemOptions without_restarts();
 
 /// Runs the system until it ends itself, and stops it; the status it ended with, or -1 if it did
 /// not end within 30 s.

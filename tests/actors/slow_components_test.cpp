@@ -283,9 +283,11 @@ TEST_F(SlowComponentsOfASystem, AreSentMoreWhateverBecomesOfWhatTheyWereSent) {
 
 TEST_F(SlowComponentsOfASystem, NeedRoomForAFewEvents) {
   script("writer").run = [](auto& self) { self.end_system(0, "done"); };
-  System system{architecture(
-    subarchitecture("a") +
-    "CPP UM cramped Unmanaged --queue-limit 15\nCPP UM writer Unmanaged --queue-limit 16\n")};
+  System system{
+    architecture(
+      subarchitecture("a") +
+      "CPP UM cramped Unmanaged --queue-limit 15\nCPP UM writer Unmanaged --queue-limit 16\n"),
+    without_restarts()};
   EXPECT_EQ(run(system), 0);
   EXPECT_EQ(system.summary().components.at(1).failure,
             "failed in configure(): --queue-limit is 15, but the least is 16");

@@ -116,7 +116,7 @@ TEST_F(Tasks, WorkThatThrowsIsAFailureOfTheComponent) {
   ManagedScript::scripts()["m"].start = [](auto& self) {
     self.propose_task("now", [] { throw std::runtime_error("lost it"); });
   };
-  System system{architecture(subarchitecture("a") + "CPP MG m Managed\n")};
+  System system{architecture(subarchitecture("a") + "CPP MG m Managed\n"), without_restarts()};
   ASSERT_TRUE(system.start());
   EXPECT_EQ(system.wait({30s, {}}), EndReason::all_failed);
   system.stop();

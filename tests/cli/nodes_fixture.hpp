@@ -77,6 +77,8 @@ protected:
     if (std::find(more.begin(), more.end(), "--for") == more.end())
       append(arguments, {"--for", "100s"});
     append(arguments, more);
+    // What a component finds out by failing is not to be lost with it.
+    arguments.push_back("--no-restarts");
     return command(arguments);
   }
 

@@ -242,6 +242,7 @@ private:
     first_fault_ = never;
     SystemOptions options;
     options.open_access = true;
+    options.restarts = false;
     options.link = impatient(options_.patience);
     options.credentials = credentials(options_, "run");
     for (std::size_t i = 1; i <= nodes; ++i)

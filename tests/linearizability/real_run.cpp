@@ -92,6 +92,7 @@ RealRunResult run_for_real(std::uint64_t seed) {
   {
     SystemOptions options;
     options.open_access = true;
+    options.restarts = false;
     System system{architecture(plan, world), options};
     system.start();
     auto until = std::chrono::steady_clock::now() + 30s;

@@ -1,0 +1,137 @@
+#include "castor/actors/node/deployment.hpp"
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/supervision/health.hpp"
+
+#include <utility>
+
+namespace castor {
+
+void Deployments::add(Order x) {
+  orders_.push_back(std::move(x));
+  if (orders_.size() == 1)
+    begin();
+}
+
+template <class Question, class Take>
+void Deployments::ask(const Question& question, Take take, std::function<void()> then) {
+  then_ = std::move(then);
+  missing_.clear();
+  auto number = ++question_;
+  for (std::size_t i = 0; i < processes_.size(); ++i)
+    if (auto process = static_cast<ProcessNumber>(i);
+        processes_.state(process).link != LinkState::lost)
+      missing_.insert(process);
+  auto asked = missing_;
+  for (auto process : asked) {
+    auto answered = [self = shared_from_this(), process, number] {
+      if (number == self->question_ && self->missing_.erase(process) > 0)
+        self->go_on_if_answered();
+    };
+    using Answer = typename Take::Answer;
+    self_->request(processes_.agent(process), patience_, question)
+      .then(
+        [self = shared_from_this(), take, process, number, answered](const Answer& x) {
+          if (number == self->question_)
+            take(process, x);
+          answered();
+        },
+        [self = shared_from_this(), process, number, answered](const caf::error&) {
+          if (number == self->question_)
+            self->no_answer(process);
+          answered();
+        });
+  }
+  go_on_if_answered();
+}
+
+namespace {
+
+/// What to do with answers of a kind.
+template <class T>
+struct Taking {
+  using Answer = T;
+  std::function<void(ProcessNumber, const T&)> f;
+  void operator()(ProcessNumber from, const T& x) const {
+    if (f)
+      f(from, x);
+  }
+};
+
+} // namespace
+
+void Deployments::begin() {
+  problems_.clear();
+  auto plan = orders_.front().plan();
+  ask(plan,
+      Taking<PartMade>{[self = shared_from_this(), plan](ProcessNumber from, const PartMade& x) {
+        self->take(plan, from, x);
+      }},
+      [this, plan] {
+        if (!problems_.empty())
+          return finish();
+        std::set<std::string> names{working_memory_of(health_subarchitecture)};
+        for_each_component(plan.architecture, [&](auto& x) { names.insert(x.name); });
+        std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
+        introduce();
+      });
+}
+
+void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade& made) {
+  for (auto& [name, actor] : made.actors)
+    if (process_of(plan.placement, name) == from)
+      actors_[name] = actor;
+  for (auto problem : made.problems) {
+    if (from != 0)
+      problem.message =
+        "on the node " + processes_.state(from).description.name + ": " + problem.message;
+    problems_.push_back(std::move(problem));
+  }
+}
+
+void Deployments::introduce() {
+  ask(JoinParts{actors_}, Taking<Acknowledged>{}, [this] { finish(); });
+}
+
+void Deployments::finish() {
+  auto order = std::move(orders_.front());
+  orders_.pop_front();
+  auto self = shared_from_this();
+  order.done(problems_);
+  if (!orders_.empty())
+    begin();
+}
+
+void Deployments::no_answer(ProcessNumber from) {
+  auto x = processes_.state(from);
+  cast::Diagnostic problem;
+  problem.message = (from == 0 ? "this process" : "the node " + x.description.name) +
+                    " did not make its part of the system in " +
+                    std::to_string(patience_.count() / 1000) + " s";
+  if (x.link != LinkState::up)
+    problem.message += ": " + x.reason;
+  problem.remedy = "see that the nodes can reach each other where the file says that they are";
+  problems_.push_back(std::move(problem));
+}
+
+bool Deployments::look_again() {
+  if (!orders_.empty())
+    go_on_if_answered();
+  return std::erase_if(behind_, [&](auto x) { return processes_.is_up(x); }) > 0;
+}
+
+void Deployments::go_on_if_answered() {
+  if (!then_)
+    return;
+  std::erase_if(missing_, [&](ProcessNumber x) {
+    auto link = processes_.state(x).link;
+    if (link == LinkState::up || (link == LinkState::down && orders_.front().wait_for_all))
+      return false;
+    behind_.insert(x);
+    return true;
+  });
+  if (missing_.empty())
+    std::exchange(then_, nullptr)();
+}
+
+} // namespace castor

@@ -1,0 +1,807 @@
+#include "castor/actors/node/supervisor.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/cast/duration.hpp"
+#include "castor/actors/node/deployment.hpp"
+#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/supervision/supervision_tree.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace castor {
+
+/// To the supervisor from itself: it is time to look after a round.
+struct RoundDue {
+  std::uint64_t round = 0;
+  /// Which of its steps was meant.
+  std::uint64_t step = 0;
+};
+
+/// To the supervisor from itself: is that component still without its working memory?
+struct OrphanDue {
+  std::string name;
+  std::uint64_t incarnation = 0;
+};
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::RoundDue)
+CASTOR_LOCAL_MESSAGE(castor::OrphanDue)
+
+namespace castor {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// How long a component may wait for the news that its working memory has ended, too.
+constexpr auto orphan_patience = 1s;
+/// How often it is said that a component takes its time.
+constexpr auto between_reports = 5s;
+
+struct Child {
+  std::size_t number = 0;
+  ComponentKind kind = ComponentKind::managed;
+  std::string subarchitecture;
+  /// How long it may take to stop.
+  std::chrono::milliseconds shutdown{5000};
+  std::uint64_t incarnation = 1;
+  bool alive = true;
+  /// Nobody will start it again.
+  bool given_up = false;
+  /// Since when it has not been there, and whether that was made known.
+  std::optional<Clock::time_point> down_since;
+};
+
+/// The stopping and starting of some children, one step after the other.
+struct Round {
+  enum class Step : std::uint8_t { stop, wait, make, configure, start };
+
+  std::uint64_t id = 0;
+  std::vector<std::string> stop;
+  std::vector<std::string> start;
+  /// The same in another order.
+  std::vector<std::string> configure;
+  Timestamp delay{0};
+  /// Whether it makes what it starts anew.
+  bool makes = false;
+  Step step = Step::stop;
+  /// Counts steps, so that a late reminder is known as such.
+  std::uint64_t steps = 0;
+  /// Who is being stopped, configured or started now, as an index.
+  std::size_t at = 0;
+  /// Whether that one was told to.
+  bool asked = false;
+  Clock::time_point since;
+  /// Who failed meanwhile, to be dealt with when the round is over.
+  std::vector<ComponentEnded> failures;
+  std::vector<std::string> stopped;
+  std::vector<std::string> stuck;
+  std::function<void(const Round&)> done;
+
+  /// In which its components go through the present phase: those outside the subarchitectures are
+  /// configured last, and started first.
+  const std::vector<std::string>& order() const {
+    return step == Step::configure ? configure : start;
+  }
+
+  bool concerns(const std::string& name) const {
+    return std::count(stop.begin(), stop.end(), name) > 0 ||
+           std::count(start.begin(), start.end(), name) > 0;
+  }
+
+  bool overlaps(const Round& other) const {
+    auto concerned = [&](auto& name) { return other.concerns(name); };
+    return std::any_of(stop.begin(), stop.end(), concerned) ||
+           std::any_of(start.begin(), start.end(), concerned);
+  }
+
+  bool includes(const Round& other) const {
+    auto concerned = [&](auto& name) { return concerns(name); };
+    return std::all_of(other.stop.begin(), other.stop.end(), concerned) &&
+           std::all_of(other.start.begin(), other.start.end(), concerned);
+  }
+};
+
+class Supervisor : public std::enable_shared_from_this<Supervisor> {
+public:
+  Supervisor(caf::event_based_actor* self, SupervisorParts parts)
+    : self_(self), parts_(std::move(parts)), processes_(*parts_.processes),
+      options_(*parts_.options), tree_(std::random_device{}()),
+      deployments_(std::make_shared<Deployments>(self, processes_, options_.part_patience)) {}
+
+  caf::behavior begin() {
+    auto me = shared_from_this();
+    return {
+      [me](const Deploy& x) { return me->deploy(x); },
+      [me](const StartComponents& x) { return me->start(x.names); },
+      [me](const StopComponents& x) { return me->stop(x.names); },
+      [me](const PhaseDone& x) { me->phase_done(x); },
+      [me](const ComponentEnded& x) { me->ended(x); },
+      [me](const LinkNews& x) { me->hear(x); },
+      [me](const RoundDue& x) { me->remind(x); },
+      [me](const OrphanDue& x) { me->look_after_orphan(x); },
+    };
+  }
+
+private:
+  Timestamp now() const {
+    return std::chrono::duration_cast<Timestamp>(Clock::now() - parts_.epoch);
+  }
+
+  // -- what the system consists of
+
+  caf::response_promise deploy(const Deploy& x) {
+    auto promise = self_->make_response_promise();
+    Deployments::Order order;
+    order.wait_for_all = true;
+    order.plan = [this, x] {
+      become(x.architecture, x.placement);
+      return plan();
+    };
+    order.done = [this, promise](const Deployments::Problems& problems) mutable {
+      publish();
+      promise.deliver(Deployed{problems});
+    };
+    deployments_->add(std::move(order));
+    return promise;
+  }
+
+  void become(const ArchitectureDescription& architecture, const Placement& placement) {
+    // Where something was moved to meanwhile is known better here.
+    auto known = std::exchange(placement_, placement);
+    for (auto& [host, process] : known.hosts)
+      if (auto i = placement_.hosts.find(host); i != placement_.hosts.end()) {
+        auto replaced = i->second;
+        i->second = process;
+        for (auto& [name, of] : placement_.of)
+          if (of == replaced)
+            of = process;
+      }
+    for (auto& [name, process] : known.of)
+      if (auto i = placement_.of.find(name); i != placement_.of.end())
+        i->second = process;
+    architecture_ = architecture;
+    tree_.set(architecture_, options_.restarts);
+    auto children = std::exchange(children_, {});
+    for_each_component(architecture_, [&](const ComponentDescription& x) {
+      auto& child = children_[x.name];
+      if (auto i = children.find(x.name); i != children.end())
+        child = i->second;
+      child.number = x.number;
+      child.kind = x.kind;
+      child.subarchitecture = x.subarchitecture;
+      child.shutdown = options_.stop_patience;
+      if (auto* option = x.option("shutdown"))
+        child.shutdown = cast::parse_duration(option->value).value_or(child.shutdown);
+    });
+  }
+
+  PartPlan plan() const {
+    PartPlan result;
+    result.architecture = architecture_;
+    result.processes = processes_.descriptions();
+    result.placement = placement_.of;
+    for (auto& [name, child] : children_)
+      if (child.incarnation != 1)
+        result.incarnations[name] = child.incarnation;
+    result.open_access = options_.open_access;
+    result.broadcast = options_.broadcast;
+    result.coordinator = parts_.desk;
+    result.supervisor = caf::actor_cast<caf::actor>(self_);
+    result.task_observer = parts_.task_observer;
+    result.age = now();
+    return result;
+  }
+
+  ProcessNumber process_of(const std::string& name) const { return placement_.process_of(name); }
+
+  void publish() {
+    SystemRoster roster;
+    roster.file = parts_.file;
+    roster.epoch = parts_.epoch;
+    roster.processes = processes_.descriptions();
+    for (std::size_t i = 0; i < roster.processes.size(); ++i)
+      roster.agents.push_back(processes_.agent(static_cast<ProcessNumber>(i)));
+    auto& actors = deployments_->actors();
+    for (auto& x : architecture_.subarchitectures)
+      if (auto i = actors.find(x.working_memory.name); i != actors.end())
+        roster.working_memories[x.name] = caf::actor_cast<WorkingMemoryActor>(i->second);
+    for (auto& [name, child] : children_) {
+      roster.placement[name] = process_of(name);
+      roster.lives[name] = {child.incarnation, !child.alive && !child.given_up};
+    }
+    roster.hosts = placement_;
+    parts_.on_change(std::make_shared<const SystemRoster>(std::move(roster)));
+  }
+
+  // -- rounds
+
+  caf::response_promise start(const std::vector<std::string>& names) {
+    auto promise = self_->make_response_promise();
+    Round round;
+    for (auto& name : tree_.order())
+      if (std::count(names.begin(), names.end(), name) > 0)
+        round.start.push_back(name);
+    round.done = [promise](const Round&) mutable { promise.deliver(ComponentsStarted{}); };
+    begin_round(std::move(round));
+    return promise;
+  }
+
+  caf::response_promise stop(const std::vector<std::string>& names) {
+    auto promise = self_->make_response_promise();
+    Round round;
+    for (auto& name : tree_.order()) {
+      auto i = children_.find(name);
+      if (i == children_.end() || std::count(names.begin(), names.end(), name) == 0)
+        continue;
+      round.stop.push_back(name);
+      i->second.given_up = true;
+    }
+    round.done = [promise](const Round& x) mutable {
+      promise.deliver(ComponentsStopped{x.stopped, x.stuck});
+    };
+    begin_round(std::move(round));
+    return promise;
+  }
+
+  void begin_round(Round round) {
+    round.id = ++last_round_;
+    round.since = Clock::now();
+    // In the reverse order of their start.
+    std::reverse(round.stop.begin(), round.stop.end());
+    // What others do to the same components need not be done any more.
+    std::list<Round> replaced;
+    for (auto* list : {&rounds_, &waiting_})
+      for (auto i = list->begin(); i != list->end();) {
+        auto next = std::next(i);
+        if (round.includes(*i))
+          replaced.splice(replaced.end(), *list, i);
+        i = next;
+      }
+    for (auto& x : replaced)
+      if (x.done)
+        x.done(x);
+    if (is_in_the_way(round)) {
+      waiting_.push_back(std::move(round));
+      return;
+    }
+    rounds_.push_back(std::move(round));
+    advance(std::prev(rounds_.end()));
+  }
+
+  bool is_in_the_way(const Round& round) const {
+    return std::any_of(rounds_.begin(), rounds_.end(), [&](auto& x) { return x.overlaps(round); });
+  }
+
+  using RoundIterator = std::list<Round>::iterator;
+
+  RoundIterator find_round(std::uint64_t id) {
+    return std::find_if(rounds_.begin(), rounds_.end(), [&](auto& x) { return x.id == id; });
+  }
+
+  RoundIterator round_of(const std::string& name) {
+    return std::find_if(rounds_.begin(), rounds_.end(), [&](auto& x) { return x.concerns(name); });
+  }
+
+  void enter(Round& round, Round::Step step) {
+    round.step = step;
+    round.at = 0;
+    round.asked = false;
+    ++round.steps;
+    round.since = Clock::now();
+  }
+
+  /// Does what can be done of a round now.
+  void advance(RoundIterator i) {
+    auto& round = *i;
+    if (round.step == Round::Step::stop) {
+      if (!stop_next(round))
+        return;
+      enter(round, Round::Step::wait);
+      if (round.makes && round.delay.count() > 0) {
+        remind_later(round, round.delay);
+        return;
+      }
+    }
+    if (round.step == Round::Step::wait) {
+      enter(round, Round::Step::make);
+      if (round.makes) {
+        make(round);
+        return;
+      }
+    }
+    if (round.step == Round::Step::make)
+      begin_to_configure(round);
+    if (round.step == Round::Step::configure) {
+      if (!enter_next(round, Phase::configure))
+        return;
+      enter(round, Round::Step::start);
+    }
+    if (!enter_next(round, Phase::start))
+      return;
+    for (auto& name : round.start)
+      if (takes_part(name))
+        send_phase(name, Phase::run);
+    end_round(i);
+  }
+
+  /// Stops one after the other; true when the last one has ended.
+  bool stop_next(Round& round) {
+    for (; round.at < round.stop.size(); ++round.at, ++round.steps, round.since = Clock::now()) {
+      auto& name = round.stop[round.at];
+      auto i = children_.find(name);
+      // Working memories end where they are made anew. Of a node that is out of reach, the part
+      // ends by itself.
+      if (i == children_.end() || !i->second.alive ||
+          i->second.kind == ComponentKind::working_memory || !processes_.is_up(process_of(name)))
+        continue;
+      auto patience = i->second.shutdown;
+      if (options_.interrupted && options_.interrupted())
+        patience = std::min<std::chrono::milliseconds>(patience, 1s);
+      if (Clock::now() - round.since >= patience) {
+        log(LogLevel::error, name, "did not stop: it has not come back from its own code");
+        round.stuck.push_back(name);
+        std::erase(round.start, name);
+        i->second.given_up = true;
+        continue;
+      }
+      if (auto actor = actor_of(name))
+        self_->send_exit(actor, caf::exit_reason::user_shutdown);
+      remind_later(round, std::min<Timestamp>(patience, 250ms));
+      return false;
+    }
+    return true;
+  }
+
+  /// Makes anew what the round starts.
+  void make(Round& round) {
+    bool others_know = false;
+    for (auto& name : round.start) {
+      auto& child = children_.at(name);
+      ++child.incarnation;
+      others_know = others_know || child.kind == ComponentKind::working_memory ||
+                    child.kind == ComponentKind::task_manager ||
+                    child.kind == ComponentKind::standalone || moved_.erase(name) > 0;
+    }
+    if (others_know)
+      make_by_plan(round);
+    else
+      make_one_by_one(round);
+  }
+
+  void make_by_plan(Round& round) {
+    Deployments::Order order;
+    order.plan = [this] { return plan(); };
+    order.done = [this, id = round.id](const Deployments::Problems& problems) {
+      if (!problems.empty())
+        log(LogLevel::error, "supervisor", cast::render(problems));
+      made(id, !problems.empty());
+    };
+    deployments_->add(std::move(order));
+  }
+
+  void make_one_by_one(Round& round) {
+    auto missing = std::make_shared<std::size_t>(round.start.size());
+    auto failed = std::make_shared<bool>(false);
+    for (auto& name : round.start) {
+      auto answered = [this, missing, failed, id = round.id](bool ok) {
+        *failed = *failed || !ok;
+        if (--*missing == 0)
+          made(id, *failed);
+      };
+      self_
+        ->request(processes_.agent(process_of(name)), options_.part_patience,
+                  RestartComponent{name, children_.at(name).incarnation})
+        .then(
+          [this, name, answered](const PartMade& x) {
+            auto actor = x.actors.find(name);
+            if (actor != x.actors.end())
+              deployments_->set_actor(name, actor->second);
+            answered(actor != x.actors.end());
+          },
+          [answered](const caf::error&) { answered(false); });
+    }
+  }
+
+  void made(std::uint64_t id, bool failed) {
+    auto i = find_round(id);
+    if (i == rounds_.end())
+      return;
+    for (auto& name : i->start) {
+      auto& child = children_.at(name);
+      child.alive = !failed;
+      if (failed)
+        i->failures.push_back({name, child.incarnation, ComponentEnded::How::failed,
+                               "it could not be made anew"});
+    }
+    begin_to_configure(*i);
+    advance(i);
+  }
+
+  void begin_to_configure(Round& round) {
+    enter(round, Round::Step::configure);
+    round.configure = round.start;
+    std::stable_partition(round.configure.begin(), round.configure.end(), [&](auto& x) {
+      return children_.at(x).kind != ComponentKind::standalone;
+    });
+  }
+
+  /// Whether there is somebody with phases of life.
+  bool takes_part(const std::string& name) const {
+    auto i = children_.find(name);
+    return i != children_.end() && i->second.alive &&
+           i->second.kind != ComponentKind::working_memory;
+  }
+
+  /// Lets one after the other go through a phase; true when the last one has.
+  bool enter_next(Round& round, Phase phase) {
+    for (auto& order = round.order(); round.at < order.size(); go_to_next(round)) {
+      auto& name = order[round.at];
+      if (!takes_part(name))
+        continue;
+      if (!std::exchange(round.asked, true)) {
+        send_phase(name, phase);
+        round.since = Clock::now();
+        remind_later(round, between_reports);
+      }
+      return false;
+    }
+    return true;
+  }
+
+  static void go_to_next(Round& round) {
+    round.asked = false;
+    ++round.at;
+    ++round.steps;
+  }
+
+  void phase_done(const PhaseDone& x) {
+    for (auto i = rounds_.begin(); i != rounds_.end(); ++i) {
+      auto step = x.phase == Phase::configure ? Round::Step::configure : Round::Step::start;
+      if (i->step != step || i->at >= i->order().size())
+        continue;
+      auto child = children_.find(i->order()[i->at]);
+      if (child == children_.end() || child->second.number != x.component)
+        continue;
+      // One that failed says so once it has ended.
+      if (!x.failure.empty())
+        return;
+      if (x.phase == Phase::start)
+        note_up(child->first);
+      go_to_next(*i);
+      advance(i);
+      return;
+    }
+  }
+
+  void end_round(RoundIterator i) {
+    auto round = std::move(*i);
+    rounds_.erase(i);
+    for (auto& name : round.start)
+      if (auto child = children_.find(name); child != children_.end() && child->second.alive &&
+                                             child->second.kind == ComponentKind::working_memory)
+        note_up(name);
+    publish();
+    if (round.done)
+      round.done(round);
+    for (auto& x : round.failures)
+      deal_with(x);
+    begin_waiting();
+  }
+
+  void begin_waiting() {
+    // What begins may end at once, and change both lists.
+    for (;;) {
+      auto next = std::find_if(waiting_.begin(), waiting_.end(),
+                               [&](auto& x) { return !is_in_the_way(x); });
+      if (next == waiting_.end())
+        return;
+      rounds_.splice(rounds_.end(), waiting_, next);
+      advance(std::prev(rounds_.end()));
+    }
+  }
+
+  void remind_later(const Round& round, Timestamp delay) {
+    self_->delayed_send(self_, delay, RoundDue{round.id, round.steps});
+  }
+
+  void remind(const RoundDue& x) {
+    auto i = find_round(x.round);
+    if (i == rounds_.end() || i->steps != x.step)
+      return;
+    if (i->step == Round::Step::configure || i->step == Round::Step::start) {
+      log(LogLevel::info, "supervisor",
+          fmt::format("waiting for {} to {}", i->order()[i->at],
+                      i->step == Round::Step::configure ? "configure" : "start"));
+      remind_later(*i, between_reports);
+      return;
+    }
+    advance(i);
+  }
+
+  caf::actor actor_of(const std::string& name) const {
+    auto i = deployments_->actors().find(name);
+    return i == deployments_->actors().end() ? nullptr : caf::actor_cast<caf::actor>(i->second);
+  }
+
+  void send_phase(const std::string& name, Phase phase) {
+    if (auto actor = actor_of(name))
+      self_->send(actor, EnterPhase{phase, caf::actor_cast<caf::actor>(self_)});
+  }
+
+  // -- failures
+
+  void ended(const ComponentEnded& x) {
+    auto i = children_.find(x.name);
+    if (i == children_.end() || i->second.incarnation != x.incarnation || !i->second.alive)
+      return;
+    i->second.alive = false;
+    auto round = round_of(x.name);
+    if (round == rounds_.end()) {
+      if (!i->second.given_up)
+        deal_with(x);
+      return;
+    }
+    if (round->step == Round::Step::stop) {
+      round->stopped.push_back(x.name);
+      advance(round);
+      return;
+    }
+    round->failures.push_back(x);
+    if ((round->step == Round::Step::configure || round->step == Round::Step::start) &&
+        round->at < round->order().size() && round->order()[round->at] == x.name) {
+      go_to_next(*round);
+      advance(round);
+    }
+  }
+
+  /// A child has ended, and no round has to do with that.
+  void deal_with(const ComponentEnded& x) {
+    auto i = children_.find(x.name);
+    if (i == children_.end() || i->second.incarnation != x.incarnation || i->second.alive ||
+        i->second.given_up || round_of(x.name) != rounds_.end() ||
+        std::any_of(waiting_.begin(), waiting_.end(), [&](auto& y) { return y.concerns(x.name); }))
+      return;
+    auto& child = i->second;
+    if (x.how == ComponentEnded::How::orphaned) {
+      // It is started again with its working memory, of whose end we have heard or will.
+      self_->delayed_send(self_, orphan_patience, OrphanDue{x.name, x.incarnation});
+      return;
+    }
+    auto decision = x.how == ComponentEnded::How::stopped ? tree_.ended(x.name, now())
+                                                          : tree_.failed(x.name, now());
+    auto reason = x.how == ComponentEnded::How::stopped ? "ended with its work done" : x.failure;
+    switch (decision.kind) {
+      case SupervisionDecision::Kind::leave:
+        child.given_up = true;
+        note_down(x.name, reason, false);
+        publish();
+        return;
+      case SupervisionDecision::Kind::give_up:
+        note_down(x.name, reason, false);
+        caf::anon_send(parts_.desk,
+                       EndSystem{1, "the supervisor: " + decision.reason + "; " + x.name + ' ' +
+                                      reason});
+        return;
+      case SupervisionDecision::Kind::restart:
+        note_down(x.name, reason, true);
+        restart(decision, x.name);
+        return;
+    }
+  }
+
+  void look_after_orphan(const OrphanDue& x) {
+    // Its working memory still is there, so it has failed as anybody may.
+    auto i = children_.find(x.name);
+    if (i == children_.end())
+      return;
+    auto wm = children_.find(working_memory_of(i->second.subarchitecture));
+    if (wm != children_.end() && wm->second.alive)
+      deal_with({x.name, x.incarnation, ComponentEnded::How::failed,
+                 "its working memory could not be reached"});
+  }
+
+  void restart(const SupervisionDecision& decision, const std::string& name) {
+    if (!decision.escalated.empty())
+      log(LogLevel::error, "supervisor",
+          fmt::format("{} fails as a whole and is started again: {}", decision.escalated,
+                      decision.reason));
+    Round round;
+    round.makes = true;
+    round.delay = decision.delay;
+    auto is_here = [&](const std::string& x) {
+      auto i = children_.find(x);
+      return i != children_.end() && (!i->second.given_up || !decision.escalated.empty()) &&
+             processes_.state(process_of(x)).link != LinkState::lost;
+    };
+    std::copy_if(decision.stop.begin(), decision.stop.end(), std::back_inserter(round.stop),
+                 is_here);
+    std::copy_if(decision.start.begin(), decision.start.end(), std::back_inserter(round.start),
+                 is_here);
+    for (auto& x : round.start)
+      children_.at(x).given_up = false;
+    for (auto& x : round.stop)
+      if (x != name)
+        note_down(x, "it is started again because of " + name, true);
+    publish();
+    begin_round(std::move(round));
+  }
+
+  // -- health
+
+  void note_down(const std::string& name, const std::string& reason, bool will_restart) {
+    auto& child = children_.at(name);
+    if (child.down_since && will_restart)
+      return;
+    if (!child.down_since)
+      child.down_since = Clock::now();
+    log(LogLevel::warning, name, reason + (will_restart ? "; it is started again" : ""));
+    write_health(name, Value::of(ComponentDown{name, child.subarchitecture, child.incarnation,
+                                               reason, will_restart}));
+  }
+
+  void note_up(const std::string& name) {
+    auto& child = children_.at(name);
+    auto since = std::exchange(child.down_since, std::nullopt);
+    if (!since)
+      return;
+    auto down = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - *since);
+    log(LogLevel::info, name,
+        fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
+    write_health(
+      name, Value::of(ComponentUp{name, child.subarchitecture, child.incarnation, down.count()}));
+  }
+
+  /// Replaces what is there of a component.
+  void write_health(const std::string& name, Value value) {
+    static const auto client =
+      std::make_shared<const Client>(Client{"supervisor", health_subarchitecture, 1});
+    auto i = deployments_->actors().find(working_memory_of(health_subarchitecture));
+    if (i == deployments_->actors().end())
+      return;
+    auto wm = caf::actor_cast<WorkingMemoryActor>(i->second);
+    WriteRequest request;
+    request.address = {health_subarchitecture, name};
+    request.client = client;
+    auto send = [&] {
+      self_->request(wm, caf::infinite, request)
+        .then([](const Outcome<Version>&) {}, [](const caf::error&) {});
+    };
+    if (!told_of_.insert(name).second) {
+      request.operation = Operation::remove;
+      send();
+    }
+    request.operation = Operation::add;
+    request.value = std::move(value);
+    send();
+  }
+
+  // -- processes
+
+  /// These are to run in other processes from now on, which takes others with it.
+  void move(const std::vector<std::string>& names, const std::string& why) {
+    SupervisionDecision decision{SupervisionDecision::Kind::restart};
+    decision.stop = tree_.with_dependents(names);
+    std::copy_if(decision.stop.begin(), decision.stop.end(), std::back_inserter(decision.start),
+                 [&](auto& x) {
+                   auto restart = tree_.restart_type(x) != RestartType::temporary;
+                   return restart || std::count(names.begin(), names.end(), x) > 0;
+                 });
+    moved_.insert(names.begin(), names.end());
+    restart(decision, why);
+  }
+
+  /// Another process where a component may run, if its own is lost.
+  std::optional<ProcessNumber> refuge_of(const std::string& name) const {
+    auto* x = architecture_.component(name);
+    // What a working memory holds is only where it was.
+    if (!x || x->kind == ComponentKind::working_memory)
+      return std::nullopt;
+    for (auto& host : architecture_.failover_of(*x)) {
+      auto i = placement_.hosts.find(host);
+      auto process = i == placement_.hosts.end() ? ProcessNumber{0} : i->second;
+      if (processes_.is_up(process))
+        return process;
+    }
+    return std::nullopt;
+  }
+
+  void lose(ProcessNumber lost, const std::string& why) {
+    awaited_.erase(lost);
+    std::vector<std::string> moving;
+    std::vector<std::string> staying;
+    for (auto& name : tree_.order()) {
+      auto& child = children_.at(name);
+      if (child.given_up || process_of(name) != lost)
+        continue;
+      child.alive = false;
+      child.given_up = tree_.restart_type(name) == RestartType::temporary;
+      note_down(name, "its node " + processes_.state(lost).description.name + " is lost: " + why,
+                !child.given_up);
+      if (child.given_up)
+        continue;
+      if (auto refuge = refuge_of(name)) {
+        placement_.of[name] = *refuge;
+        moving.push_back(name);
+      } else {
+        staying.push_back(name);
+      }
+    }
+    // Those who are waited for in vain.
+    std::vector<std::uint64_t> ids;
+    for (auto& round : rounds_)
+      ids.push_back(round.id);
+    for (auto id : ids)
+      if (auto i = find_round(id); i != rounds_.end() && i->step != Round::Step::wait &&
+                                   i->step != Round::Step::make)
+        advance(i);
+    if (!staying.empty()) {
+      auto successor = processes_.look_for_successor(lost);
+      for (auto& [host, process] : placement_.hosts)
+        if (process == lost)
+          process = successor;
+      for (auto& name : staying)
+        placement_.of[name] = successor;
+      awaited_[successor] = staying;
+    }
+    publish();
+    if (!moving.empty())
+      move(moving, "the loss of its node");
+  }
+
+  void hear(const LinkNews& x) {
+    if (x.state == LinkState::lost)
+      lose(x.peer, x.reason);
+    if (x.state == LinkState::up)
+      if (auto awaited = awaited_.extract(x.peer)) {
+        log(LogLevel::info, "supervisor", "node " + x.name + " was started again");
+        move(awaited.mapped(), "the return of its node");
+      }
+    if (deployments_->look_again()) {
+      Deployments::Order order;
+      order.plan = [this] { return plan(); };
+      order.done = [this](const Deployments::Problems&) { publish(); };
+      deployments_->add(std::move(order));
+    }
+  }
+
+  caf::event_based_actor* self_;
+  const SupervisorParts parts_;
+  Processes& processes_;
+  const SystemOptions& options_;
+  ArchitectureDescription architecture_;
+  Placement placement_;
+  SupervisionTree tree_;
+  std::shared_ptr<Deployments> deployments_;
+  std::map<std::string, Child> children_;
+  std::list<Round> rounds_;
+  /// Those that have to wait for others.
+  std::list<Round> waiting_;
+  std::uint64_t last_round_ = 0;
+  /// What changes its process.
+  std::set<std::string> moved_;
+  /// Processes that are to take the places of lost ones, and what will run there.
+  std::map<ProcessNumber, std::vector<std::string>> awaited_;
+  /// Those of whom there is an entry.
+  std::set<std::string> told_of_;
+};
+
+} // namespace
+
+caf::behavior supervisor(caf::event_based_actor* self, SupervisorParts parts) {
+  return std::make_shared<Supervisor>(self, std::move(parts))->begin();
+}
+
+} // namespace castor
