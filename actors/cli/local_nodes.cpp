@@ -1,9 +1,14 @@
 #include "castor/actors/cli/local_nodes.hpp"
 
+#include "castor/actors/component/log.hpp"
+
+#include <fmt/core.h>
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +17,7 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace castor::cli {
 
@@ -80,16 +86,30 @@ std::string first_line(int from) {
   return {};
 }
 
-} // namespace
-
-LocalNodes::LocalNodes(const std::map<std::string, std::string>& names,
-                       const std::vector<std::string>& plugins, const std::string& tls) {
-  for (auto& [host, name] : names)
-    start(host, name, plugins, tls);
+/// "was killed by signal 9 (Killed)", from what waitpid says.
+std::string how_it_ended(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 
-void LocalNodes::start(const std::string& host, const std::string& name,
-                       const std::vector<std::string>& plugins, const std::string& tls) {
+} // namespace
+
+LocalNodes::LocalNodes(const std::map<std::string, LocalNode>& nodes,
+                       std::vector<std::string> plugins, std::string tls)
+  : plugins_(std::move(plugins)), tls_(std::move(tls)) {
+  for (auto& [host, node] : nodes) {
+    auto& x = processes_[host];
+    x.node = node;
+    start(x);
+  }
+  if (pipe2(wake_, O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
+  watch_ = std::thread{[this] { watch(); }};
+}
+
+void LocalNodes::start(Process& x) {
   auto input = make_pipe();
   auto announcement = make_pipe();
   // What the node announces is not for the user; what its components print is.
@@ -100,42 +120,119 @@ void LocalNodes::start(const std::string& host, const std::string& name,
   std::vector<std::string> arguments{"castor",
                                      "node",
                                      "--name",
-                                     name,
+                                     x.node.name,
                                      "--listen",
-                                     "127.0.0.1:0",
+                                     to_string(x.at),
                                      "--end-with-input",
                                      "--announce",
                                      std::to_string(announcements)};
-  for (auto& x : plugins)
-    arguments.insert(arguments.end(), {"--plugin", x});
-  if (!tls.empty())
-    arguments.insert(arguments.end(), {"--tls", tls + '/' + name});
-  pid_t id = -1;
-  int error = attributes.spawn(id, std::move(arguments));
+  for (auto& plugin : plugins_)
+    arguments.insert(arguments.end(), {"--plugin", plugin});
+  if (!tls_.empty())
+    arguments.insert(arguments.end(), {"--tls", tls_ + '/' + x.node.name});
+  if (x.node.memory_limit > 0)
+    arguments.insert(arguments.end(),
+                     {"--memory-limit", std::to_string(x.node.memory_limit)});
+  x.id = -1;
+  int error = attributes.spawn(x.id, std::move(arguments));
   close(input[0]);
   close(announcement[1]);
   if (error == 0)
-    processes_.push_back({id, input[1]});
+    x.input = input[1];
   else
     close(input[1]);
   auto line = error == 0 ? first_line(announcement[0]) : std::string{};
   close(announcement[0]);
   if (line.empty())
-    throw std::runtime_error("the node " + name + " could not be started on this machine" +
+    throw std::runtime_error("the node " + x.node.name + " could not be started on this machine" +
                              (error ? std::string{": "} + std::strerror(error) : std::string{}));
-  endpoints_[host] = parse_endpoint(line, 0);
+  x.at = parse_endpoint(line, 0);
+  x.end = static_cast<int>(syscall(SYS_pidfd_open, x.id, 0));
+}
+
+void LocalNodes::watch() {
+  for (;;) {
+    std::vector<pollfd> ends{{wake_[0], POLLIN, 0}};
+    std::vector<std::string> hosts{{}};
+    {
+      std::lock_guard guard{mutex_};
+      for (auto& [host, x] : processes_) {
+        if (x.end < 0)
+          continue;
+        ends.push_back({x.end, POLLIN, 0});
+        hosts.push_back(host);
+      }
+    }
+    poll(ends.data(), ends.size(), -1);
+    std::lock_guard guard{mutex_};
+    if (ending_)
+      return;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      if (ends[i].revents != 0)
+        restart(hosts[i]);
+  }
+}
+
+void LocalNodes::restart(const std::string& host) {
+  auto& x = processes_.at(host);
+  int status = 0;
+  waitpid(x.id, &status, 0);
+  close(x.input);
+  close(x.end);
+  x.id = x.input = x.end = -1;
+  note(LogLevel::warning,
+       "the process of " + x.node.name + ' ' + how_it_ended(status) + "; it is started again");
+  try {
+    start(x);
+  } catch (const std::runtime_error& e) {
+    note(LogLevel::error, e.what());
+  }
+}
+
+std::map<std::string, Endpoint> LocalNodes::endpoints() const {
+  std::lock_guard guard{mutex_};
+  std::map<std::string, Endpoint> result;
+  for (auto& [host, x] : processes_)
+    result[host] = x.at;
+  return result;
+}
+
+bool LocalNodes::signal(const std::string& host, int signal) {
+  std::lock_guard guard{mutex_};
+  auto i = processes_.find(host);
+  return i != processes_.end() && i->second.id > 0 && kill(i->second.id, signal) == 0;
+}
+
+std::map<std::string, pid_t> LocalNodes::processes() const {
+  std::lock_guard guard{mutex_};
+  std::map<std::string, pid_t> result;
+  for (auto& [host, x] : processes_)
+    if (x.id > 0)
+      result[host] = x.id;
+  return result;
 }
 
 LocalNodes::~LocalNodes() {
-  for (auto& x : processes_)
-    close(x.input);
+  {
+    std::lock_guard guard{mutex_};
+    ending_ = true;
+  }
+  [[maybe_unused]] auto written = write(wake_[1], "", 1);
+  watch_.join();
+  for (auto fd : wake_)
+    close(fd);
+  for (auto& [host, x] : processes_)
+    if (x.input >= 0)
+      close(x.input);
   auto until = Clock::now() + 3s;
-  for (auto& x : processes_) {
-    while (waitpid(x.id, nullptr, WNOHANG) == 0) {
+  for (auto& [host, x] : processes_) {
+    while (x.id > 0 && waitpid(x.id, nullptr, WNOHANG) == 0) {
       if (Clock::now() > until)
         kill(x.id, SIGKILL);
       poll(nullptr, 0, 10);
     }
+    if (x.end >= 0)
+      close(x.end);
   }
 }
 

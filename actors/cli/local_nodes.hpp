@@ -2,40 +2,69 @@
 
 #include "castor/actors/link/dial.hpp"
 
+#include <condition_variable>
+#include <cstdint>
 #include <map>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/types.h>
 
 namespace castor::cli {
 
-/// Nodes on this machine that stand in for those of other machines, each in a process of its own.
-/// They end with this object, and also if this process is killed.
+/// A node that is to run on this machine, in a process of its own.
+struct LocalNode {
+  std::string name;
+  /// MB that it may allocate; 0 for as much as there is.
+  std::int64_t memory_limit = 0;
+};
+
+/// Nodes on this machine: they stand in for those of other machines, or keep a component apart from
+/// the others. One that dies is started again where it listened. They end with this object, and also
+/// if this process is killed.
 class LocalNodes {
 public:
-  /// Starts nodes of these names, by host. Throws std::runtime_error if one does not come up.
-  LocalNodes(const std::map<std::string, std::string>& names,
-             const std::vector<std::string>& plugins, const std::string& tls);
+  /// Starts these nodes, by host. Throws std::runtime_error if one does not come up.
+  LocalNodes(const std::map<std::string, LocalNode>& nodes, std::vector<std::string> plugins,
+             std::string tls);
   LocalNodes(const LocalNodes&) = delete;
   LocalNodes& operator=(const LocalNodes&) = delete;
   ~LocalNodes();
 
   /// Where they listen, by host.
-  const std::map<std::string, Endpoint>& endpoints() const { return endpoints_; }
+  std::map<std::string, Endpoint> endpoints() const;
+
+  /// Sends a signal to the process of a host; false if it has none.
+  bool signal(const std::string& host, int signal);
+
+  /// The processes that there are now, by host.
+  std::map<std::string, pid_t> processes() const;
 
 private:
   struct Process {
-    pid_t id;
-    /// Its standard input.
-    int input;
+    LocalNode node;
+    pid_t id = -1;
+    /// Its standard input, and what tells of its end.
+    int input = -1;
+    int end = -1;
+    Endpoint at{"127.0.0.1", 0};
   };
 
-  void start(const std::string& host, const std::string& name,
-             const std::vector<std::string>& plugins, const std::string& tls);
+  /// Throws std::runtime_error.
+  void start(Process& x);
+  void watch();
+  void restart(const std::string& host);
 
-  std::map<std::string, Endpoint> endpoints_;
-  std::vector<Process> processes_;
+  const std::vector<std::string> plugins_;
+  const std::string tls_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Process> processes_;
+  bool ending_ = false;
+  /// Written to when the watch is over.
+  int wake_[2] = {-1, -1};
+  std::thread watch_;
 };
 
 } // namespace castor::cli

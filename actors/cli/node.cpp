@@ -8,17 +8,20 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 
 #include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +37,7 @@ struct Arguments {
   bool insecure = false;
   bool end_with_input = false;
   int announce = STDOUT_FILENO;
+  std::int64_t memory_limit = 0;
   bool verbose = false;
 };
 
@@ -55,8 +59,22 @@ void announce(const Arguments& arguments, const std::string& name, const Endpoin
   [[maybe_unused]] auto written = write(arguments.announce, text.data(), text.size());
 }
 
+/// So many MB more than there are now; what asks for more does not get it.
+void limit_memory(std::int64_t megabytes) {
+  std::ifstream status{"/proc/self/status"};
+  std::uint64_t present = 0;
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmData:"))
+      present = std::stoull(line.substr(7)) * 1024;
+  rlimit limit{};
+  limit.rlim_cur = limit.rlim_max = present + (static_cast<std::uint64_t>(megabytes) << 20);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
 int node(Arguments arguments) {
   Signals signals;
+  if (arguments.memory_limit > 0)
+    limit_memory(arguments.memory_limit);
   if (arguments.verbose)
     set_log_level(LogLevel::debug);
   auto name = arguments.name.empty() ? name_of_machine() : arguments.name;
@@ -127,6 +145,11 @@ void add_node(CLI::App& app, Action& chosen) {
     ->add_option("--announce", arguments->announce,
                  "write nothing but the address to this file descriptor once the node is ready")
     ->type_name("FD");
+  command
+    ->add_option("--memory-limit", arguments->memory_limit,
+                 "how much its components may allocate; who asks for more fails")
+    ->type_name("MB")
+    ->check(CLI::PositiveNumber);
   command->add_flag("-v,--verbose", arguments->verbose, "log more");
   command->footer(
     "A system finds the node where its .cast file says HOST NAME and HOSTNAME NAME HOST:PORT.\n"

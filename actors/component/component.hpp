@@ -183,6 +183,10 @@ private:
   Option<RestartType> restart_{
     this, "restart", RestartType::permanent,
     "whether it is started again: always, only if it has failed, or never"};
+  Option<bool> isolate_{this, "isolate", false,
+                        "run it in a process of its own: whatever it does there, others go on"};
+  Option<std::int64_t> memory_limit_{
+    this, "memory-limit", 0, "MB that an isolated component may allocate; 0 for no limit"};
   Option<std::chrono::milliseconds> shutdown_{this, "shutdown", std::chrono::seconds{5},
                                               "how long the component may take to stop"};
   Option<std::uint32_t> push_limit_{

@@ -65,12 +65,15 @@ caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
   return {
     [self, watch, parts = std::move(parts)](TickAtom) {
       auto now = ComponentRecord::Clock::now();
-      for (auto& x : watch->check(now))
+      for (auto& x : watch->check(now)) {
         log(LogLevel::warning, x.component->identity().full_name(),
             fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
                         "hears neither events nor a stop meanwhile, and its leases run out",
                         std::chrono::duration<double>(x.duration).count(),
                         std::chrono::duration<double>(x.component->budget()).count()));
+        if (parts.on_overrun)
+          parts.on_overrun(x);
+      }
       for (auto& x : parts.components)
         if (BudgetWatch::is_responsive(*x, now))
           renew_leases(self, parts, x);

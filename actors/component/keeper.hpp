@@ -4,6 +4,7 @@
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -42,6 +43,8 @@ struct KeeperParts {
   std::vector<std::shared_ptr<ComponentRecord>> components;
   /// By subarchitecture.
   std::map<std::string, WorkingMemoryActor> working_memories;
+  /// Called when one runs past its budget, if anybody wants to know.
+  std::function<void(const Overrun&)> on_overrun = {};
 };
 
 /// The keeper of one process: looks after the components that live in it. It renews their leases

@@ -106,6 +106,7 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
 void SystemPart::begin(const PartPlan& plan) {
   architecture_ = plan.architecture;
   open_access_ = plan.open_access;
+  supervisor_ = plan.supervisor;
   if (!services_->working_memories.empty())
     return;
   services_->epoch = std::chrono::steady_clock::now() - plan.age;
@@ -245,6 +246,10 @@ void SystemPart::spawn_keeper() {
   for (auto& x : running_)
     parts.components.push_back(x.record);
   parts.working_memories = neighbours_->working_memories;
+  parts.on_overrun = [to = supervisor_](const Overrun& x) {
+    auto& identity = x.component->identity();
+    caf::anon_send(to, ComponentHangs{identity.name, identity.incarnation});
+  };
   keeper_ = system_.spawn(keeper, std::move(parts));
 }
 

@@ -89,6 +89,7 @@ private:
   const ProcessNumber self_;
   ArchitectureDescription architecture_;
   bool open_access_ = false;
+  caf::actor supervisor_;
   /// Components' threads may use it after the part is gone.
   std::shared_ptr<ComponentServices> services_ = std::make_shared<ComponentServices>();
   /// By subarchitecture.

@@ -96,6 +96,12 @@ struct ComponentEnded {
   std::string failure;
 };
 
+/// To the supervisor: a component has not come back from its own code within its budget.
+struct ComponentHangs {
+  std::string name;
+  std::uint64_t incarnation = 0;
+};
+
 struct PartStatusQuery {};
 
 /// What a process has taken of its machine.
@@ -127,6 +133,7 @@ CASTOR_LOCAL_MESSAGE(castor::PartMade)
 CASTOR_LOCAL_MESSAGE(castor::JoinParts)
 CASTOR_LOCAL_MESSAGE(castor::RestartComponent)
 CASTOR_LOCAL_MESSAGE(castor::ComponentEnded)
+CASTOR_LOCAL_MESSAGE(castor::ComponentHangs)
 CASTOR_LOCAL_MESSAGE(castor::PartStatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::PartStatus)
 CASTOR_LOCAL_MESSAGE(castor::EndSystem)

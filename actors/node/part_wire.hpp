@@ -97,6 +97,11 @@ void wire(A& a, WirePart<A, ComponentEnded>& x) {
 }
 
 template <class A>
+void wire(A& a, WirePart<A, ComponentHangs>& x) {
+  a(x.name, x.incarnation);
+}
+
+template <class A>
 void wire(A&, WirePart<A, PartStatusQuery>&) {}
 
 template <class A>

@@ -58,6 +58,8 @@ struct Child {
   std::chrono::milliseconds shutdown{5000};
   std::uint64_t incarnation = 1;
   bool alive = true;
+  /// It has a process of its own.
+  bool isolated = false;
   /// Nobody will start it again.
   bool given_up = false;
   /// Since when it has not been there, and whether that was made known.
@@ -129,6 +131,7 @@ public:
       [me](const StopComponents& x) { return me->stop(x.names); },
       [me](const PhaseDone& x) { me->phase_done(x); },
       [me](const ComponentEnded& x) { me->ended(x); },
+      [me](const ComponentHangs& x) { me->end_hanging(x); },
       [me](const LinkNews& x) { me->hear(x); },
       [me](const RoundDue& x) { me->remind(x); },
       [me](const OrphanDue& x) { me->look_after_orphan(x); },
@@ -183,6 +186,7 @@ private:
       child.kind = x.kind;
       child.subarchitecture = x.subarchitecture;
       child.shutdown = options_.stop_patience;
+      child.isolated = x.option("isolate") != nullptr;
       if (auto* option = x.option("shutdown"))
         child.shutdown = cast::parse_duration(option->value).value_or(child.shutdown);
     });
@@ -600,6 +604,16 @@ private:
         restart(decision, x.name);
         return;
     }
+  }
+
+  /// The watchdog has found one that does not come back. Only a process of its own can be ended.
+  void end_hanging(const ComponentHangs& x) {
+    auto i = children_.find(x.name);
+    if (i == children_.end() || i->second.incarnation != x.incarnation || i->second.given_up ||
+        !i->second.isolated || !options_.kill_isolated)
+      return;
+    log(LogLevel::warning, x.name, "hangs; its process is killed");
+    options_.kill_isolated(x.name);
   }
 
   void look_after_orphan(const OrphanDue& x) {

@@ -82,6 +82,10 @@ struct SystemOptions {
   /// never at the same time as `on_change`.
   std::function<void(const TaskEvent&)> on_task;
 
+  /// Kills the process of an isolated component that does not come back from its own code. Called
+  /// from any thread.
+  std::function<void(const std::string& component)> kill_isolated;
+
   /// Asked now and then during lengthy work; true makes the system give up waiting.
   std::function<bool()> interrupted;
 };
