@@ -12,9 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Watches a camera and keeps one SceneChanged entry up to date.
+/// Watches a camera and keeps one SceneChanged entry up to date. One that is started again goes on
+/// with the entry that it left, and takes what it sees for a change.
 class ChangeDetector final : public UnmanagedComponent {
   void start() override {
+    for (auto& x : read_all<SceneChanged>())
+      if (x->camera == number_)
+        scene_ = x.address;
+    has_predecessor_ = !scene_.id.empty();
+    if (has_predecessor_)
+      return;
     SceneChanged nothing_yet;
     nothing_yet.camera = number_;
     scene_ = add(nothing_yet);
@@ -25,7 +32,7 @@ class ChangeDetector final : public UnmanagedComponent {
     options.pixel_threshold = threshold_;
     options.changed_share = share_;
     options.still_frames = still_frames_;
-    options.first_frame_counts = first_frame_;
+    options.first_frame_counts = first_frame_ || has_predecessor_;
     SceneWatch watch{options};
     do {
       auto frame = pull<CameraFrame>(camera_);
@@ -62,6 +69,7 @@ class ChangeDetector final : public UnmanagedComponent {
                             "whether the first picture counts as a change"};
 
   Address scene_;
+  bool has_predecessor_ = false;
 };
 
 CASTOR_COMPONENT(ChangeDetector, "tells when the scene changes and when it has come to rest")

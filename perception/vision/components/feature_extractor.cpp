@@ -12,14 +12,19 @@ namespace {
 /// Measures new regions: colour, shape, and size on the table.
 class FeatureExtractor final : public ManagedComponent {
   void start() override {
-    auto look = [this](const ChangeEvent& event) {
-      propose_task("measure a region", [this, address = event.address] { measure(address); });
-    };
-    on_change(added<ROI>(), look);
-    on_change(overwritten<ROI>(), [this, look](const ChangeEvent& event) {
+    on_change(added<ROI>(), [this](const ChangeEvent& event) { look(event.address); });
+    on_change(overwritten<ROI>(), [this](const ChangeEvent& event) {
       if (event.source != component_name())
-        look(event);
+        look(event.address);
     });
+    // What a predecessor did not get to.
+    for (auto& roi : read_all<ROI>())
+      if (!roi->has_features)
+        look(roi.address);
+  }
+
+  void look(const Address& address) {
+    propose_task("measure a region", [this, address] { measure(address); });
   }
 
   void measure(const Address& address) {

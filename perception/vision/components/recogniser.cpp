@@ -14,9 +14,14 @@ namespace {
 /// Names the colour, shape and size of scene objects by the features of their regions.
 class Recogniser final : public ManagedComponent {
   void start() override {
-    on_change(overwritten<ROI>(), [this](const ChangeEvent& event) {
-      propose_task("recognise an object", [this, address = event.address] { recognise(address); });
-    });
+    on_change(overwritten<ROI>(), [this](const ChangeEvent& event) { look(event.address); });
+    // What a predecessor may not have got to.
+    for (auto& roi : read_all<ROI>())
+      look(roi.address);
+  }
+
+  void look(const Address& address) {
+    propose_task("recognise an object", [this, address] { recognise(address); });
   }
 
   void recognise(const Address& address) {
@@ -53,13 +58,17 @@ class Recogniser final : public ManagedComponent {
     update.shape = after.shape != before->shape;
     update.size = after.size != before->size;
     update.label = after.label != before->label;
-    update.position = after.pose != before->pose;
+    update.position = after.pose != before->pose || after.box != before->box;
+    if (!update.color && !update.shape && !update.size && !update.label && !update.position)
+      return true;
+    WriteBatch batch;
+    batch.overwrite(address, std::move(after));
+    batch.add(here(new_id()), std::move(update));
     try {
-      overwrite(address, std::move(after));
+      write(batch);
     } catch (const ConsistencyException&) {
       return false;
     }
-    add(std::move(update));
     return true;
   }
 

@@ -31,13 +31,19 @@ class Segmentor final : public ManagedComponent {
 
   void start() override {
     on_change(overwritten<SceneChanged>(), [this](const ChangeEvent& event) {
-      auto scene = *read<SceneChanged>(event.address);
-      if (scene.camera != number_ || !scene.changed || scene.processed)
-        return;
-      // Only the latest still scene is worth the effort.
-      retract_task(task_);
-      task_ = propose_task("segment the scene", [this, address = event.address] { look(address); });
+      consider(event.address, *read<SceneChanged>(event.address));
     });
+    // What a predecessor did not get to.
+    for (auto& x : read_all<SceneChanged>())
+      consider(x.address, *x);
+  }
+
+  void consider(const Address& address, const SceneChanged& scene) {
+    if (scene.camera != number_ || !scene.changed || scene.processed)
+      return;
+    // Only the latest still scene is worth the effort.
+    retract_task(task_);
+    task_ = propose_task("segment the scene", [this, address] { look(address); });
   }
 
   void learn_background() {
@@ -87,16 +93,20 @@ class Segmentor final : public ManagedComponent {
     mark_processed(scene);
   }
 
+  // An object and its region come, change and go together, whenever this component may fail.
+
   void remove(const EntryOf<ROI>& roi) {
     auto object = here(roi->object_id);
+    WriteBatch batch;
     try {
       if (read<SceneObject>(object)->managing_process != component_name())
         return; // somebody else, such as a tracker, has taken it over
-      delete_entry(object);
+      batch.delete_entry(object);
     } catch (const DoesNotExistOnWM&) {
       debug("the object of {} is gone already", roi.address.id);
     }
-    delete_entry(roi.address);
+    batch.delete_entry(roi.address);
+    write(batch);
   }
 
   std::optional<ObjectBox> place(const ROI& roi, const vision::Camera& camera) const {
@@ -114,13 +124,15 @@ class Segmentor final : public ManagedComponent {
       object.box = *box;
       object.pose.position = box->centroid;
     }
-    add(here(object_id), std::move(object));
     SceneObjectUpdate update;
     update.object_id = object_id;
     update.position = true;
-    add(std::move(update));
     roi.object_id = object_id;
-    add(here(roi_id), std::move(roi));
+    WriteBatch batch;
+    batch.add(here(object_id), std::move(object));
+    batch.add(here(new_id()), std::move(update));
+    batch.add(here(roi_id), std::move(roi));
+    write(batch);
   }
 
   /// A region that is still where it was and looks as it did is left alone, with all that is known
@@ -137,13 +149,15 @@ class Segmentor final : public ManagedComponent {
         object.box = *box;
         object.pose.position = box->centroid;
       }
-      overwrite(here(fresh.object_id), std::move(object));
       SceneObjectUpdate update;
       update.object_id = fresh.object_id;
       update.position = true;
-      add(std::move(update));
       read<ROI>(known.address);
-      overwrite(known.address, std::move(fresh));
+      WriteBatch batch;
+      batch.overwrite(here(fresh.object_id), std::move(object));
+      batch.add(here(new_id()), std::move(update));
+      batch.overwrite(known.address, std::move(fresh));
+      write(batch);
     } catch (const ConsistencyException& e) {
       // Somebody refines the old view; the next change of the scene comes back to it.
       debug("{}", e.what());
