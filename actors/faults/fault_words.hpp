@@ -9,11 +9,10 @@
 
 namespace castor::faults {
 
-/// Words that mean something inside of a statement; a name that is spelt like one of them is
-/// written in quotes.
-inline constexpr std::array<std::string_view, 15> reserved_words{
-  "and",  "any", "between", "by",   "callback", "clock", "component", "for",
-  "from", "in",  "journal", "link", "node",     "of",    "or"};
+/// Words that join the parts of a statement. A name that is spelt like one of them is written in
+/// quotes; all other words of the language may be names too.
+inline constexpr std::array<std::string_view, 10> reserved_words{
+  "and", "any", "between", "by", "for", "from", "in", "of", "on", "or"};
 
 constexpr bool is_reserved(std::string_view word) {
   return std::ranges::find(reserved_words, word) != reserved_words.end();

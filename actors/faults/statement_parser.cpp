@@ -105,7 +105,7 @@ private:
   Fault throw_fault() {
     Throw result;
     expect("in", "write throw in callback 3 of COMPONENT, or throw in COMPONENT");
-    if (accept("callback")) {
+    if ((peek(1).is("of") || peek(2).is("of")) && accept("callback")) {
       auto remedy = "write which of the next callbacks, such as callback 3";
       auto word = next("the number of the callback is missing", remedy);
       auto number = parse_whole<std::uint32_t>(word.text);
@@ -124,7 +124,7 @@ private:
   }
 
   Fault slow() {
-    if (peek().is("journal")) {
+    if (peek().is("journal") && peek(1).is("of")) {
       auto memory = journal();
       auto by = how_much();
       return SlowJournal{std::move(memory), by, lasting()};
@@ -285,9 +285,10 @@ private:
 
   bool at_end() const { return position_ == words_.size(); }
 
-  const Word& peek() const {
+  /// The next word, or one further on.
+  const Word& peek(std::size_t distance = 0) const {
     static const Word nothing{{}, true};
-    return at_end() ? nothing : words_[position_];
+    return position_ + distance < words_.size() ? words_[position_ + distance] : nothing;
   }
 
   Word next(const std::string& problem, std::string remedy) {

@@ -91,6 +91,15 @@ TEST(FaultPlan, OneOfSeveralFaults) {
   EXPECT_EQ(plan.statements[0].faults, (std::vector<Fault>{Crash{}, Hang{{"a", {}}, 1s}, Kill{}}));
 }
 
+TEST(FaultPlan, OnlyWordsThatJoinAreNoNames) {
+  EXPECT_EQ(fault_in("crash clock"), (Fault{Crash{{"clock", {}}}}));
+  EXPECT_EQ(fault_in("slow journal by 1s"), (Fault{Slow{{"journal", {}}, 1s, {}}}));
+  EXPECT_EQ(fault_in("throw in callback"), (Fault{Throw{{"callback", {}}, 1}}));
+  EXPECT_EQ(fault_in("throw in callback 2 of callback"), (Fault{Throw{{"callback", {}}, 2}}));
+  EXPECT_EQ(fault_in("partition node, link from component"),
+            (Fault{Partition{{"node", "link"}, {"component"}, {}}}));
+}
+
 TEST(FaultPlan, NamesInQuotesAreNames) {
   EXPECT_EQ(fault_in("crash \"any\""), (Fault{Crash{{"any", {}}}}));
   EXPECT_EQ(fault_in(R"(crash "a \"b\" \\ # c")"), (Fault{Crash{{R"(a "b" \ # c)", {}}}}));
@@ -122,6 +131,7 @@ TEST(FaultPlan, EveryErrorSaysWhereAndWhatToWrite) {
   EXPECT_THAT(flaws_of("at 1s crash a;b"), HasSubstr("is not a name"));
   EXPECT_THAT(flaws_of("at 1s crash \"a"), HasSubstr("a quote has no end"));
   EXPECT_THAT(flaws_of("at 1s throw in callback 0 of a"), HasSubstr("not the number"));
+  EXPECT_THAT(flaws_of("at 1s throw in callback of a"), HasSubstr("not the number"));
   EXPECT_THAT(flaws_of("at 1s drop 110% on any link"), HasSubstr("up to 100%"));
   EXPECT_THAT(flaws_of("at 1s drop 10% from a"), HasSubstr("write between NODE and NODE"));
   EXPECT_THAT(flaws_of("at 1s partition a, from b"), HasSubstr("the name of the node is missing"));
