@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/lapses.hpp"
+#include "castor/actors/faults/linearizability/lapses.hpp"
 
 #include <algorithm>
 #include <tuple>

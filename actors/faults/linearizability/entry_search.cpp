@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/entry_search.hpp"
+#include "castor/actors/faults/linearizability/entry_search.hpp"
 
 #include <algorithm>
 #include <bit>

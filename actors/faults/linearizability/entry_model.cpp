@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/entry_model.hpp"
+#include "castor/actors/faults/linearizability/entry_model.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
-#include "castor/tests/linearizability/checker.hpp"
+#include "castor/actors/faults/linearizability/checker.hpp"
 
-#include "castor/tests/linearizability/report.hpp"
+#include "castor/actors/faults/linearizability/report.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/seen_states.hpp"
+#include "castor/actors/faults/linearizability/seen_states.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/report.hpp"
+#include "castor/actors/faults/linearizability/report.hpp"
 
 #include <algorithm>
 #include <vector>

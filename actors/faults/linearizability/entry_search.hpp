@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/tests/linearizability/entry_model.hpp"
-#include "castor/tests/linearizability/seen_states.hpp"
+#include "castor/actors/faults/linearizability/entry_model.hpp"
+#include "castor/actors/faults/linearizability/seen_states.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/tests/linearizability/entry_search.hpp"
+#include "castor/actors/faults/linearizability/entry_search.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/tests/linearizability/entry_search.hpp"
-#include "castor/tests/linearizability/history.hpp"
+#include "castor/actors/faults/linearizability/entry_search.hpp"
+#include "castor/actors/faults/linearizability/history.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/history.hpp"
+#include "castor/actors/faults/linearizability/history.hpp"
 
 namespace castor::linearizability {
 
