@@ -2,6 +2,8 @@
 
 #include "castor/actors/faults/fault_words.hpp"
 
+#include <algorithm>
+
 namespace castor::faults {
 
 namespace {
@@ -99,7 +101,9 @@ std::string target_of(const Fault& fault) {
       else if constexpr (requires { x.memory; })
         return x.memory.is_any() ? "any subarchitecture" : x.memory.subarchitecture;
       else if constexpr (requires { x.link; })
-        return x.link.is_any() ? "any link" : x.link.first + " and " + x.link.second;
+        return x.link.is_any() ? "any link"
+                               : std::min(x.link.first, x.link.second) + " and " +
+                                   std::max(x.link.first, x.link.second);
       else
         return text_of(x.group);
     },

@@ -105,6 +105,19 @@ TEST(FaultPlan, NamesInQuotesAreNames) {
   EXPECT_EQ(fault_in(R"(crash "a \"b\" \\ # c")"), (Fault{Crash{{R"(a "b" \ # c)", {}}}}));
 }
 
+TEST(FaultPlan, FaultsSayWhomTheyBefall) {
+  EXPECT_EQ(target_of(fault_in("hang tracker for 1s")), "tracker");
+  EXPECT_EQ(target_of(fault_in("crash any component of vision")), "any component of vision");
+  EXPECT_EQ(target_of(fault_in("kill any node")), "any node");
+  EXPECT_EQ(target_of(fault_in("partition node2, node1 from coordinator")), "node2, node1");
+  EXPECT_EQ(target_of(fault_in("drop 1% between node2 and node1")), "node1 and node2");
+  EXPECT_EQ(target_of(fault_in("delay 1s on any link")), "any link");
+  EXPECT_EQ(target_of(fault_in("fail journal of vision")), "vision");
+  EXPECT_EQ(target_of(fault_in("jump clock of any by 1s")), "any subarchitecture");
+  EXPECT_EQ(duration_of(fault_in("hang tracker for 1s")), 1s);
+  EXPECT_EQ(duration_of(fault_in("crash tracker")), std::nullopt);
+}
+
 TEST(FaultPlan, IncludesOthers) {
   auto plan = plan_of("at 1s crash a\nINCLUDE more.plan\n");
   ASSERT_EQ(plan.statements.size(), 2U);

@@ -1,5 +1,7 @@
 #include "castor/actors/faults/quantities.hpp"
 
+#include "castor/actors/faults/rounded.hpp"
+
 #include <gtest/gtest.h>
 
 namespace castor::faults {
@@ -44,6 +46,15 @@ TEST(Quantities, AreWrittenInTheLargestUnitThatFits) {
   EXPECT_EQ(to_text(Percent{10'020}), "10.02%");
   EXPECT_EQ(to_text(Percent{5}), "0.005%");
   EXPECT_EQ(to_text(Rate{500}), "0.5/s");
+}
+
+TEST(Quantities, AreRoundedForPeople) {
+  EXPECT_EQ(rounded(0us), "0 us");
+  EXPECT_EQ(rounded(235'934us), "236 ms");
+  EXPECT_EQ(rounded(999'600us), "1 s");
+  EXPECT_EQ(rounded(31'400ms), "31.4 s");
+  EXPECT_EQ(rounded(-5s), "-5 s");
+  EXPECT_EQ(rounded(1h), "3600 s");
 }
 
 } // namespace
