@@ -160,6 +160,18 @@ TEST(FaultSchedule, FaultsComeAfterChanges) {
               testing::ElementsAre("5s crash segmentor"));
 }
 
+TEST(FaultSchedule, ThePlanThatItComesToHasNothingLeftToDraw) {
+  auto plan = schedule_of("every 5s crash any component or kill any node\n"
+                          "after added in vision: crash any component of vision or kill any node\n")
+                .as_plan();
+  ASSERT_EQ(plan.statements.size(), 2U);
+  for (auto& statement : plan.statements) {
+    ASSERT_EQ(statement.faults.size(), 1U);
+    EXPECT_EQ(to_string(statement).find("any"), std::string::npos) << to_string(statement);
+  }
+  EXPECT_EQ(to_string(plan.statements[1].where), "test.plan:2");
+}
+
 TEST(FaultSchedule, NothingToDrawFromIsRefused) {
   EXPECT_THROW((FaultSchedule{plan_of("at 1s kill any node"), test::small_system(), 1, 10s}),
                std::invalid_argument);
