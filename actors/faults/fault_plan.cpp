@@ -3,6 +3,7 @@
 #include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/reader.hpp"
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/faults/statement_error.hpp"
 #include "castor/actors/faults/statement_parser.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 
