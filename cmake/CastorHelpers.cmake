@@ -85,3 +85,17 @@ function(castor_test name)
     DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 120)
 endfunction()
+
+# castor_fuzzed(<name> <folder> <source>...)
+#
+# An object library of these sources of a folder, without .cpp, that fuzzers see the coverage of.
+function(castor_fuzzed name folder)
+  list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/${folder}/\\1.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
+  add_library(${name} OBJECT ${sources})
+  target_include_directories(${name} PUBLIC "${CASTOR_INCLUDE_ROOT}")
+  target_link_libraries(${name} PUBLIC castor_build_options nlohmann_json::nlohmann_json CAF::core)
+  target_compile_options(${name} PUBLIC -fsanitize=fuzzer,address,undefined
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(${name} PUBLIC -fsanitize=fuzzer,address,undefined)
+endfunction()

@@ -107,4 +107,26 @@ ChangeFilter parse_change_filter(std::string_view text) {
   return result;
 }
 
+std::string change_filter_text(const ChangeFilter& x) {
+  std::string result = "changed";
+  // The words as in code come after those as in traces.
+  for (auto& [word, operation] : operations)
+    if (operation && operation == x.operation)
+      result = word;
+  auto add = [&](std::string_view clause, std::string_view word) {
+    if (!word.empty())
+      result.append(clause).append(word);
+  };
+  add(" ", x.type);
+  add(" in ", x.subarchitecture.value_or(""));
+  add(" from ", x.source);
+  add(" at ", x.id);
+  std::string names;
+  for (auto& name : x.changing)
+    names += (names.empty() ? "" : ",") + name;
+  add(" changing ", names);
+  add(" where ", x.predicate.text());
+  return result;
+}
+
 } // namespace castor

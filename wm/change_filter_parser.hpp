@@ -3,6 +3,7 @@
 #include "castor/wm/change_filter.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace castor {
@@ -22,5 +23,9 @@ public:
 /// `in` it is for all subarchitectures; the empty text is for every change. Throws
 /// ChangeFilterError, which says what to write.
 ChangeFilter parse_change_filter(std::string_view text);
+
+/// As `parse_change_filter` reads it. A filter for the own subarchitecture cannot be written; it is
+/// written as one for all.
+std::string change_filter_text(const ChangeFilter& x);
 
 } // namespace castor

@@ -2,9 +2,12 @@
 #include "castor/actors/cast/json.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/faults/fault_targets.hpp"
+#include "castor/actors/node/placement.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 
 #include <fmt/core.h>
 
@@ -19,6 +22,8 @@ namespace {
 
 struct Arguments {
   ArchitectureArguments architecture;
+  std::string plan;
+  int spread = 0;
   bool expand = false;
   bool json = false;
 };
@@ -30,15 +35,38 @@ std::size_t count_components(const ArchitectureDescription& x) {
   return result;
 }
 
+void print(const std::vector<cast::Diagnostic>& problems) {
+  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
+}
+
+/// Says what is wrong with the plan; whether that is nothing.
+bool check_plan(const std::string& file, const ArchitectureDescription& architecture) {
+  auto result = faults::parse_plan_file(file);
+  print(result.diagnostics);
+  if (!result.ok())
+    return false;
+  std::vector<std::string> nodes;
+  for (auto& [host, name] : other_hosts(architecture))
+    nodes.push_back(name);
+  auto problems = faults::check_plan(*result.plan, faults::targets_of(architecture, nodes));
+  print(problems);
+  return problems.empty();
+}
+
 int check(const Arguments& arguments) {
   auto architecture = read_architecture(arguments.architecture, arguments.expand);
   if (!architecture)
     return 1;
+  if (arguments.spread > 0)
+    spread(*architecture, arguments.spread);
   auto problems = check_classes(*architecture);
-  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
+  print(problems);
+  auto is_good = problems.empty();
+  if (!arguments.plan.empty())
+    is_good = check_plan(arguments.plan, *architecture) && is_good;
   if (arguments.json)
     fmt::print("{}\n", to_json(*architecture));
-  if (!problems.empty())
+  if (!is_good)
     return 1;
   if (!arguments.json && !arguments.expand)
     fmt::print("{}: {} subarchitectures, {} components, no errors\n", arguments.architecture.file,
@@ -53,6 +81,13 @@ void add_check(CLI::App& app, Action& chosen) {
     app.add_subcommand("check", "say what is wrong with a .cast file, without running it");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
+  command->add_option("--plan", arguments->plan, "check a fault plan against the system, too")
+    ->type_name("FILE");
+  command
+    ->add_option("--spread", arguments->spread,
+                 "as for `castor run`: the plan's nodes are node1 and so on")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100));
   command->add_flag("--expand", arguments->expand,
                     "print the file's #EXPAND comments with their variables replaced");
   command->add_flag("--json", arguments->json, "print the architecture as it was understood");

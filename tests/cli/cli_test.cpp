@@ -157,6 +157,22 @@ TEST_F(Castor, ChecksAGoodFile) {
   EXPECT_NE(castor.output().find("no errors"), std::string::npos);
 }
 
+TEST_F(Castor, ChecksAFaultPlanAgainstTheSystem) {
+  auto file = system("CPP UM clock Clock\n");
+  auto plan = write("good.plan", "seed 1\nat 1s crash clock\nat 2s kill node2\n");
+  Process good{command({"check", file, "--plan", plan, "--spread", "2"})};
+  EXPECT_EQ(good.wait(), 0) << good.errors();
+  Process alone{command({"check", file, "--plan", plan})};
+  EXPECT_EQ(alone.wait(), 1);
+  EXPECT_NE(alone.errors().find("good.plan:3: error: there is no node"), std::string::npos)
+    << alone.errors();
+  auto bad = write("bad.plan", "at 1s crash clok\nat 1s carsh clock\n");
+  Process castor{command({"check", file, "--plan", bad})};
+  EXPECT_EQ(castor.wait(), 1);
+  EXPECT_NE(castor.errors().find("bad.plan:2: error: 'carsh' is not a fault"), std::string::npos)
+    << castor.errors();
+}
+
 TEST_F(Castor, PrintsTheResolvedArchitecture) {
   Process castor{command({"check", "--json", system("CPP UM clock Clock --count 4\n")})};
   EXPECT_EQ(castor.wait(), 0);

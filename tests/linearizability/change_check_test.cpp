@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/change_check.hpp"
+#include "castor/actors/faults/linearizability/change_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

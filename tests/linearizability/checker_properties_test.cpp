@@ -1,5 +1,5 @@
+#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/brute_force.hpp"
-#include "castor/tests/linearizability/checker.hpp"
 #include "castor/tests/linearizability/random_history.hpp"
 
 #include <gtest/gtest.h>

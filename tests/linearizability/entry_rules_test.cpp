@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/checker.hpp"
+#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/records.hpp"
 
 #include <gtest/gtest.h>

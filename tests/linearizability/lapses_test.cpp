@@ -1,6 +1,6 @@
-#include "castor/tests/linearizability/lapses.hpp"
+#include "castor/actors/faults/linearizability/lapses.hpp"
 
-#include "castor/tests/linearizability/checker.hpp"
+#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/records.hpp"
 
 #include <gtest/gtest.h>

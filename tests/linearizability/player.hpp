@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/tests/linearizability/history.hpp"
+#include "castor/actors/faults/linearizability/history.hpp"
 #include "castor/tests/linearizability/seen.hpp"
 #include "castor/tests/linearizability/world.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/faults/linearizability/lapses.hpp"
 #include "castor/actors/node/system.hpp"
-#include "castor/tests/linearizability/lapses.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/tests/linearizability/checker.hpp"
-#include "castor/tests/linearizability/history.hpp"
+#include "castor/actors/faults/linearizability/checker.hpp"
+#include "castor/actors/faults/linearizability/history.hpp"
 #include "castor/tests/linearizability/world.hpp"
 
 #include <chrono>

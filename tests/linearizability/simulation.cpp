@@ -1,6 +1,6 @@
 #include "castor/tests/linearizability/simulation.hpp"
 
-#include "castor/tests/linearizability/change_check.hpp"
+#include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/tests/linearizability/simulated_client.hpp"
 #include "castor/wm/working_memory.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/tests/linearizability/history.hpp"
+#include "castor/actors/faults/linearizability/history.hpp"
 #include "castor/wm/address.hpp"
 
 #include <chrono>

@@ -46,6 +46,14 @@ TEST(ParseChangeFilter, ReadsAllThereIs) {
   EXPECT_EQ(x, expected);
 }
 
+TEST(ChangeFilterText, IsReadAsTheSameFilter) {
+  for (auto text : {"changed", "added Ball", "changed Ball", "deleted", "changed in vision",
+                    "changed at 0:3", "changed where x > 1",
+                    "overwritten SceneObject in vision from tracker at 0:3 changing label,pose "
+                    "where confidence > 0.8 && label == \"in box\""})
+    EXPECT_EQ(change_filter_text(parse_change_filter(text)), text);
+}
+
 TEST(ParseChangeFilter, EverythingMayBeMissing) {
   EXPECT_EQ(parse_change_filter("Ball").type, "Ball");
   EXPECT_EQ(parse_change_filter("in vision").subarchitecture, "vision");

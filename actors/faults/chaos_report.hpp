@@ -1,0 +1,27 @@
+#pragma once
+
+#include "castor/actors/faults/chaos_run.hpp"
+
+#include <string>
+
+namespace castor::faults {
+
+/// A page that needs nothing but itself: the verdict, every violation with what brings it about
+/// again, a timeline of faults and outages, recovery times, resources over time, the lists of all
+/// of it, and the plan.
+std::string to_html(const ChaosRun& run);
+
+/// The same for programs. Times are in microseconds.
+std::string to_json(const ChaosRun& run);
+
+/// The same in short, for a terminal.
+/// @param coloured uses ANSI escape sequences
+std::string to_text(const ChaosRun& run, bool coloured = false);
+
+/// "held" or "2 violations".
+std::string verdict_of(const ChaosRun& run);
+
+/// "41 back, 1 given up, 0 neither; half within 120ms, 99 % within 800ms, all within 910ms".
+std::string recovery_summary(const ChaosRun& run);
+
+} // namespace castor::faults

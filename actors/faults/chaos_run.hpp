@@ -1,0 +1,107 @@
+#pragma once
+
+#include "castor/wm/timestamp.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::faults {
+
+/// A fault that was brought about, or was to be.
+struct FaultRecord {
+  Timestamp at{0};
+  /// Of one that lasted: when it was over.
+  std::optional<Timestamp> until;
+  /// Component, process, link or subarchitecture.
+  std::string target;
+  /// As in a plan.
+  std::string fault;
+  bool done = true;
+  /// What came of it, or why it could not be brought about.
+  std::string outcome;
+};
+
+/// A component or process that was down, and what became of it.
+struct Outage {
+  std::string target;
+  Timestamp down{0};
+  /// When it was there again.
+  std::optional<Timestamp> up;
+  /// When its first callback after that came to an end.
+  std::optional<Timestamp> first_callback;
+  /// When it was given up, so that its supervisor had to decide.
+  std::optional<Timestamp> escalated;
+  /// It has to be back, or given up, so long after it went down.
+  Timestamp bound{0};
+  std::string reason;
+
+  /// How long it took until it worked again; nothing if it never did.
+  std::optional<Timestamp> recovery() const {
+    auto back = first_callback ? first_callback : up;
+    return back ? std::optional{*back - down} : std::nullopt;
+  }
+};
+
+/// Something that must not be.
+struct Violation {
+  /// Which check found it.
+  std::string check;
+  /// Lines of text.
+  std::string text;
+  std::optional<Timestamp> at;
+  /// What brings it about again.
+  std::uint64_t seed = 0;
+  std::string replay;
+};
+
+/// One thing that was looked into.
+struct CheckRecord {
+  enum class Verdict : std::uint8_t { held, violated, undecided };
+
+  std::string name;
+  Verdict verdict = Verdict::held;
+  /// On what grounds: "1,203 operations on 12 entries".
+  std::string grounds;
+};
+
+struct ResourceSample {
+  Timestamp at{0};
+  /// In bytes, as far as it is resident.
+  std::uint64_t memory = 0;
+  /// Open file descriptors.
+  std::uint64_t files = 0;
+  std::uint64_t threads = 0;
+};
+
+/// Of one process: if it is started again, that is another.
+struct ProcessResources {
+  std::string process;
+  std::vector<ResourceSample> samples;
+};
+
+/// All that is to be said about one run of `castor chaos`.
+struct ChaosRun {
+  /// The .cast file.
+  std::string system;
+  /// The command line that makes the same run.
+  std::string command;
+  std::uint64_t seed = 0;
+  Timestamp duration{0};
+  /// The plan, with nothing left to draw.
+  std::string plan;
+  std::vector<FaultRecord> faults;
+  std::vector<Outage> outages;
+  std::vector<CheckRecord> checks;
+  std::vector<Violation> violations;
+  std::vector<ProcessResources> resources;
+  /// What else is worth knowing: names and values.
+  std::vector<std::pair<std::string, std::string>> facts;
+
+  /// Nothing is known that must not be.
+  bool held() const { return violations.empty(); }
+};
+
+} // namespace castor::faults

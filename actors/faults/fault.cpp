@@ -1,0 +1,136 @@
+#include "castor/actors/faults/fault.hpp"
+
+#include "castor/actors/faults/fault_words.hpp"
+
+#include <algorithm>
+
+namespace castor::faults {
+
+namespace {
+
+std::string text_of(const ComponentTarget& x) {
+  if (!x.is_any())
+    return name_in_plan(x.name);
+  return x.subarchitecture.empty() ? "any component"
+                                   : "any component of " + name_in_plan(x.subarchitecture);
+}
+
+std::string text_of(const ProcessTarget& x) {
+  return x.is_any() ? "any node" : name_in_plan(x.name);
+}
+
+std::string text_of(const MemoryTarget& x) {
+  return x.is_any() ? "any" : name_in_plan(x.subarchitecture);
+}
+
+std::string text_of(const LinkTarget& x) {
+  return x.is_any() ? "on any link"
+                    : "between " + name_in_plan(x.first) + " and " + name_in_plan(x.second);
+}
+
+std::string text_of(const std::vector<std::string>& names) {
+  std::string result;
+  for (auto& x : names)
+    result += (result.empty() ? "" : ", ") + name_in_plan(x);
+  return result;
+}
+
+std::string text_of(const Lasting& x) {
+  return x ? " for " + to_text(*x) : std::string{};
+}
+
+struct Printer {
+  std::string operator()(const Crash& x) const { return "crash " + text_of(x.component); }
+  std::string operator()(const Throw& x) const {
+    auto callback = x.callback == 1 ? "" : "callback " + std::to_string(x.callback) + " of ";
+    return "throw in " + callback + text_of(x.component);
+  }
+  std::string operator()(const Hang& x) const {
+    return "hang " + text_of(x.component) + text_of(x.duration);
+  }
+  std::string operator()(const Slow& x) const {
+    return "slow " + text_of(x.component) + " by " + to_text(x.by) + text_of(x.duration);
+  }
+  std::string operator()(const Kill& x) const { return "kill " + text_of(x.process); }
+  std::string operator()(const Stop& x) const {
+    return "stop " + text_of(x.process) + text_of(x.duration);
+  }
+  std::string operator()(const Continue& x) const { return "continue " + text_of(x.process); }
+  std::string operator()(const Partition& x) const {
+    return "partition " + text_of(x.group) + (x.from.empty() ? "" : " from " + text_of(x.from)) +
+           text_of(x.duration);
+  }
+  std::string operator()(const Delay& x) const { return disturbance("delay", to_text(x.by), x); }
+  std::string operator()(const Drop& x) const { return disturbance("drop", to_text(x.part), x); }
+  std::string operator()(const Duplicate& x) const {
+    return disturbance("duplicate", to_text(x.part), x);
+  }
+  std::string operator()(const Reorder& x) const {
+    return disturbance("reorder", to_text(x.part), x);
+  }
+  std::string operator()(const FailJournal& x) const {
+    return "fail journal of " + text_of(x.memory) + text_of(x.duration);
+  }
+  std::string operator()(const SlowJournal& x) const {
+    return "slow journal of " + text_of(x.memory) + " by " + to_text(x.by) + text_of(x.duration);
+  }
+  std::string operator()(const JumpClock& x) const {
+    return "jump clock of " + text_of(x.memory) + " by " + to_text(x.by);
+  }
+
+private:
+  template <class T>
+  static std::string disturbance(std::string_view verb, const std::string& amount, const T& x) {
+    return std::string{verb} + " " + amount + " " + text_of(x.link) + text_of(x.duration);
+  }
+};
+
+} // namespace
+
+std::string to_string(const Fault& x) {
+  return std::visit(Printer{}, x);
+}
+
+std::string target_of(const Fault& fault) {
+  return std::visit(
+    [](const auto& x) -> std::string {
+      if constexpr (requires { x.component; })
+        return x.component.is_any() ? text_of(x.component) : x.component.name;
+      else if constexpr (requires { x.process; })
+        return x.process.is_any() ? text_of(x.process) : x.process.name;
+      else if constexpr (requires { x.memory; })
+        return x.memory.is_any() ? "any subarchitecture" : x.memory.subarchitecture;
+      else if constexpr (requires { x.link; })
+        return x.link.is_any() ? "any link"
+                               : std::min(x.link.first, x.link.second) + " and " +
+                                   std::max(x.link.first, x.link.second);
+      else
+        return text_of(x.group);
+    },
+    fault);
+}
+
+Lasting duration_of(const Fault& fault) {
+  return std::visit(
+    [](const auto& x) -> Lasting {
+      if constexpr (requires { x.duration; })
+        return x.duration;
+      else
+        return std::nullopt;
+    },
+    fault);
+}
+
+std::string name_in_plan(const std::string& name) {
+  if (!name.empty() && std::ranges::all_of(name, continues_name) && !is_reserved(name))
+    return name;
+  std::string result = "\"";
+  for (char c : name) {
+    if (c == '"' || c == '\\')
+      result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+} // namespace castor::faults

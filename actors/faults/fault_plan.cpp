@@ -1,0 +1,112 @@
+#include "castor/actors/faults/fault_plan.hpp"
+
+#include "castor/actors/cast/diagnostic_log.hpp"
+#include "castor/actors/cast/reader.hpp"
+#include "castor/actors/cast/text.hpp"
+#include "castor/actors/faults/statement_error.hpp"
+#include "castor/actors/faults/statement_parser.hpp"
+#include "castor/wm/change_filter_parser.hpp"
+
+#include <utility>
+
+namespace castor::faults {
+
+namespace {
+
+using cast::Severity;
+
+struct TriggerPrinter {
+  std::string operator()(const At& x) const { return "at " + to_text(x.time); }
+  std::string operator()(const Every& x) const { return "every " + to_text(x.period); }
+  std::string operator()(const AtRandom& x) const { return "rate " + to_text(x.rate); }
+  std::string operator()(const After& x) const {
+    std::string result = x.repeated ? "after every " : "after ";
+    if (x.repeated || x.count != 1)
+      result += std::to_string(x.count) + " ";
+    return result + change_filter_text(x.filter) + ":";
+  }
+};
+
+class PlanParser {
+public:
+  explicit PlanParser(cast::DiagnosticLog& log) : log_(log) {}
+
+  void read(const cast::SourceLine& line) {
+    if (line.kind != cast::SourceLine::Kind::text || line.text.empty() || line.text.front() == '#')
+      return;
+    try {
+      if (auto seed = parse_seed(line.text))
+        set_seed(line, *seed);
+      else
+        add(line);
+    } catch (const StatementError& e) {
+      log_.report(Severity::error, line, e.what(), e.remedy());
+    }
+  }
+
+  FaultPlan take() { return std::move(plan_); }
+
+private:
+  void set_seed(const cast::SourceLine& line, std::uint64_t seed) {
+    if (plan_.seed)
+      log_.report(Severity::error, line, "the seed is given twice", "remove one of the lines");
+    plan_.seed = seed;
+  }
+
+  void add(const cast::SourceLine& line) {
+    auto statement = parse_statement(line.text);
+    statement.where = line.where();
+    statement.line = line.text;
+    plan_.statements.push_back(std::move(statement));
+  }
+
+  cast::DiagnosticLog& log_;
+  FaultPlan plan_;
+};
+
+PlanResult finish(const cast::Source& source, const std::string& file, cast::DiagnosticLog& log) {
+  PlanParser parser{log};
+  for (auto& line : source.lines)
+    parser.read(line);
+  PlanResult result;
+  if (!log.has_errors()) {
+    result.plan = parser.take();
+    result.plan->file = file;
+  }
+  result.diagnostics = log.take();
+  return result;
+}
+
+} // namespace
+
+std::string to_string(const Statement& x) {
+  auto result = std::visit(TriggerPrinter{}, x.trigger);
+  std::string_view separator = " ";
+  for (auto& fault : x.faults) {
+    result.append(separator).append(to_string(fault));
+    separator = " or ";
+  }
+  return result;
+}
+
+std::string to_string(const FaultPlan& x) {
+  std::string result;
+  if (x.seed)
+    result += "seed " + std::to_string(*x.seed) + "\n";
+  for (auto& statement : x.statements)
+    result += to_string(statement) + "\n";
+  return result;
+}
+
+PlanResult parse_plan_file(const std::string& file, const cast::ParseOptions& options) {
+  cast::DiagnosticLog log{options.limits.diagnostics};
+  return finish(cast::read_source(file, options, log), file, log);
+}
+
+PlanResult parse_plan(std::string_view text, const std::string& file_name,
+                      const cast::ParseOptions& options) {
+  cast::DiagnosticLog log{options.limits.diagnostics};
+  return finish(cast::read_source(text, file_name, options, log), file_name, log);
+}
+
+} // namespace castor::faults

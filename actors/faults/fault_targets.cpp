@@ -1,0 +1,227 @@
+#include "castor/actors/faults/fault_targets.hpp"
+
+#include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/text.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace castor::faults {
+
+namespace {
+
+using cast::in_quotes;
+using Names = std::vector<std::string_view>;
+
+/// Lists longer than that are of no help in a message.
+constexpr std::size_t most_listed = 10;
+
+bool is_set(const ComponentDescription& x, std::string_view option) {
+  auto setting = x.option(option);
+  return setting != nullptr && setting->value != "false" && !setting->value.empty();
+}
+
+bool has(const Names& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string list(const Names& names) {
+  std::string result;
+  for (auto& name : names)
+    result.append(result.empty() ? "" : ", ").append(name);
+  return result;
+}
+
+/// Goes through the faults of one statement.
+class StatementCheck {
+public:
+  StatementCheck(const Statement& statement, const FaultTargets& targets,
+                 std::vector<cast::Diagnostic>& out)
+    : statement_(statement), targets_(targets), out_(out) {
+    for (auto& x : targets.components) {
+      components_.emplace_back(x.name);
+      if (x.isolated)
+        isolated_.emplace_back(x.name);
+    }
+    for (auto& x : targets.subarchitectures)
+      subarchitectures_.emplace_back(x.name);
+    nodes_.assign(targets.nodes.begin(), targets.nodes.end());
+  }
+
+  void run() {
+    if (auto after = std::get_if<After>(&statement_.trigger))
+      filter(after->filter);
+    for (auto& fault : statement_.faults)
+      std::visit(*this, fault);
+  }
+
+  void operator()(const Kill& x) { process(x.process); }
+  void operator()(const Stop& x) { process(x.process); }
+  void operator()(const Continue& x) { process(x.process); }
+
+  void operator()(const Partition& x) {
+    for (auto names : {&x.group, &x.from})
+      for (auto& name : *names)
+        peer(name);
+    for (auto& name : x.group)
+      if (std::ranges::find(x.from, name) != x.from.end())
+        report(in_quotes(name) + " cannot be cut off from itself", "remove it on one side");
+  }
+
+  void operator()(const FailJournal& x) { journal(x.memory); }
+  void operator()(const SlowJournal& x) { journal(x.memory); }
+  void operator()(const JumpClock& x) { memory(x.memory); }
+
+  template <class T>
+  requires requires(const T& x) { x.component; }
+  void operator()(const T& x) { component(x.component); }
+
+  template <class T>
+  requires requires(const T& x) { x.link; }
+  void operator()(const T& x) { link(x.link); }
+
+private:
+  void filter(const ChangeFilter& x) {
+    if (x.subarchitecture && !x.subarchitecture->empty())
+      known("subarchitecture", *x.subarchitecture, subarchitectures_);
+    if (!x.source.empty())
+      known("component", x.source, components_);
+  }
+
+  void component(const ComponentTarget& x) {
+    if (!x.is_any()) {
+      known("component", x.name, components_);
+      return;
+    }
+    if (!x.subarchitecture.empty() &&
+        !known("subarchitecture", x.subarchitecture, subarchitectures_))
+      return;
+    auto is_one = [&](auto& y) {
+      return y.is_any() && (x.subarchitecture.empty() || y.subarchitecture == x.subarchitecture);
+    };
+    if (std::ranges::none_of(targets_.components, is_one))
+      report("there is no component to choose from" +
+               (x.subarchitecture.empty() ? "" : " in " + in_quotes(x.subarchitecture)),
+             "name a working memory or a task manager if one of these is meant");
+  }
+
+  void process(const ProcessTarget& x) {
+    if (x.is_any()) {
+      if (nodes_.empty())
+        report("the system has no node besides the coordinator",
+               "place components on other hosts, or spread them over nodes");
+      return;
+    }
+    if (has(nodes_, x.name) || has(isolated_, x.name))
+      return;
+    if (x.name == coordinator)
+      report("the coordinator's process is the one that brings the faults about",
+             "place on a node what is to fail, and name the node");
+    else if (has(components_, x.name))
+      report("component " + in_quotes(x.name) + " has no process of its own",
+             "add --isolate to its line, or write crash " + name_in_plan(x.name));
+    else
+      unknown("node or isolated component", x.name, processes());
+  }
+
+  void peer(const std::string& name) {
+    auto names = nodes_;
+    names.emplace_back(coordinator);
+    known("node", name, names);
+  }
+
+  void link(const LinkTarget& x) {
+    if (x.is_any()) {
+      if (nodes_.empty())
+        report("the system has no links: it runs in one process",
+               "place components on other hosts, or spread them over nodes");
+      return;
+    }
+    peer(x.first);
+    peer(x.second);
+    if (x.first == x.second)
+      report(in_quotes(x.first) + " has no link with itself", "write two different nodes");
+  }
+
+  bool memory(const MemoryTarget& x) {
+    if (!x.is_any())
+      return known("subarchitecture", x.subarchitecture, subarchitectures_);
+    if (subarchitectures_.empty())
+      report("the system has no working memory", {});
+    return !subarchitectures_.empty();
+  }
+
+  void journal(const MemoryTarget& x) {
+    if (!memory(x))
+      return;
+    auto is_one = [&](auto& y) {
+      return y.has_journal && (x.is_any() || y.name == x.subarchitecture);
+    };
+    if (std::ranges::none_of(targets_.subarchitectures, is_one))
+      report(x.is_any()
+               ? std::string{"no working memory has a journal"}
+               : "the working memory of " + in_quotes(x.subarchitecture) + " has no journal",
+             "add --journal with a folder to its WM line");
+  }
+
+  Names processes() const {
+    auto result = nodes_;
+    result.insert(result.end(), isolated_.begin(), isolated_.end());
+    return result;
+  }
+
+  bool known(std::string_view what, const std::string& name, const Names& names) {
+    auto result = has(names, name);
+    if (!result)
+      unknown(what, name, names);
+    return result;
+  }
+
+  void unknown(std::string_view what, const std::string& name, const Names& names) {
+    auto remedy = cast::did_you_mean(name, names);
+    if (remedy.empty() && !names.empty() && names.size() <= most_listed)
+      remedy = "there are: " + list(names);
+    report("there is no " + std::string{what} + " " + in_quotes(name), std::move(remedy));
+  }
+
+  void report(std::string message, std::string remedy) {
+    out_.push_back({cast::Severity::error,
+                    statement_.where,
+                    statement_.line,
+                    {},
+                    std::move(message),
+                    std::move(remedy)});
+  }
+
+  const Statement& statement_;
+  const FaultTargets& targets_;
+  std::vector<cast::Diagnostic>& out_;
+  Names components_;
+  Names isolated_;
+  Names subarchitectures_;
+  Names nodes_;
+};
+
+} // namespace
+
+FaultTargets targets_of(const ArchitectureDescription& architecture,
+                        std::vector<std::string> nodes) {
+  FaultTargets result;
+  for_each_component(architecture, [&](const ComponentDescription& x) {
+    result.components.push_back({x.name, x.subarchitecture, x.kind, is_set(x, "isolate")});
+  });
+  for (auto& x : architecture.subarchitectures)
+    result.subarchitectures.push_back({x.name, is_set(x.working_memory, "journal")});
+  result.nodes = std::move(nodes);
+  return result;
+}
+
+std::vector<cast::Diagnostic> check_plan(const FaultPlan& plan, const FaultTargets& targets) {
+  std::vector<cast::Diagnostic> result;
+  for (auto& statement : plan.statements)
+    StatementCheck{statement, targets, result}.run();
+  return result;
+}
+
+} // namespace castor::faults

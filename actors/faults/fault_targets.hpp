@@ -1,0 +1,47 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/faults/fault_plan.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::faults {
+
+/// What faults may befall in a system.
+struct FaultTargets {
+  struct Component {
+    std::string name;
+    /// Empty for a stand-alone component.
+    std::string subarchitecture;
+    ComponentKind kind = ComponentKind::managed;
+    /// Runs in a process of its own.
+    bool isolated = false;
+
+    /// Whether it may be drawn where a plan says `any component`.
+    bool is_any() const {
+      return kind != ComponentKind::working_memory && kind != ComponentKind::task_manager;
+    }
+  };
+  struct Subarchitecture {
+    std::string name;
+    /// Whether its working memory has a journal.
+    bool has_journal = false;
+  };
+
+  /// In the order of the file, working memories and task managers included.
+  std::vector<Component> components;
+  std::vector<Subarchitecture> subarchitectures;
+  /// Without the coordinator.
+  std::vector<std::string> nodes;
+};
+
+FaultTargets targets_of(const ArchitectureDescription& architecture,
+                        std::vector<std::string> nodes);
+
+/// The names of a plan that there are none of in the system, and faults that cannot befall what
+/// they name.
+std::vector<cast::Diagnostic> check_plan(const FaultPlan& plan, const FaultTargets& targets);
+
+} // namespace castor::faults

@@ -1,0 +1,69 @@
+#include "castor/actors/faults/fault_words.hpp"
+
+#include "castor/actors/cast/text.hpp"
+
+#include <optional>
+
+namespace castor::faults {
+
+namespace {
+
+/// Cuts off what stands in quotes, with \" and \\ for quotes and backslashes in it.
+std::optional<std::string> take_quoted(std::string_view& rest) {
+  std::string result;
+  for (std::size_t i = 1; i < rest.size(); ++i) {
+    if (rest[i] == '"') {
+      rest.remove_prefix(i + 1);
+      return result;
+    }
+    if (rest[i] == '\\' && i + 1 < rest.size())
+      ++i;
+    result += rest[i];
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::vector<Word> split_words(std::string_view rest, bool& unfinished) {
+  std::vector<Word> result;
+  while (true) {
+    while (!rest.empty() && cast::is_blank(rest.front()))
+      rest.remove_prefix(1);
+    if (rest.empty() || rest.front() == '#')
+      return result;
+    if (rest.front() == '"') {
+      auto text = take_quoted(rest);
+      if (!text) {
+        unfinished = true;
+        return result;
+      }
+      result.push_back({std::move(*text), true});
+    } else if (rest.front() == ',') {
+      result.push_back({",", false});
+      rest.remove_prefix(1);
+    } else {
+      std::size_t size = 0;
+      while (size < rest.size() && !cast::is_blank(rest[size]) && rest[size] != ',' &&
+             rest[size] != '"')
+        ++size;
+      result.push_back({std::string(rest.substr(0, size)), false});
+      rest.remove_prefix(size);
+    }
+  }
+}
+
+std::size_t end_of_filter(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"')
+      quoted = !quoted;
+    else if (quoted && text[i] == '\\')
+      ++i;
+    else if (!quoted && text[i] == ':' && (i + 1 == text.size() || cast::is_blank(text[i + 1])))
+      return i;
+  }
+  return text.size();
+}
+
+} // namespace castor::faults
