@@ -38,7 +38,12 @@ enum class JournalMode : std::uint8_t {
   batched,
 };
 
+CASTOR_REFLECT_ENUM(JournalMode, off, full, batched)
+
 std::string_view to_string(JournalMode x);
+
+/// What the names of journals' files end with.
+inline constexpr const char* journal_extension = ".castor-journal";
 
 struct JournalOptions {
   JournalMode mode = JournalMode::off;
@@ -92,8 +97,8 @@ struct JournalRecord {
   Value before;
 };
 
-/// The record of a change that has just been committed; `before` for an overwrite. The write that it
-/// is part of is its own, the time is counted from `began`.
+/// The record of a change that has just been committed; `before` for an overwrite. The write that
+/// it is part of is its own, the time is counted from `began`.
 JournalRecord record_of(const ChangeEvent& event, const Entry& entry, const EntryPtr& before,
                         UnixTime began);
 

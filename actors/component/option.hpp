@@ -89,8 +89,11 @@ public:
       return "list,of,names";
     else if constexpr (ReflectedEnum<T>) {
       std::string result;
-      for (auto& [name, value] : reflection_of<T>().enumerators)
-        result += (result.empty() ? "" : "|") + std::string{name};
+      for (auto& [name, value] : reflection_of<T>().enumerators) {
+        if (!result.empty())
+          result += '|';
+        result += name;
+      }
       return result;
     } else
       return "text";

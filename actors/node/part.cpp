@@ -1,6 +1,7 @@
 #include "castor/actors/node/part.hpp"
 
 #include "castor/actors/component/keeper.hpp"
+#include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
@@ -27,6 +28,27 @@ caf::resumable* as_resumable(const WorkingMemoryActor& x) {
   return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
 
+JournalOptions journal_options(const ComponentDescription& x) {
+  auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
+  result.report = [](const std::string& what) { note(LogLevel::error, what); };
+  return result;
+}
+
+/// The journal that a WM line asks for; null if it asks for none, or can do without.
+std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
+                                               std::vector<cast::Diagnostic>& problems) {
+  auto options = journal_options(x);
+  if (options.mode == JournalMode::off)
+    return nullptr;
+  try {
+    auto result = std::make_shared<OpenedJournal>(open_journal(options, x.subarchitecture));
+    return result->file ? result : nullptr;
+  } catch (const JournalError& e) {
+    problems.push_back({cast::Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
+    return nullptr;
+  }
+}
+
 } // namespace
 
 std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
@@ -42,11 +64,19 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   });
   if (!problems.empty())
     return problems;
+  // Before anything is made: what a journal holds may be what is in the way.
+  std::map<std::string, std::shared_ptr<OpenedJournal>> journals;
+  for (auto* x : missing)
+    if (x->kind == ComponentKind::working_memory)
+      journals[x->subarchitecture] = take_up_journal(*x, problems);
+  if (!problems.empty())
+    return problems;
   begin(plan);
   end_others(wanted);
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
-      spawn_working_memory(plan, *architecture_.subarchitecture(x->subarchitecture));
+      spawn_working_memory(plan, *architecture_.subarchitecture(x->subarchitecture),
+                           journals[x->subarchitecture]);
   auto& known = services_->working_memories.emplace_back();
   for (auto& [name, actor] : working_memories_)
     known.push_back(as_resumable(actor));
@@ -103,7 +133,8 @@ SystemPart::~SystemPart() {
     caf::anon_send_exit(actor, caf::exit_reason::user_shutdown);
 }
 
-void SystemPart::spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x) {
+void SystemPart::spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x,
+                                      std::shared_ptr<OpenedJournal> journal) {
   WorkingMemoryClass wm_class{x.working_memory};
   WorkingMemoryOptions options;
   options.subarchitecture = x.name;
@@ -113,6 +144,8 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const Subarchitectur
   options.leases.duration = wm_class.lease.get();
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
   options.writers = writers(x.name);
+  options.journal = journal_options(x.working_memory);
+  options.opened_journal = std::move(journal);
   auto actor = system_.spawn(working_memory, std::move(options));
   working_memories_[x.name] = actor;
   // It may meet the unit of the component that ran it last until its own end.

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/node/part_protocol.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <chrono>
 #include <map>
@@ -62,7 +63,8 @@ private:
   bool has(const ComponentDescription& x) const;
   void begin(const PartPlan& plan);
   void end_others(const std::set<std::string>& wanted);
-  void spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x);
+  void spawn_working_memory(const PartPlan& plan, const SubarchitectureDescription& x,
+                            std::shared_ptr<OpenedJournal> journal);
   void spawn_component(const ComponentDescription& x);
 
   caf::actor_system& system_;
