@@ -27,6 +27,25 @@ EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
   : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_),
     floor_(options.first_version) {}
 
+void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) {
+  for (auto& x : image.entries) {
+    auto& id = x.entry->address.id;
+    auto& table = types_[x.entry->type_name()];
+    table.type = x.entry->value.type_ptr();
+    table.recency.push_front(x.entry);
+    auto& slot = entries_[id];
+    slot = {x.entry, x.sequence, table.recency.begin(), {}, expiry_source, nullptr};
+    // The clock that tells the time since 1970 may have been set back.
+    set_due_after(slot, now - std::max(Timestamp{0}, time - x.time));
+    if (x.entry->life.ephemeral)
+      set_due(slot, now, owner_ended_source);
+  }
+  for (auto& [id, version] : image.deleted)
+    bury(id, version);
+  floor_ = std::max(floor_, image.floor);
+  sequence_ = image.sequence;
+}
+
 Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) const {
   auto& client = *request.client;
   auto& address = request.address;

@@ -7,6 +7,7 @@
 #include "castor/wm/failure.hpp"
 #include "castor/wm/lease.hpp"
 #include "castor/wm/predicate.hpp"
+#include "castor/wm/store_image.hpp"
 
 #include <cstddef>
 #include <list>
@@ -90,6 +91,10 @@ public:
   /// The tables point into one another, so a store moves but is never copied.
   EntryStore(EntryStore&&) = default;
   EntryStore& operator=(EntryStore&&) = default;
+
+  /// Takes up, as the first thing, what another store has left behind. The owners of ephemeral
+  /// entries are not known any more: these are due. `time` is what `now` is since 1970.
+  void restore(const StoreImage& image, Timestamp now, UnixTime time);
 
   const std::string& subarchitecture() const { return subarchitecture_; }
   AccessRules& access() { return access_; }

@@ -65,13 +65,15 @@ void commit(Self self, std::vector<EntryStore::Effect> effects) {
   for (auto& effect : effects) {
     if (effect.owner)
       remember_client(self, effect.owner);
-    Change change{nullptr, effect.entry->value, effect.before};
+    Change change{nullptr, effect.entry, effect.before};
     change.event = state.store.commit(std::move(effect), time);
     note_change(state, *change.event);
     if (change.event->operation == Operation::remove)
       state.leases.erase(change.event->address.id);
     changes.push_back(std::move(change));
   }
+  if (state.journal)
+    write_down(self, changes);
   emit(self, changes);
   settle(self);
   set_alarm(self);
@@ -128,6 +130,9 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
   result.events = state.store.sequence();
   result.leases = state.leases.size();
   result.waiting = state.waits.size();
+  result.journal = state.journal_status;
+  result.journal.unsynced = state.gate.unsynced();
+  result.journal.held = state.gate.waiting();
   auto add = [&](const EventBacklog& x) {
     result.backlog += x.size();
     result.suppressed += x.suppressed();
@@ -145,13 +150,18 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
 
 WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions options) {
   auto& state = self->state;
-  auto first = (options.incarnation - 1) << 32;
-  options.store.first_version = first;
-  options.leases.first_token = first + 1;
+  // A journal knows which numbers there were.
+  if (!options.opened_journal) {
+    auto first = (options.incarnation - 1) << 32;
+    options.store.first_version = first;
+    options.leases.first_token = first + 1;
+  }
   state.store = EntryStore{options.subarchitecture, options.store};
   state.leases = LeaseTable{options.leases};
   allow_writers(state, options.writers);
   state.options = std::move(options);
+  if (state.options.opened_journal)
+    begin_journal(self);
   self->set_down_handler([self](const caf::down_msg& x) {
     self->state.monitored.erase(x.source);
     end_subscriber(self, x.source);
@@ -192,7 +202,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
       return at_owner<Acknowledged>(self, x.address, x, [&] { return unlock(self, x); });
     },
     [self](const CancelWait& x) { cancel(self, x); },
-    [self](const RenewRequest& x) { return renew(self, x); },
+    [self](const RenewRequest& x) { return say_reply<RenewReply>(self, renew(self, x)); },
     [self](const LockQuery& x) {
       return at_owner<LockStatus>(self, x.address, x, [&] {
         catch_up(self);
@@ -217,6 +227,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
       allow_writers(self->state, x.writers);
       return introduce(self, x);
     },
+    [self](const JournalNews& x) { hear_of_journal(self, x); },
     [self](StatusQuery) { return status(self->state); },
     [self](AccessQuery) { return AccessReport{self->state.accesses.all()}; },
   };

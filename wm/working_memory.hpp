@@ -2,12 +2,15 @@
 
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/filter_index.hpp"
+#include "castor/wm/journal.hpp"
 #include "castor/wm/lease_table.hpp"
+#include "castor/wm/output_gate.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <chrono>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,6 +38,12 @@ struct WorkingMemoryOptions {
   std::chrono::milliseconds peer_deadline{5000};
   EntryStoreOptions store;
   LeaseTableOptions leases;
+  JournalOptions journal;
+  /// The journal, with what it held; without, there is none.
+  std::shared_ptr<OpenedJournal> opened_journal;
+  /// Who takes JournalWrite and answers with JournalNews, instead of an actor that writes the
+  /// journal's file.
+  caf::actor journal_writer;
 };
 
 struct WorkingMemoryState {
@@ -103,6 +112,14 @@ struct WorkingMemoryState {
   // -- who holds something here, or waits, or owns an entry
   std::map<caf::actor_addr, ClientPtr> clients;
   std::set<caf::actor_addr> monitored;
+
+  // -- journal
+  /// Null without one.
+  caf::actor journal;
+  OutputGate gate;
+  JournalStatus journal_status;
+  /// What event times count from.
+  UnixTime began{0};
 
   // -- events
   /// Filters of the own components; a key is the subscriber's number above its filter's id.

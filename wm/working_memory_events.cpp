@@ -31,12 +31,14 @@ void note(const WorkingMemoryState& state, const ChangeEventPtr& event,
       list.push_back({event, {}});
 }
 
-void send(WorkingMemoryState& state, const caf::actor& to, EventFlow::Piece piece) {
-  state.counters.delivered += piece.size();
-  if (piece.size() == 1)
-    caf::anon_send(to, std::move(piece.front()));
-  else
-    caf::anon_send(to, ChangeNotices{std::move(piece)});
+void send(Self self, const caf::actor& to, EventFlow::Piece piece) {
+  self->state.counters.delivered += piece.size();
+  say(self, [to, piece = std::move(piece)]() mutable {
+    if (piece.size() == 1)
+      caf::anon_send(to, std::move(piece.front()));
+    else
+      caf::anon_send(to, ChangeNotices{std::move(piece)});
+  });
 }
 
 void note_whether_behind(WorkingMemoryState& state, std::uint32_t number) {
@@ -46,7 +48,8 @@ void note_whether_behind(WorkingMemoryState& state, std::uint32_t number) {
     state.behind.erase(number);
 }
 
-void send_notices(WorkingMemoryState& state, Notices notices) {
+void send_notices(Self self, Notices notices) {
+  auto& state = self->state;
   for (auto& [number, list] : notices) {
     auto& subscriber = state.subscribers.at(number);
     for (auto& [event, filters] : list) {
@@ -58,7 +61,7 @@ void send_notices(WorkingMemoryState& state, Notices notices) {
                             event->type_name(), &Access::events);
     }
     if (auto piece = subscriber.flow.push(std::move(list)))
-      send(state, subscriber.actor, *std::move(piece));
+      send(self, subscriber.actor, *std::move(piece));
     else
       note_whether_behind(state, number);
   }
@@ -170,7 +173,8 @@ void emit(Self self, const std::vector<Change>& changes) {
   auto& state = self->state;
   Notices notices;
   ForwardedChanges forwarded{self};
-  for (auto& [event, content, before] : changes) {
+  for (auto& [event, entry, before] : changes) {
+    auto& content = entry->value;
     // Comparing two large values is worth it only if somebody hears of the event.
     bool compared = before == nullptr;
     auto compare = [&, &e = *event, &now = content, &old = before] {
@@ -194,7 +198,7 @@ void emit(Self self, const std::vector<Change>& changes) {
     sort_unique(foreign);
     forwarded.add(event, foreign);
   }
-  send_notices(state, std::move(notices));
+  send_notices(self, std::move(notices));
   forwarded.send();
 }
 
@@ -212,7 +216,7 @@ void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
     sort_unique(keys);
     note(state, event, keys, notices);
   }
-  send_notices(state, std::move(notices));
+  send_notices(self, std::move(notices));
 }
 
 caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request) {
@@ -252,7 +256,7 @@ void acknowledge(Self self, const EventsTaken& taken) {
   while (auto piece = flow.next()) {
     for (auto& notice : *piece)
       state.counters.coalesced += notice.event->coalesced;
-    send(state, actor, *std::move(piece));
+    send(self, actor, *std::move(piece));
   }
   note_whether_behind(state, *number);
 }

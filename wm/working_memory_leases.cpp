@@ -87,7 +87,7 @@ void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
   auto obstacle = first_unreadable(state, entries, pending->client);
   if (!obstacle) {
     note_reads(state, pending->client, entries);
-    pending->promise.deliver(Outcome<std::vector<EntryPtr>>{std::move(entries)});
+    say_reply(self, pending->promise, Outcome<std::vector<EntryPtr>>{std::move(entries)});
     return;
   }
   auto address = obstacle->address;
@@ -97,8 +97,9 @@ void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
       if (x.result != SettledWait::Result::timed_out)
         resume_query(self, pending);
       else
-        pending->promise.deliver(Outcome<std::vector<EntryPtr>>{
-          failed_wait(self->state, x, pending->client, address, "read")});
+        say_reply(self, pending->promise,
+                  Outcome<std::vector<EntryPtr>>{
+                    failed_wait(self->state, x, pending->client, address, "read")});
     }};
   state.leases.wait_to_read(address.id, pending->client, pending->number, pending->deadline);
   set_alarm(self);
@@ -223,9 +224,10 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
     self, request.patience, address.id,
     [self, promise, address, client = request.patience.client](const SettledWait& x) mutable {
       if (x.result == SettledWait::Result::readable)
-        promise.deliver(read_for(self->state, address.id, client));
+        say_reply(self, promise, read_for(self->state, address.id, client));
       else
-        promise.deliver(Outcome<EntryPtr>{failed_wait(self->state, x, client, address, "read")});
+        say_reply(self, promise,
+                  Outcome<EntryPtr>{failed_wait(self->state, x, client, address, "read")});
     });
   state.leases.wait_to_read(address.id, request.patience.client, request.patience.number,
                             deadline_of(now(self), request.patience));
@@ -276,10 +278,10 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
   begin_wait(self, request.patience, address.id,
              [self, promise, address, client](const SettledWait& x) mutable {
                if (x.result == SettledWait::Result::granted)
-                 promise.deliver(Outcome<Lease>{x.lease});
+                 say_reply(self, promise, Outcome<Lease>{x.lease});
                else
-                 promise.deliver(
-                   Outcome<Lease>{failed_wait(self->state, x, client, address, "lock")});
+                 say_reply(self, promise,
+                           Outcome<Lease>{failed_wait(self->state, x, client, address, "lock")});
              });
   state.leases.lock(address.id, client, request.level, request.patience.number, time,
                     deadline_of(time, request.patience));

@@ -20,13 +20,43 @@ const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::
 
 Failure unknown_subarchitecture(const WorkingMemoryState& state, const Address& address);
 
+/// Says something that others may conclude from what has happened to entries: not before that is
+/// safe in the journal.
+template <class F>
+void say(Self self, F&& f) {
+  auto& gate = self->state.gate;
+  if (gate.holds())
+    gate.push(std::forward<F>(f));
+  else
+    f();
+}
+
+/// The same of the answer to the current message.
+template <class Reply>
+caf::result<Reply> say_reply(Self self, caf::result<Reply> reply) {
+  auto& gate = self->state.gate;
+  if (!gate.holds() || reply.flag != caf::rt_value)
+    return reply;
+  auto promise = self->template make_response_promise<Reply>();
+  gate.push([promise, message = std::move(reply.value)]() mutable {
+    promise.deliver(Reply{message.template get_as<Reply>(0)});
+  });
+  return promise;
+}
+
+/// And of an answer that has waited.
+template <class Reply>
+void say_reply(Self self, caf::typed_response_promise<Reply> promise, Reply reply) {
+  say(self, [promise, reply = std::move(reply)]() mutable { promise.deliver(std::move(reply)); });
+}
+
 /// Answers here what is ours, hands on what is another working memory's.
 template <class Reply, class Request, class F>
 caf::result<Outcome<Reply>> at_owner(Self self, const Address& address, const Request& request,
                                      F&& answer) {
   auto& state = self->state;
   if (address.subarchitecture == state.options.subarchitecture)
-    return answer();
+    return say_reply<Outcome<Reply>>(self, answer());
   if (auto* peer = find_peer(state, address.subarchitecture))
     return self->delegate(*peer, request);
   return Outcome<Reply>{unknown_subarchitecture(state, address)};
@@ -37,8 +67,26 @@ void monitor(Self self, const caf::strong_actor_ptr& who);
 
 // -- changes
 
+/// An event that is to be told, which has all but the fields that changed.
+struct Change {
+  std::shared_ptr<ChangeEvent> event;
+  /// As it is now, or was before its deletion.
+  EntryPtr entry;
+  /// Before an overwrite.
+  EntryPtr before;
+};
+
 /// Applies effects that were prepared together, and tells everybody who wants to know.
 void commit(Self self, std::vector<EntryStore::Effect> effects);
+
+// -- journal (working_memory_journal.cpp)
+
+/// Takes up what the journal holds, as the first thing.
+void begin_journal(Self self);
+
+/// The changes of one write are to be in the journal before anybody hears of them.
+void write_down(Self self, const std::vector<Change>& changes);
+void hear_of_journal(Self self, const JournalNews& news);
 
 // -- leases
 
@@ -89,15 +137,6 @@ void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
     f(number, std::move(ids));
   }
 }
-
-/// An event that is to be told, which has all but the fields that changed.
-struct Change {
-  std::shared_ptr<ChangeEvent> event;
-  /// Of the entry: the new one, or that before its deletion.
-  Value content;
-  /// Before an overwrite.
-  EntryPtr before;
-};
 
 /// Sends the events of one write to the components and working memories that want them.
 void emit(Self self, const std::vector<Change>& changes);

@@ -9,6 +9,7 @@
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/event_flow.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/journal_writer.hpp"
 #include "castor/wm/lease.hpp"
 #include "castor/wm/lease_table.hpp"
 
@@ -201,6 +202,22 @@ struct StatusQuery {};
 /// To a working memory from itself: something may be due.
 struct WakeUp {};
 
+/// How a working memory's journal is doing.
+struct JournalStatus {
+  JournalMode mode = JournalMode::off;
+  /// What its file takes.
+  std::uint64_t bytes = 0;
+  /// Changes that are not safe from a power cut yet, and what waits to be said until they are.
+  std::uint64_t unsynced = 0;
+  std::uint64_t held = 0;
+  /// How often changes were synced; those of many writes at once.
+  std::uint64_t syncs = 0;
+  /// How often acknowledged changes may have been lost, which numbers are then not used again for.
+  std::uint64_t incarnation = 0;
+  /// Why there is none any more.
+  std::string failure = {};
+};
+
 /// How a working memory is doing.
 struct WorkingMemoryStatus {
   std::string subarchitecture;
@@ -228,6 +245,7 @@ struct WorkingMemoryStatus {
   /// Leases held now, and operations that wait for one to end.
   std::uint64_t leases = 0;
   std::uint64_t waiting = 0;
+  JournalStatus journal;
 };
 
 /// Asks who uses what.
@@ -280,6 +298,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<ForwardedEvents>,
   // Introduces the other working memories.
   caf::replies_to<Peers>::with<Acknowledged>,
+  // The journal says what is on disk.
+  caf::reacts_to<JournalNews>,
   // Answers how it is doing.
   caf::replies_to<StatusQuery>::with<WorkingMemoryStatus>,
   // Answers what was done with the entries here, and which events of others were told here.

@@ -36,9 +36,11 @@ void send_piece(Self self, Route& route, const EventFlow::Piece& piece) {
     result.events.push_back(std::move(routed));
   }
   // As a message of this actor's, so that the way knows whom to acknowledge it to.
-  caf::actor_cast<caf::abstract_actor*>(route.outlet)
-    ->enqueue(caf::actor_cast<caf::strong_actor_ptr>(self), caf::make_message_id(),
-              caf::make_message(std::move(result)), self->context());
+  say(self, [self, outlet = route.outlet, result = std::move(result)]() mutable {
+    caf::actor_cast<caf::abstract_actor*>(outlet)->enqueue(
+      caf::actor_cast<caf::strong_actor_ptr>(self), caf::make_message_id(),
+      caf::make_message(std::move(result)), self->context());
+  });
 }
 
 std::size_t find_or_make_route(Self self, const caf::strong_actor_ptr& outlet) {
@@ -171,7 +173,9 @@ void ForwardedChanges::send() {
   auto& state = self_->state;
   for (auto& [number, list] : near_) {
     state.counters.forwarded += list.size();
-    self_->send(state.peers[number].actor, ForwardedEvents{std::move(list)});
+    say(self_, [self = self_, to = state.peers[number].actor, list = std::move(list)]() mutable {
+      self->send(to, ForwardedEvents{std::move(list)});
+    });
   }
   for (auto& [number, piece] : far_) {
     auto& route = state.routes[number];

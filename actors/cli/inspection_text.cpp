@@ -72,9 +72,20 @@ std::string components_as_text(const Json& report) {
 }
 
 std::string working_memories_as_text(const Json& report) {
-  Table table{{"working memory", "node", ">entries", ">filters", ">leases", ">waiting"}};
-  for (auto& x : report["working_memories"])
-    table.add(cells(x, {"subarchitecture", "node", "entries", "filters", "leases", "waiting"}));
+  Table table{{"working memory", "node", ">entries", ">filters", ">leases", ">waiting", "journal"}};
+  for (auto& x : report["working_memories"]) {
+    auto row = cells(x, {"subarchitecture", "node", "entries", "filters", "leases", "waiting"});
+    auto& journal = x["journal"];
+    row.push_back(text(journal["mode"]));
+    if (journal.contains("bytes"))
+      row.back() +=
+        fmt::format(", {}, {} unsynced", megabytes(journal["bytes"]), text(journal["unsynced"]));
+    if (journal.contains("failure"))
+      row.back() = "FAILED";
+    table.add(row);
+    if (journal.contains("failure"))
+      table.remark(journal["failure"]);
+  }
   return table.text();
 }
 

@@ -119,8 +119,12 @@ const std::string& SubarchitectureComponent::subarchitecture() const {
 std::string SubarchitectureComponent::new_id() {
   auto& self = shell().identity();
   auto result = fmt::format("{}:{}", base62(ids_made_++), base62(self.number));
-  // Those that it made in former lives may still be there.
-  return self.incarnation == 1 ? result : fmt::format("{}:{}", result, base62(self.incarnation));
+  // Those that it made in former lives may still be there, and those of former systems of which
+  // there are journals.
+  auto era = shell().neighbours().era;
+  if (self.incarnation > 1 || era > 1)
+    result += fmt::format(":{}", base62(self.incarnation));
+  return era > 1 ? fmt::format("{}:{}", result, base62(era)) : result;
 }
 
 namespace {

@@ -222,9 +222,15 @@ template <class A>
 void wire(A&, WirePart<A, StatusQuery>&) {}
 
 template <class A>
+void wire(A& a, WirePart<A, JournalStatus>& x) {
+  a(x.mode, x.bytes, x.unsynced, x.held, x.syncs, x.incarnation, x.failure);
+}
+
+template <class A>
 void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
   a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.matched, x.delivered,
-    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.routed, x.refused, x.leases, x.waiting);
+    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.routed, x.refused, x.leases, x.waiting,
+    x.journal);
 }
 
 template <class A>

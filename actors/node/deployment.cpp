@@ -3,6 +3,7 @@
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/supervision/health.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace castor {
@@ -78,6 +79,7 @@ void Deployments::begin() {
 }
 
 void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade& made) {
+  era_ = std::max(era_, made.era);
   for (auto& [name, actor] : made.actors)
     if (process_of(plan.placement, name) == from)
       actors_[name] = actor;
@@ -90,7 +92,7 @@ void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade&
 }
 
 void Deployments::introduce() {
-  ask(JoinParts{actors_}, Taking<Acknowledged>{}, [this] { finish(); });
+  ask(JoinParts{actors_, era_}, Taking<Acknowledged>{}, [this] { finish(); });
 }
 
 void Deployments::finish() {

@@ -104,6 +104,19 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"pushes_dropped", x.pushes_dropped}};
 }
 
+Json to_json(const JournalStatus& x) {
+  Json result{{"mode", to_string(x.mode)}};
+  if (x.mode == JournalMode::off)
+    return result;
+  for (auto& [name, number] :
+       {std::pair{"bytes", x.bytes}, std::pair{"unsynced", x.unsynced}, std::pair{"held", x.held},
+        std::pair{"syncs", x.syncs}, std::pair{"incarnation", x.incarnation}})
+    result[name] = number;
+  if (!x.failure.empty())
+    result["failure"] = x.failure;
+  return result;
+}
+
 Json to_json(const WorkingMemoryStatus& x, const std::string& node) {
   return {{"subarchitecture", x.subarchitecture},
           {"node", node},
@@ -120,7 +133,8 @@ Json to_json(const WorkingMemoryStatus& x, const std::string& node) {
           {"backlog", x.backlog},
           {"forwarded", x.forwarded},
           {"routed", x.routed},
-          {"refused", x.refused}};
+          {"refused", x.refused},
+          {"journal", to_json(x.journal)}};
 }
 
 /// The object with one member more, which is JSON already.

@@ -1,6 +1,7 @@
 #include "castor/actors/node/part.hpp"
 
 #include "castor/actors/component/keeper.hpp"
+#include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
@@ -38,6 +39,27 @@ caf::resumable* as_resumable(const WorkingMemoryActor& x) {
   return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
 
+JournalOptions journal_options(const ComponentDescription& x) {
+  auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
+  result.report = [](const std::string& what) { note(LogLevel::error, what); };
+  return result;
+}
+
+/// The journal that a WM line asks for; null if it asks for none, or can do without.
+std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
+                                               std::vector<cast::Diagnostic>& problems) {
+  auto options = journal_options(x);
+  if (options.mode == JournalMode::off)
+    return nullptr;
+  try {
+    auto result = std::make_shared<OpenedJournal>(open_journal(options, x.subarchitecture));
+    return result->file ? result : nullptr;
+  } catch (const JournalError& e) {
+    problems.push_back({cast::Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
+    return nullptr;
+  }
+}
+
 } // namespace
 
 std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
@@ -67,11 +89,18 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
     look_for(health);
   if (!problems.empty())
     return problems;
+  // Before anything is made: what a journal holds may be what is in the way.
+  std::map<std::string, std::shared_ptr<OpenedJournal>> journals;
+  for (auto* x : missing)
+    if (x->kind == ComponentKind::working_memory)
+      journals[x->subarchitecture] = take_up_journal(*x, problems);
+  if (!problems.empty())
+    return problems;
   begin(plan);
   end_others(wanted);
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
-      spawn_working_memory(plan, *x, wanted.at(x->name));
+      spawn_working_memory(plan, *x, wanted.at(x->name), journals[x->subarchitecture]);
   list_working_memories();
   for (auto* x : missing)
     if (x->kind != ComponentKind::working_memory)
@@ -148,7 +177,8 @@ SystemPart::~SystemPart() {
 }
 
 void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
-                                      std::uint64_t incarnation) {
+                                      std::uint64_t incarnation,
+                                      std::shared_ptr<OpenedJournal> journal) {
   WorkingMemoryClass wm_class{x};
   auto& name = x.subarchitecture;
   WorkingMemoryOptions options;
@@ -160,6 +190,10 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
   options.writers = writers(name);
   options.incarnation = incarnation;
+  options.journal = journal_options(x);
+  if (journal)
+    era_ = std::max(era_, journal->session);
+  options.opened_journal = std::move(journal);
   auto actor = system_.spawn(working_memory, std::move(options));
   working_memories_[name] = {actor, incarnation};
   // It may meet the unit of the component that ran it last until its own end.
@@ -226,8 +260,10 @@ std::set<std::string> SystemPart::writers(const std::string& subarchitecture) co
   return result;
 }
 
-void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
+void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors,
+                      std::uint64_t era) {
   auto neighbours = std::make_shared<Neighbours>();
+  neighbours->era = era;
   for (auto& [name, actor] : subarchitectures(actors))
     neighbours->working_memories[name] = caf::actor_cast<WorkingMemoryActor>(actor);
   for (auto& x : architecture_.subarchitectures)

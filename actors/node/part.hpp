@@ -3,6 +3,7 @@
 #include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/node/part_protocol.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <chrono>
 #include <map>
@@ -57,7 +58,10 @@ public:
 
   /// Introduces the actors of all parts to the components, before any new one configures itself;
   /// the working memories are told by Peers.
-  void join(const std::map<std::string, caf::strong_actor_ptr>& actors);
+  void join(const std::map<std::string, caf::strong_actor_ptr>& actors, std::uint64_t era);
+
+  /// How often the journal here that was opened most often was opened.
+  std::uint64_t era() const { return era_; }
 
   std::map<std::string, WorkingMemoryActor> working_memories() const;
 
@@ -80,7 +84,7 @@ private:
   /// Ends what is not `wanted`, or is to live another life.
   void end_others(const std::map<std::string, std::uint64_t>& wanted);
   void spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
-                            std::uint64_t incarnation);
+                            std::uint64_t incarnation, std::shared_ptr<OpenedJournal> journal);
   void spawn_component(const ComponentDescription& x, std::uint64_t incarnation);
   void list_working_memories();
   void spawn_keeper();
@@ -98,6 +102,7 @@ private:
   /// Null before `join`.
   NeighboursPtr neighbours_;
   caf::actor keeper_;
+  std::uint64_t era_ = 0;
 };
 
 } // namespace castor

@@ -37,7 +37,7 @@ PartMade make(Self self, const PartPlan& plan) {
   state.supervisor = plan.supervisor;
   auto problems = state.part->apply(plan);
   watch(self);
-  return {std::move(problems), state.part->actors()};
+  return {std::move(problems), state.part->actors(), state.part->era()};
 }
 
 PartMade restart(Self self, const RestartComponent& x) {
@@ -46,7 +46,7 @@ PartMade restart(Self self, const RestartComponent& x) {
     return {};
   state.part->restart(x.name, x.incarnation);
   watch(self);
-  return {{}, state.part->actors()};
+  return {{}, state.part->actors(), state.part->era()};
 }
 
 /// Something that was here has ended.
@@ -104,7 +104,7 @@ caf::response_promise join(Self self, const JoinParts& others) {
   if (state.joining)
     state.joining->deliver(Acknowledged{});
   state.joining = promise;
-  state.part->join(others.actors);
+  state.part->join(others.actors, others.era);
   Peers peers;
   peers.working_memories = state.part->subarchitectures(others.actors);
   if (auto& mesh = state.parts.mesh) {

@@ -2,11 +2,26 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/component/option.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace castor {
+
+/// What a working memory does when its journal fails; `continue` in a .cast file.
+enum class JournalFailure : std::uint8_t { stop, go_on };
+
+constexpr auto castor_reflection(TypeTag<JournalFailure>) {
+  using Enumerator = std::pair<std::string_view, JournalFailure>;
+  return enum_reflection<JournalFailure>("JournalFailure", Enumerator{"stop", JournalFailure::stop},
+                                         Enumerator{"continue", JournalFailure::go_on});
+}
 
 /// The one class that WM lines may name, and its options.
 struct WorkingMemoryClass {
@@ -35,6 +50,37 @@ struct WorkingMemoryClass {
     "how long the lease of an entry outlives the last sign of life of its holder"};
   Option<std::int64_t> largest_entry{options, "largest-entry", 256,
                                      "the largest entry that is taken, MB"};
+  Option<JournalMode> journal{
+    options, "journal", JournalMode::off,
+    "what outlives a crash: full - all that was acknowledged, batched - all but the last of it"};
+  Option<std::string> journal_dir{options, "journal-dir", "journals",
+                                  "the folder of the journal's file, on the machine of this line"};
+  Option<std::chrono::milliseconds> journal_delay{
+    options, "journal-delay", std::chrono::milliseconds{100},
+    "batched: how long a change may be acknowledged and not on disk"};
+  Option<JournalFailure> journal_failure{
+    options, "journal-failure", JournalFailure::stop,
+    "what the working memory does when its journal fails: ends, or goes on without one"};
+  Option<std::int64_t> journal_limit{
+    options, "journal-limit", 256,
+    "beyond so many MB, old changes are folded into the entries that they led to"};
+  Option<bool> journal_keep{options, "journal-keep", false,
+                            "the journal is a recording: no change is ever folded"};
+  Option<bool> journal_shared{options, "journal-shared", false,
+                              "the folder is storage that every node of FAILOVER sees"};
+
+  /// As the options say.
+  JournalOptions journal_of(const std::string& subarchitecture) const {
+    JournalOptions result;
+    result.mode = journal;
+    result.file = std::filesystem::path{journal_dir.get()} / (subarchitecture + journal_extension);
+    result.delay = journal_delay;
+    result.go_on_without = journal_failure.get() == JournalFailure::go_on;
+    result.limit_bytes = static_cast<std::uint64_t>(journal_limit.get()) << 20;
+    result.keep = journal_keep;
+    result.shared = journal_shared;
+    return result;
+  }
 };
 
 } // namespace castor

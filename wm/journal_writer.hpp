@@ -1,0 +1,43 @@
+#pragma once
+
+#include "castor/wm/caf.hpp"
+#include "castor/wm/journal.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace castor {
+
+/// From a working memory to its journal: the changes of a write, in the order of the writes.
+struct JournalWrite {
+  JournalGroupPtr changes;
+};
+
+/// From the journal to its working memory: how it stands.
+struct JournalNews {
+  /// Up to this change everything is safe.
+  std::uint64_t synced = 0;
+  /// What the file takes.
+  std::uint64_t bytes = 0;
+  /// How often something was synced.
+  std::uint64_t syncs = 0;
+  /// Why it takes nothing more; empty as long as it does.
+  std::string failure = {};
+};
+
+struct JournalWriterParts {
+  std::shared_ptr<JournalFile> file;
+  JournalMode mode = JournalMode::full;
+  std::chrono::milliseconds delay{0};
+  /// The working memory; when it ends, so does the journal, in order.
+  caf::strong_actor_ptr owner;
+};
+
+/// Writes a journal. What arrives while one group of writes is being synced is the next group.
+caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts parts);
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::JournalWrite)
+CASTOR_LOCAL_MESSAGE(castor::JournalNews)
