@@ -9,7 +9,9 @@ namespace castor {
 namespace working_memory_parts {
 
 Timestamp now(Self self) {
-  return std::chrono::duration_cast<Timestamp>(self->clock().now() - self->state.options.epoch);
+  auto& state = self->state;
+  return std::chrono::duration_cast<Timestamp>(self->clock().now() - state.options.epoch) +
+         state.clock_jump;
 }
 
 const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::string& name) {
@@ -211,6 +213,12 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     },
     [self](const DeadlockProbe& x) { follow(self, x); },
     [self](WakeUp) {
+      self->state.alarm = Timestamp::max();
+      catch_up(self);
+      set_alarm(self);
+    },
+    [self](const JumpClock& x) {
+      self->state.clock_jump += x.by;
       self->state.alarm = Timestamp::max();
       catch_up(self);
       set_alarm(self);

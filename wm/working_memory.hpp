@@ -106,6 +106,8 @@ struct WorkingMemoryState {
   // -- leases
   LeaseTable leases;
   std::map<WaitKey, Wait> waits;
+  /// How far its clock was made to be wrong.
+  Timestamp clock_jump{0};
   /// When the alarm clock rings next.
   Timestamp alarm = Timestamp::max();
 

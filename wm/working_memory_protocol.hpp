@@ -202,6 +202,11 @@ struct StatusQuery {};
 /// To a working memory from itself: something may be due.
 struct WakeUp {};
 
+/// To a working memory, on purpose: its clock goes forward, or back.
+struct JumpClock {
+  Timestamp by{0};
+};
+
 /// How a working memory's journal is doing.
 struct JournalStatus {
   JournalMode mode = JournalMode::off;
@@ -285,6 +290,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<DeadlockProbe>,
   // The working memory's own alarm clock.
   caf::reacts_to<WakeUp>,
+  // A fault on purpose.
+  caf::reacts_to<JumpClock>,
   // Registers a filter of the sender; answers once it is in force in every working memory
   // concerned.
   caf::replies_to<Subscribe>::with<Outcome<Acknowledged>>,
@@ -319,6 +326,7 @@ CASTOR_LOCAL_MESSAGE(castor::RenewReply)
 CASTOR_LOCAL_MESSAGE(castor::LockQuery)
 CASTOR_LOCAL_MESSAGE(castor::DeadlockProbe)
 CASTOR_LOCAL_MESSAGE(castor::WakeUp)
+CASTOR_LOCAL_MESSAGE(castor::JumpClock)
 CASTOR_LOCAL_MESSAGE(castor::ExistsQuery)
 CASTOR_LOCAL_MESSAGE(castor::VersionQuery)
 CASTOR_LOCAL_MESSAGE(castor::Subscribe)

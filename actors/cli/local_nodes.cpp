@@ -1,6 +1,8 @@
 #include "castor/actors/cli/local_nodes.hpp"
 
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/component/option.hpp"
+#include "castor/actors/node/placement.hpp"
 
 #include <fmt/core.h>
 
@@ -234,6 +236,58 @@ LocalNodes::~LocalNodes() {
     if (x.end >= 0)
       close(x.end);
   }
+}
+
+std::string isolated_host(const std::string& component) {
+  return component + ".isolated";
+}
+
+namespace {
+
+/// Gives hosts of their own to the components that are to be kept apart, if they run on this machine
+/// or on one of the `nodes` that do; the nodes for them, by host. Throws std::invalid_argument.
+std::map<std::string, LocalNode> isolate(ArchitectureDescription& architecture,
+                                         const std::map<std::string, LocalNode>& nodes) {
+  std::map<std::string, LocalNode> result;
+  auto elsewhere = other_hosts(architecture);
+  for_each_component(architecture, [&](ComponentDescription& x) {
+    auto* isolated = x.option("isolate");
+    bool wanted = false;
+    if (!isolated || !detail::parse_option(isolated->value, wanted) || !wanted)
+      return;
+    if (elsewhere.count(x.host) > 0 && nodes.count(x.host) == 0)
+      throw std::invalid_argument(
+        to_string(x.where) + ": " + x.name + " is to be isolated on " + x.host +
+        ", but that is done on this machine only. Start a node for it there, with `castor node "
+        "--memory-limit`, and give it a host of its own");
+    std::int64_t limit = 0;
+    if (auto* option = x.option("memory-limit"))
+      detail::parse_option(option->value, limit);
+    x.host = isolated_host(x.name);
+    result[x.host] = {x.name, limit};
+  });
+  return result;
+}
+
+} // namespace
+
+std::unique_ptr<LocalNodes> start_local_nodes(ArchitectureDescription& architecture,
+                                              bool for_all_hosts,
+                                              const std::vector<std::string>& plugins,
+                                              const std::string& tls, SystemOptions& options) {
+  std::map<std::string, LocalNode> nodes;
+  if (for_all_hosts)
+    for (auto& [host, name] : other_hosts(architecture))
+      nodes[host] = {name, 0};
+  nodes.merge(isolate(architecture, nodes));
+  if (nodes.empty())
+    return nullptr;
+  auto result = std::make_unique<LocalNodes>(nodes, plugins, tls);
+  options.nodes.merge(result->endpoints());
+  options.kill_isolated = [&started = *result](const std::string& component) {
+    started.signal(isolated_host(component), SIGKILL);
+  };
+  return result;
 }
 
 } // namespace castor::cli

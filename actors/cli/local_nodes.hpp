@@ -1,10 +1,13 @@
 #pragma once
 
+#include "castor/actors/cast/description.hpp"
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/system.hpp"
 
 #include <condition_variable>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -66,5 +69,17 @@ private:
   int wake_[2] = {-1, -1};
   std::thread watch_;
 };
+
+/// The host that an isolated component is for itself.
+std::string isolated_host(const std::string& component);
+
+/// Starts nodes on this machine for the isolated components of the architecture, and, if wanted, for
+/// all other hosts that it names; the options say where they are. Null if none is needed. Throws
+/// std::invalid_argument, if a component is to be isolated on another machine, and
+/// std::runtime_error.
+std::unique_ptr<LocalNodes> start_local_nodes(ArchitectureDescription& architecture,
+                                              bool for_all_hosts,
+                                              const std::vector<std::string>& plugins,
+                                              const std::string& tls, SystemOptions& options);
 
 } // namespace castor::cli

@@ -125,36 +125,6 @@ std::map<std::string, Endpoint> node_addresses(const Arguments& arguments) {
   return result;
 }
 
-/// The host that an isolated component is for itself.
-std::string isolated_host(const std::string& component) {
-  return component + ".isolated";
-}
-
-/// Gives hosts of their own to the components that are to be kept apart, if they run on this machine
-/// or on one of the `nodes` that do; the nodes for them, by host. Throws std::invalid_argument.
-std::map<std::string, LocalNode> isolate(ArchitectureDescription& architecture,
-                                         const std::map<std::string, LocalNode>& nodes) {
-  std::map<std::string, LocalNode> result;
-  auto elsewhere = other_hosts(architecture);
-  for_each_component(architecture, [&](ComponentDescription& x) {
-    auto* isolated = x.option("isolate");
-    bool wanted = false;
-    if (!isolated || !detail::parse_option(isolated->value, wanted) || !wanted)
-      return;
-    if (elsewhere.count(x.host) > 0 && nodes.count(x.host) == 0)
-      throw std::invalid_argument(
-        to_string(x.where) + ": " + x.name + " is to be isolated on " + x.host +
-        ", but that is done on this machine only. Start a node for it there, with `castor node "
-        "--memory-limit`, and give it a host of its own");
-    std::int64_t limit = 0;
-    if (auto* option = x.option("memory-limit"))
-      detail::parse_option(option->value, limit);
-    x.host = isolated_host(x.name);
-    result[x.host] = {x.name, limit};
-  });
-  return result;
-}
-
 int run(Arguments arguments, const std::vector<std::string>& plugins) {
   // Before any thread is made, so that none of them takes the signals.
   Signals signals;
@@ -182,23 +152,11 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (!arguments.tls.empty())
     options.credentials = Credentials::load(
       arguments.local_nodes || arguments.spread > 0 ? arguments.tls + "/run" : arguments.tls);
-  // Outlives the system, which says goodbye to them.
-  std::optional<LocalNodes> local_nodes;
   if (arguments.spread > 0)
     spread(*architecture, arguments.spread);
-  std::map<std::string, LocalNode> nodes;
-  if (arguments.local_nodes || arguments.spread > 0)
-    for (auto& [host, name] : other_hosts(*architecture))
-      nodes[host] = {name, 0};
-  for (auto& [host, component] : isolate(*architecture, nodes))
-    nodes[host] = component;
-  if (!nodes.empty()) {
-    local_nodes.emplace(nodes, plugins, arguments.tls);
-    options.nodes.merge(local_nodes->endpoints());
-    options.kill_isolated = [&](const std::string& component) {
-      local_nodes->signal(isolated_host(component), SIGKILL);
-    };
-  }
+  // They outlive the system, which says goodbye to them.
+  auto local_nodes = start_local_nodes(*architecture, arguments.local_nodes || arguments.spread > 0,
+                                       plugins, arguments.tls, options);
   try {
     options.endpoint = endpoint_of_process(architecture->file);
   } catch (const std::runtime_error& e) {

@@ -168,9 +168,10 @@ void Connections::work_off_push(const caf::mailbox_element& x, const Pushed& pus
   auto callbacks = reception.callbacks.size();
   for (std::size_t n = 0; n < callbacks; ++n) {
     auto callback = reception.callbacks[n];
-    shell_.count_callback();
-    shell_.user_code("the callback for a " + i->first.second + " of " + pushed.provider,
-                     [&] { callback(pushed.value); });
+    shell_.user_code("the callback for a " + i->first.second + " of " + pushed.provider, [&] {
+      shell_.begin_callback();
+      callback(pushed.value);
+    });
   }
 }
 

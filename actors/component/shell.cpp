@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -75,6 +76,10 @@ void ComponentShell::act() {
     live();
   } catch (const ComponentStopped&) {
     // The normal way to end.
+  } catch (const InjectedCrash&) {
+    if (component_->isolate_)
+      std::abort();
+    fail("it was made to crash");
   } catch (const WorkingMemoryLostException& e) {
     if (working_memory_lost_)
       record_->set_orphaned();
@@ -155,6 +160,7 @@ void ComponentShell::await_phase(Phase phase) {
   while (phases_.empty() || phases_.front() != phase) {
     if (stopping_)
       throw ComponentStopped{};
+    befalling_.at_runtime();
     if (started_ && !work_.empty()) {
       auto x = std::move(work_.front());
       work_.pop_front();
@@ -205,6 +211,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
     auto& command = content.get_as<EnterPhase>(0);
     conductor_ = command.conductor;
     phases_.push_back(command.phase);
+  } else if (content.match_elements<ComponentFault>()) {
+    befalling_.take(content.get_as<ComponentFault>(0), Clock::now());
   } else if (content.match_elements<caf::exit_msg>()) {
     stopping_ = true;
   } else if (content.match_elements<caf::down_msg>()) {
@@ -259,6 +267,7 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
     file_arrived();
     if (stopping_)
       return false;
+    befalling_.at_runtime();
     if (working_memory_lost_)
       throw WorkingMemoryLostException{
         {FailureKind::working_memory_lost,
@@ -283,9 +292,10 @@ void ComponentShell::respond(caf::mailbox_element& x, caf::message reply) {
     x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
 }
 
-void ComponentShell::count_callback() {
+void ComponentShell::begin_callback() {
   ++callbacks_;
   ++record_->counters.callbacks;
+  befalling_.in_callback();
 }
 
 void ComponentShell::work_off(Work& x) {
@@ -301,7 +311,10 @@ void ComponentShell::work_off_message(caf::mailbox_element& x) {
   auto& content = x.content();
   if (managed_ && content.match_elements<TaskDecided>()) {
     auto& decided = content.get_as<TaskDecided>(0);
-    user_code("task " + decided.id, [&] { managed_->decided(decided); });
+    user_code("task " + decided.id, [&] {
+      befalling_.in_callback();
+      managed_->decided(decided);
+    });
   } else if (manager_ && content.match_elements<ProposeTask>()) {
     auto& proposal = content.get_as<ProposeTask>(0).proposal;
     auto& proposer = proposers_[proposal.id] = caf::actor_cast<caf::actor>(x.sender);
@@ -338,9 +351,10 @@ void ComponentShell::work_off_change(const ChangeNotice& notice) {
       return;
     if (receivers_.count(id) == 0)
       continue;
-    count_callback();
-    user_code("the callback for " + to_string(*notice.event),
-              [&, &r = *receiver] { r.callback(*notice.event); });
+    user_code("the callback for " + to_string(*notice.event), [&, &r = *receiver] {
+      begin_callback();
+      r.callback(*notice.event);
+    });
   }
 }
 
@@ -387,6 +401,7 @@ ComponentShell::wait_until(const std::function<bool()>& done, Clock::time_point 
   while (!done()) {
     if (stopping_ && !in_stop_hook_)
       throw ComponentStopped{};
+    befalling_.at_runtime();
     if (working_memory_lost_)
       return Failure{FailureKind::working_memory_lost,
                      "the working memory of " + identity().subarchitecture +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/befalling.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/mailbox.hpp"
@@ -171,7 +172,8 @@ private:
   void work_off_message(caf::mailbox_element& x);
   void work_off_change(const ChangeNotice& notice);
   void work_off_end(const caf::down_msg& x);
-  void count_callback();
+  /// To be called in the component's own code, where a callback begins.
+  void begin_callback();
   template <class F>
   void user_code(const std::string& what, F&& f) {
     // After an exception `doing_` stays at the innermost call, for the report.
@@ -249,6 +251,7 @@ private:
   /// The cycle that its wait has to be given up for; empty for none.
   std::string deadlock_;
 
+  Befalling befalling_;
   Connections connections_{*this};
   std::map<TaskId, caf::actor> proposers_;
   /// Components whose end this task manager will be told.

@@ -3,6 +3,7 @@
 #include "castor/actors/task_manager/task.hpp"
 #include "castor/wm/caf.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/timestamp.hpp"
 #include "castor/wm/type_descriptor.hpp"
 #include "castor/wm/value.hpp"
 
@@ -26,6 +27,28 @@ struct PhaseDone {
   Phase phase = Phase::configure;
   /// Empty if all went well.
   std::string failure;
+};
+
+/// Something is to befall a component, on purpose.
+struct ComponentFault {
+  enum class Kind : std::uint8_t {
+    /// It ends when it next turns to the runtime, an isolated one with its process.
+    crash,
+    /// A callback throws.
+    failure,
+    /// Its next callback takes that long.
+    hang,
+    /// Every callback takes that much longer.
+    slowness,
+  };
+
+  Kind kind = Kind::crash;
+  /// Of `failure`: which of those that begin from now on, from 1.
+  std::uint32_t callback = 1;
+  /// Of `hang` and `slowness`.
+  Timestamp by{0};
+  /// How long slowness lasts.
+  Timestamp duration{0};
 };
 
 /// To a task manager.
@@ -70,6 +93,7 @@ struct PushesTaken {
 
 CASTOR_LOCAL_MESSAGE(castor::EnterPhase)
 CASTOR_LOCAL_MESSAGE(castor::PhaseDone)
+CASTOR_LOCAL_MESSAGE(castor::ComponentFault)
 CASTOR_LOCAL_MESSAGE(castor::ProposeTask)
 CASTOR_LOCAL_MESSAGE(castor::RetractTask)
 CASTOR_LOCAL_MESSAGE(castor::CompleteTask)

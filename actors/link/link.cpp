@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
+#include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/link/send_later.hpp"
 
 #include <caf/atom.hpp>
@@ -10,7 +11,10 @@
 #include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <deque>
 #include <random>
 #include <unordered_set>
 #include <utility>
@@ -25,6 +29,7 @@ using Milliseconds = std::chrono::milliseconds;
 
 using TickAtom = caf::atom_constant<caf::atom("tick")>;
 using DialAtom = caf::atom_constant<caf::atom("dial")>;
+using DelayedAtom = caf::atom_constant<caf::atom("delayed")>;
 
 /// How much may be in the connection's own buffer, where nothing can overtake it any more.
 constexpr std::size_t buffered = 192 * 1024;
@@ -85,6 +90,8 @@ public:
       },
       [link](TickAtom) { link->guarded([&] { link->tick(); }); },
       [link](DialAtom) { link->dial_now(); },
+      [link](DelayedAtom) { link->guarded([&] { link->say_delayed(); }); },
+      [link](const LinkFault& x) { link->befall(x); },
       [link](const Dialled& x) { link->dialled(x); },
       [link](AdoptConnection& x) { link->adopt(std::move(x)); },
       [link](const CloseLink& x) { link->close(x.reason); },
@@ -95,6 +102,10 @@ private:
   // -- connections
 
   void dial_now() {
+    if (is_silent()) {
+      send_later(self_, 20ms, DialAtom::value);
+      return;
+    }
     auto until = parts_.options.connecting;
     self_->system().spawn<caf::detached + caf::hidden>(
       [to = *parts_.dial, until, over = self_->state.over,
@@ -112,6 +123,11 @@ private:
       disconnected(x.problem);
       return;
     }
+    if (is_silent()) {
+      ::close(x.socket);
+      disconnected("no sign of life");
+      return;
+    }
     ++attempt_;
     begin_connection(self_->add_scribe(x.socket),
                      std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::dials));
@@ -122,7 +138,7 @@ private:
     auto handle = x.connection->hdl();
     self_->move_scribe(std::move(x.connection));
     // The peer has given that one up before it made the present one.
-    if (x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_) {
+    if (is_silent() || (x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_)) {
       self_->close(handle);
       return;
     }
@@ -142,6 +158,7 @@ private:
     channel_ = std::move(channel);
     has_greeted_ = greeted_ = false;
     heard_words_.clear();
+    delayed_.clear();
     in_buffer_ = 0;
     heard_ = Clock::now();
     self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
@@ -227,10 +244,61 @@ private:
     }
   }
 
+  // -- what is made to befall it
+
+  bool is_silent() const { return Clock::now() < silent_until_; }
+
+  void befall(const LinkFault& x) {
+    auto until = Clock::now() + x.duration;
+    switch (x.kind) {
+      case LinkFault::Kind::silence:
+        silent_until_ = until;
+        break;
+      case LinkFault::Kind::delay:
+        delayed_until_ = until;
+        delay_ = x.by;
+        break;
+      case LinkFault::Kind::loss:
+        lossy_until_ = until;
+        loss_ = x.part;
+        break;
+    }
+  }
+
+  /// Whether the next message is one of those that are lost.
+  bool is_lost() {
+    return Clock::now() < lossy_until_ &&
+           std::uniform_int_distribution<std::uint32_t>{1, 1'000'000}(random_) <= loss_;
+  }
+
+  void say_delayed() {
+    auto now = Clock::now();
+    while (connection_ && !delayed_.empty() && delayed_.front().first <= now) {
+      auto words = std::move(delayed_.front().second);
+      delayed_.pop_front();
+      say_now(std::move(words));
+    }
+  }
+
   // -- what is said
 
-  /// Says it, after the greeting if that is due.
   void say(std::vector<char> words) {
+    bool is_late = Clock::now() < delayed_until_;
+    if (!is_late && delayed_.empty()) {
+      say_now(std::move(words));
+      return;
+    }
+    // Never before what is on its way.
+    auto due = std::max(is_late ? Clock::now() + delay_ : Clock::now(),
+                        delayed_.empty() ? Clock::time_point{} : delayed_.back().first);
+    in_buffer_ += words.size();
+    delayed_.emplace_back(due, std::move(words));
+    auto rest = std::chrono::ceil<Milliseconds>(due - Clock::now());
+    send_later(self_, std::max(rest, 0ms), DelayedAtom::value);
+  }
+
+  /// Says it, after the greeting if that is due.
+  void say_now(std::vector<char> words) {
     if (!has_greeted_ && channel_->is_ready()) {
       has_greeted_ = true;
       auto hello = parts_.self;
@@ -270,8 +338,11 @@ private:
   }
 
   void receive(const caf::io::new_data_msg& x) {
-    if (x.handle != connection_)
+    if (x.handle != connection_ || is_silent()) {
+      // What was not heard is not made good for but by another connection.
+      deaf_ = deaf_ || x.handle == connection_;
       return;
+    }
     heard_ = Clock::now();
     LinkRecord::add(record_->bytes_in, x.buf.size());
     std::span bytes{reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()};
@@ -322,11 +393,13 @@ private:
       session_.send({parts_.mesh->introduction(unknown)});
     session_.send(std::move(x.message));
     LinkRecord::add(record_->messages_out, 1);
+    if (connection_ && is_lost())
+      disconnected("what was sent was lost");
     flush();
   }
 
   void flush() {
-    if (!greeted_ || !connection_)
+    if (!greeted_ || !connection_ || is_silent())
       return;
     while (in_buffer_ < buffered && session_.has_something_to_say()) {
       std::vector<char> words;
@@ -342,6 +415,8 @@ private:
       return;
     send_later(self_, parts_.options.heartbeat, TickAtom::value);
     auto now = Clock::now();
+    if (connection_ && !is_silent() && std::exchange(deaf_, false))
+      disconnected("what was said was not heard");
     if (connection_) {
       if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
         disconnected("no sign of life");
@@ -387,6 +462,15 @@ private:
   Clock::time_point down_since_ = Clock::now();
   std::string reason_;
   Milliseconds backoff_{20};
+  Clock::time_point silent_until_;
+  /// Something was said that was not heard.
+  bool deaf_ = false;
+  Clock::time_point delayed_until_;
+  Clock::duration delay_{0};
+  /// What is said when its time comes.
+  std::deque<std::pair<Clock::time_point, std::vector<char>>> delayed_;
+  Clock::time_point lossy_until_;
+  std::uint32_t loss_ = 0;
   std::minstd_rand random_{std::random_device{}()};
 };
 

@@ -132,6 +132,12 @@ void Mesh::add_port(std::shared_ptr<LinkPort> port) {
   processes_[process].port = std::move(port);
 }
 
+void Mesh::befall(ProcessNumber peer, const LinkFault& x) {
+  std::lock_guard guard{mutex_};
+  if (auto i = processes_.find(peer); i != processes_.end() && i->second.port)
+    caf::anon_send(i->second.port->link(), x);
+}
+
 std::vector<LinkStatus> Mesh::links() const {
   std::lock_guard guard{mutex_};
   std::vector<LinkStatus> result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/link/link_record.hpp"
 #include "castor/actors/link/session.hpp"
 #include "castor/actors/link/wire_table.hpp"
@@ -56,6 +57,7 @@ public:
 
   ProcessNumber peer() const { return peer_; }
   const std::shared_ptr<LinkRecord>& record() const { return record_; }
+  const caf::actor& link() const { return link_; }
 
   /// Sends what was sent to the actor of that name; answers a request that cannot travel itself.
   void send(ActorName to, caf::mailbox_element& x);
@@ -101,6 +103,9 @@ public:
 
   /// The link that leads to a process.
   void add_port(std::shared_ptr<LinkPort> port);
+
+  /// Lets something befall the link to a process.
+  void befall(ProcessNumber peer, const LinkFault& x);
 
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;

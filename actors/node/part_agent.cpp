@@ -49,6 +49,23 @@ PartMade restart(Self self, const RestartComponent& x) {
   return {{}, state.part->actors(), state.part->era()};
 }
 
+void befall(Self self, const BefallComponent& x) {
+  if (!self->state.part)
+    return;
+  for (auto& resident : self->state.part->residents()) {
+    if (resident.name != x.name)
+      continue;
+    if (resident.record)
+      caf::anon_send(caf::actor_cast<caf::actor>(resident.actor), x.fault);
+    else
+      resident.actor->enqueue(
+        nullptr, caf::make_message_id(),
+        caf::make_message(caf::exit_msg{
+          self->address(), caf::make_error(caf::sec::runtime_error, "it was made to crash")}),
+        self->context());
+  }
+}
+
 /// Something that was here has ended.
 void report_end(Self self, const caf::down_msg& x) {
   auto& state = self->state;
@@ -142,6 +159,11 @@ caf::behavior part_agent(Self self, PartAgentParts parts) {
     [self](const PartPlan& x) { return make(self, x); },
     [self](const RestartComponent& x) { return restart(self, x); },
     [self](const JoinParts& x) { return join(self, x); },
+    [self](const BefallComponent& x) { befall(self, x); },
+    [self](const BefallLink& x) {
+      if (auto& mesh = self->state.parts.mesh)
+        mesh->befall(x.peer, x.fault);
+    },
     [self](PartStatusQuery) {
       PartStatus result;
       if (auto& part = self->state.part)

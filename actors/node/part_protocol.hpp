@@ -3,6 +3,7 @@
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/component/status.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/mesh.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/caf.hpp"
@@ -106,6 +107,18 @@ struct ComponentHangs {
   std::uint64_t incarnation = 0;
 };
 
+/// Something is to befall a component, or a working memory, which then crashes whatever it is.
+struct BefallComponent {
+  std::string name;
+  ComponentFault fault;
+};
+
+/// Something is to befall the link to another process.
+struct BefallLink {
+  ProcessNumber peer = 0;
+  LinkFault fault;
+};
+
 struct PartStatusQuery {};
 
 /// What a process has taken of its machine.
@@ -138,6 +151,8 @@ CASTOR_LOCAL_MESSAGE(castor::JoinParts)
 CASTOR_LOCAL_MESSAGE(castor::RestartComponent)
 CASTOR_LOCAL_MESSAGE(castor::ComponentEnded)
 CASTOR_LOCAL_MESSAGE(castor::ComponentHangs)
+CASTOR_LOCAL_MESSAGE(castor::BefallComponent)
+CASTOR_LOCAL_MESSAGE(castor::BefallLink)
 CASTOR_LOCAL_MESSAGE(castor::PartStatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::PartStatus)
 CASTOR_LOCAL_MESSAGE(castor::EndSystem)

@@ -102,6 +102,31 @@ void wire(A& a, WirePart<A, ComponentHangs>& x) {
 }
 
 template <class A>
+void wire(A& a, WirePart<A, ComponentFault>& x) {
+  a(x.kind, x.callback, x.by, x.duration);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, BefallComponent>& x) {
+  a(x.name, x.fault);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, LinkFault>& x) {
+  a(x.kind, x.duration, x.by, x.part);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, BefallLink>& x) {
+  a(x.peer, x.fault);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, JumpClock>& x) {
+  a(x.by);
+}
+
+template <class A>
 void wire(A&, WirePart<A, PartStatusQuery>&) {}
 
 template <class A>

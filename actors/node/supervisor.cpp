@@ -662,8 +662,10 @@ private:
     if (!child.down_since)
       child.down_since = Clock::now();
     log(LogLevel::warning, name, reason + (will_restart ? "; it is started again" : ""));
-    write_health(name, Value::of(ComponentDown{name, child.subarchitecture, child.incarnation,
-                                               reason, will_restart}));
+    ComponentDown x{name, child.subarchitecture, child.incarnation, reason, will_restart};
+    if (options_.on_down)
+      options_.on_down(x);
+    write_health(name, Value::of(std::move(x)));
   }
 
   void note_up(const std::string& name) {
@@ -674,8 +676,10 @@ private:
     auto down = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - *since);
     log(LogLevel::info, name,
         fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
-    write_health(
-      name, Value::of(ComponentUp{name, child.subarchitecture, child.incarnation, down.count()}));
+    ComponentUp x{name, child.subarchitecture, child.incarnation, down.count()};
+    if (options_.on_up)
+      options_.on_up(x);
+    write_health(name, Value::of(std::move(x)));
   }
 
   /// Replaces what is there of a component.

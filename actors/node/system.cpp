@@ -161,6 +161,35 @@ public:
       flush_observer();
   }
 
+  bool befall(const std::string& component, const ComponentFault& x) {
+    auto known = roster();
+    auto i = known->placement.find(component);
+    if (i == known->placement.end() || !processes_.is_up(i->second))
+      return false;
+    caf::anon_send(processes_.agent(i->second), BefallComponent{component, x});
+    return true;
+  }
+
+  void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
+    caf::anon_send(processes_.agent(a), BefallLink{b, x});
+    caf::anon_send(processes_.agent(b), BefallLink{a, x});
+  }
+
+  bool jump_clock(const std::string& subarchitecture, Timestamp by) {
+    auto known = roster();
+    auto i = known->working_memories.find(subarchitecture);
+    if (i == known->working_memories.end() || !is_in_reach(working_memory_of(subarchitecture)))
+      return false;
+    caf::anon_send(i->second, JumpClock{by});
+    return true;
+  }
+
+  /// What the system is now.
+  SystemRosterPtr roster() const {
+    std::lock_guard guard{mutex_};
+    return roster_;
+  }
+
   SystemSummary summary() {
     SystemSummary result;
     auto parts = ask_parts();
@@ -209,12 +238,6 @@ private:
     std::unique_lock guard{mutex_};
     changed_.wait_for(guard, glance, [this] { return ended_.has_value() || !orders_.empty(); });
     return ended_.has_value();
-  }
-
-  /// What the system is now.
-  SystemRosterPtr roster() const {
-    std::lock_guard guard{mutex_};
-    return roster_;
   }
 
   ProcessNumber process_of(const std::string& name) const {
@@ -629,6 +652,22 @@ std::vector<cast::Diagnostic> System::add(ArchitectureDescription added) {
 
 std::string System::remove(const std::string& name) {
   return implementation_->remove(name);
+}
+
+bool System::befall(const std::string& component, const ComponentFault& x) {
+  return implementation_->befall(component, x);
+}
+
+void System::befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
+  implementation_->befall(a, b, x);
+}
+
+bool System::jump_clock(const std::string& subarchitecture, Timestamp by) {
+  return implementation_->jump_clock(subarchitecture, by);
+}
+
+SystemRosterPtr System::roster() const {
+  return implementation_->roster();
 }
 
 SystemSummary System::summary() {

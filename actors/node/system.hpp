@@ -5,6 +5,7 @@
 #include "castor/actors/component/status.hpp"
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/node/part_protocol.hpp"
+#include "castor/actors/supervision/health.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
 #include "castor/wm/entry.hpp"
@@ -31,6 +32,9 @@ public:
 private:
   std::vector<cast::Diagnostic> diagnostics_;
 };
+
+struct SystemRoster;
+using SystemRosterPtr = std::shared_ptr<const SystemRoster>;
 
 struct SystemOptions {
   /// Every subarchitecture may write to every other, as in the original CAST.
@@ -81,6 +85,11 @@ struct SystemOptions {
   /// Called with what becomes of every proposed task, those of one task manager in their order;
   /// never at the same time as `on_change`.
   std::function<void(const TaskEvent&)> on_task;
+
+  /// Called when a component or a working memory has gone down, and when it is back. By one thread
+  /// at a time, which has better things to do than to wait.
+  std::function<void(const ComponentDown&)> on_down;
+  std::function<void(const ComponentUp&)> on_up;
 
   /// Kills the process of an isolated component that does not come back from its own code. Called
   /// from any thread.
@@ -163,6 +172,19 @@ public:
 
   /// Takes leave of the nodes, where the system cannot be destroyed; to be called last.
   void abandon();
+
+  /// Lets something befall a component or a working memory; false if there is none of that name in
+  /// reach. A working memory crashes, whatever it is.
+  bool befall(const std::string& component, const ComponentFault& x);
+
+  /// Lets something befall the link between two processes, by their numbers.
+  void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x);
+
+  /// Lets the clock of a working memory jump; false if there is none in reach.
+  bool jump_clock(const std::string& subarchitecture, Timestamp by);
+
+  /// Who takes part now.
+  SystemRosterPtr roster() const;
 
   SystemSummary summary();
 

@@ -1,0 +1,36 @@
+#include "castor/actors/component/befalling.hpp"
+
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace castor {
+
+void Befalling::take(const ComponentFault& x, Clock::time_point now) {
+  switch (x.kind) {
+    case ComponentFault::Kind::crash:
+      crash_ = true;
+      break;
+    case ComponentFault::Kind::failure:
+      failure_in_ = x.callback;
+      break;
+    case ComponentFault::Kind::hang:
+      hang_ = x.by;
+      break;
+    case ComponentFault::Kind::slowness:
+      slowness_ = x.by;
+      slow_until_ = now + x.duration;
+      break;
+  }
+}
+
+void Befalling::in_callback() {
+  if (auto hang = std::exchange(hang_, std::nullopt))
+    std::this_thread::sleep_for(*hang);
+  if (slowness_ > Timestamp{0} && Clock::now() < slow_until_)
+    std::this_thread::sleep_for(slowness_);
+  if (failure_in_ > 0 && --failure_in_ == 0)
+    throw std::runtime_error("it was made to fail here");
+}
+
+} // namespace castor

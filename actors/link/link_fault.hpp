@@ -1,0 +1,31 @@
+#pragma once
+
+#include "castor/wm/caf.hpp"
+#include "castor/wm/timestamp.hpp"
+
+#include <cstdint>
+
+namespace castor {
+
+/// Something is to befall a link, on purpose, as seen from one of its ends.
+struct LinkFault {
+  enum class Kind : std::uint8_t {
+    /// Nothing passes, either way, and nobody is told.
+    silence,
+    /// What is sent goes later.
+    delay,
+    /// Some of what is sent is lost, and with it the connection.
+    loss,
+  };
+
+  Kind kind = Kind::silence;
+  Timestamp duration{0};
+  /// Of `delay`.
+  Timestamp by{0};
+  /// Of `loss`: the part of the messages, in millionths.
+  std::uint32_t part = 0;
+};
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::LinkFault)
