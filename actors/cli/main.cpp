@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   cli::Action action;
   cli::add_run(app, action, plugins);
   cli::add_node(app, action);
+  cli::add_chaos(app, action, plugins);
   cli::add_inspection(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);

@@ -64,6 +64,10 @@ struct Taking {
 void Deployments::begin() {
   problems_.clear();
   auto plan = orders_.front().plan();
+  planned_.clear();
+  for (std::size_t i = 0; i < plan.processes.size(); ++i)
+    if (!plan.processes[i].lost)
+      planned_.insert(static_cast<ProcessNumber>(i));
   ask(plan,
       Taking<PartMade>{[self = shared_from_this(), plan](ProcessNumber from, const PartMade& x) {
         self->take(plan, from, x);
@@ -116,8 +120,16 @@ void Deployments::no_answer(ProcessNumber from) {
   problems_.push_back(std::move(problem));
 }
 
+bool Deployments::is_out_of_date() const {
+  return std::any_of(planned_.begin(), planned_.end(), [&](auto x) {
+    return processes_.state(x).link == LinkState::lost;
+  });
+}
+
 bool Deployments::look_again() {
-  if (!orders_.empty())
+  if (!orders_.empty() && is_out_of_date())
+    begin();
+  else if (!orders_.empty())
     go_on_if_answered();
   return std::erase_if(behind_, [&](auto x) { return processes_.is_up(x); }) > 0;
 }

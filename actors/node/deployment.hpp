@@ -50,6 +50,8 @@ private:
   template <class Question, class Take>
   void ask(const Question& question, Take take, std::function<void()> then);
   void begin();
+  /// Whether a process was lost on which the plan under way counts, so that others wait for it.
+  bool is_out_of_date() const;
   void take(const PartPlan& plan, ProcessNumber from, const PartMade& made);
   void introduce();
   void finish();
@@ -63,6 +65,8 @@ private:
   std::deque<Order> orders_;
   Problems problems_;
   std::set<ProcessNumber> missing_;
+  /// Those that the plan under way counts on.
+  std::set<ProcessNumber> planned_;
   /// Those that were not waited for.
   std::set<ProcessNumber> behind_;
   std::function<void()> then_;

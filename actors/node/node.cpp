@@ -102,7 +102,13 @@ private:
     for (std::size_t p = 1; p < plan.processes.size(); ++p) {
       auto number = static_cast<ProcessNumber>(p);
       auto& peer = plan.processes[p];
-      if (number == i->second.self.process || peer.lost || i->second.links.count(number) > 0)
+      auto link = i->second.links.find(number);
+      if (peer.lost && link != i->second.links.end()) {
+        // The coordinator knows it before this process has tried for long enough.
+        caf::anon_send(link->second, CloseLink{"it is lost"});
+        continue;
+      }
+      if (number == i->second.self.process || peer.lost || link != i->second.links.end())
         continue;
       add_link(i->second, number, peer.name,
                number > i->second.self.process ? std::optional{Endpoint{peer.host, peer.port}}

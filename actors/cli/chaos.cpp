@@ -1,0 +1,394 @@
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/final_state.hpp"
+#include "castor/actors/cli/local_nodes.hpp"
+#include "castor/actors/cli/process_resources.hpp"
+#include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cast/duration.hpp"
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/faults/chaos_report.hpp"
+#include "castor/actors/faults/fault_targets.hpp"
+#include "castor/actors/faults/injector.hpp"
+#include "castor/actors/faults/outages.hpp"
+#include "castor/actors/faults/random_plan.hpp"
+#include "castor/actors/faults/resource_growth.hpp"
+#include "castor/actors/node/incarnation.hpp"
+#include "castor/actors/node/placement.hpp"
+#include "castor/actors/node/system.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace castor::cli {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+struct Arguments {
+  ArchitectureArguments architecture;
+  std::string plan;
+  std::optional<std::uint64_t> seed;
+  std::string duration = "1min";
+  std::filesystem::path report;
+  int spread = 0;
+  std::vector<std::string> same;
+  std::vector<std::string> but_for;
+  std::string settle = "2s";
+  std::string bound = "10s";
+};
+
+std::chrono::milliseconds duration(const std::string& text) {
+  if (auto result = cast::parse_duration(text))
+    return *result;
+  throw std::invalid_argument("write a duration such as 500ms, 10s or 2min, not " + text);
+}
+
+void print(const std::vector<cast::Diagnostic>& problems) {
+  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
+}
+
+/// What has been noticed of components, by one thread while another looks.
+class Notes {
+public:
+  explicit Notes(Clock::time_point begin) : begin_(begin) {}
+
+  void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
+    std::lock_guard guard{mutex_};
+    notes_.push_back({now(), who, kind, reason});
+  }
+
+  std::vector<faults::LifeNote> all() const {
+    std::lock_guard guard{mutex_};
+    return notes_;
+  }
+
+private:
+  Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
+
+  const Clock::time_point begin_;
+  mutable std::mutex mutex_;
+  std::vector<faults::LifeNote> notes_;
+};
+
+/// A run of `castor chaos`, step by step.
+class Chaos {
+public:
+  Chaos(const Arguments& arguments, const std::vector<std::string>& plugins)
+    : arguments_(arguments), plugins_(plugins), duration_(duration(arguments.duration)),
+      settle_(duration(arguments.settle)),
+      question_{{arguments.same.begin(), arguments.same.end()},
+                {arguments.but_for.begin(), arguments.but_for.end()}} {}
+
+  int run() {
+    auto architecture = read_architecture(arguments_.architecture);
+    if (!architecture)
+      return bad_input;
+    if (arguments_.spread > 0)
+      spread(*architecture, arguments_.spread);
+    if (!read_plan(*architecture))
+      return bad_input;
+    result_.system = arguments_.architecture.file;
+    result_.command = command();
+    result_.seed = seed_;
+    result_.duration = duration_;
+    if (!question_.types.empty()) {
+      note(LogLevel::info, "first without faults, to see how it ends then");
+      wanted_ = run_in_peace(*architecture);
+      if (signals_.count() > 0)
+        return a_component_failed;
+    }
+    run_with_faults(*architecture);
+    return finish();
+  }
+
+private:
+  bool read_plan(const ArchitectureDescription& architecture) {
+    std::vector<std::string> nodes;
+    for (auto& [host, name] : other_hosts(architecture))
+      nodes.push_back(name);
+    targets_ = faults::targets_of(architecture, nodes);
+    if (!arguments_.plan.empty()) {
+      auto parsed = faults::parse_plan_file(arguments_.plan);
+      print(parsed.diagnostics);
+      if (!parsed.ok())
+        return false;
+      plan_ = *std::move(parsed.plan);
+    }
+    seed_ = arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000));
+    if (arguments_.plan.empty())
+      plan_ = faults::random_plan(targets_, seed_, duration_);
+    auto problems = faults::check_plan(plan_, targets_);
+    print(problems);
+    return problems.empty();
+  }
+
+  /// What makes the same faults once more.
+  std::string command() const {
+    auto result = "castor chaos " + arguments_.architecture.file;
+    if (!arguments_.plan.empty())
+      result += " --plan " + arguments_.plan;
+    result += fmt::format(" --seed {} --duration {}", seed_, arguments_.duration);
+    if (arguments_.spread > 0)
+      result += fmt::format(" --spread {}", arguments_.spread);
+    for (auto& x : arguments_.architecture.variables)
+      result += " --set " + x;
+    for (auto& x : arguments_.same)
+      result += " --same " + x;
+    for (auto& x : arguments_.but_for)
+      result += " --but-for " + x;
+    return result;
+  }
+
+  SystemOptions options() {
+    SystemOptions result;
+    result.interrupted = [this] { return signals_.count() > 0; };
+    return result;
+  }
+
+  /// Lets the system come to rest, and takes its state.
+  std::vector<std::string> come_to_rest(System& system) {
+    auto reason = system.wait({60s, settle_});
+    if (reason == EndReason::time_over)
+      violation("rest", "the system did not come to rest within 60 s");
+    return state_of(system, question_);
+  }
+
+  std::vector<std::string> run_in_peace(ArchitectureDescription architecture) {
+    auto options = this->options();
+    auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
+    System system{std::move(architecture), options};
+    std::vector<std::string> result;
+    if (system.start())
+      result = come_to_rest(system);
+    system.stop();
+    return result;
+  }
+
+  void run_with_faults(ArchitectureDescription architecture) {
+    auto options = this->options();
+    auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
+    std::map<std::string, std::string> hosts;
+    for (auto& [host, name] : other_hosts(architecture))
+      hosts[name] = host;
+    for (auto& x : targets_.components)
+      if (x.isolated)
+        hosts[x.name] = isolated_host(x.name);
+    Notes notes{Clock::now()};
+    options.on_down = [&](const ComponentDown& x) {
+      notes.add(x.component, faults::LifeNote::Kind::down, x.reason);
+      if (!x.will_restart)
+        notes.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
+    };
+    options.on_up = [&](const ComponentUp& x) {
+      notes.add(x.component, faults::LifeNote::Kind::up, {});
+    };
+    std::unique_ptr<faults::Injector> injector;
+    std::mutex mutex;
+    options.on_change = [&](const ChangeEvent& x) {
+      std::lock_guard guard{mutex};
+      if (injector)
+        injector->on_change(x);
+    };
+    System system{std::move(architecture), options};
+    auto begin = Clock::now();
+    if (!system.start()) {
+      system.stop();
+      return;
+    }
+    faults::FaultSchedule schedule{plan_, targets_, seed_, duration_};
+    result_.plan = faults::to_string(schedule.as_plan());
+    ResourceWatch watch{[&] {
+      std::map<std::string, pid_t> result{{std::string{faults::coordinator}, getpid()}};
+      if (nodes)
+        result.merge(nodes->processes());
+      return result;
+    }};
+    {
+      std::lock_guard guard{mutex};
+      injector = std::make_unique<faults::Injector>(
+        faults::InjectorParts{&system,
+                              [&](const std::string& process, int signal) {
+                                auto host = hosts.find(process);
+                                return nodes && host != hosts.end() &&
+                                       nodes->signal(host->second, signal);
+                              }},
+        std::move(schedule));
+    }
+    auto reason = system.wait({duration_, {}});
+    injector->stop();
+    if (reason == EndReason::ended_by_component)
+      violation("survival", "the system ended: " + system.ended()->second);
+    else if (reason == EndReason::time_over)
+      compare(come_to_rest(system));
+    auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
+    result_.faults = injector->records();
+    look_at_outages(notes.all(), took);
+    look_at_components(system.summary());
+    system.stop();
+    {
+      std::lock_guard guard{mutex};
+      injector.reset();
+    }
+    look_at_resources(watch.stop());
+  }
+
+  void compare(const std::vector<std::string>& got) {
+    if (question_.types.empty())
+      return;
+    auto text = difference(wanted_, got);
+    check("state as without faults", text.empty(),
+          fmt::format("{} entries of the types {}", wanted_.size(), names(question_.types)));
+    if (!text.empty())
+      violation("state as without faults", text);
+  }
+
+  static std::string names(const std::set<std::string>& x) {
+    std::string result;
+    for (auto& name : x)
+      result += (result.empty() ? "" : ", ") + name;
+    return result;
+  }
+
+  void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {
+    auto bound = duration(arguments_.bound);
+    result_.outages =
+      faults::outages_of(notes, [&](const std::string&) { return Timestamp{bound}; });
+    auto late = faults::late_recoveries(result_.outages, end);
+    check("back or given up in time", late.empty(),
+          fmt::format("{} outages, bound {}", result_.outages.size(), arguments_.bound));
+    for (auto& x : late)
+      violation("back or given up in time", x);
+  }
+
+  void look_at_components(const SystemSummary& summary) {
+    std::string down;
+    for (auto& x : summary.components)
+      if (x.state == ComponentState::failed)
+        down += x.identity.full_name() + " is down: " + x.failure + '\n';
+    check("everybody runs in the end", down.empty(),
+          fmt::format("{} components", summary.components.size()));
+    if (!down.empty())
+      violation("everybody runs in the end", down);
+  }
+
+  void look_at_resources(std::vector<faults::ProcessResources> resources) {
+    result_.resources = std::move(resources);
+    bool good = true;
+    for (auto& process : result_.resources)
+      for (auto& leak : faults::leaks(process)) {
+        violation("memory, files and threads", leak);
+        good = false;
+      }
+    check("memory, files and threads", good,
+          fmt::format("{} processes", result_.resources.size()));
+  }
+
+  void check(const std::string& name, bool held, const std::string& grounds) {
+    using Verdict = faults::CheckRecord::Verdict;
+    result_.checks.push_back({name, held ? Verdict::held : Verdict::violated, grounds});
+  }
+
+  void violation(const std::string& name, const std::string& text) {
+    result_.violations.push_back({name, text, {}, seed_, result_.command});
+  }
+
+  int finish() {
+    if (signals_.count() > 0)
+      violation("interrupted", "the run did not come to its end");
+    if (!arguments_.report.empty()) {
+      std::filesystem::create_directories(arguments_.report);
+      std::ofstream{arguments_.report / "chaos.html"} << faults::to_html(result_);
+      std::ofstream{arguments_.report / "chaos.json"} << faults::to_json(result_);
+    }
+    fmt::print("\n{}", faults::to_text(result_, isatty(STDOUT_FILENO) != 0));
+    if (!arguments_.report.empty())
+      fmt::print("\nwrote {}\n", (arguments_.report / "chaos.html").string());
+    return result_.held() ? success : a_component_failed;
+  }
+
+  Signals signals_;
+  const Arguments& arguments_;
+  const std::vector<std::string>& plugins_;
+  const std::chrono::milliseconds duration_;
+  const std::chrono::milliseconds settle_;
+  const StateQuestion question_;
+  faults::FaultPlan plan_;
+  faults::FaultTargets targets_;
+  std::uint64_t seed_ = 0;
+  std::vector<std::string> wanted_;
+  faults::ChaosRun result_;
+};
+
+} // namespace
+
+void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
+  auto* command = app.add_subcommand(
+    "chaos", "run a system while faults befall it, and say whether it held");
+  auto arguments = std::make_shared<Arguments>();
+  add_architecture_arguments(*command, arguments->architecture);
+  command
+    ->add_option("--plan", arguments->plan,
+                 "what is to befall it (docs/fault-plans.md); without, a mix of all that it should "
+                 "survive")
+    ->type_name("FILE");
+  command
+    ->add_option("--seed", arguments->seed, "draws what the plan leaves open; the same seed makes "
+                                            "the same faults")
+    ->type_name("N");
+  command->add_option("--duration", arguments->duration, "how long faults happen; by default 1min")
+    ->type_name("DURATION");
+  command->add_option("--report", arguments->report, "write chaos.html and chaos.json here")
+    ->type_name("DIR");
+  command
+    ->add_option("--spread", arguments->spread,
+                 "spread everything over so many nodes, whatever hosts the file names")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100));
+  command
+    ->add_option("--same", arguments->same,
+                 "entries of these types have to be the same in the end as in a run without "
+                 "faults, which is made first")
+    ->type_name("TYPE")
+    ->delimiter(',');
+  command
+    ->add_option("--but-for", arguments->but_for,
+                 "fields that do not count then, such as times and ids")
+    ->type_name("FIELD")
+    ->delimiter(',');
+  command
+    ->add_option("--settle", arguments->settle,
+                 "the end is when nothing has changed for so long; by default 2s")
+    ->type_name("DURATION");
+  command
+    ->add_option("--bound", arguments->bound,
+                 "whatever goes down has to be back, or given up, so soon; by default 10s")
+    ->type_name("DURATION");
+  command->footer(
+    "All nodes that the file names are started on this machine.\n"
+    "Exit status: 0 if everything held, 1 if something did not, 2 if the run could not be made.\n"
+    "Example: castor chaos configs/vision-three-nodes.cast --duration 30s --report out");
+  command->callback([&chosen, &plugins, arguments] {
+    chosen = [&plugins, arguments] { return Chaos{*arguments, plugins}.run(); };
+  });
+}
+
+} // namespace castor::cli

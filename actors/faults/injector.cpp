@@ -1,0 +1,250 @@
+#include "castor/actors/faults/injector.hpp"
+
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/link/link_fault.hpp"
+#include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/node/system.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <optional>
+
+namespace castor::faults {
+
+namespace {
+
+/// The number of a process that takes part now.
+std::optional<ProcessNumber> number_of(const SystemRoster& roster, const std::string& process) {
+  if (process == coordinator)
+    return ProcessNumber{0};
+  for (std::size_t i = 1; i < roster.processes.size(); ++i)
+    if (roster.processes[i].name == process && !roster.processes[i].lost)
+      return static_cast<ProcessNumber>(i);
+  return std::nullopt;
+}
+
+/// All that take part, the coordinator included.
+std::vector<std::string> names_of(const SystemRoster& roster) {
+  std::vector<std::string> result{std::string{coordinator}};
+  for (std::size_t i = 1; i < roster.processes.size(); ++i)
+    if (!roster.processes[i].lost)
+      result.push_back(roster.processes[i].name);
+  return result;
+}
+
+std::string not_there(const std::string& name) {
+  return "there is no " + name + " in reach";
+}
+
+/// Lets the same befall every link between the one and the other; whether there is any.
+bool befall_links(System& system, const std::vector<std::string>& group,
+                  const std::vector<std::string>& others, const LinkFault& fault) {
+  auto roster = system.roster();
+  bool found = false;
+  for (auto& x : group)
+    for (auto& y : others) {
+      auto a = number_of(*roster, x);
+      auto b = number_of(*roster, y);
+      if (!a || !b || a == b)
+        continue;
+      system.befall(*a, *b, fault);
+      found = true;
+    }
+  return found;
+}
+
+} // namespace
+
+Injector::Injector(InjectorParts parts, FaultSchedule schedule)
+  : parts_(std::move(parts)), schedule_(std::move(schedule)), thread_([this] { work(); }) {}
+
+Injector::~Injector() {
+  stop();
+}
+
+void Injector::stop() {
+  {
+    std::lock_guard guard{mutex_};
+    over_ = true;
+    changed_.notify_all();
+  }
+  if (thread_.joinable())
+    thread_.join();
+  for (auto& [time, f] : std::exchange(later_, {}))
+    f();
+}
+
+std::vector<FaultRecord> Injector::records() const {
+  std::lock_guard guard{mutex_};
+  return records_;
+}
+
+void Injector::on_change(const ChangeEvent& event) {
+  std::lock_guard guard{mutex_};
+  for (auto& x : schedule_.on_change(event, Value{}, now()))
+    due_.push_back(std::move(x));
+  changed_.notify_all();
+}
+
+void Injector::work() {
+  std::unique_lock guard{mutex_};
+  while (!over_) {
+    auto next = schedule_.next_time().value_or(Timestamp::max());
+    if (!later_.empty())
+      next = std::min(next, later_.begin()->first);
+    if (due_.empty() && next > now()) {
+      changed_.wait_for(guard, std::min<Timestamp>(next - now(), std::chrono::seconds{1}));
+      continue;
+    }
+    std::vector<DueFault> faults = std::exchange(due_, {});
+    while (auto x = schedule_.next(now()))
+      faults.push_back(*std::move(x));
+    std::vector<std::function<void()>> calls;
+    while (!later_.empty() && later_.begin()->first <= now()) {
+      calls.push_back(std::move(later_.begin()->second));
+      later_.erase(later_.begin());
+    }
+    guard.unlock();
+    for (auto& f : calls)
+      f();
+    for (auto& x : faults)
+      befall(x);
+    guard.lock();
+  }
+}
+
+void Injector::befall(const DueFault& x) {
+  auto at = now();
+  auto outcome = std::visit([this](auto& fault) { return inject(fault); }, x.fault);
+  FaultRecord record;
+  record.at = at;
+  if (auto duration = duration_of(x.fault))
+    record.until = at + *duration;
+  record.target = target_of(x.fault);
+  record.fault = to_string(x.fault);
+  record.done = outcome.done;
+  record.outcome = outcome.text;
+  std::lock_guard guard{mutex_};
+  records_.push_back(std::move(record));
+}
+
+Timestamp Injector::lasting(const Lasting& x) const {
+  return x.value_or(std::chrono::hours{1000});
+}
+
+namespace {
+
+template <class Outcome>
+Outcome befall_component(System& system, const ComponentTarget& target, const ComponentFault& x) {
+  if (!system.befall(target.name, x))
+    return {false, not_there("component " + target.name)};
+  return {};
+}
+
+} // namespace
+
+Injector::Outcome Injector::inject(const Crash& x) {
+  return befall_component<Outcome>(*parts_.system, x.component, {});
+}
+
+Injector::Outcome Injector::inject(const Throw& x) {
+  ComponentFault fault{ComponentFault::Kind::failure};
+  fault.callback = x.callback;
+  return befall_component<Outcome>(*parts_.system, x.component, fault);
+}
+
+Injector::Outcome Injector::inject(const Hang& x) {
+  ComponentFault fault{ComponentFault::Kind::hang};
+  fault.by = lasting(x.duration);
+  return befall_component<Outcome>(*parts_.system, x.component, fault);
+}
+
+Injector::Outcome Injector::inject(const Slow& x) {
+  ComponentFault fault{ComponentFault::Kind::slowness};
+  fault.by = x.by;
+  fault.duration = lasting(x.duration);
+  return befall_component<Outcome>(*parts_.system, x.component, fault);
+}
+
+Injector::Outcome Injector::signal(const std::string& process, int signal) {
+  if (!parts_.signal || !parts_.signal(process, signal))
+    return {false, not_there("process " + process)};
+  return {};
+}
+
+Injector::Outcome Injector::inject(const Kill& x) {
+  return signal(x.process.name, SIGKILL);
+}
+
+Injector::Outcome Injector::inject(const Stop& x) {
+  auto outcome = signal(x.process.name, SIGSTOP);
+  std::lock_guard guard{mutex_};
+  later_.emplace(now() + lasting(x.duration),
+                 [this, name = x.process.name] { signal(name, SIGCONT); });
+  return outcome;
+}
+
+Injector::Outcome Injector::inject(const Continue& x) {
+  return signal(x.process.name, SIGCONT);
+}
+
+Injector::Outcome Injector::inject(const Partition& x) {
+  auto others = x.from;
+  if (others.empty()) {
+    others = names_of(*parts_.system->roster());
+    std::erase_if(others, [&](auto& name) {
+      return std::find(x.group.begin(), x.group.end(), name) != x.group.end();
+    });
+  }
+  if (!befall_links(*parts_.system, x.group, others,
+                    {LinkFault::Kind::silence, lasting(x.duration)}))
+    return {false, "there is no link between them"};
+  return {};
+}
+
+Injector::Outcome Injector::inject(const Delay& x) {
+  if (!befall_links(*parts_.system, {x.link.first}, {x.link.second},
+                    {LinkFault::Kind::delay, lasting(x.duration), x.by}))
+    return {false, "there is no such link"};
+  return {};
+}
+
+Injector::Outcome Injector::inject(const Drop& x) {
+  LinkFault fault{LinkFault::Kind::loss, lasting(x.duration)};
+  fault.part = x.part.thousandths * 10;
+  if (!befall_links(*parts_.system, {x.link.first}, {x.link.second}, fault))
+    return {false, "there is no such link"};
+  return {};
+}
+
+namespace {
+
+/// What the transport does not let happen.
+constexpr const char* only_simulated =
+  "links are streams, in which nothing comes twice or out of order: this can be simulated only";
+
+} // namespace
+
+Injector::Outcome Injector::inject(const Duplicate&) {
+  return {false, only_simulated};
+}
+
+Injector::Outcome Injector::inject(const Reorder&) {
+  return {false, only_simulated};
+}
+
+Injector::Outcome Injector::inject(const FailJournal&) {
+  return {false, "journals of a running system cannot be made to fail yet"};
+}
+
+Injector::Outcome Injector::inject(const SlowJournal&) {
+  return {false, "journals of a running system cannot be made slow yet"};
+}
+
+Injector::Outcome Injector::inject(const JumpClock& x) {
+  if (!parts_.system->jump_clock(x.memory.subarchitecture, x.by))
+    return {false, not_there("working memory of " + x.memory.subarchitecture)};
+  return {};
+}
+
+} // namespace castor::faults
