@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   cli::add_run(app, action, plugins);
   cli::add_node(app, action);
   cli::add_inspection(app, action);
+  cli::add_journal(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
   try {
