@@ -38,6 +38,7 @@ namespace castor::cli {
 namespace {
 
 struct Arguments {
+  std::string file;
   std::vector<std::string> files;
   std::vector<std::string> filter;
   bool json = false;
@@ -158,7 +159,7 @@ int show(const Arguments& arguments) {
   Sieve sieve{arguments.filter};
   auto most = arguments.full ? std::numeric_limits<std::size_t>::max() : shown_bytes;
   bool coloured = isatty(STDOUT_FILENO) != 0;
-  JournalReader reader{arguments.files.front()};
+  JournalReader reader{arguments.file};
   auto summary = reader.summary();
   auto& name = summary.subarchitecture;
   if (arguments.entries) {
@@ -322,10 +323,7 @@ void add_journal(CLI::App& app, Action& chosen) {
   arguments = std::make_shared<Arguments>();
   auto* show_command =
     command(*journal, "show", "print the changes, or the entries", chosen, arguments, show);
-  show_command->add_option("FILE", arguments->files, "the journal")
-    ->required()
-    ->expected(1)
-    ->type_name("");
+  show_command->add_option("FILE", arguments->file, "the journal")->required()->type_name("");
   show_command
     ->add_option("FILTER", arguments->filter,
                  "[added|overwritten|deleted|changed] [TYPE] [from COMPONENT] [at ID] "

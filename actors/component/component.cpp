@@ -113,7 +113,10 @@ const std::string& SubarchitectureComponent::subarchitecture() const {
 }
 
 std::string SubarchitectureComponent::new_id() {
-  return base62(ids_made_++) + ':' + base62(shell().identity().number);
+  auto result = base62(ids_made_++) + ':' + base62(shell().identity().number);
+  if (auto run = shell().services().run.load(); run != 0)
+    result += ':' + base62(run);
+  return result;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/check.hpp"
+#include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
 #include "castor/wm/working_memory.hpp"
@@ -32,6 +33,10 @@ JournalOptions journal_options(const ComponentDescription& x) {
   auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
   result.report = [](const std::string& what) { note(LogLevel::error, what); };
   return result;
+}
+
+bool keeps_journal(const SubarchitectureDescription& x) {
+  return WorkingMemoryClass{x.working_memory}.journal != JournalMode::off;
 }
 
 /// The journal that a WM line asks for; null if it asks for none, or can do without.
@@ -97,6 +102,8 @@ bool SystemPart::has(const ComponentDescription& x) const {
 void SystemPart::begin(const PartPlan& plan) {
   architecture_ = plan.architecture;
   open_access_ = plan.open_access;
+  if (services_->run == 0 && std::ranges::any_of(architecture_.subarchitectures, keeps_journal))
+    services_->run = new_incarnation() >> 32;
   if (!services_->working_memories.empty())
     return;
   services_->epoch = std::chrono::steady_clock::now() - plan.age;

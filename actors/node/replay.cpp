@@ -2,6 +2,7 @@
 
 #include <caf/atom.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
