@@ -95,8 +95,13 @@ public:
       auto folder = options_.file.parent_path();
       if (!folder.empty() && std::filesystem::create_directories(folder))
         sync_directory(folder.parent_path());
-      if (!std::filesystem::exists(options_.file))
+      if (!std::filesystem::exists(options_.file)) {
+        // It would be taken for that of the new file.
+        if (std::filesystem::exists(options_.file.string() + "-wal"))
+          throw JournalCorrupt("there is a file of the same name that ends with -wal, but not the "
+                               "journal itself");
         make(options_.file, subarchitecture_);
+      }
       database_.emplace(options_.file, sqlite::Access::write, options_.vfs);
       // What is not known to be sound is not written.
       database_->checkpoint_on_close(false);
@@ -160,6 +165,9 @@ public:
       meta.clean = true;
       write(meta);
       transaction.commit();
+      insert_.reset();
+      write_meta_.reset();
+      database_.reset();
     });
   }
 
@@ -210,10 +218,11 @@ private:
     auto sessions = read_sessions(*database_);
     auto types = read_types(*database_);
     auto image = read_folded(*database_, meta_, types, options_.remembered_deletions);
-    read_log(*database_, meta_, sessions, types, [&](JournalRecord x) {
-      image.begin_incarnation(sessions.at(x.session).incarnation);
-      image.apply(std::move(x));
-    });
+    LogRows changes{*database_, meta_, sessions, types};
+    while (auto x = changes.next()) {
+      image.begin_incarnation(sessions.at(x->session).incarnation);
+      image.apply(*std::move(x));
+    }
     for (auto& [number, type] : types)
       types_[{type->name(), type->hash}] = number;
     if (!meta_.clean && !meta_.lossless)
@@ -455,12 +464,11 @@ std::filesystem::path move_aside(const std::filesystem::path& file) {
   for (int i = 1;; ++i) {
     auto target = file;
     target += ".corrupt-" + std::to_string(i);
-    if (std::filesystem::exists(target))
+    if (std::filesystem::exists(target) || std::filesystem::exists(target.string() + "-wal"))
       continue;
-    for (auto* suffix : {"-wal", "-shm"})
+    for (auto* suffix : {"", "-wal", "-shm"})
       if (std::filesystem::exists(file.string() + suffix))
         std::filesystem::rename(file.string() + suffix, target.string() + suffix);
-    std::filesystem::rename(file, target);
     return target;
   }
 }

@@ -50,6 +50,7 @@ JournalReader::JournalReader(std::filesystem::path file) : file_(std::move(file)
     meta_ = std::make_unique<Meta>(read_meta(*database_));
     sessions_ = read_sessions(*database_);
     types_ = read_types(*database_);
+    rows_ = std::make_unique<LogRows>(*database_, *meta_, sessions_, types_);
   });
 }
 
@@ -81,19 +82,21 @@ JournalImage JournalReader::begin() {
   return guarded([&] { return read_folded(*database_, *meta_, types_, ~std::size_t{0}); });
 }
 
-void JournalReader::read(const std::function<void(JournalRecord)>& f) {
-  guarded([&] { read_log(*database_, *meta_, sessions_, types_, f); });
+std::optional<JournalRecord> JournalReader::next() {
+  return guarded([&] { return rows_->next(); });
 }
 
 JournalImage JournalReader::replay(const std::function<void(const JournalRecord&)>& f) {
   auto result = begin();
-  read([&](JournalRecord x) {
-    if (f)
-      f(x);
-    result.begin_incarnation(sessions_.at(x.session).incarnation);
-    result.apply(std::move(x));
+  guarded([&] {
+    while (auto x = rows_->next()) {
+      if (f)
+        f(*x);
+      result.begin_incarnation(sessions_.at(x->session).incarnation);
+      result.apply(*std::move(x));
+    }
+    result.begin_incarnation(meta_->incarnation);
   });
-  result.begin_incarnation(meta_->incarnation);
   return result;
 }
 

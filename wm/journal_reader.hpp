@@ -8,8 +8,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace castor {
 
@@ -19,6 +19,7 @@ class Database;
 namespace journal_tables {
 struct Meta;
 struct Session;
+class LogRows;
 } // namespace journal_tables
 
 /// What a journal is, at a glance.
@@ -49,10 +50,10 @@ public:
   /// The entries that the working memory had before the first of the changes.
   JournalImage begin();
 
-  /// Calls `f` with every change, in order.
-  void read(const std::function<void(JournalRecord)>& f);
+  /// The next of the changes; nothing after the last.
+  std::optional<JournalRecord> next();
 
-  /// All of both; `f` is called before each change, if there is one.
+  /// Where all of it leads; to be called instead of `next`. `f` is called with each change.
   JournalImage replay(const std::function<void(const JournalRecord&)>& f = {});
 
 private:
@@ -64,6 +65,7 @@ private:
   std::unique_ptr<journal_tables::Meta> meta_;
   std::map<std::uint64_t, journal_tables::Session> sessions_;
   std::map<std::uint64_t, TypeDescriptorPtr> types_;
+  std::unique_ptr<journal_tables::LogRows> rows_;
 };
 
 } // namespace castor

@@ -233,32 +233,37 @@ JournalImage read_folded(sqlite::Database& database, const Meta& meta, const Typ
   return result;
 }
 
-void read_log(sqlite::Database& database, const Meta& meta, const Sessions& sessions,
-              const Types& types, const std::function<void(JournalRecord)>& f) {
-  auto rows = select_records(database, "log");
-  auto last = meta.folded;
-  std::uint64_t session = 0;
-  while (rows.step()) {
-    auto record = read_record(rows, types, nullptr);
-    if (record.session != session) {
-      session = record.session;
-      auto known = sessions.find(session);
-      if (known == sessions.end())
-        throw JournalCorrupt("session " + std::to_string(session) + " is missing");
-      // Numbers go on from session to session, except where a new incarnation begins.
-      auto before = known->second.before;
-      if (before > last && before == known->second.incarnation * numbers_per_incarnation)
-        last = before;
-    }
-    if (record.sequence != last + 1)
-      throw JournalCorrupt("the changes between " + std::to_string(last) + " and " +
-                           std::to_string(record.sequence) + " are missing");
-    last = record.sequence;
-    f(std::move(record));
+LogRows::LogRows(sqlite::Database& database, const Meta& meta, const Sessions& sessions,
+                 const Types& types)
+  : meta_(meta), sessions_(sessions), types_(types), rows_(select_records(database, "log")),
+    last_(meta.folded) {}
+
+std::optional<JournalRecord> LogRows::next() {
+  if (over_)
+    return std::nullopt;
+  if (!rows_.step()) {
+    over_ = true;
+    if (last_ != meta_.last && meta_.last != meta_.incarnation * numbers_per_incarnation)
+      throw JournalCorrupt("the changes from " + std::to_string(last_ + 1) + " to " +
+                           std::to_string(meta_.last) + " are missing");
+    return std::nullopt;
   }
-  if (last != meta.last && meta.last != meta.incarnation * numbers_per_incarnation)
-    throw JournalCorrupt("the changes from " + std::to_string(last + 1) + " to " +
-                         std::to_string(meta.last) + " are missing");
+  auto record = read_record(rows_, types_, nullptr);
+  if (record.session != session_) {
+    session_ = record.session;
+    auto session = sessions_.find(session_);
+    if (session == sessions_.end())
+      throw JournalCorrupt("session " + std::to_string(session_) + " is missing");
+    // Numbers go on from session to session, except where a new incarnation begins.
+    auto before = session->second.before;
+    if (before > last_ && before == session->second.incarnation * numbers_per_incarnation)
+      last_ = before;
+  }
+  if (record.sequence != last_ + 1)
+    throw JournalCorrupt("the changes between " + std::to_string(last_) + " and " +
+                         std::to_string(record.sequence) + " are missing");
+  last_ = record.sequence;
+  return record;
 }
 
 std::uint32_t checksum(const JournalRecord& x, std::uint64_t type) {

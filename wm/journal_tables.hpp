@@ -6,8 +6,8 @@
 #include "castor/wm/sqlite.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 /// How a journal stands in its file. Every row carries a checksum of what it says.
@@ -70,10 +70,6 @@ Types read_types(sqlite::Database& database);
 JournalImage read_folded(sqlite::Database& database, const Meta& meta, const Types& types,
                          std::size_t remembered_deletions);
 
-/// Every change of `log`, in order. Throws JournalCorrupt, also if one is missing.
-void read_log(sqlite::Database& database, const Meta& meta, const Sessions& sessions,
-              const Types& types, const std::function<void(JournalRecord)>& f);
-
 /// The columns of `log` and `entries`, in their order; `checksum` stands after them.
 inline constexpr const char* record_columns =
   "sequence, write, session, time, operation, id, type, version, source, time_to_live, life, "
@@ -82,6 +78,25 @@ inline constexpr const char* record_columns =
 /// A row of `log` or `entries` with the columns above and the checksum, which is checked. Throws
 /// JournalCorrupt.
 JournalRecord read_record(sqlite::Statement& row, const Types& types, std::uint32_t* checksum);
+
+/// The changes of `log`, one after the other.
+class LogRows {
+public:
+  LogRows(sqlite::Database& database, const Meta& meta, const Sessions& sessions,
+          const Types& types);
+
+  /// Nothing after the last. Throws JournalCorrupt, also if one is missing.
+  std::optional<JournalRecord> next();
+
+private:
+  const Meta& meta_;
+  const Sessions& sessions_;
+  const Types& types_;
+  sqlite::Statement rows_;
+  std::uint64_t last_;
+  std::uint64_t session_ = 0;
+  bool over_ = false;
+};
 
 std::uint32_t checksum(const JournalRecord& x, std::uint64_t type);
 std::uint32_t checksum(const std::string& id, Version version, std::uint64_t sequence);

@@ -2,6 +2,7 @@
 
 #include <caf/atom.hpp>
 
+#include <exception>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,20 +18,20 @@ using CloseAtom = caf::atom_constant<caf::atom("close")>;
 class JournalWriter {
 public:
   JournalWriter(caf::event_based_actor* self, JournalWriterParts parts)
-    : self_(self), parts_(std::move(parts)) {}
+    : self_(self), stay_(self), parts_(std::move(parts)) {}
 
-  void take(JournalGroupPtr changes) {
+  void take(const JournalWrite& x) {
     if (!news_.failure.empty())
       return;
-    last_ = changes->back().sequence;
-    gathered_.push_back(std::move(changes));
-    if (std::exchange(sync_is_due_, true))
-      return;
-    // Comes after all that waits by then.
-    if (parts_.mode == JournalMode::batched)
+    last_ = x.changes->back().sequence;
+    changes_ += x.changes->size();
+    bytes_ += x.bytes;
+    gathered_.push_back(x.changes);
+    if (parts_.mode == JournalMode::full || changes_ > parts_.most_changes ||
+        bytes_ > parts_.most_bytes)
+      sync_soon();
+    else if (gathered_.size() == 1)
       self_->delayed_send(self_, parts_.delay, SyncAtom::value);
-    else
-      self_->send(self_, SyncAtom::value);
   }
 
   void sync() {
@@ -43,6 +44,7 @@ public:
       ++news_.syncs;
     });
     gathered_.clear();
+    changes_ = bytes_ = 0;
     tell();
     tidy_soon();
   }
@@ -64,6 +66,7 @@ public:
     if (news_.failure.empty())
       attempt([&] { parts_.file->close(); });
     parts_.file.reset();
+    stay_ = nullptr;
   }
 
 private:
@@ -71,7 +74,7 @@ private:
   void attempt(F&& f) {
     try {
       f();
-    } catch (const JournalError& e) {
+    } catch (const std::exception& e) {
       news_.failure = e.what();
     }
   }
@@ -81,14 +84,24 @@ private:
     caf::anon_send(caf::actor_cast<caf::actor>(parts_.owner), news_);
   }
 
+  /// After all that waits by now.
+  void sync_soon() {
+    if (!std::exchange(sync_is_due_, true))
+      self_->send(self_, SyncAtom::value);
+  }
+
   void tidy_soon() {
     if (!std::exchange(tidy_is_due_, true))
       self_->send(self_, TidyAtom::value);
   }
 
   caf::event_based_actor* self_;
+  /// It outlives its working memory, which alone knows it.
+  caf::actor stay_;
   JournalWriterParts parts_;
   std::vector<JournalGroupPtr> gathered_;
+  std::size_t changes_ = 0;
+  std::size_t bytes_ = 0;
   std::uint64_t last_ = 0;
   bool sync_is_due_ = false;
   bool tidy_is_due_ = false;
@@ -103,7 +116,7 @@ caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts pa
   // The news of the end overtakes what was written before it.
   self->set_down_handler([self](const caf::down_msg&) { self->send(self, CloseAtom::value); });
   return {
-    [writer](const JournalWrite& x) { writer->take(x.changes); },
+    [writer](const JournalWrite& x) { writer->take(x); },
     [writer](SyncAtom) { writer->sync(); },
     [writer](TidyAtom) { writer->tidy(); },
     [self, writer](CloseAtom) {

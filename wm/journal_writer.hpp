@@ -12,6 +12,8 @@ namespace castor {
 /// From a working memory to its journal: the changes of a write, in the order of the writes.
 struct JournalWrite {
   JournalGroupPtr changes;
+  /// What their values take.
+  std::size_t bytes = 0;
 };
 
 /// From the journal to its working memory: how it stands.
@@ -29,7 +31,10 @@ struct JournalNews {
 struct JournalWriterParts {
   std::shared_ptr<JournalFile> file;
   JournalMode mode = JournalMode::full;
+  /// How long changes may wait for others, and how many, of how many bytes.
   std::chrono::milliseconds delay{0};
+  std::size_t most_changes = 0;
+  std::size_t most_bytes = 0;
   /// The working memory; when it ends, so does the journal, in order.
   caf::strong_actor_ptr owner;
 };

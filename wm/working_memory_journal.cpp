@@ -16,7 +16,12 @@ OutputGate::Bounds bounds(const JournalOptions& options) {
 
 caf::actor start_writer(Self self, const std::shared_ptr<JournalFile>& file) {
   auto& options = self->state.options.journal;
-  JournalWriterParts parts{file, options.mode, options.delay,
+  // Before the working memory has to hold back anything.
+  JournalWriterParts parts{file,
+                           options.mode,
+                           options.delay,
+                           options.most_unsynced / 4,
+                           options.most_unsynced_bytes / 4,
                            caf::actor_cast<caf::strong_actor_ptr>(self)};
   return options.own_thread ? self->system().spawn<caf::detached>(journal_writer, std::move(parts))
                             : self->system().spawn(journal_writer, std::move(parts));
@@ -54,7 +59,7 @@ void write_down(Self self, const std::vector<Change>& changes) {
       bytes += x.value.encoded_size();
   }
   state.gate.written(group->back().sequence, group->size(), bytes);
-  caf::anon_send(state.journal, JournalWrite{std::move(group)});
+  caf::anon_send(state.journal, JournalWrite{std::move(group), bytes});
 }
 
 void hear_of_journal(Self self, const JournalNews& news) {

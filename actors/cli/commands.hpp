@@ -23,6 +23,8 @@ void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
 /// Those that look at a running system, and those that change it.
 void add_inspection(CLI::App& app, Action& chosen);
+/// Those that look at journals, whether a system runs or not.
+void add_journal(CLI::App& app, Action& chosen);
 
 /// Exit statuses besides those that a component ends a system with.
 enum ExitStatus : int { success = 0, a_component_failed = 1, bad_input = 2 };

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   cli::add_node(app, action);
   cli::add_chaos(app, action, plugins);
   cli::add_inspection(app, action);
+  cli::add_journal(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
   try {

@@ -118,13 +118,13 @@ const std::string& SubarchitectureComponent::subarchitecture() const {
 
 std::string SubarchitectureComponent::new_id() {
   auto& self = shell().identity();
+  auto run = shell().services().run.load();
   auto result = fmt::format("{}:{}", base62(ids_made_++), base62(self.number));
-  // Those that it made in former lives may still be there, and those of former systems of which
-  // there are journals.
-  auto era = shell().neighbours().era;
-  if (self.incarnation > 1 || era > 1)
+  // Those that it made in former lives may still be there, and those of former runs of which there
+  // are journals.
+  if (self.incarnation > 1 || run != 0)
     result += fmt::format(":{}", base62(self.incarnation));
-  return era > 1 ? fmt::format("{}:{}", result, base62(era)) : result;
+  return run == 0 ? result : fmt::format("{}:{}", result, base62(run));
 }
 
 namespace {

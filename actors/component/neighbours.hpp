@@ -16,8 +16,6 @@ struct Neighbours {
   std::map<std::string, caf::actor> task_managers;
   /// Stand-alone components, by name.
   std::map<std::string, caf::actor> providers;
-  /// Which of the lives of its journals the system lives; 0 without any.
-  std::uint64_t era = 0;
 };
 
 using NeighboursPtr = std::shared_ptr<const Neighbours>;

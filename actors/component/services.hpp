@@ -5,7 +5,9 @@
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -18,6 +20,10 @@ namespace castor {
 struct ComponentServices {
   /// The moment that times count from.
   std::chrono::steady_clock::time_point epoch;
+
+  /// Part of the ids that components make, where entries outlive the system: nobody else's number.
+  /// 0 where they do not.
+  std::atomic<std::uint64_t> run{0};
 
   /// The working memories of this process, sorted by address: the last list is that of now. A list
   /// never changes, since components' threads look at the one that there was when they were made.

@@ -83,7 +83,6 @@ void Deployments::begin() {
 }
 
 void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade& made) {
-  era_ = std::max(era_, made.era);
   for (auto& [name, actor] : made.actors)
     if (process_of(plan.placement, name) == from)
       actors_[name] = actor;
@@ -96,7 +95,7 @@ void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade&
 }
 
 void Deployments::introduce() {
-  ask(JoinParts{actors_, era_}, Taking<Acknowledged>{}, [this] { finish(); });
+  ask(JoinParts{actors_}, Taking<Acknowledged>{}, [this] { finish(); });
 }
 
 void Deployments::finish() {

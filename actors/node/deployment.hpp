@@ -73,7 +73,6 @@ private:
   /// Counts questions, so that late answers are known as such.
   std::size_t question_ = 0;
   std::map<std::string, caf::strong_actor_ptr> actors_;
-  std::uint64_t era_ = 0;
 };
 
 } // namespace castor

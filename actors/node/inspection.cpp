@@ -2,10 +2,12 @@
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/node/inspection_json.hpp"
+#include "castor/actors/node/replay.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
@@ -75,13 +77,15 @@ private:
         watch(request);
       else if (what == "graph")
         tell_accesses();
+      else if (what == "replay")
+        replay_into_system(request);
       else if (what == "add")
         add(request);
       else if (what == "remove")
         order(request.at("name").get<std::string>());
       else
         throw InspectionError("there is no request " + what +
-                              "; there are: ps, wm, events, graph, add, remove");
+                              "; there are: ps, wm, events, graph, replay, add, remove");
     } catch (const Json::exception& e) {
       refuse(std::string{"the request cannot be read: "} + e.what());
     } catch (const std::runtime_error& e) {
@@ -266,6 +270,26 @@ private:
       if (count > 0)
         self_->send(x.actor, EventsTaken{EventStream::component, count});
     }
+  }
+
+  // -- replay
+
+  void replay_into_system(const Json& request) {
+    auto parts = std::make_shared<ReplayParts>();
+    auto files = request.at("files").get<std::vector<std::string>>();
+    parts->recording =
+      std::make_unique<Recording>(std::vector<std::filesystem::path>(files.begin(), files.end()),
+                                  request.value("sources", std::set<std::string>{}));
+    parts->working_memories = parts_.roster->working_memories;
+    parts->speed = request.value("speed", 1.0);
+    parts->done = [to = parts_.endpoint, connection = parts_.connection](const ReplayOutcome& x) {
+      Json reply{{"writes", x.writes}, {"skipped", x.skipped}, {"refused", x.refused}};
+      if (!x.problem.empty())
+        reply["problem"] = x.problem;
+      caf::anon_send(to, InspectionReply{connection, reply.dump() + '\n', true});
+    };
+    // Ends with whoever wants it, and has its own thread to read files.
+    self_->spawn<caf::linked + caf::detached>(castor::replay, std::move(parts));
   }
 
   // -- changes of the system

@@ -4,6 +4,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/check.hpp"
+#include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
 #include "castor/actors/supervision/health.hpp"
@@ -43,6 +44,10 @@ JournalOptions journal_options(const ComponentDescription& x) {
   auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
   result.report = [](const std::string& what) { note(LogLevel::error, what); };
   return result;
+}
+
+bool keeps_journal(const SubarchitectureDescription& x) {
+  return WorkingMemoryClass{x.working_memory}.journal != JournalMode::off;
 }
 
 /// The journal that a WM line asks for; null if it asks for none, or can do without.
@@ -136,6 +141,8 @@ void SystemPart::begin(const PartPlan& plan) {
   architecture_ = plan.architecture;
   open_access_ = plan.open_access;
   supervisor_ = plan.supervisor;
+  if (services_->run == 0 && std::ranges::any_of(architecture_.subarchitectures, keeps_journal))
+    services_->run = new_incarnation() >> 32;
   if (!services_->working_memories.empty())
     return;
   services_->epoch = std::chrono::steady_clock::now() - plan.age;
@@ -191,8 +198,6 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.writers = writers(name);
   options.incarnation = incarnation;
   options.journal = journal_options(x);
-  if (journal)
-    era_ = std::max(era_, journal->session);
   options.opened_journal = std::move(journal);
   auto actor = system_.spawn(working_memory, std::move(options));
   working_memories_[name] = {actor, incarnation};
@@ -260,10 +265,8 @@ std::set<std::string> SystemPart::writers(const std::string& subarchitecture) co
   return result;
 }
 
-void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors,
-                      std::uint64_t era) {
+void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors) {
   auto neighbours = std::make_shared<Neighbours>();
-  neighbours->era = era;
   for (auto& [name, actor] : subarchitectures(actors))
     neighbours->working_memories[name] = caf::actor_cast<WorkingMemoryActor>(actor);
   for (auto& x : architecture_.subarchitectures)

@@ -58,10 +58,7 @@ public:
 
   /// Introduces the actors of all parts to the components, before any new one configures itself;
   /// the working memories are told by Peers.
-  void join(const std::map<std::string, caf::strong_actor_ptr>& actors, std::uint64_t era);
-
-  /// How often the journal here that was opened most often was opened.
-  std::uint64_t era() const { return era_; }
+  void join(const std::map<std::string, caf::strong_actor_ptr>& actors);
 
   std::map<std::string, WorkingMemoryActor> working_memories() const;
 
@@ -102,7 +99,6 @@ private:
   /// Null before `join`.
   NeighboursPtr neighbours_;
   caf::actor keeper_;
-  std::uint64_t era_ = 0;
 };
 
 } // namespace castor

@@ -37,7 +37,7 @@ PartMade make(Self self, const PartPlan& plan) {
   state.supervisor = plan.supervisor;
   auto problems = state.part->apply(plan);
   watch(self);
-  return {std::move(problems), state.part->actors(), state.part->era()};
+  return {std::move(problems), state.part->actors()};
 }
 
 PartMade restart(Self self, const RestartComponent& x) {
@@ -46,7 +46,7 @@ PartMade restart(Self self, const RestartComponent& x) {
     return {};
   state.part->restart(x.name, x.incarnation);
   watch(self);
-  return {{}, state.part->actors(), state.part->era()};
+  return {{}, state.part->actors()};
 }
 
 void befall(Self self, const BefallComponent& x) {
@@ -121,7 +121,7 @@ caf::response_promise join(Self self, const JoinParts& others) {
   if (state.joining)
     state.joining->deliver(Acknowledged{});
   state.joining = promise;
-  state.part->join(others.actors, others.era);
+  state.part->join(others.actors);
   Peers peers;
   peers.working_memories = state.part->subarchitectures(others.actors);
   if (auto& mesh = state.parts.mesh) {

@@ -66,16 +66,12 @@ struct PartMade {
   /// Why it cannot be made, then there are no actors.
   std::vector<cast::Diagnostic> problems;
   std::map<std::string, caf::strong_actor_ptr> actors;
-  /// How often the journal here that was opened most often was opened.
-  std::uint64_t era = 0;
 };
 
 /// The actors of all parts: introduces them to each other. Answered with Acknowledged once the part
 /// is connected with all others and its working memories know theirs.
 struct JoinParts {
   std::map<std::string, caf::strong_actor_ptr> actors;
-  /// The highest of all parts: who finds entries in journals knows that there were others before.
-  std::uint64_t era = 0;
 };
 
 /// Ends a component, if it has not ended yet, and makes it anew; answered with PartMade.

@@ -78,12 +78,12 @@ void wire(A& a, WirePart<A, PartPlan>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, PartMade>& x) {
-  a(x.problems, x.actors, x.era);
+  a(x.problems, x.actors);
 }
 
 template <class A>
 void wire(A& a, WirePart<A, JoinParts>& x) {
-  a(x.actors, x.era);
+  a(x.actors);
 }
 
 template <class A>

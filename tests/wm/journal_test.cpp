@@ -107,7 +107,7 @@ TEST_F(Journal, SaysWhichFieldsAnOverwriteChanged) {
     store.sync();
   }
   std::vector<FieldMask> masks;
-  JournalReader{options.file}.read([&](const JournalRecord& x) { masks.push_back(x.changed); });
+  JournalReader{options.file}.replay([&](const JournalRecord& x) { masks.push_back(x.changed); });
   EXPECT_THAT(masks, ElementsAre(0, field_bit(*descriptor_of<Note>(), "number")));
 }
 
@@ -119,7 +119,7 @@ TEST_F(Journal, TellsItsWritesApart) {
     store.sync();
   }
   std::vector<std::uint64_t> writes;
-  JournalReader{options.file}.read([&](const JournalRecord& x) { writes.push_back(x.write); });
+  JournalReader{options.file}.replay([&](const JournalRecord& x) { writes.push_back(x.write); });
   EXPECT_THAT(writes, ElementsAre(1, 1, 3));
 }
 
@@ -297,6 +297,14 @@ TEST_F(Journal, IsRefusedIfItWasEmptied) {
   std::filesystem::resize_file(options.file, 0);
   EXPECT_THAT(refusal(), HasSubstr("It is damaged"));
   EXPECT_EQ(std::filesystem::file_size(options.file), 0u);
+}
+
+TEST_F(Journal, IsRefusedIfOnlyItsWriteAheadLogIsLeft) {
+  JournaledStore store{options};
+  store.set(0, 1);
+  store.sync();
+  std::filesystem::remove(options.file);
+  EXPECT_THAT(refusal(), HasSubstr("-wal"));
 }
 
 TEST_F(Journal, IsRefusedIfAByteOfAValueIsWrong) {

@@ -1,0 +1,358 @@
+#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/inspection_text.hpp"
+#include "castor/actors/cli/journal_replay.hpp"
+#include "castor/actors/cli/json_schema.hpp"
+#include "castor/actors/cli/mcap.hpp"
+#include "castor/actors/cli/table.hpp"
+#include "castor/actors/cli/timeline.hpp"
+#include "castor/actors/node/inspection_json.hpp"
+#include "castor/wm/change_filter_parser.hpp"
+#include "castor/wm/journal_reader.hpp"
+#include "castor/wm/json.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  std::string file;
+  std::vector<std::string> files;
+  std::vector<std::string> filter;
+  bool json = false;
+  bool entries = false;
+  bool full = false;
+  std::string mcap;
+  std::string jsonl;
+};
+
+using ArgumentsPtr = std::shared_ptr<Arguments>;
+
+/// Byte fields are shown up to this length, unless everything is wanted.
+constexpr std::size_t shown_bytes = 64;
+
+double seconds(UnixTime x) {
+  return std::chrono::duration<double>(x).count();
+}
+
+std::string date(UnixTime x) {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}",
+                     fmt::localtime(std::chrono::duration_cast<std::chrono::seconds>(x).count()));
+}
+
+// --- ls ---
+
+/// The journals among these files, and those in these folders.
+std::vector<std::filesystem::path> journals_in(std::vector<std::string> places) {
+  if (places.empty())
+    places.push_back("journals");
+  std::vector<std::filesystem::path> result;
+  for (auto& x : places) {
+    if (!std::filesystem::is_directory(x)) {
+      result.push_back(x);
+      continue;
+    }
+    for (auto& file : std::filesystem::directory_iterator{x})
+      if (file.path().extension() == journal_extension)
+        result.push_back(file.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+int list(const Arguments& arguments) {
+  Table table{{"subarchitecture", ">entries", ">changes", "first", "last", ">size", ">sessions",
+               ">incarnation", "state", "file"}};
+  int status = success;
+  for (auto& file : journals_in(arguments.files)) {
+    try {
+      JournalReader reader{file};
+      auto x = reader.summary();
+      auto entries = reader.replay().size();
+      if (arguments.json) {
+        fmt::print("{}\n", Json{{"subarchitecture", x.subarchitecture},
+                                {"file", file.string()},
+                                {"entries", entries},
+                                {"changes", x.changes},
+                                {"sequence", x.sequence},
+                                {"first", seconds(x.first)},
+                                {"last", seconds(x.last)},
+                                {"bytes", x.bytes},
+                                {"session", x.session},
+                                {"incarnation", x.incarnation},
+                                {"clean", x.clean}}
+                             .dump());
+        continue;
+      }
+      table.add({x.subarchitecture, std::to_string(entries), std::to_string(x.changes),
+                 x.changes > 0 ? date(x.first) : "", x.changes > 0 ? date(x.last) : "",
+                 fmt::format("{:.1f} MB", static_cast<double>(x.bytes) / 1e6),
+                 std::to_string(x.session), std::to_string(x.incarnation),
+                 x.clean ? "clean" : "in use, or not ended in order", file.string()});
+    } catch (const JournalError& e) {
+      fmt::print(stderr, "{}\n", e.what());
+      status = bad_input;
+    }
+  }
+  if (!arguments.json)
+    fmt::print("{}", table.text());
+  return status;
+}
+
+// --- changes ---
+
+ChangeEvent event_of(const JournalRecord& x, const std::string& subarchitecture, UnixTime begin) {
+  ChangeEvent result;
+  result.operation = x.operation;
+  result.address = {subarchitecture, x.id};
+  result.source = x.source;
+  result.type = x.type;
+  result.version = x.version;
+  result.sequence = x.sequence;
+  result.time = x.time - begin;
+  result.changed = x.changed;
+  return result;
+}
+
+/// Whether a change is one of those asked for; it is to be asked of all, in their order.
+class Sieve {
+public:
+  explicit Sieve(const std::vector<std::string>& words)
+    : filter_(parse_change_filter(fmt::format("{}", fmt::join(words, " ")))) {}
+
+  bool lets_pass(const ChangeEvent& event, const Value& value) {
+    auto& last = contents_[event.address];
+    // What was deleted is judged by what it was.
+    auto content = value.has_value() ? value : last;
+    last = value;
+    return matches(filter_, event, content);
+  }
+
+private:
+  ChangeFilter filter_;
+  std::unordered_map<Address, Value> contents_;
+};
+
+int show(const Arguments& arguments) {
+  Sieve sieve{arguments.filter};
+  auto most = arguments.full ? std::numeric_limits<std::size_t>::max() : shown_bytes;
+  bool coloured = isatty(STDOUT_FILENO) != 0;
+  JournalReader reader{arguments.file};
+  auto summary = reader.summary();
+  auto& name = summary.subarchitecture;
+  if (arguments.entries) {
+    std::vector<Json> entries;
+    auto image = reader.replay().store();
+    for (auto x = image.entries.rbegin(); x != image.entries.rend(); ++x) {
+      JournalRecord record;
+      record.id = x->entry->address.id;
+      record.type = x->entry->value.type_ptr();
+      record.source = x->entry->writer;
+      if (sieve.lets_pass(event_of(record, name, {}), x->entry->value))
+        entries.push_back(Json::parse(entry_as_json(*x->entry, true, most)));
+    }
+    if (!arguments.json)
+      fmt::print("{}", entries_as_text(entries));
+    for (auto& x : entries)
+      if (arguments.json)
+        fmt::print("{}\n", x.dump());
+    return success;
+  }
+  if (!arguments.json)
+    fmt::print("the first of {} changes is of {}\n{}\n", summary.changes, date(summary.first),
+               timeline_head(coloured));
+  reader.replay([&](const JournalRecord& x) {
+    auto event = event_of(x, name, summary.first);
+    if (!sieve.lets_pass(event, x.value))
+      return;
+    auto text = change_as_json(event, x.value, most);
+    fmt::print("{}", arguments.json ? text + '\n' : change_as_text(Json::parse(text), coloured));
+  });
+  return success;
+}
+
+// --- export ---
+
+/// Several journals as one stream of changes, in the order of time.
+template <class F>
+void for_each_change(const std::vector<std::string>& files, F&& f) {
+  struct Track {
+    explicit Track(const std::string& file)
+      : reader(file), name(reader.summary().subarchitecture), next(reader.next()) {}
+
+    JournalReader reader;
+    std::string name;
+    std::optional<JournalRecord> next;
+  };
+  std::vector<std::unique_ptr<Track>> tracks;
+  for (auto& x : files)
+    tracks.push_back(std::make_unique<Track>(x));
+  for (;;) {
+    Track* earliest = nullptr;
+    for (auto& x : tracks)
+      if (x->next && (!earliest || x->next->time < earliest->next->time))
+        earliest = x.get();
+    if (!earliest)
+      return;
+    f(earliest->name, *earliest->next);
+    earliest->next = earliest->reader.next();
+  }
+}
+
+/// What is said of a change in the messages of a recording, with the value as JSON text.
+std::string message_of(const std::string& subarchitecture, const JournalRecord& x) {
+  auto event = event_of(x, subarchitecture, {});
+  return change_as_json(event, x.value, std::numeric_limits<std::size_t>::max());
+}
+
+/// Of these messages.
+Json message_schema(const TypeDescriptor& type) {
+  Json text{{"type", "string"}};
+  return {{"type", "object"},
+          {"title", type.name()},
+          {"properties",
+           {{"time", {{"type", "number"}}},
+            {"subarchitecture", text},
+            {"operation", text},
+            {"type", text},
+            {"id", text},
+            {"version", {{"type", "integer"}}},
+            {"component", text},
+            {"changed", {{"type", "array"}, {"items", text}}},
+            {"coalesced", {{"type", "boolean"}}},
+            {"value", json_schema(type)}}}};
+}
+
+void export_mcap(const Arguments& arguments) {
+  McapWriter writer{arguments.mcap};
+  std::map<std::uint64_t, McapWriter::Id> schemas;
+  std::map<std::pair<std::string, std::uint64_t>, McapWriter::Id> channels;
+  for_each_change(arguments.files, [&](const std::string& name, const JournalRecord& x) {
+    auto& type = *x.type;
+    auto channel = channels.find({name, type.hash});
+    if (channel == channels.end()) {
+      auto schema = schemas.find(type.hash);
+      if (schema == schemas.end())
+        schema =
+          schemas.emplace(type.hash, writer.add_schema(type.name(), message_schema(type).dump()))
+            .first;
+      channel = channels
+                  .emplace(std::pair{name, type.hash},
+                           writer.add_channel(schema->second, "/" + name + "/" + type.name(),
+                                              {{"subarchitecture", name}}))
+                  .first;
+    }
+    writer.add_message(channel->second, static_cast<std::uint32_t>(x.sequence), x.time,
+                       message_of(name, x));
+  });
+  writer.close();
+}
+
+void export_jsonl(const Arguments& arguments) {
+  std::ofstream file;
+  if (arguments.jsonl != "-") {
+    file.open(arguments.jsonl);
+    if (!file)
+      throw std::runtime_error("cannot write " + arguments.jsonl);
+  }
+  for_each_change(arguments.files, [&](const std::string& name, const JournalRecord& x) {
+    auto line = message_of(name, x) + '\n';
+    if (file.is_open())
+      file << line;
+    else
+      std::fputs(line.c_str(), stdout);
+  });
+}
+
+int export_changes(const Arguments& arguments) {
+  if (arguments.mcap.empty() && arguments.jsonl.empty())
+    throw std::runtime_error("say what to write: --mcap OUT or --jsonl OUT");
+  if (!arguments.mcap.empty())
+    export_mcap(arguments);
+  if (!arguments.jsonl.empty())
+    export_jsonl(arguments);
+  return success;
+}
+
+template <class F>
+CLI::App* command(CLI::App& app, const std::string& name, const std::string& help, Action& chosen,
+                  const ArgumentsPtr& arguments, F f) {
+  auto* result = app.add_subcommand(name, help);
+  result->callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });
+  return result;
+}
+
+} // namespace
+
+void add_journal(CLI::App& app, Action& chosen) {
+  auto* journal = app.add_subcommand("journal", "look into the journals of working memories");
+  journal->require_subcommand(1);
+  journal->footer(
+    "A working memory keeps a journal if its WM line says --journal full or --journal "
+    "batched; --journal-keep makes it a recording.");
+
+  auto arguments = std::make_shared<Arguments>();
+  auto* ls = command(*journal, "ls", "list journals, and see whether they are sound", chosen,
+                     arguments, list);
+  ls->add_option("PLACE", arguments->files, "journals, or folders with some; otherwise `journals`")
+    ->type_name("FILE|DIR");
+  ls->add_flag("--json", arguments->json, "print JSON, one object on a line");
+
+  arguments = std::make_shared<Arguments>();
+  auto* show_command =
+    command(*journal, "show", "print the changes, or the entries", chosen, arguments, show);
+  show_command->add_option("FILE", arguments->file, "the journal")->required()->type_name("");
+  show_command
+    ->add_option("FILTER", arguments->filter,
+                 "[added|overwritten|deleted|changed] [TYPE] [from COMPONENT] [at ID] "
+                 "[changing FIELD,...] [where CONDITION]")
+    ->type_name("");
+  show_command->add_flag("--entries", arguments->entries,
+                         "the entries as they stand after the last change");
+  show_command->add_flag("--json", arguments->json, "print JSON, one object on a line");
+  show_command->add_flag("--full", arguments->full,
+                         "show byte fields, however long, as base64 text");
+  show_command->footer(
+    "Examples: castor journal show journals/vision.castor-journal\n"
+    "          castor journal show journals/vision.castor-journal overwritten SceneObject "
+    "where 'confidence < 0.5'\n"
+    "          castor journal show journals/vision.castor-journal --entries --json");
+
+  arguments = std::make_shared<Arguments>();
+  auto* export_command = command(*journal, "export", "write the changes in another format", chosen,
+                                 arguments, export_changes);
+  export_command->add_option("FILE", arguments->files, "the journals")->required()->type_name("");
+  export_command
+    ->add_option("--mcap", arguments->mcap, "for Foxglove and Lichtblick: a topic for each type")
+    ->type_name("OUT");
+  export_command->add_option("--jsonl", arguments->jsonl, "JSON, one change on a line; - prints it")
+    ->type_name("OUT");
+  export_command->footer(
+    "Example: castor journal export journals/*.castor-journal --mcap run.mcap");
+
+  add_journal_replay(*journal, chosen);
+}
+
+} // namespace castor::cli
