@@ -235,9 +235,13 @@ private:
     }
     auto reason = system.wait({duration_, {}});
     injector->stop();
-    if (reason == EndReason::ended_by_component)
-      violation("survival", "the system ended: " + system.ended()->second);
-    else if (reason == EndReason::time_over)
+    if (reason == EndReason::all_failed)
+      violation("survival", "all components have failed");
+    if (auto ended = system.ended(); ended && ended->first != success)
+      violation("survival", "the system ended: " + ended->second);
+    else if (ended)
+      result_.facts.emplace_back("ended by", ended->second);
+    if (reason == EndReason::time_over)
       compare(come_to_rest(system));
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
     result_.faults = injector->records();

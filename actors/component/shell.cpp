@@ -124,9 +124,13 @@ void ComponentShell::let_go() {
 void ComponentShell::meet(NeighboursPtr neighbours) {
   neighbours_ = std::move(neighbours);
   connections_.meet();
+  if (identity().subarchitecture.empty() || working_memory_)
+    return;
   auto& known = neighbours_->working_memories;
   auto home = known.find(identity().subarchitecture);
-  if (home == known.end() || working_memory_)
+  // Its node is lost, and it will be started again once that is back.
+  working_memory_lost_ = home == known.end();
+  if (working_memory_lost_)
     return;
   working_memory_ = home->second;
   monitor(working_memory_);
@@ -361,6 +365,11 @@ void ComponentShell::work_off_change(const ChangeNotice& notice) {
 // -- operations
 
 void ComponentShell::check_may_operate() const {
+  if (working_memory_lost_ && !working_memory_)
+    throw WorkingMemoryLostException{
+      {FailureKind::working_memory_lost,
+       "the working memory of " + identity().subarchitecture + " is not there",
+       {identity().subarchitecture, {}}}};
   if (!working_memory_)
     throw std::logic_error(identity().full_name() + " is outside the subarchitectures and has no " +
                            "working memory");

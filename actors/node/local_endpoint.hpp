@@ -31,8 +31,8 @@ std::filesystem::path endpoint_of_process(const std::string& system_file);
 struct ComponentLife {
   /// Which of its lives it lives.
   std::uint64_t incarnation = 1;
-  /// It has ended, and will be started again.
-  bool will_restart = false;
+  /// Should it have ended, it will be started again.
+  bool will_restart = true;
 };
 
 /// Who takes part in a system, for those who look on.

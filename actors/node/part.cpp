@@ -249,7 +249,8 @@ std::map<std::string, caf::strong_actor_ptr>
 SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>& actors) const {
   std::map<std::string, caf::strong_actor_ptr> result;
   for (auto& x : architecture_.subarchitectures)
-    result[x.name] = actors.at(x.working_memory.name);
+    if (auto i = actors.find(x.working_memory.name); i != actors.end())
+      result[x.name] = i->second;
   if (auto i = actors.find(health_working_memory().name); i != actors.end())
     result[health_subarchitecture] = i->second;
   return result;
@@ -270,9 +271,11 @@ void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors
   for (auto& [name, actor] : subarchitectures(actors))
     neighbours->working_memories[name] = caf::actor_cast<WorkingMemoryActor>(actor);
   for (auto& x : architecture_.subarchitectures)
-    neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.task_manager.name));
+    if (auto i = actors.find(x.task_manager.name); i != actors.end())
+      neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(i->second);
   for (auto& x : architecture_.standalone)
-    neighbours->providers[x.name] = caf::actor_cast<caf::actor>(actors.at(x.name));
+    if (auto i = actors.find(x.name); i != actors.end())
+      neighbours->providers[x.name] = caf::actor_cast<caf::actor>(i->second);
   neighbours_ = std::move(neighbours);
   for (auto& x : running_)
     caf::anon_send(x.actor, neighbours_);

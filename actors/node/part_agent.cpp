@@ -110,8 +110,10 @@ void deliver_events(const std::map<std::string, WorkingMemoryActor>& working_mem
         nullptr, caf::make_message_id(), caf::make_message(std::move(events)), context);
 }
 
-caf::response_promise join(Self self, const JoinParts& others) {
+caf::response_promise join(Self self, JoinParts others) {
   auto& state = self->state;
+  // Those of lost processes, of whom nothing is known here.
+  std::erase_if(others.actors, [](auto& x) { return !x.second; });
   auto promise = self->make_response_promise();
   if (!state.part) {
     promise.deliver(caf::make_error(caf::sec::runtime_error));

@@ -224,7 +224,7 @@ private:
         roster.working_memories[x.name] = caf::actor_cast<WorkingMemoryActor>(i->second);
     for (auto& [name, child] : children_) {
       roster.placement[name] = process_of(name);
-      roster.lives[name] = {child.incarnation, !child.alive && !child.given_up};
+      roster.lives[name] = {child.incarnation, !child.given_up};
     }
     roster.hosts = placement_;
     parts_.on_change(std::make_shared<const SystemRoster>(std::move(roster)));

@@ -510,7 +510,8 @@ private:
       result.push_back(found.count(name) > 0 ? found[name] : status_of_absent(name));
       if (auto life = known->lives.find(name); life != known->lives.end()) {
         result.back().restarts = life->second.incarnation - 1;
-        result.back().will_restart = life->second.will_restart;
+        result.back().will_restart =
+          life->second.will_restart && result.back().state == ComponentState::failed;
       }
     }
     return result;
