@@ -211,6 +211,17 @@ private:
 
   ProcessNumber process_of(const std::string& name) const { return placement_.process_of(name); }
 
+  ComponentStatus what_is_known_of(const std::string& name) const {
+    auto& child = children_.at(name);
+    ComponentStatus result;
+    result.identity = {name, child.subarchitecture, architecture_.component(name)->class_name,
+                       static_cast<std::uint32_t>(child.number), child.incarnation};
+    result.is_task_manager = child.kind == ComponentKind::task_manager;
+    result.restarts = child.incarnation - 1;
+    result.will_restart = !child.alive && !child.given_up;
+    return result;
+  }
+
   void publish() {
     SystemRoster roster;
     roster.file = parts_.file;
@@ -222,10 +233,14 @@ private:
     for (auto& x : architecture_.subarchitectures)
       if (auto i = actors.find(x.working_memory.name); i != actors.end())
         roster.working_memories[x.name] = caf::actor_cast<WorkingMemoryActor>(i->second);
-    for (auto& [name, child] : children_) {
+    if (auto i = actors.find(working_memory_of(health_subarchitecture)); i != actors.end())
+      roster.working_memories[health_subarchitecture] =
+        caf::actor_cast<WorkingMemoryActor>(i->second);
+    for (auto& [name, child] : children_)
       roster.placement[name] = process_of(name);
-      roster.lives[name] = {child.incarnation, !child.alive && !child.given_up};
-    }
+    for (auto& name : tree_.order())
+      if (children_.at(name).kind != ComponentKind::working_memory)
+        roster.components.push_back(what_is_known_of(name));
     roster.hosts = placement_;
     parts_.on_change(std::make_shared<const SystemRoster>(std::move(roster)));
   }
