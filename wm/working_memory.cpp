@@ -160,6 +160,8 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
   }
   state.store = EntryStore{options.subarchitecture, options.store};
   state.leases = LeaseTable{options.leases};
+  // What is on its way to a former life is nothing that this one has asked for.
+  state.last_interest = static_cast<InterestId>((options.incarnation - 1) << 20);
   allow_writers(state, options.writers);
   state.options = std::move(options);
   if (state.options.opened_journal)
@@ -227,7 +229,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     [self](const Unsubscribe& x) { unsubscribe(self, x); },
     [self](const EventsTaken& x) { acknowledge(self, x); },
     [self](const Interest& x) {
-      set_interest(self->state, x);
+      set_interest(self->state, caf::actor_cast<caf::actor_addr>(self->current_sender()), x);
       return Acknowledged{};
     },
     [self](const ForwardedEvents& x) { receive_forwarded(self, x); },

@@ -136,7 +136,7 @@ struct WorkingMemoryState {
   std::vector<Peer> peers;
   std::vector<Route> routes;
   /// Of working memories that have been introduced to this one, but it not yet to them.
-  std::vector<Interest> early_interests;
+  std::vector<std::pair<caf::actor_addr, Interest>> early_interests;
   std::map<ChangeFilter, OwnInterest> own_interests;
   std::unordered_map<InterestId, const OwnInterest*> interests_by_id;
   InterestId last_interest = 0;

@@ -144,7 +144,7 @@ void receive_forwarded(Self self, const ForwardedEvents& forwarded);
 caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request);
 void unsubscribe(Self self, const Unsubscribe& request);
 void acknowledge(Self self, const EventsTaken& taken);
-void set_interest(WorkingMemoryState& state, const Interest& interest);
+void set_interest(WorkingMemoryState& state, const caf::actor_addr& from, const Interest& interest);
 
 /// Whether a filter can match events of another working memory.
 bool concerns(const ChangeFilter& filter, const WorkingMemoryState::Peer& peer);

@@ -107,9 +107,9 @@ caf::result<Acknowledged> introduce(Self self, const Peers& peers) {
     if (auto route = peers.routes.find(name); route != peers.routes.end())
       peer.route = find_or_make_route(self, route->second);
     if (state.options.broadcast)
-      set_interest(state, {name, nobody, any_change().anywhere(), true});
-    for (auto& interest : std::exchange(state.early_interests, {}))
-      set_interest(state, interest);
+      set_interest(state, peer.actor.address(), {name, nobody, any_change().anywhere(), true});
+    for (auto& [from, interest] : std::exchange(state.early_interests, {}))
+      set_interest(state, from, interest);
     for (auto& [filter, interest] : state.own_interests) {
       if (!concerns(filter, peer))
         continue;
@@ -124,12 +124,13 @@ caf::result<Acknowledged> introduce(Self self, const Peers& peers) {
   return pending->promise;
 }
 
-void set_interest(WorkingMemoryState& state, const Interest& interest) {
-  auto found = std::find_if(state.peers.begin(), state.peers.end(), [&](auto& x) {
-    return !x.removed && x.subarchitecture == interest.subarchitecture;
-  });
+void set_interest(WorkingMemoryState& state, const caf::actor_addr& from,
+                  const Interest& interest) {
+  // One that is about to take another's place may say so before it is introduced.
+  auto found = std::find_if(state.peers.begin(), state.peers.end(),
+                            [&](auto& x) { return !x.removed && x.actor.address() == from; });
   if (found == state.peers.end()) {
-    state.early_interests.push_back(interest);
+    state.early_interests.emplace_back(from, interest);
     return;
   }
   auto number = static_cast<std::uint32_t>(found - state.peers.begin());

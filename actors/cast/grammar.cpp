@@ -7,6 +7,7 @@
 #include "castor/actors/cast/supervision_rules.hpp"
 #include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/words.hpp"
+#include "castor/actors/supervision/health.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -74,7 +75,8 @@ private:
       component_line(line);
     else
       report(Severity::error, line, in_quotes(first_word(line)) + " is not a keyword",
-             "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS, SUPERVISE, FAILOVER or INCLUDE, or # before "
+             "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS, SUPERVISE, FAILOVER or INCLUDE, or # "
+             "before "
              "a comment");
   }
 
@@ -180,6 +182,11 @@ private:
     if (!name || name->empty() || name->starts_with('#')) {
       report(Severity::error, line, "SUBARCHITECTURE without a name",
              "write SUBARCHITECTURE name or SUBARCHITECTURE name host");
+      section_->is_broken = true;
+    } else if (*name == health_subarchitecture) {
+      report(Severity::error, line,
+             in_quotes(*name) + " is where every system tells of its own health",
+             "give the subarchitecture another name");
       section_->is_broken = true;
     } else if (auto [first, is_new] = subarchitecture_lines_.try_emplace(*name, line.line);
                !is_new) {
@@ -320,6 +327,11 @@ private:
   }
 
   void check_reserved_names() {
+    if (auto found = component_lines_.find(working_memory_of(health_subarchitecture));
+        found != component_lines_.end())
+      report(Severity::error, *found->second,
+             in_quotes(found->first) + " is the name of a working memory that every system has",
+             "give the component another name");
     for (const auto& subarchitecture : result_.subarchitectures)
       for (auto suffix : {"_wm", "_tm"}) {
         auto id = subarchitecture.name + suffix;

@@ -55,10 +55,10 @@ std::string nodes_as_text(const Json& report) {
 }
 
 std::string components_as_text(const Json& report) {
-  Table table{{"component", "class", "node", "state", ">incarnation", ">load", ">busy", ">events",
+  Table table{{"component", "class", "node", "state", ">restarts", ">load", ">busy", ">events",
                ">callbacks", ">writes", ">reads"}};
   for (auto& x : report["components"]) {
-    auto row = cells(x, {"name", "class", "node", "state", "incarnation"});
+    auto row = cells(x, {"name", "class", "node", "state", "restarts"});
     row.front() = full_name(x);
     row.push_back(load(x["cpu"], report["age"]));
     row.push_back(fmt::format("{:.1f} s", x["busy"].get<double>()));

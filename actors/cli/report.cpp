@@ -13,13 +13,6 @@ namespace castor::cli {
 
 namespace {
 
-std::string state_of(const ComponentStatus& x) {
-  for (auto& [name, state] : reflection_of<ComponentState>().enumerators)
-    if (state == x.state)
-      return std::string{name};
-  return {};
-}
-
 std::string in_quotes(const std::string& x) {
   std::string result = "\"";
   for (char c : x) {
@@ -69,11 +62,12 @@ std::string report(const SystemSummary& summary) {
       row.push_back(std::to_string(x));
     events.add(row);
   }
-  Table components{{"component", "state", ">events", ">callbacks", ">writes", ">reads"}};
+  Table components{
+    {"component", "state", ">restarts", ">events", ">callbacks", ">writes", ">reads"}};
   for (auto& x : summary.components) {
-    components.add({x.identity.full_name(), state_of(x), std::to_string(x.events_received),
-                    std::to_string(x.callbacks), std::to_string(x.writes),
-                    std::to_string(x.reads)});
+    components.add({x.identity.full_name(), state_of(x), std::to_string(x.restarts),
+                    std::to_string(x.events_received), std::to_string(x.callbacks),
+                    std::to_string(x.writes), std::to_string(x.reads)});
     if (x.pushes_dropped > 0)
       components.remark(fmt::format(
         "{} of its pushes were dropped for receivers that did not keep up", x.pushes_dropped));

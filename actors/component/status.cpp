@@ -2,6 +2,15 @@
 
 namespace castor {
 
+std::string state_of(const ComponentStatus& x) {
+  if (x.will_restart)
+    return "restarting";
+  for (auto& [name, state] : reflection_of<ComponentState>().enumerators)
+    if (state == x.state)
+      return std::string{name};
+  return {};
+}
+
 ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now) {
   ComponentStatus result;
   result.identity = x.identity();

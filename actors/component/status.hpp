@@ -34,6 +34,9 @@ struct ComponentStatus {
   std::uint64_t pushes_dropped = 0;
 };
 
+/// For people: its state, or that it is on its way to another life.
+std::string state_of(const ComponentStatus& x);
+
 ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);
 
 } // namespace castor

@@ -201,8 +201,9 @@ private:
       say_last();
       drop_connection();
     }
-    parts_.mesh->end_process(parts_.peer);
+    // Whoever waits for an answer learns of the reason first.
     tell(LinkState::lost, why);
+    parts_.mesh->end_process(parts_.peer);
     self_->quit();
   }
 

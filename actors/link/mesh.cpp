@@ -47,6 +47,11 @@ Lane lane_of(ActorName sender, std::uint32_t receiver) {
   return sender == 0 ? 0 : ((sender * odd) ^ receiver) | 1;
 }
 
+/// Answers a request to an actor that has ended; any other message needs no answer.
+void receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id) {
+  caf::detail::sync_request_bouncer{caf::make_error(caf::sec::request_receiver_down)}(sender, id);
+}
+
 } // namespace
 
 // -- LinkPort
@@ -68,6 +73,10 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
                               name_of_type(content));
       caf::detail::sync_request_bouncer{caf::make_error(caf::sec::unexpected_message)}(x.sender,
                                                                                        x.mid);
+      return;
+    }
+    if (!mesh_->open_request(peer_, x)) {
+      receiver_down(x.sender, x.mid);
       return;
     }
   }
@@ -206,6 +215,22 @@ TypeDescriptorPtr Mesh::type_of(std::uint64_t hash) {
   return i == types_.end() ? nullptr : i->second;
 }
 
+bool Mesh::open_request(ProcessNumber to, const caf::mailbox_element& x) {
+  // Those that are only passed on are answered elsewhere.
+  if (!x.mid.is_request() || !x.sender || dynamic_cast<RemoteActor*>(x.sender->get()))
+    return true;
+  std::lock_guard guard{mutex_};
+  if (processes_.count(to) == 0)
+    return false;
+  open_requests_[{x.sender->id(), x.mid.response_id().integer_value()}] = {x.sender, x.mid, to};
+  return true;
+}
+
+void Mesh::close_request(const caf::strong_actor_ptr& sender, caf::message_id response) {
+  std::lock_guard guard{mutex_};
+  open_requests_.erase({sender->id(), response.integer_value()});
+}
+
 Bytes Mesh::introduction(const std::vector<TypeDescriptorPtr>& types) {
   Bytes result;
   Encoder out{result};
@@ -257,11 +282,20 @@ void Mesh::end_of_remote(ProcessNumber process, std::uint32_t number) {
 
 void Mesh::end_process(ProcessNumber process) {
   Process lost;
+  std::vector<OpenRequest> unanswered;
   {
     std::lock_guard guard{mutex_};
     if (auto x = processes_.extract(process))
       lost = std::move(x.mapped());
+    std::erase_if(open_requests_, [&](auto& x) {
+      if (x.second.process != process)
+        return false;
+      unanswered.push_back(x.second);
+      return true;
+    });
   }
+  for (auto& x : unanswered)
+    receiver_down(x.sender, x.id);
   for (auto& [number, representative] : lost.representatives)
     static_cast<RemoteActor*>(representative->get())
       ->kill_proxy(nullptr, caf::exit_reason::remote_link_unreachable);
@@ -311,11 +345,13 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
           sink(content, context);
         return;
       }
-      if (auto receiver = local(number))
+      auto receiver = local(number);
+      if (receiver && id.is_response())
+        close_request(receiver, id);
+      if (receiver)
         receiver->enqueue(std::move(sender), id, std::move(content), context);
       else
-        caf::detail::sync_request_bouncer{caf::make_error(caf::sec::request_receiver_down)}(sender,
-                                                                                            id);
+        receiver_down(sender, id);
       return;
     }
     case Subject::exit:

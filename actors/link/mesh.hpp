@@ -7,7 +7,9 @@
 #include "castor/wm/caf.hpp"
 #include "castor/wm/event_flow.hpp"
 
+#include <caf/mailbox_element.hpp>
 #include <caf/message.hpp>
+#include <caf/message_id.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -16,6 +18,7 @@
 #include <mutex>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace castor {
@@ -110,7 +113,8 @@ public:
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;
 
-  /// The process is lost: its actors have ended, as far as everybody here is concerned.
+  /// The process is lost: its actors have ended, as far as everybody here is concerned, and will
+  /// not answer what they were asked.
   void end_process(ProcessNumber process);
 
   /// All processes are lost, and nobody here can be named any more.
@@ -138,6 +142,17 @@ private:
     std::unordered_set<std::uint32_t> ended;
   };
 
+  /// A request that nobody has answered yet.
+  struct OpenRequest {
+    caf::strong_actor_ptr sender;
+    caf::message_id id;
+    /// Where it went.
+    ProcessNumber process = 0;
+  };
+
+  /// Remembers a request until it is answered; false if its process is lost.
+  bool open_request(ProcessNumber to, const caf::mailbox_element& x);
+  void close_request(const caf::strong_actor_ptr& sender, caf::message_id response);
   void introduce(TypeDescriptorPtr type);
   void watch(const caf::strong_actor_ptr& who, ActorName name);
   void end_of_local(ActorName name);
@@ -155,6 +170,8 @@ private:
   std::unordered_map<std::uint32_t, caf::strong_actor_ptr> locals_;
   std::map<ProcessNumber, Process> processes_;
   std::map<ProcessNumber, std::shared_ptr<LinkRecord>> records_;
+  /// By the sender, and the number of the answer.
+  std::map<std::pair<caf::actor_id, std::uint64_t>, OpenRequest> open_requests_;
   std::unordered_map<std::uint64_t, TypeDescriptorPtr> types_;
 };
 

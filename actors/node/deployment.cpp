@@ -38,7 +38,8 @@ void Deployments::ask(const Question& question, Take take, std::function<void()>
           answered();
         },
         [self = shared_from_this(), process, number, answered](const caf::error&) {
-          if (number == self->question_)
+          // Of a process that is lost, nothing is expected any more.
+          if (number == self->question_ && self->missing_.count(process) > 0)
             self->no_answer(process);
           answered();
         });

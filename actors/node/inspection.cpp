@@ -3,6 +3,7 @@
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/node/inspection_json.hpp"
 #include "castor/actors/node/replay.hpp"
+#include "castor/actors/supervision/health.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 
 #include <algorithm>
@@ -297,7 +298,8 @@ private:
   void add(const Json& request) {
     cast::ParseOptions options;
     for (auto& [name, wm] : parts_.roster->working_memories)
-      options.running_subarchitectures.insert(name);
+      if (name != health_subarchitecture)
+        options.running_subarchitectures.insert(name);
     options.variables = request.value("variables", std::map<std::string, std::string>{});
     options.working_directory = request.value("directory", "");
     auto result = cast::parse_file(request.at("file").get<std::string>(), options);

@@ -16,14 +16,6 @@ double seconds(Duration x) {
   return std::chrono::duration<double>(x).count();
 }
 
-template <class E>
-std::string name_of(E x) {
-  for (auto& [name, value] : reflection_of<E>().enumerators)
-    if (value == x)
-      return std::string{name};
-  return {};
-}
-
 const char* name_of(LinkState x) {
   switch (x) {
     case LinkState::up:
@@ -57,19 +49,9 @@ Json to_json(const LinkStatus& x, const SystemRoster& roster) {
           {"unacknowledged", x.unacknowledged}};
 }
 
-/// How the coordinator's own part sees the process.
-const LinkStatus* link_to(const SystemReport& report, std::size_t process) {
-  if (report.parts.empty() || !report.parts.front())
-    return nullptr;
-  for (auto& x : report.parts.front()->links)
-    if (x.news.peer == process)
-      return &x;
-  return nullptr;
-}
-
 Json node_as_json(const SystemReport& report, const SystemRoster& roster, std::size_t number) {
   auto& x = roster.processes[number];
-  auto* link = link_to(report, number);
+  auto* link = find_link(report.parts, 0, static_cast<ProcessNumber>(number));
   Json result{{"name", name_of(roster, static_cast<ProcessNumber>(number))},
               {"address", number == 0 ? "" : to_string(Endpoint{x.host, x.port})},
               {"state", link ? name_of(link->news.state) : "up"},
@@ -92,9 +74,10 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"subarchitecture", x.identity.subarchitecture},
           {"class", x.identity.class_name},
           {"node", node},
-          {"state", name_of(x.state)},
+          {"state", state_of(x)},
           {"failure", x.failure},
           {"incarnation", x.identity.incarnation},
+          {"restarts", x.restarts},
           {"busy", seconds(x.busy)},
           {"cpu", seconds(x.cpu)},
           {"events", x.events_received},
@@ -160,10 +143,8 @@ Json to_json(const SystemReport& report, const SystemRoster& roster) {
     if (i == 0 || !roster.processes[i].host.empty())
       nodes.push_back(node_as_json(report, roster, i));
   auto& components = result["components"] = Json::array();
-  for (auto& part : report.parts)
-    if (part)
-      for (auto& x : part->components)
-        components.push_back(to_json(x, node_of(x.identity.name)));
+  for (auto& x : component_statuses(roster, report.parts))
+    components.push_back(to_json(x, node_of(x.identity.name)));
   auto& working_memories = result["working_memories"] = Json::array();
   for (auto& x : report.working_memories)
     working_memories.push_back(to_json(x, node_of(working_memory_of(x.subarchitecture))));

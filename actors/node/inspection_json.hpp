@@ -1,10 +1,10 @@
 #pragma once
 
+#include "castor/actors/node/component_statuses.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// Everything about a system at one moment: what `castor ps` shows.
 struct SystemReport {
-  /// By the processes' numbers; nothing of those that do not answer.
-  std::vector<std::optional<PartStatus>> parts;
+  PartStatuses parts;
   std::vector<WorkingMemoryStatus> working_memories;
 };
 

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/component/status.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
@@ -27,14 +28,6 @@ std::filesystem::path endpoint_folder();
 /// Where a system that this process runs can be found.
 std::filesystem::path endpoint_of_process(const std::string& system_file);
 
-/// What became of a component, or a working memory.
-struct ComponentLife {
-  /// Which of its lives it lives.
-  std::uint64_t incarnation = 1;
-  /// Should it have ended, it will be started again.
-  bool will_restart = true;
-};
-
 /// Who takes part in a system, for those who look on.
 struct SystemRoster {
   std::string file;
@@ -45,7 +38,9 @@ struct SystemRoster {
   std::map<std::string, WorkingMemoryActor> working_memories;
   /// Of all components, working memories included.
   std::map<std::string, ProcessNumber> placement;
-  std::map<std::string, ComponentLife> lives;
+  /// In the order of their start, without working memories: who they are, and how often they were
+  /// started again.
+  std::vector<ComponentStatus> components;
   /// How the hosts of the file are served.
   Placement hosts;
 };

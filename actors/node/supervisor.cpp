@@ -1,8 +1,8 @@
 #include "castor/actors/node/supervisor.hpp"
 
+#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/node/deployment.hpp"
 #include "castor/actors/supervision/health.hpp"
 #include "castor/actors/supervision/supervision_tree.hpp"
@@ -66,6 +66,8 @@ struct Child {
   std::optional<Clock::time_point> down_since;
 };
 
+using Names = std::set<std::string>;
+
 /// The stopping and starting of some children, one step after the other.
 struct Round {
   enum class Step : std::uint8_t { stop, wait, make, configure, start };
@@ -88,6 +90,8 @@ struct Round {
   Clock::time_point since;
   /// Who failed meanwhile, to be dealt with when the round is over.
   std::vector<ComponentEnded> failures;
+  /// Whose process was lost meanwhile.
+  Names gone;
   std::vector<std::string> stopped;
   std::vector<std::string> stuck;
   std::function<void(const Round&)> done;
@@ -114,6 +118,13 @@ struct Round {
     return std::all_of(other.stop.begin(), other.stop.end(), concerned) &&
            std::all_of(other.start.begin(), other.start.end(), concerned);
   }
+};
+
+/// What runs in a process that takes the place of a lost one.
+struct Awaited {
+  std::vector<std::string> names;
+  /// What is to be done if the loss was a failure.
+  std::optional<SupervisionDecision> decision;
 };
 
 class Supervisor : public std::enable_shared_from_this<Supervisor> {
@@ -211,6 +222,18 @@ private:
 
   ProcessNumber process_of(const std::string& name) const { return placement_.process_of(name); }
 
+  ComponentStatus what_is_known_of(const std::string& name) const {
+    auto& child = children_.at(name);
+    ComponentStatus result;
+    result.identity = {name, child.subarchitecture, architecture_.component(name)->class_name,
+                       static_cast<std::uint32_t>(child.number), child.incarnation};
+    result.is_task_manager = child.kind == ComponentKind::task_manager;
+    result.restarts = child.incarnation - 1;
+    // If it has ended, of which those who look may know earlier.
+    result.will_restart = !child.given_up;
+    return result;
+  }
+
   void publish() {
     SystemRoster roster;
     roster.file = parts_.file;
@@ -222,10 +245,14 @@ private:
     for (auto& x : architecture_.subarchitectures)
       if (auto i = actors.find(x.working_memory.name); i != actors.end())
         roster.working_memories[x.name] = caf::actor_cast<WorkingMemoryActor>(i->second);
-    for (auto& [name, child] : children_) {
+    if (auto i = actors.find(working_memory_of(health_subarchitecture)); i != actors.end())
+      roster.working_memories[health_subarchitecture] =
+        caf::actor_cast<WorkingMemoryActor>(i->second);
+    for (auto& [name, child] : children_)
       roster.placement[name] = process_of(name);
-      roster.lives[name] = {child.incarnation, !child.given_up};
-    }
+    for (auto& name : tree_.order())
+      if (children_.at(name).kind != ComponentKind::working_memory)
+        roster.components.push_back(what_is_known_of(name));
     roster.hosts = placement_;
     parts_.on_change(std::make_shared<const SystemRoster>(std::move(roster)));
   }
@@ -391,44 +418,50 @@ private:
     order.done = [this, id = round.id](const Deployments::Problems& problems) {
       if (!problems.empty())
         log(LogLevel::error, "supervisor", cast::render(problems));
-      made(id, !problems.empty());
+      auto i = find_round(id);
+      if (i != rounds_.end())
+        made(i, problems.empty() ? Names{} : Names{i->start.begin(), i->start.end()});
     };
     deployments_->add(std::move(order));
   }
 
   void make_one_by_one(Round& round) {
     auto missing = std::make_shared<std::size_t>(round.start.size());
-    auto failed = std::make_shared<bool>(false);
-    for (auto& name : round.start) {
-      auto answered = [this, missing, failed, id = round.id](bool ok) {
-        *failed = *failed || !ok;
-        if (--*missing == 0)
-          made(id, *failed);
-      };
+    auto failed = std::make_shared<Names>();
+    auto answered = [this, missing, failed, id = round.id] {
+      if (--*missing > 0)
+        return;
+      if (auto i = find_round(id); i != rounds_.end())
+        made(i, *failed);
+    };
+    for (auto& name : round.start)
       self_
         ->request(processes_.agent(process_of(name)), options_.part_patience,
                   RestartComponent{name, children_.at(name).incarnation})
         .then(
-          [this, name, answered](const PartMade& x) {
-            auto actor = x.actors.find(name);
-            if (actor != x.actors.end())
+          [this, name, failed, answered](const PartMade& x) {
+            if (auto actor = x.actors.find(name); actor != x.actors.end())
               deployments_->set_actor(name, actor->second);
-            answered(actor != x.actors.end());
+            else
+              failed->insert(name);
+            answered();
           },
-          [answered](const caf::error&) { answered(false); });
-    }
+          [name, failed, answered](const caf::error&) {
+            failed->insert(name);
+            answered();
+          });
   }
 
-  void made(std::uint64_t id, bool failed) {
-    auto i = find_round(id);
-    if (i == rounds_.end())
-      return;
+  /// Those of the round are there, but for those that `failed`.
+  void made(RoundIterator i, const Names& failed) {
     for (auto& name : i->start) {
       auto& child = children_.at(name);
-      child.alive = !failed;
-      if (failed)
-        i->failures.push_back({name, child.incarnation, ComponentEnded::How::failed,
-                               "it could not be made anew"});
+      // What becomes of those whose process is lost was decided when that was known.
+      bool gone = i->gone.count(name) > 0;
+      child.alive = !gone && failed.count(name) == 0;
+      if (!gone && !child.alive)
+        i->failures.push_back(
+          {name, child.incarnation, ComponentEnded::How::failed, "it could not be made anew"});
     }
     begin_to_configure(*i);
     advance(i);
@@ -508,8 +541,8 @@ private:
   void begin_waiting() {
     // What begins may end at once, and change both lists.
     for (;;) {
-      auto next = std::find_if(waiting_.begin(), waiting_.end(),
-                               [&](auto& x) { return !is_in_the_way(x); });
+      auto next =
+        std::find_if(waiting_.begin(), waiting_.end(), [&](auto& x) { return !is_in_the_way(x); });
       if (next == waiting_.end())
         return;
       rounds_.splice(rounds_.end(), waiting_, next);
@@ -594,10 +627,7 @@ private:
         publish();
         return;
       case SupervisionDecision::Kind::give_up:
-        note_down(x.name, reason, false);
-        caf::anon_send(parts_.desk,
-                       EndSystem{1, "the supervisor: " + decision.reason + "; " + x.name + ' ' +
-                                      reason});
+        end_system(decision, x.name, reason);
         return;
       case SupervisionDecision::Kind::restart:
         note_down(x.name, reason, true);
@@ -606,11 +636,19 @@ private:
     }
   }
 
+  /// It has gone too far.
+  void end_system(const SupervisionDecision& decision, const std::string& name,
+                  const std::string& reason) {
+    note_down(name, reason, false);
+    caf::anon_send(parts_.desk,
+                   EndSystem{1, "the supervisor: " + decision.reason + "; " + name + ' ' + reason});
+  }
+
   /// The watchdog has found one that does not come back. Only a process of its own can be ended.
   void end_hanging(const ComponentHangs& x) {
     auto i = children_.find(x.name);
     if (i == children_.end() || i->second.incarnation != x.incarnation || i->second.given_up ||
-        !i->second.isolated || !options_.kill_isolated)
+        !has_own_process(i->second))
       return;
     log(LogLevel::warning, x.name, "hangs; its process is killed");
     options_.kill_isolated(x.name);
@@ -721,6 +759,15 @@ private:
     restart(decision, why);
   }
 
+  void bring_back(const Awaited& x) {
+    if (!x.decision)
+      return move(x.names, "the return of its node");
+    moved_.insert(x.names.begin(), x.names.end());
+    restart(*x.decision, x.names.front());
+  }
+
+  bool has_own_process(const Child& x) const { return x.isolated && options_.kill_isolated; }
+
   /// Another process where a component may run, if its own is lost.
   std::optional<ProcessNumber> refuge_of(const std::string& name) const {
     auto* x = architecture_.component(name);
@@ -739,22 +786,33 @@ private:
   void lose(ProcessNumber lost, const std::string& why) {
     awaited_.erase(lost);
     std::vector<std::string> moving;
-    std::vector<std::string> staying;
+    Awaited staying;
     for (auto& name : tree_.order()) {
       auto& child = children_.at(name);
       if (child.given_up || process_of(name) != lost)
         continue;
-      child.alive = false;
+      auto reason = "its node " + processes_.state(lost).description.name + " is lost: " + why;
+      auto was_alive = std::exchange(child.alive, false);
       child.given_up = tree_.restart_type(name) == RestartType::temporary;
-      note_down(name, "its node " + processes_.state(lost).description.name + " is lost: " + why,
-                !child.given_up);
+      // The loss of a node is nobody's failure, but that of a component's own process is.
+      if (was_alive && !child.given_up && has_own_process(child)) {
+        staying.decision = tree_.failed(name, now());
+        child.given_up = staying.decision->kind == SupervisionDecision::Kind::give_up;
+        if (child.given_up) {
+          end_system(*staying.decision, name, reason);
+          continue;
+        }
+      }
+      note_down(name, reason, !child.given_up);
       if (child.given_up)
         continue;
+      if (auto round = round_of(name); round != rounds_.end())
+        round->gone.insert(name);
       if (auto refuge = refuge_of(name)) {
         placement_.of[name] = *refuge;
         moving.push_back(name);
       } else {
-        staying.push_back(name);
+        staying.names.push_back(name);
       }
     }
     // Those who are waited for in vain.
@@ -762,17 +820,17 @@ private:
     for (auto& round : rounds_)
       ids.push_back(round.id);
     for (auto id : ids)
-      if (auto i = find_round(id); i != rounds_.end() && i->step != Round::Step::wait &&
-                                   i->step != Round::Step::make)
+      if (auto i = find_round(id);
+          i != rounds_.end() && i->step != Round::Step::wait && i->step != Round::Step::make)
         advance(i);
-    if (!staying.empty()) {
+    if (!staying.names.empty()) {
       auto successor = processes_.look_for_successor(lost);
       for (auto& [host, process] : placement_.hosts)
         if (process == lost)
           process = successor;
-      for (auto& name : staying)
+      for (auto& name : staying.names)
         placement_.of[name] = successor;
-      awaited_[successor] = staying;
+      awaited_[successor] = std::move(staying);
     }
     publish();
     if (!moving.empty())
@@ -785,7 +843,7 @@ private:
     if (x.state == LinkState::up)
       if (auto awaited = awaited_.extract(x.peer)) {
         log(LogLevel::info, "supervisor", "node " + x.name + " was started again");
-        move(awaited.mapped(), "the return of its node");
+        bring_back(awaited.mapped());
       }
     if (deployments_->look_again()) {
       Deployments::Order order;
@@ -809,11 +867,11 @@ private:
   std::list<Round> waiting_;
   std::uint64_t last_round_ = 0;
   /// What changes its process.
-  std::set<std::string> moved_;
+  Names moved_;
   /// Processes that are to take the places of lost ones, and what will run there.
-  std::map<ProcessNumber, std::vector<std::string>> awaited_;
+  std::map<ProcessNumber, Awaited> awaited_;
   /// Those of whom there is an entry.
-  std::set<std::string> told_of_;
+  Names told_of_;
 };
 
 } // namespace

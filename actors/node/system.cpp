@@ -3,6 +3,7 @@
 #include "castor/actors/cast/running.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/component_statuses.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/observer.hpp"
@@ -11,7 +12,6 @@
 #include "castor/actors/node/processes.hpp"
 #include "castor/actors/node/supervisor.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
-#include "castor/actors/supervision/supervision_tree.hpp"
 
 #include <caf/scoped_actor.hpp>
 
@@ -155,8 +155,12 @@ public:
     stopped_ = true;
     processes_.be_silent();
     refuse_orders();
-    if (started_)
-      stop_components(names());
+    if (started_) {
+      std::vector<std::string> all;
+      for (auto& x : roster()->components)
+        all.push_back(x.identity.name);
+      stop_components(all);
+    }
     if (observer_)
       flush_observer();
   }
@@ -198,7 +202,7 @@ public:
         result.processes.push_back({processes_.state(static_cast<ProcessNumber>(i)).description,
                                     parts[i]->usage, parts[i]->links});
     result.working_memories = ask_working_memories();
-    result.components = status(parts);
+    result.components = component_statuses(*roster(), parts);
     for (auto& name : stuck_)
       if (process_of(name) == 0)
         result.stuck.push_back(name);
@@ -479,12 +483,11 @@ private:
     return result;
   }
 
-  /// By the processes' numbers; nothing of those that do not answer.
-  std::vector<std::optional<PartStatus>> ask_parts() {
+  PartStatuses ask_parts() {
     auto ask = [&](ProcessNumber i) {
       return self_->request(processes_.agent(i), options_.answer_patience, PartStatusQuery{});
     };
-    std::vector<std::optional<PartStatus>> result(processes_.size());
+    PartStatuses result(processes_.size());
     std::vector<std::pair<std::size_t, decltype(ask(0))>> answers;
     for (std::size_t i = 0; i < result.size(); ++i)
       if (processes_.is_up(static_cast<ProcessNumber>(i)))
@@ -495,54 +498,7 @@ private:
     return result;
   }
 
-  std::vector<ComponentStatus> status() { return status(ask_parts()); }
-
-  /// Of all components, in the order of their start.
-  std::vector<ComponentStatus> status(const std::vector<std::optional<PartStatus>>& parts) {
-    std::map<std::string, ComponentStatus> found;
-    for (auto& part : parts)
-      if (part)
-        for (auto& x : part->components)
-          found[x.identity.name] = x;
-    std::vector<ComponentStatus> result;
-    auto known = roster();
-    for (auto& name : names()) {
-      result.push_back(found.count(name) > 0 ? found[name] : status_of_absent(name));
-      if (auto life = known->lives.find(name); life != known->lives.end()) {
-        result.back().restarts = life->second.incarnation - 1;
-        result.back().will_restart =
-          life->second.will_restart && result.back().state == ComponentState::failed;
-      }
-    }
-    return result;
-  }
-
-  /// Of the components, in the order of their start.
-  std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    SupervisionTree tree;
-    tree.set(architecture_);
-    for (auto& name : tree.order())
-      if (architecture_.component(name)->kind != ComponentKind::working_memory)
-        result.push_back(name);
-    return result;
-  }
-
-  /// Of a component whose node does not answer.
-  ComponentStatus status_of_absent(const std::string& name) const {
-    auto& x = *architecture_.component(name);
-    auto process = processes_.state(process_of(name));
-    ComponentStatus result;
-    result.identity = {x.name, x.subarchitecture, x.class_name,
-                       static_cast<std::uint32_t>(x.number)};
-    result.is_task_manager = x.kind == ComponentKind::task_manager;
-    result.state = ComponentState::failed;
-    result.out_of_reach = process.link != LinkState::lost;
-    result.failure = "its node " + process.description.name + " does not answer";
-    if (process.link != LinkState::up)
-      result.failure += ": " + process.reason;
-    return result;
-  }
+  std::vector<ComponentStatus> status() { return component_statuses(*roster(), ask_parts()); }
 
   static bool somebody_is_busy(const std::vector<ComponentStatus>& components) {
     return std::any_of(components.begin(), components.end(),
@@ -552,8 +508,8 @@ private:
   /// Task managers alone do nothing.
   static bool all_failed(const std::vector<ComponentStatus>& components) {
     return std::all_of(components.begin(), components.end(), [](auto& x) {
-      return x.is_task_manager || (x.state == ComponentState::failed && !x.out_of_reach &&
-                                   !x.will_restart);
+      return x.is_task_manager ||
+             (x.state == ComponentState::failed && !x.out_of_reach && !x.will_restart);
     });
   }
 

@@ -105,6 +105,14 @@ TEST(Subarchitectures, NeedDifferentNames) {
   EXPECT_EQ(test::count(result, Severity::error), 1U);
 }
 
+TEST(Subarchitectures, MayNotTakeTheNameOfTheSystemsOwn) {
+  auto result = parse(system_with("SUBARCHITECTURE castor\n") + wm + tm + "CPP UM castor_wm A\n");
+  EXPECT_TRUE(reports(result, Severity::error, 5, "where every system tells of its own health",
+                      "another name"));
+  EXPECT_TRUE(reports(result, Severity::error, 8, "a working memory that every system has"));
+  EXPECT_EQ(test::count(result, Severity::error), 2U);
+}
+
 TEST(Subarchitectures, AreOnThisMachineIfNoHostIsNamed) {
   auto result = parse("SUBARCHITECTURE s\n" + wm + tm + "CPP MG a A\n");
   ASSERT_TRUE(result.ok());

@@ -44,7 +44,7 @@ TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +ADD +Tick +\\S+ +clock +v0\n"}));
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +OVERWRITE +Tick +\\S+ +clock +v2\n"}));
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"\na +Tick +1\n"})) << text;
-  EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +3 +0\n"}));
+  EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +0 +3 +0\n"}));
 }
 
 TEST_F(Castor, TheTimelineShowsEveryChangeOfAnAtomicWrite) {
@@ -121,7 +121,7 @@ TEST_F(Castor, AFailedComponentShowsInReportAndStatus) {
 TEST_F(Castor, LeavesAComponentBehindThatNeverComesBack) {
   Process castor{command({"run", system("CPP UM endless Endless\n"), "--for", "10ms"})};
   EXPECT_EQ(castor.wait(), 1);
-  EXPECT_NE(castor.errors().find("endless did not stop"), std::string::npos) << castor.errors();
+  EXPECT_NE(castor.errors().find("[endless] did not stop"), std::string::npos) << castor.errors();
 }
 
 TEST_F(Castor, WritesItsOutputFolder) {

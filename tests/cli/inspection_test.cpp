@@ -89,8 +89,8 @@ TEST_F(Inspection, PsShowsASystem) {
   EXPECT_EQ(answer.status, 0) << answer.errors;
   EXPECT_THAT(answer.output, ContainsRegex("^system: process [0-9]+, .* s old, "));
   EXPECT_THAT(answer.output, ContainsRegex("localhost +up +3 "));
-  EXPECT_THAT(answer.output, ContainsRegex("a\\.ticker +Ticker +localhost +running +1 "));
-  EXPECT_THAT(answer.output, ContainsRegex("\na +localhost +1 +1 +0 +0\n"));
+  EXPECT_THAT(answer.output, ContainsRegex("a\\.ticker +Ticker +localhost +running +0 "));
+  EXPECT_THAT(answer.output, ContainsRegex("\na +localhost +1 +1 +0 +0 +off\n"));
   EXPECT_THAT(answer.output, Not(HasSubstr("suppressed")));
   EXPECT_THAT(ask({"ps", "--stats"}).output, HasSubstr("suppressed"));
 }
@@ -124,6 +124,16 @@ TEST_F(Inspection, PsShowsNodesAndTheirLinks) {
   castor.send_signal(SIGINT);
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
   EXPECT_THAT(castor.output(), ContainsRegex("one - two +[0-9]+ +0 "));
+}
+
+TEST_F(Inspection, TheSystemsOwnHealthCanBeLookedInto) {
+  Process castor{command({"run", system("CPP UM shaky Shaky\n")})};
+  ASSERT_TRUE(castor.wait_for_output("begins life 2")) << castor.errors();
+  EXPECT_TRUE(eventually([] {
+    auto answer = ask({"wm", "get", "castor/shaky", "--json"});
+    return answer.status == 0 && json::parse(answer.output)["type"] == "ComponentUp";
+  }));
+  EXPECT_THAT(ask({"ps"}).output, ContainsRegex("a\\.shaky +Shaky +localhost +running +1 "));
 }
 
 TEST_F(Inspection, WithoutASystemItSaysHowToStartOne) {

@@ -1,4 +1,6 @@
 // Components that live in several processes and judge what they see of each other.
+#include "done.hpp"
+#include "order.hpp"
 #include "tick.hpp"
 
 #include "castor/actors/registry.hpp"
@@ -20,12 +22,6 @@ namespace castor::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// A component has seen what it was to see.
-struct Done {
-  std::string who;
-};
-CASTOR_REFLECT(Done, who)
 
 /// Somebody is out of reach.
 struct Missed {
@@ -86,41 +82,6 @@ class Ticker final : public UnmanagedComponent {
   }
 };
 CASTOR_COMPONENT(Ticker, "ticks for ever")
-
-/// Sees to it that what happens to an entry is heard of in turn: nothing is missing unless
-/// something newer stands for it, nothing comes twice.
-class Order {
-public:
-  void check(const ChangeEvent& event) {
-    if (late_ && last_.count(event.address) == 0)
-      last_[event.address] = event.version - 1;
-    auto last = last_.find(event.address);
-    auto expected = last == last_.end() ? 0 : last->second + 1;
-    if (event.operation == Operation::overwrite && last == last_.end())
-      expected = 1;
-    if (event.coalesced ? event.version < expected : event.version != expected)
-      throw std::runtime_error("instead of version " + std::to_string(expected) + " comes " +
-                               to_string(event));
-    last_[event.address] = event.version;
-    merged_ += event.coalesced;
-  }
-
-  /// From now on, the first event of an entry may be any.
-  void begin_late() { late_ = true; }
-
-  /// 0 before the first event.
-  Version last(const Address& x) const {
-    auto i = last_.find(x);
-    return i == last_.end() ? 0 : i->second;
-  }
-
-  int merged() const { return merged_; }
-
-private:
-  std::map<Address, Version> last_;
-  int merged_ = 0;
-  bool late_ = false;
-};
 
 /// Ends the system when it has heard of so many ticks, each in its turn.
 class Listener final : public UnmanagedComponent {

@@ -214,14 +214,19 @@ TEST_F(TwoProcesses, AnActorCanBeEndedFromAfar) {
   EXPECT_TRUE(down);
 }
 
-TEST_F(TwoProcesses, WhoeverIsOutOfReachForTooLongIsLost) {
+TEST_F(TwoProcesses, WhoeverIsOutOfReachForTooLongIsLostAndWillNotAnswer) {
   add("x", {});
   self->monitor(remote);
+  relay->freeze(true);
+  auto open = self->request(remote, caf::infinite, StatusQuery{});
   relay->stop();
   bool down = false;
   self->receive([&](const caf::down_msg&) { down = true; }, caf::after(20s) >> [] {});
   EXPECT_TRUE(down);
   EXPECT_TRUE(eventually([&] { return run.lost.load(); }));
+  bool failed = false;
+  open.receive([](const WorkingMemoryStatus&) {}, [&](const caf::error&) { failed = true; });
+  EXPECT_TRUE(failed);
 }
 
 TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {
