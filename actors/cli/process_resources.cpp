@@ -67,7 +67,7 @@ std::vector<faults::ProcessResources> ResourceWatch::stop() {
     thread_.join();
   std::vector<faults::ProcessResources> result;
   for (auto& [who, samples] : samples_)
-    result.push_back({who.first + " (" + std::to_string(who.second) + ')', samples});
+    result.push_back({who.first, samples, who.second});
   return result;
 }
 

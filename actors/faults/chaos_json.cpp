@@ -61,7 +61,7 @@ Json json_of(const ProcessResources& x) {
                        {"memory_bytes", y.memory},
                        {"files", y.files},
                        {"threads", y.threads}});
-  return {{"process", x.process}, {"samples", std::move(samples)}};
+  return {{"process", x.process}, {"id", x.id}, {"samples", std::move(samples)}};
 }
 
 template <class T>

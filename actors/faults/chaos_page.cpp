@@ -163,10 +163,11 @@ std::string resources(const ChaosRun& run) {
   if (result.empty())
     return result;
   std::string legend;
-  for (std::size_t i = 0; i < run.resources.size(); ++i)
+  auto names = process_names(run);
+  for (std::size_t i = 0; i < names.size(); ++i)
     legend += legend_item(
       fmt::format("<line y1=\"6\" x2=\"18\" y2=\"6\" class=\"line c{}\"/>", i % chart_colours),
-      run.resources[i].process);
+      names[i]);
   return heading("Resources of the processes") + "<p class=\"quiet legend\">" + legend + "</p>\n" +
          result;
 }

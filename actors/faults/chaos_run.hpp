@@ -80,6 +80,8 @@ struct ResourceSample {
 struct ProcessResources {
   std::string process;
   std::vector<ResourceSample> samples;
+  /// By which the system tells processes of one name apart.
+  std::int64_t id = 0;
 };
 
 /// All that is to be said about one run of `castor chaos`.

@@ -271,17 +271,27 @@ std::string resource_chart(const ChaosRun& run, std::uint64_t ResourceSample::*v
   Scale y{most * 1.05, bottom, margin};
   auto result = opening(bottom + axis_height, title);
   result += time_axis(time, margin, bottom) + value_axis(y);
-  for (std::size_t i = 0; i < run.resources.size(); ++i) {
-    auto& process = run.resources[i];
+  auto names = process_names(run);
+  for (auto& process : run.resources) {
+    auto i = std::find(names.begin(), names.end(), process.process) - names.begin();
     std::string points;
     for (auto& sample : process.samples)
       points += fmt::format("{:.1f},{:.1f} ", time(seconds(sample.at)),
                             y(static_cast<double>(sample.*value) / unit));
     result += fmt::format("<polyline points=\"{}\" class=\"line c{}\"><title>{}</title>"
                           "</polyline>\n",
-                          points, i % chart_colours, escaped(process.process));
+                          points, static_cast<std::size_t>(i) % chart_colours,
+                          escaped(process.process));
   }
   return result + "</svg>\n";
+}
+
+std::vector<std::string> process_names(const ChaosRun& run) {
+  std::vector<std::string> result;
+  for (auto& x : run.resources)
+    if (std::find(result.begin(), result.end(), x.process) == result.end())
+      result.push_back(x.process);
+  return result;
 }
 
 } // namespace castor::faults

@@ -23,6 +23,9 @@ std::string timeline_chart(const ChaosRun& run);
 /// How many outages took how long; empty if there are none that ended.
 std::string recovery_chart(const ChaosRun& run);
 
+/// The names of the processes, each once; the lines of all that had one name look alike.
+std::vector<std::string> process_names(const ChaosRun& run);
+
 /// The styles c0, c1 and so on of the lines of processes; then they begin anew.
 inline constexpr std::size_t chart_colours = 6;
 
