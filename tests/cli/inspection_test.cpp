@@ -90,7 +90,7 @@ TEST_F(Inspection, PsShowsASystem) {
   EXPECT_THAT(answer.output, ContainsRegex("^system: process [0-9]+, .* s old, "));
   EXPECT_THAT(answer.output, ContainsRegex("localhost +up +3 "));
   EXPECT_THAT(answer.output, ContainsRegex("a\\.ticker +Ticker +localhost +running +1 "));
-  EXPECT_THAT(answer.output, ContainsRegex("\na +localhost +1 +1 +0 +0\n"));
+  EXPECT_THAT(answer.output, ContainsRegex("\na +localhost +1 +1 +0 +0 +off\n"));
   EXPECT_THAT(answer.output, Not(HasSubstr("suppressed")));
   EXPECT_THAT(ask({"ps", "--stats"}).output, HasSubstr("suppressed"));
 }
