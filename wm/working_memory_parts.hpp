@@ -55,8 +55,12 @@ template <class Reply, class Request, class F>
 caf::result<Outcome<Reply>> at_owner(Self self, const Address& address, const Request& request,
                                      F&& answer) {
   auto& state = self->state;
-  if (address.subarchitecture == state.options.subarchitecture)
-    return say_reply<Outcome<Reply>>(self, answer());
+  if (address.subarchitecture == state.options.subarchitecture) {
+    auto reply = answer();
+    if (!state.gate.holds())
+      return reply;
+    return say_reply<Outcome<Reply>>(self, std::move(reply));
+  }
   if (auto* peer = find_peer(state, address.subarchitecture))
     return self->delegate(*peer, request);
   return Outcome<Reply>{unknown_subarchitecture(state, address)};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -7,11 +9,14 @@
 
 namespace castor::test {
 
-/// A folder of one test's own, gone with this object.
+/// A folder of one test's own, gone with this object; in memory where that can be, so that it does
+/// not matter how fast the disk syncs.
 class TemporaryFolder {
 public:
   TemporaryFolder() {
-    auto pattern = (std::filesystem::temp_directory_path() / "castor-XXXXXX").string();
+    const std::filesystem::path memory = "/dev/shm";
+    auto base = access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
+    auto pattern = (base / "castor-XXXXXX").string();
     if (!mkdtemp(pattern.data()))
       throw std::runtime_error("cannot make " + pattern);
     path_ = pattern;

@@ -1,6 +1,7 @@
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tests/wm/journaled_store.hpp"
 #include "castor/wm/journal_reader.hpp"
+#include "castor/wm/sqlite.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -314,6 +315,35 @@ TEST_F(Journal, IsRefusedIfAByteOfAValueIsWrong) {
   overwrite_bytes(static_cast<std::streamoff>(all.find("text")), "next");
   EXPECT_THAT(refusal(), AllOf(HasSubstr("checksum"), HasSubstr("castor journal show")));
   EXPECT_THROW(JournalReader{options.file}.replay(), JournalError);
+}
+
+TEST_F(Journal, IsRefusedIfRowsAreMissingOfWhichNoOtherTells) {
+  int number = 0;
+  for (bool folded : {false, true})
+    for (auto* what : {"log WHERE sequence = 2", "log WHERE sequence = 4",
+                       "entries WHERE id = 'e1'", "deleted", "sessions"}) {
+      if (folded == std::string{what}.starts_with("log"))
+        continue;
+      SCOPED_TRACE(what);
+      options.file = folder / std::to_string(++number);
+      options.limit_bytes = folded ? 0 : 1'000'000;
+      {
+        JournaledStore store{options};
+        for (std::size_t i = 0; i < 4; ++i)
+          store.set(i, 1);
+        if (folded)
+          store.set(0, 4); // deletes it
+        store.sync();
+        store.tidy();
+        if (folded)
+          store.set(5, 1);
+        store.sync();
+        store.file().close();
+      }
+      sqlite::Database{options.file, sqlite::Access::write}.run(
+        ("DELETE FROM " + std::string{what}).c_str());
+      EXPECT_THAT(refusal(), HasSubstr("missing"));
+    }
 }
 
 TEST_F(Journal, IsMovedAsideIfItIsDamagedAndTheWorkingMemoryIsToGoOn) {
