@@ -218,15 +218,15 @@ TEST_F(TwoProcesses, WhoeverIsOutOfReachForTooLongIsLostAndWillNotAnswer) {
   add("x", {});
   self->monitor(remote);
   relay->freeze(true);
-  auto open = self->request(remote, caf::infinite, StatusQuery{});
+  auto open = self->request(remote, 30s, StatusQuery{});
   relay->stop();
   bool down = false;
   self->receive([&](const caf::down_msg&) { down = true; }, caf::after(20s) >> [] {});
   EXPECT_TRUE(down);
   EXPECT_TRUE(eventually([&] { return run.lost.load(); }));
-  bool failed = false;
-  open.receive([](const WorkingMemoryStatus&) {}, [&](const caf::error&) { failed = true; });
-  EXPECT_TRUE(failed);
+  caf::error problem;
+  open.receive([](const WorkingMemoryStatus&) {}, [&](const caf::error& e) { problem = e; });
+  EXPECT_EQ(problem, caf::sec::request_receiver_down);
 }
 
 TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {

@@ -1,7 +1,9 @@
 #include "castor/actors/link/wire_table.hpp"
 
+#include "castor/actors/cast/parser.hpp"
 #include "castor/actors/link/wire_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/part_protocol.hpp"
 #include "castor/wm/reflect.hpp"
 
 #include <gmock/gmock.h>
@@ -117,6 +119,36 @@ TEST_F(Wire, LargeContentsAreNotCopied) {
   EXPECT_LT(written.head.size(), 200u);
   ASSERT_EQ(written.contents.size(), 1u);
   EXPECT_EQ(written.contents.front(), x.value.bytes());
+}
+
+TEST_F(Wire, APlanArrivesWithTheLivesAndTheRulesOfSupervision) {
+  auto parsed =
+    cast::parse_string("HOSTNAME spare 10.0.0.4\n"
+                       "SUPERVISE vision rest_for_one RESTARTS 5 IN 30s DELAY 1s TO 2s\n"
+                       "FAILOVER camera TO [spare]\n"
+                       "SUBARCHITECTURE vision arm\nCPP WM W --journal full\nCPP TM T\n"
+                       "CPP UM camera C --restart transient --isolate\n",
+                       "test.cast");
+  ASSERT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+  PartPlan plan;
+  plan.architecture = *parsed.architecture;
+  plan.processes = {{}, {"arm", "10.0.0.2", 7117, true}, {"spare", "10.0.0.4", 7200, false}};
+  plan.placement = {{"vision_wm", 1}, {"camera", 2}};
+  plan.incarnations = {{"camera", 3}, {"vision_wm", std::uint64_t{1} << 40}};
+  plan.age = Timestamp{17};
+  auto x = there_and_back(plan);
+  EXPECT_EQ(x.incarnations, plan.incarnations);
+  EXPECT_EQ(x.placement, plan.placement);
+  ASSERT_EQ(x.processes.size(), 3u);
+  EXPECT_TRUE(x.processes[1].lost);
+  EXPECT_EQ(x.processes[2].name, "spare");
+  EXPECT_EQ(x.processes[2].port, 7200);
+  EXPECT_EQ(x.age, plan.age);
+  EXPECT_EQ(x.architecture.supervision_of("vision"), plan.architecture.supervision_of("vision"));
+  auto& camera = *x.architecture.component("camera");
+  EXPECT_EQ(x.architecture.failover_of(camera), std::vector<std::string>{"10.0.0.4"});
+  EXPECT_EQ(camera.option("restart")->value, "transient");
+  EXPECT_EQ(x.architecture.component("vision_wm")->option("journal")->value, "full");
 }
 
 TEST_F(Wire, AnOutcomeIsEitherResultOrFailure) {

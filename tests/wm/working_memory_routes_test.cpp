@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,48 @@ protected:
     return result;
   }
 
+  /// What carries events to another process.
+  struct Way {
+    caf::actor actor;
+    std::vector<RoutedEvent> events;
+  };
+
+  ~ReplacedPeers() override {
+    for (auto& x : ways)
+      caf::anon_send_exit(x->actor, caf::exit_reason::user_shutdown);
+    scheduler.run();
+  }
+
+  Way& way() {
+    auto& result = *ways.emplace_back(std::make_unique<Way>());
+    result.actor = system.spawn([&result](caf::event_based_actor*) -> caf::behavior {
+      return {[&result](const RoutedEvents& x) {
+        result.events.insert(result.events.end(), x.events.begin(), x.events.end());
+      }};
+    });
+    return result;
+  }
+
+  static Told carried(const Way& x) {
+    Told result;
+    for (auto& [event, receivers] : x.events)
+      for (auto& [subarchitecture, interests] : receivers)
+        result.push_back(std::string{to_string(event->operation)} + ' ' +
+                         to_string(event->address) + " to " + subarchitecture);
+    return result;
+  }
+
+  /// From now on the working memory is one that lives in another process, as far as the others
+  /// know.
+  void reach(const std::string& name, Way& by) {
+    routes[name] = by.actor;
+    replace(name, make_successor(name));
+  }
+
   Peers peers() const {
     Peers result;
+    for (auto& [name, actor] : routes)
+      result.routes[name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
     for (auto& [name, actor] : wm)
       result.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
     return result;
@@ -44,6 +86,9 @@ protected:
   }
 
   std::uint64_t incarnation = 1;
+  std::vector<std::unique_ptr<Way>> ways;
+  /// To those that live in other processes.
+  std::map<std::string, caf::actor> routes;
 };
 
 TEST_F(ReplacedPeers, AreToldWhatWasWantedOfThoseBefore) {
@@ -97,6 +142,39 @@ TEST_F(ReplacedPeers, TakeNoEventsThatWereOnTheirWayToTheOneBefore) {
   scheduler.run();
   EXPECT_EQ(told(later), Told{});
   replace("b", successor);
+}
+
+TEST_F(ReplacedPeers, AreReachedOnTheWayToTheirOwnProcess) {
+  auto& former = way();
+  auto& later = way();
+  reach("b", former);
+  auto& before = listen();
+  subscribe(before, "b", 1, added<Item>().in("a"));
+  add({"a", "x"});
+  EXPECT_EQ(carried(former), Told{"ADD a/x to b"});
+  auto successor = make_successor("b");
+  routes["b"] = later.actor;
+  replace("b", successor);
+  add({"a", "y"});
+  EXPECT_EQ(carried(later), Told{}) << "nobody there has asked for anything yet";
+  auto& after = listen();
+  subscribe(after, "b", 1, added<Item>().in("a"));
+  add({"a", "z"});
+  EXPECT_EQ(carried(later), Told{"ADD a/z to b"});
+  EXPECT_EQ(carried(former), Told{"ADD a/x to b"});
+}
+
+TEST_F(ReplacedPeers, MayHaveTheWayOfTheOneBefore) {
+  auto& to_there = way();
+  reach("b", to_there);
+  auto& before = listen();
+  subscribe(before, "b", 1, added<Item>().in("a"));
+  replace("b", make_successor("b"));
+  auto& after = listen();
+  subscribe(after, "b", 1, deleted<Item>().in("a"));
+  add({"a", "x"});
+  remove({"a", "x"});
+  EXPECT_EQ(carried(to_there), Told{"DELETE a/x to b"});
 }
 
 TEST_F(ReplacedPeers, AnswerWhatIsAskedOfThemThroughOthers) {
