@@ -49,7 +49,6 @@ protected:
     });
     processes.set_own_agent(agent);
     made.actors["a_wm"] = caf::actor_cast<caf::strong_actor_ptr>(agent);
-    made.era = 4;
     host = system.spawn([this](caf::event_based_actor* self) -> caf::behavior {
       deployments = std::make_shared<Deployments>(self, processes, 5s);
       return {[this](Acknowledged) {
@@ -109,7 +108,6 @@ TEST_F(DeploymentTest, BringsThePlanAndThenIntroducesWhatWasMade) {
   EXPECT_THAT(plans, SizeIs(1));
   ASSERT_THAT(joined, SizeIs(1));
   EXPECT_THAT(joined.front().actors, ElementsAre(Key("a_wm")));
-  EXPECT_EQ(joined.front().era, 4u);
   EXPECT_THAT(deployments->actors(), ElementsAre(Key("a_wm")));
 }
 
