@@ -58,12 +58,12 @@ struct TypeQuery {
 };
 
 struct EntryStoreOptions {
-  /// That of the first entry of any id.
-  Version first_version = 0;
   /// How many deleted ids keep their version; beyond that the oldest are forgotten.
   std::size_t remembered_deletions = 100'000;
   /// The largest value that is taken, in bytes of its wire form.
   std::size_t largest_value = std::size_t{256} << 20;
+  /// That of the first entry of any id.
+  Version first_version = 0;
 };
 
 /// What a working memory holds, and every rule for changing it.
