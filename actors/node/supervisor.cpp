@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/duration.hpp"
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/component/option.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/deployment.hpp"
 #include "castor/actors/supervision/health.hpp"
@@ -197,7 +198,8 @@ private:
       child.kind = x.kind;
       child.subarchitecture = x.subarchitecture;
       child.shutdown = options_.stop_patience;
-      child.isolated = x.option("isolate") != nullptr;
+      if (auto* option = x.option("isolate"))
+        detail::parse_option(option->value, child.isolated);
       if (auto* option = x.option("shutdown"))
         child.shutdown = cast::parse_duration(option->value).value_or(child.shutdown);
     });
