@@ -93,8 +93,7 @@ bool ArchitectureDescription::may_write(std::string_view writer,
          });
 }
 
-SupervisionPolicy
-ArchitectureDescription::supervision_of(std::string_view who) const noexcept {
+SupervisionPolicy ArchitectureDescription::supervision_of(std::string_view who) const noexcept {
   const SupervisionRule* found = nullptr;
   for (const auto& rule : supervision)
     if (rule.who == who || (rule.who == "*" && !found && who != SupervisionRule::system))

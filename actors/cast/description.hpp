@@ -133,8 +133,8 @@ struct ArchitectureDescription {
   std::vector<std::string> failover_of(const ComponentDescription& component) const;
 };
 
-/// Calls `f` with every component line, working memories and task managers included, in the order of
-/// the file. The architecture may be constant or not.
+/// Calls `f` with every component line, working memories and task managers included, in the order
+/// of the file. The architecture may be constant or not.
 template <class Architecture, class F>
 void for_each_component(Architecture& architecture, F&& f) {
   for (auto& subarchitecture : architecture.subarchitectures) {

@@ -153,9 +153,9 @@ void SupervisionRules::read_supervise(WordStream& words, const StructureLine& li
   rule_lines_.push_back(&line);
 }
 
-void SupervisionRules::read_failover(
-  WordStream& words, const StructureLine& line, DiagnosticLog& log,
-  const std::function<std::string(std::string_view)>& use_host) {
+void SupervisionRules::read_failover(WordStream& words, const StructureLine& line,
+                                     DiagnosticLog& log,
+                                     const std::function<std::string(std::string_view)>& use_host) {
   auto who = words.next();
   auto to = words.next();
   FailoverRule rule{who.value_or(""), {}, line.line->where()};

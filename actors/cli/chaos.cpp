@@ -1,10 +1,10 @@
+#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/final_state.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/process_resources.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/signals.hpp"
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
 #include "castor/actors/faults/fault_targets.hpp"
@@ -94,9 +94,9 @@ class Chaos {
 public:
   Chaos(const Arguments& arguments, const std::vector<std::string>& plugins)
     : arguments_(arguments), plugins_(plugins), duration_(duration(arguments.duration)),
-      settle_(duration(arguments.settle)),
-      question_{{arguments.same.begin(), arguments.same.end()},
-                {arguments.but_for.begin(), arguments.but_for.end()}} {}
+      settle_(duration(arguments.settle)), question_{{arguments.same.begin(), arguments.same.end()},
+                                                     {arguments.but_for.begin(),
+                                                      arguments.but_for.end()}} {}
 
   int run() {
     auto architecture = read_architecture(arguments_.architecture);
@@ -302,8 +302,7 @@ private:
         violation("memory, files and threads", leak);
         good = false;
       }
-    check("memory, files and threads", good,
-          fmt::format("{} processes", result_.resources.size()));
+    check("memory, files and threads", good, fmt::format("{} processes", result_.resources.size()));
   }
 
   void check(const std::string& name, bool held, const std::string& grounds) {
@@ -345,8 +344,8 @@ private:
 } // namespace
 
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
-  auto* command = app.add_subcommand(
-    "chaos", "run a system while faults befall it, and say whether it held");
+  auto* command =
+    app.add_subcommand("chaos", "run a system while faults befall it, and say whether it held");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command
@@ -355,8 +354,9 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
                  "survive")
     ->type_name("FILE");
   command
-    ->add_option("--seed", arguments->seed, "draws what the plan leaves open; the same seed makes "
-                                            "the same faults")
+    ->add_option("--seed", arguments->seed,
+                 "draws what the plan leaves open; the same seed makes "
+                 "the same faults")
     ->type_name("N");
   command->add_option("--duration", arguments->duration, "how long faults happen; by default 1min")
     ->type_name("DURATION");

@@ -119,22 +119,16 @@ void LocalNodes::start(Process& x) {
   Attributes attributes;
   attributes.give(input[0], STDIN_FILENO);
   attributes.give(announcement[1], announcements);
-  std::vector<std::string> arguments{"castor",
-                                     "node",
-                                     "--name",
-                                     x.node.name,
-                                     "--listen",
-                                     to_string(x.at),
-                                     "--end-with-input",
-                                     "--announce",
-                                     std::to_string(announcements)};
+  std::vector<std::string> arguments{
+    "castor",           "node",       "--name",
+    x.node.name,        "--listen",   to_string(x.at),
+    "--end-with-input", "--announce", std::to_string(announcements)};
   for (auto& plugin : plugins_)
     arguments.insert(arguments.end(), {"--plugin", plugin});
   if (!tls_.empty())
     arguments.insert(arguments.end(), {"--tls", tls_ + '/' + x.node.name});
   if (x.node.memory_limit > 0)
-    arguments.insert(arguments.end(),
-                     {"--memory-limit", std::to_string(x.node.memory_limit)});
+    arguments.insert(arguments.end(), {"--memory-limit", std::to_string(x.node.memory_limit)});
   x.id = -1;
   int error = attributes.spawn(x.id, std::move(arguments));
   close(input[0]);
@@ -244,8 +238,9 @@ std::string isolated_host(const std::string& component) {
 
 namespace {
 
-/// Gives hosts of their own to the components that are to be kept apart, if they run on this machine
-/// or on one of the `nodes` that do; the nodes for them, by host. Throws std::invalid_argument.
+/// Gives hosts of their own to the components that are to be kept apart, if they run on this
+/// machine or on one of the `nodes` that do; the nodes for them, by host. Throws
+/// std::invalid_argument.
 std::map<std::string, LocalNode> isolate(ArchitectureDescription& architecture,
                                          const std::map<std::string, LocalNode>& nodes) {
   std::map<std::string, LocalNode> result;

@@ -25,8 +25,8 @@ struct LocalNode {
 };
 
 /// Nodes on this machine: they stand in for those of other machines, or keep a component apart from
-/// the others. One that dies is started again where it listened. They end with this object, and also
-/// if this process is killed.
+/// the others. One that dies is started again where it listened. They end with this object, and
+/// also if this process is killed.
 class LocalNodes {
 public:
   /// Starts these nodes, by host. Throws std::runtime_error if one does not come up.
@@ -73,9 +73,9 @@ private:
 /// The host that an isolated component is for itself.
 std::string isolated_host(const std::string& component);
 
-/// Starts nodes on this machine for the isolated components of the architecture, and, if wanted, for
-/// all other hosts that it names; the options say where they are. Null if none is needed. Throws
-/// std::invalid_argument, if a component is to be isolated on another machine, and
+/// Starts nodes on this machine for the isolated components of the architecture, and, if wanted,
+/// for all other hosts that it names; the options say where they are. Null if none is needed.
+/// Throws std::invalid_argument, if a component is to be isolated on another machine, and
 /// std::runtime_error.
 std::unique_ptr<LocalNodes> start_local_nodes(ArchitectureDescription& architecture,
                                               bool for_all_hosts,

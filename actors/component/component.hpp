@@ -48,8 +48,8 @@ CASTOR_REFLECT_ENUM(RestartType, permanent, transient, temporary)
 /// therefore never run at the same time, and a component needs no locks for its members.
 ///
 /// An exception that leaves one of these functions or a callback ends the component, and only it. A
-/// new one of the same name and with the same options then takes its place, unless its --restart says
-/// otherwise or it failed too often (docs/supervision.md).
+/// new one of the same name and with the same options then takes its place, unless its --restart
+/// says otherwise or it failed too often (docs/supervision.md).
 class Component {
 public:
   Component();
@@ -185,8 +185,8 @@ private:
     "whether it is started again: always, only if it has failed, or never"};
   Option<bool> isolate_{this, "isolate", false,
                         "run it in a process of its own: whatever it does there, others go on"};
-  Option<std::int64_t> memory_limit_{
-    this, "memory-limit", 0, "MB that an isolated component may allocate; 0 for no limit"};
+  Option<std::int64_t> memory_limit_{this, "memory-limit", 0,
+                                     "MB that an isolated component may allocate; 0 for no limit"};
   Option<std::chrono::milliseconds> shutdown_{this, "shutdown", std::chrono::seconds{5},
                                               "how long the component may take to stop"};
   Option<std::uint32_t> push_limit_{

@@ -278,10 +278,10 @@ std::string resource_chart(const ChaosRun& run, std::uint64_t ResourceSample::*v
     for (auto& sample : process.samples)
       points += fmt::format("{:.1f},{:.1f} ", time(seconds(sample.at)),
                             y(static_cast<double>(sample.*value) / unit));
-    result += fmt::format("<polyline points=\"{}\" class=\"line c{}\"><title>{}</title>"
-                          "</polyline>\n",
-                          points, static_cast<std::size_t>(i) % chart_colours,
-                          escaped(process.process));
+    result +=
+      fmt::format("<polyline points=\"{}\" class=\"line c{}\"><title>{}</title>"
+                  "</polyline>\n",
+                  points, static_cast<std::size_t>(i) % chart_colours, escaped(process.process));
   }
   return result + "</svg>\n";
 }

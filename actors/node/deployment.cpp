@@ -121,9 +121,8 @@ void Deployments::no_answer(ProcessNumber from) {
 }
 
 bool Deployments::is_out_of_date() const {
-  return std::any_of(planned_.begin(), planned_.end(), [&](auto x) {
-    return processes_.state(x).link == LinkState::lost;
-  });
+  return std::any_of(planned_.begin(), planned_.end(),
+                     [&](auto x) { return processes_.state(x).link == LinkState::lost; });
 }
 
 bool Deployments::look_again() {

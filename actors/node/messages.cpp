@@ -19,8 +19,8 @@ const WireTable& system_messages() {
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
     Outcome<Value>, PushRequest, Pushed, PushesTaken,
     // Parts of a system
-    PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs, BefallComponent, BefallLink, JumpClock,
-    PartStatusQuery, PartStatus, EndSystem, TaskEvent>();
+    PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
+    BefallComponent, BefallLink, JumpClock, PartStatusQuery, PartStatus, EndSystem, TaskEvent>();
   return result;
 }
 

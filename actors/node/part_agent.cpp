@@ -17,8 +17,9 @@ constexpr std::chrono::seconds patience{10};
 void watch(Self self) {
   auto& state = self->state;
   for (auto& x : state.part->residents()) {
-    auto [i, is_new] = state.watched.try_emplace(
-      caf::actor_cast<caf::actor_addr>(x.actor), PartAgentState::Watched{x.name, x.incarnation, x.record});
+    auto [i, is_new] =
+      state.watched.try_emplace(caf::actor_cast<caf::actor_addr>(x.actor),
+                                PartAgentState::Watched{x.name, x.incarnation, x.record});
     if (is_new)
       self->monitor(x.actor);
   }
@@ -77,8 +78,8 @@ void report_end(Self self, const caf::down_msg& x) {
   if (record) {
     ended.failure = record->failure();
     if (record->state() == ComponentState::failed)
-      ended.how = record->is_orphaned() ? ComponentEnded::How::orphaned
-                                        : ComponentEnded::How::failed;
+      ended.how =
+        record->is_orphaned() ? ComponentEnded::How::orphaned : ComponentEnded::How::failed;
   } else if (x.reason && x.reason != caf::exit_reason::user_shutdown) {
     ended.how = ComponentEnded::How::failed;
     ended.failure = self->system().render(x.reason);
@@ -146,7 +147,8 @@ caf::response_promise join(Self self, JoinParts others) {
   for (auto& [name, actor] : working_memories) {
     peers.writers = state.part->writers(name);
     self->request(actor, patience, peers)
-      .then([answered](Acknowledged) { answered(); }, [answered](const caf::error&) { answered(); });
+      .then([answered](Acknowledged) { answered(); },
+            [answered](const caf::error&) { answered(); });
   }
   answer_if_joined(self);
   return promise;

@@ -2,8 +2,8 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
-#include "castor/actors/component/status.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/component/status.hpp"
 #include "castor/actors/link/mesh.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/caf.hpp"

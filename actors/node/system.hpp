@@ -44,8 +44,8 @@ struct SystemOptions {
   /// comparison.
   bool broadcast = false;
 
-  /// Components that fail are started again, as the architecture says. Otherwise each stays down, and
-  /// the others go on without it.
+  /// Components that fail are started again, as the architecture says. Otherwise each stays down,
+  /// and the others go on without it.
   bool restarts = true;
 
   /// Where nodes listen, by the hosts that the architecture names; hosts that are not here are

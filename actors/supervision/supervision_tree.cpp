@@ -41,7 +41,8 @@ void SupervisionTree::set(const ArchitectureDescription& architecture, bool rest
   system_.children.clear();
   auto add = [&](const ComponentDescription& x, std::vector<std::string>& to) {
     auto& child = children_[x.name];
-    child = {restarts ? restart_type_of(x) : RestartType::temporary, x.kind, x.subarchitecture, std::move(known[x.name].failures)};
+    child = {restarts ? restart_type_of(x) : RestartType::temporary, x.kind, x.subarchitecture,
+             std::move(known[x.name].failures)};
     to.push_back(x.name);
     order_.push_back(x.name);
   };
@@ -50,8 +51,8 @@ void SupervisionTree::set(const ArchitectureDescription& architecture, bool rest
     add(x, system_.children);
   for (auto& x : architecture.subarchitectures) {
     auto& supervisor = subarchitectures_[x.name];
-    supervisor = {architecture.supervision_of(x.name), {},
-                  std::move(known_supervisors[x.name].restarts)};
+    supervisor = {
+      architecture.supervision_of(x.name), {}, std::move(known_supervisors[x.name].restarts)};
     system_.children.push_back(x.name);
     add(x.working_memory, supervisor.children);
     add(x.task_manager, supervisor.children);

@@ -91,8 +91,8 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
     other_ran = true;
     self.end_system(7, "seen enough");
   };
-  System system{
-    architecture(subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\nCPP UM good Unmanaged\n")};
+  System system{architecture(subarchitecture("a") +
+                             "CPP UM bad Unmanaged --restart temporary\nCPP UM good Unmanaged\n")};
   EXPECT_EQ(run(system), 7);
   EXPECT_TRUE(other_ran);
   EXPECT_EQ(system.summary().components.at(1).failure, "failed in start(): no eyes");
@@ -101,8 +101,8 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
 TEST_F(LifeCycle, AFailureInConfigureIsReportedAndTheSystemStarts) {
   UnmanagedScript::scripts()["bad"].configure = [](auto&) { throw std::logic_error("no map"); };
   UnmanagedScript::scripts()["good"].run = [](auto& self) { self.end_system(0, "done"); };
-  System system{
-    architecture(subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\nCPP UM good Unmanaged\n")};
+  System system{architecture(subarchitecture("a") +
+                             "CPP UM bad Unmanaged --restart temporary\nCPP UM good Unmanaged\n")};
   EXPECT_EQ(run(system), 0);
   auto components = system.summary().components;
   auto failed = std::count_if(components.begin(), components.end(),
@@ -117,8 +117,8 @@ TEST_F(LifeCycle, AFailureInACallbackNamesTheEvent) {
   UnmanagedScript::scripts()["writer"].run = [](auto& self) {
     self.add(self.here("n1"), Note{1, "x"});
   };
-  System system{
-    architecture(subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\nCPP UM writer Unmanaged\n")};
+  System system{architecture(
+    subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\nCPP UM writer Unmanaged\n")};
   ASSERT_TRUE(system.start());
   auto bad = [&] { return system.summary().components.at(1); };
   ASSERT_EQ(bad().identity.name, "bad");
@@ -167,7 +167,8 @@ TEST_F(LifeCycle, StopHookMayStillUseWorkingMemory) {
 
 TEST_F(LifeCycle, WorkingMemoryIsNotThereInConfigure) {
   UnmanagedScript::scripts()["early"].configure = [](auto& self) { self.add(Note{}); };
-  System system{architecture(subarchitecture("a") + "CPP UM early Unmanaged --restart temporary\n")};
+  System system{
+    architecture(subarchitecture("a") + "CPP UM early Unmanaged --restart temporary\n")};
   ASSERT_TRUE(system.start());
   auto early = system.summary().components.at(1);
   EXPECT_NE(early.failure.find("use it from start() on"), std::string::npos);

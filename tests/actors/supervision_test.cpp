@@ -138,8 +138,9 @@ TEST_F(Supervision, WhoFailsTooOftenTakesItsSubarchitectureWithItAndThenTheSyste
   script("neighbour").start = [&](auto&) { ++neighbour; };
   System system{architecture("SUPERVISE a RESTARTS 2 IN 1min DELAY 1ms TO 2ms\n"
                              "SUPERVISE SYSTEM RESTARTS 1 IN 1min DELAY 1ms TO 2ms\n" +
-                             subarchitecture("a") + "CPP UM hopeless Unmanaged\n"
-                                                    "CPP UM neighbour Unmanaged\n")};
+                             subarchitecture("a") +
+                             "CPP UM hopeless Unmanaged\n"
+                             "CPP UM neighbour Unmanaged\n")};
   EXPECT_EQ(run(system), 1);
   EXPECT_THAT(system.ended()->second, HasSubstr("a has failed as a whole"));
   EXPECT_THAT(system.ended()->second, HasSubstr("never works"));
@@ -186,9 +187,8 @@ TEST_F(Supervision, ATransientComponentThatHasDoneItsWorkStaysAway) {
                              "CPP UM permanent Unmanaged\n")};
   ASSERT_TRUE(system.start());
   ASSERT_TRUE(eventually([&] { return lives == 4; }));
-  ASSERT_TRUE(eventually([&] {
-    return status_of(system.summary(), "transient").state == ComponentState::stopped;
-  }));
+  ASSERT_TRUE(eventually(
+    [&] { return status_of(system.summary(), "transient").state == ComponentState::stopped; }));
   EXPECT_EQ(status_of(system.summary(), "transient").restarts, 0U);
   EXPECT_EQ(status_of(system.summary(), "permanent").restarts, 2U);
   system.stop();
@@ -206,8 +206,8 @@ TEST_F(Supervision, PushesGoOnWhenTheirSenderIsBack) {
     }
   };
   script("client").start = [&](auto& self) {
-    self.template on_push<Note>(
-      "server", [&](const std::shared_ptr<const Note>& x) { got = x->number; });
+    self.template on_push<Note>("server",
+                                [&](const std::shared_ptr<const Note>& x) { got = x->number; });
   };
   System system{architecture("COMPONENT CPP server Standalone\n" + subarchitecture("a") +
                              "CPP UM client Unmanaged\n")};

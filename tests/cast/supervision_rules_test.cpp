@@ -39,10 +39,9 @@ TEST(SupervisionRules, MayBeForAllOthers) {
   EXPECT_EQ(x.supervision_of("vision").strategy, RestartStrategy::one_for_all);
   EXPECT_EQ(x.supervision_of("binding").strategy, RestartStrategy::one_for_one);
   EXPECT_EQ(x.supervision_of("SYSTEM").restarts, 7U);
-  EXPECT_EQ(parse(systems + "SUPERVISE * one_for_all\n")
-              .architecture->supervision_of("SYSTEM")
-              .strategy,
-            RestartStrategy::one_for_one);
+  EXPECT_EQ(
+    parse(systems + "SUPERVISE * one_for_all\n").architecture->supervision_of("SYSTEM").strategy,
+    RestartStrategy::one_for_one);
 }
 
 TEST(SupervisionRules, SayWhatIsWrong) {

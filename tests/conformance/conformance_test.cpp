@@ -42,8 +42,9 @@ std::string test_name(const testing::TestParamInfo<Path>& info) {
 std::vector<std::string> run(const Path& file, const std::vector<std::string>& flags = {}) {
   // Files of the original take options from there.
   setenv("TEST_LOG_OUTPUT", "true", 1);
-  std::vector<std::string> result{CASTOR_EXECUTABLE, "--plugin", CASTOR_CONFORMANCE_PLUGIN, "run",
-                                  file.string(), "--no-restarts"};
+  std::vector<std::string> result{
+    CASTOR_EXECUTABLE, "--plugin",     CASTOR_CONFORMANCE_PLUGIN, "run",
+    file.string(),     "--no-restarts"};
   result.insert(result.end(), flags.begin(), flags.end());
   return result;
 }

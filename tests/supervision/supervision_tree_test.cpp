@@ -70,8 +70,7 @@ TEST(SupervisionTree, RestartsTheRestForOne) {
 
 TEST(SupervisionTree, TakesAllThatDependsOnAWorkingMemory) {
   auto x = tree();
-  EXPECT_THAT(x.failed("a_wm", 1s).start,
-              ElementsAre("a_wm", "a_tm", "worker", "first", "second"));
+  EXPECT_THAT(x.failed("a_wm", 1s).start, ElementsAre("a_wm", "a_tm", "worker", "first", "second"));
   EXPECT_THAT(x.failed("a_tm", 2s).start, ElementsAre("a_tm", "worker"));
 }
 
@@ -137,8 +136,8 @@ TEST(SupervisionTree, GivesUpAtTheTop) {
 
 TEST(SupervisionTree, TakesOtherSubarchitecturesWhereItIsToldTo) {
   auto x = tree("SUPERVISE a RESTARTS 0 IN 10s\nSUPERVISE SYSTEM rest_for_one");
-  EXPECT_THAT(x.failed("first", 1s).start, ElementsAre("a_wm", "a_tm", "worker", "first", "second",
-                                                       "b_wm", "b_tm", "other"));
+  EXPECT_THAT(x.failed("first", 1s).start,
+              ElementsAre("a_wm", "a_tm", "worker", "first", "second", "b_wm", "b_tm", "other"));
 }
 
 TEST(SupervisionTree, SupervisesStandaloneComponentsAtTheTop) {
