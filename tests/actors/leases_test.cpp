@@ -180,10 +180,11 @@ TEST_F(Locks, EndWithTheirHolder) {
 }
 
 TEST_F(Locks, AreFreeAgainWhenTheOneWhoWaitedIsStopped) {
-  std::atomic<bool> waiting{false};
+  std::atomic<bool> locked{false}, waiting{false};
   script("holder").run = [&](auto& self) {
     self.add(x, Note{});
     auto guard = self.lock(x, LockLevel::odr);
+    locked = true;
     while (!waiting)
       ASSERT_TRUE(self.sleep_for(1ms));
     self.end_system(0, "done");
@@ -191,7 +192,7 @@ TEST_F(Locks, AreFreeAgainWhenTheOneWhoWaitedIsStopped) {
   };
   bool reached = false;
   script("waiter").run = [&](auto& self) {
-    while (!self.exists(x))
+    while (!locked)
       ASSERT_TRUE(self.sleep_for(1ms));
     waiting = true;
     auto guard = self.lock(x, LockLevel::o);
