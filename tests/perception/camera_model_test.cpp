@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <stdexcept>
@@ -14,6 +12,7 @@
 
 #include "castor/perception/vision/camera/camera_model_file.hpp"
 #include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 namespace castor::vision {
 
@@ -261,19 +260,16 @@ TEST(CameraFile, RefusesImpossibleNumbers) {
 }
 
 TEST(CameraFile, IsLoadedOrSaysWhy) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "camera_XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-  const std::filesystem::path folder = pattern;
+  test::TemporaryFolder folder;
   std::ofstream(folder / "left.camera") << calibration;
   EXPECT_EQ(load_camera(folder / "left.camera"), parse_camera(calibration, "").camera);
-  EXPECT_THROW(load_camera(folder), TextFileError);
+  EXPECT_THROW(load_camera(folder.path()), TextFileError);
   try {
     load_camera(folder / "missing.camera");
     FAIL() << "there is no such file";
   } catch (const TextFileError& error) {
     EXPECT_NE(std::string(error.what()).find("missing.camera"), std::string::npos);
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(CameraFileProperties, NoTextBreaksTheReader) {

@@ -1,7 +1,6 @@
 #include "castor/perception/vision/camera/image_source.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -19,6 +18,7 @@
 #include "castor/perception/vision/camera/image_source_probe.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 namespace castor::vision {
 
@@ -52,14 +52,7 @@ Image plain(std::uint8_t value) {
 class ImageSourceTest : public testing::Test {
 protected:
   ImageSourceTest() {
-    std::string pattern = (fs::temp_directory_path() / "image_source_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
     options_.clock = [this] { return now_; };
-  }
-
-  ~ImageSourceTest() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
   }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
@@ -78,7 +71,7 @@ protected:
     throw std::logic_error(spec + " could be read");
   }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
   std::chrono::microseconds now_{0};
   ImageSourceOptions options_;
 };
@@ -240,7 +233,7 @@ TEST_F(ImageSourceTest, FolderGoesThroughItsPicturesInNaturalOrder) {
   write_png(path("shot2.png"), plain(2));
   write_png(path("Shot1.PNG"), plain(1));
   std::ofstream(path("notes.txt")) << "no picture";
-  const auto source = open_image_source(folder_.string(), options_);
+  const auto source = open_image_source(folder_.path().string(), options_);
   for (const int expected : {1, 2, 10, 1}) {
     const auto frame = source->next();
     EXPECT_EQ(frame.image.bytes[0], expected);
@@ -253,7 +246,7 @@ TEST_F(ImageSourceTest, FolderMayHoldItsLastPicture) {
   write_png(path("1.png"), plain(1));
   write_png(path("2.png"), plain(2));
   options_.at_end = ImageSourceOptions::AtEnd::hold_last;
-  const auto source = open_image_source(folder_.string(), options_);
+  const auto source = open_image_source(folder_.path().string(), options_);
   EXPECT_EQ(source->next().image.bytes[0], 1);
   EXPECT_EQ(source->next().image.bytes[0], 2);
   const auto held = source->next();
@@ -266,7 +259,7 @@ TEST_F(ImageSourceTest, FolderGoesOnBehindABadPicture) {
   write_png(path("1.png"), plain(1));
   write_bytes(path("2.png"), {'x'});
   write_png(path("3.png"), plain(3));
-  const auto source = open_image_source(folder_.string(), options_);
+  const auto source = open_image_source(folder_.path().string(), options_);
   EXPECT_EQ(source->next().image.bytes[0], 1);
   try {
     source->next();
@@ -280,14 +273,14 @@ TEST_F(ImageSourceTest, FolderGoesOnBehindABadPicture) {
 
 TEST_F(ImageSourceTest, FolderOfBadPicturesGivesUp) {
   write_bytes(path("1.png"), {'x'});
-  EXPECT_EQ(fault_of(folder_.string()), ImageFault::not_an_image);
+  EXPECT_EQ(fault_of(folder_.path().string()), ImageFault::not_an_image);
 }
 
 TEST_F(ImageSourceTest, FaultsAreToldApart) {
   EXPECT_EQ(fault_of(path("missing.png")), ImageFault::not_found);
   EXPECT_EQ(fault_of(""), ImageFault::not_found);
   EXPECT_EQ(fault_of("scne:table.scene"), ImageFault::unknown_kind);
-  EXPECT_EQ(fault_of(folder_.string()), ImageFault::empty_folder);
+  EXPECT_EQ(fault_of(folder_.path().string()), ImageFault::empty_folder);
   EXPECT_EQ(fault_of("/dev/video97"), ImageFault::device_lost);
   std::ofstream(path("text.png")) << "this is a text";
   EXPECT_EQ(fault_of(path("text.png")), ImageFault::not_an_image);
@@ -302,7 +295,7 @@ TEST_F(ImageSourceTest, FaultsAreToldApart) {
 TEST_F(ImageSourceTest, RelativeNamesAreLookedForInTheBaseDirectory) {
   write_png(path("only_there.png"), plain(5));
   EXPECT_EQ(fault_of("only_there.png"), ImageFault::not_found);
-  options_.base_directory = folder_;
+  options_.base_directory = folder_.path();
   EXPECT_EQ(open_image_source("only_there.png", options_)->next().image.bytes[0], 5);
   try {
     open_image_source("nowhere.png", options_);

@@ -9,20 +9,16 @@
 namespace castor::clevr {
 namespace {
 
-std::filesystem::path data_folder() {
-  const std::filesystem::path source_root =
-    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  return source_root / ".." / "shared" / "data" / "clevr";
-}
+const std::filesystem::path data_folder = CASTOR_CLEVR;
 
 double share(const Tally& tally) {
   return static_cast<double>(tally.hits) / static_cast<double>(tally.all);
 }
 
 TEST(RegionsOnClevr, are_found_and_named) {
-  if (!std::filesystem::exists(data_folder()))
-    GTEST_SKIP() << "there are no CLEVR images at " << data_folder();
-  const auto scenes = load_scenes(data_folder());
+  if (!std::filesystem::exists(data_folder))
+    GTEST_SKIP() << "there are no CLEVR images at " << data_folder;
+  const auto scenes = load_scenes(data_folder);
   ASSERT_FALSE(scenes.empty());
   vision::RegionOptions options;
   options.shape.candidates = {"cube", "cylinder", "sphere"};
