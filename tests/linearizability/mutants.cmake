@@ -35,7 +35,7 @@ function(castor_mutant name source)
   castor_executable(${target}
     SOURCES "${mutated}" $<TARGET_OBJECTS:castor_simulation>
       $<FILTER:$<TARGET_OBJECTS:castor_wm>,EXCLUDE,/${file}\\.o$>
-    DEPENDS castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
+    DEPENDS castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3 ZLIB::ZLIB
       CLI11::CLI11 fmt::fmt)
   target_include_directories(${target} PRIVATE "${CASTOR_INCLUDE_ROOT}")
   target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
