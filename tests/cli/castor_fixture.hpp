@@ -3,6 +3,7 @@
 #include "castor/tests/support/process.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -38,6 +39,28 @@ protected:
   static std::vector<std::string> command(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {CASTOR_EXECUTABLE, "--plugin", CASTOR_TEST_PLUGIN});
     return arguments;
+  }
+
+  /// What a command that comes to an end of itself says.
+  struct Answer {
+    int status;
+    std::string output;
+    std::string errors;
+  };
+
+  static Answer ask(const std::vector<std::string>& arguments) {
+    Process castor{command(arguments)};
+    auto status = castor.wait();
+    return {status, castor.output(), castor.errors()};
+  }
+
+  /// The lines of what is printed as JSON.
+  static std::vector<nlohmann::json> json_lines(const std::string& text) {
+    std::vector<nlohmann::json> result;
+    std::istringstream in{text};
+    for (std::string line; std::getline(in, line);)
+      result.push_back(nlohmann::json::parse(line));
+    return result;
   }
 
   std::string write(const std::string& name, const std::string& text) const {

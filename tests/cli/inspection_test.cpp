@@ -33,30 +33,9 @@ using testing::Not;
 
 class Inspection : public Castor {
 protected:
-  struct Answer {
-    int status;
-    std::string output;
-    std::string errors;
-  };
-
-  static Answer ask(const std::vector<std::string>& arguments) {
-    Process castor{command(arguments)};
-    auto status = castor.wait();
-    return {status, castor.output(), castor.errors()};
-  }
-
   static json ps() {
     auto answer = ask({"ps", "--json"});
     return answer.status == 0 ? json::parse(answer.output) : json{};
-  }
-
-  /// The lines of what is printed as JSON.
-  static std::vector<json> objects(const std::string& text) {
-    std::vector<json> result;
-    std::istringstream in{text};
-    for (std::string line; std::getline(in, line);)
-      result.push_back(json::parse(line));
-    return result;
   }
 
   /// Starts a system with a ticker and somebody who hears ticks, and waits until that works.
@@ -352,7 +331,7 @@ TEST_F(Inspection, SystemsAreToldApart) {
   auto both = ask({"wm", "ls"});
   EXPECT_EQ(both.status, 2);
   EXPECT_THAT(both.errors, ContainsRegex("choose one with --system: system-[0-9]+, system-[0-9]+"));
-  EXPECT_EQ(objects(ask({"ps", "--json"}).output).size(), 2u);
+  EXPECT_EQ(json_lines(ask({"ps", "--json"}).output).size(), 2u);
   second->send_signal(SIGKILL);
   second->wait();
   auto one = ask({"wm", "ls"});

@@ -22,26 +22,10 @@ using testing::HasSubstr;
 /// Systems whose working memory keeps a journal.
 class JournalCommand : public Castor {
 protected:
-  struct Answer {
-    int status;
-    std::string output;
-    std::string errors;
-  };
-
-  static Answer ask(const std::vector<std::string>& arguments) {
-    Process castor{command(arguments)};
-    auto status = castor.wait();
-    return {status, castor.output(), castor.errors()};
-  }
-
   static std::vector<json> objects(const std::vector<std::string>& arguments) {
     auto answer = ask(arguments);
     EXPECT_EQ(answer.status, 0) << answer.errors;
-    std::vector<json> result;
-    std::istringstream in{answer.output};
-    for (std::string line; std::getline(in, line);)
-      result.push_back(json::parse(line));
-    return result;
+    return json_lines(answer.output);
   }
 
   std::string journaled(const std::string& components, const std::string& options = "full") const {

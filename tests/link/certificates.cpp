@@ -10,8 +10,6 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include <stdlib.h>
-
 namespace castor::test {
 
 namespace {
@@ -98,13 +96,6 @@ void write(const std::filesystem::path& file, EVP_PKEY* key) {
 }
 
 } // namespace
-
-Folder::Folder() {
-  auto pattern = (std::filesystem::temp_directory_path() / "castor-link-XXXXXX").string();
-  if (!mkdtemp(pattern.data()))
-    throw std::runtime_error{"no temporary directory " + pattern};
-  path_ = pattern;
-}
 
 Authority::Authority(Content content) : key_(make_key()) {
   content.is_ca = true;

@@ -11,21 +11,6 @@ struct x509_st;
 
 namespace castor::test {
 
-/// A directory that is gone with this object.
-class Folder {
-public:
-  Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-
-  operator const std::filesystem::path&() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-  std::filesystem::path path_;
-};
-
 /// What a certificate says. Times are relative to now.
 struct Content {
   std::string common_name;

@@ -1,5 +1,6 @@
 #include "castor/actors/link/credentials.hpp"
 #include "castor/tests/link/certificates.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ protected:
               1);
   }
 
-  Folder folder;
+  TemporaryFolder folder;
   Authority authority;
   Content arm_content{.common_name = "arm", .dns_names = {"arm"}};
 };

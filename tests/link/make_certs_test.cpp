@@ -2,6 +2,7 @@
 #include "castor/tests/link/certificates.hpp"
 #include "castor/tests/link/conversation.hpp"
 #include "castor/tests/support/process.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ protected:
     return status;
   }
 
-  Folder folder;
+  TemporaryFolder folder;
   std::string directory = folder / "certs";
   std::string said;
 };

@@ -1,6 +1,7 @@
 #include "castor/actors/link/secure_channel.hpp"
 #include "castor/tests/link/certificates.hpp"
 #include "castor/tests/link/conversation.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <openssl/err.h>
@@ -21,7 +22,7 @@ using Role = SecureChannel::Role;
 
 const Credentials& credentials() {
   static const auto result = [] {
-    Folder folder;
+    TemporaryFolder folder;
     return Credentials::load(Authority{}.issue(folder / "node", {.common_name = "node"}));
   }();
   return result;

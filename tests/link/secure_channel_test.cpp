@@ -2,6 +2,7 @@
 #include "castor/tests/link/certificates.hpp"
 #include "castor/tests/link/conversation.hpp"
 #include "castor/tests/link/raw_peer.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,7 +114,7 @@ protected:
     return "none";
   }
 
-  Folder folder;
+  TemporaryFolder folder;
   Authority authority;
   std::map<std::string, std::filesystem::path> directories;
 };
