@@ -1,7 +1,7 @@
 #include "castor/actors/cast/access_rules.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/cast/unknown_name.hpp"
 
 #include <cstddef>
 #include <map>
@@ -13,26 +13,11 @@ namespace castor::cast {
 
 namespace {
 
-bool is_name(const std::optional<std::string>& word) noexcept {
-  return word && !word->empty() && !word->starts_with('#');
-}
-
 void check_name(const std::string& name, const StructureLine& line,
                 const std::set<std::string, std::less<>>& subarchitectures, DiagnosticLog& log) {
-  if (name == "*" || subarchitectures.count(name) > 0)
-    return;
-  std::string remedy;
-  if (log.has_room(Severity::error)) {
-    std::vector<std::string_view> names;
-    for (auto i = subarchitectures.begin();
-         i != subarchitectures.end() && names.size() < most_candidates; ++i)
-      names.push_back(*i);
-    remedy = did_you_mean(name, names);
-  }
-  if (remedy.empty())
-    remedy = "write the name of a subarchitecture, or * for all";
-  log.report(Severity::error, *line.line, "there is no subarchitecture " + in_quotes(name),
-             std::move(remedy), line.text);
+  if (name != "*" && subarchitectures.count(name) == 0)
+    report_unknown(name, subarchitectures, "there is no subarchitecture " + in_quotes(name),
+                   "write the name of a subarchitecture, or * for all", line, log);
 }
 
 } // namespace
@@ -41,7 +26,7 @@ void AccessRules::read(WordStream& words, const StructureLine& line, DiagnosticL
   auto writer = words.next();
   auto verb = words.next();
   auto owner = words.next();
-  if (!is_name(writer) || verb != "WRITES" || !is_name(owner)) {
+  if (!is_given(writer) || verb != "WRITES" || !is_given(owner)) {
     log.report(Severity::error, *line.line, "this is no access rule",
                "write ACCESS writer WRITES owner, with names of subarchitectures or * for all",
                line.text);

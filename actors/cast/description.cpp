@@ -1,5 +1,7 @@
 #include "castor/actors/cast/description.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <algorithm>
 
 namespace castor {
@@ -58,6 +60,11 @@ const OptionSetting* ComponentDescription::option(std::string_view key_or_name) 
     return setting.name() == wanted;
   });
   return found == options.end() ? nullptr : &*found;
+}
+
+bool ComponentDescription::is_on(std::string_view key_or_name) const noexcept {
+  auto found = option(key_or_name);
+  return found != nullptr && cast::parse_truth(found->value).value_or(false);
 }
 
 const ComponentDescription*

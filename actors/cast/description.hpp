@@ -54,6 +54,9 @@ struct ComponentDescription {
   /// @param key_or_name with or without dashes
   /// @returns null if the option is not set
   const OptionSetting* option(std::string_view key_or_name) const noexcept;
+
+  /// Whether an option that is either on or off is on.
+  bool is_on(std::string_view key_or_name) const noexcept;
 };
 
 /// What the language calls the working memory of a subarchitecture.

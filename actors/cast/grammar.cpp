@@ -160,7 +160,7 @@ private:
 
   void host(const StructureLine& line, WordStream& words) {
     auto word = words.next();
-    if (!word || word->empty() || word->starts_with('#')) {
+    if (!is_given(word)) {
       report(Severity::error, line, "HOST without a host", "write HOST localhost");
       return;
     }
@@ -179,7 +179,7 @@ private:
     auto& subarchitecture = *section_->subarchitecture;
     subarchitecture.where = line.line->where();
     auto name = words.next();
-    if (!name || name->empty() || name->starts_with('#')) {
+    if (!is_given(name)) {
       report(Severity::error, line, "SUBARCHITECTURE without a name",
              "write SUBARCHITECTURE name or SUBARCHITECTURE name host");
       section_->is_broken = true;
@@ -202,7 +202,7 @@ private:
 
   std::string subarchitecture_host(const StructureLine& line, WordStream& words) {
     auto word = words.next();
-    if (word && !word->empty() && !word->starts_with('#')) {
+    if (is_given(word)) {
       words.warn_of_rest();
       return used_host(*word, line);
     }

@@ -27,9 +27,8 @@ enum class RestartType : std::uint8_t {
   temporary,
 };
 
-/// The words of the .cast language.
+/// The word of the .cast language.
 std::string_view to_string(RestartStrategy x) noexcept;
-std::string_view to_string(RestartType x) noexcept;
 
 /// How a supervisor deals with its children's failures.
 struct SupervisionPolicy {

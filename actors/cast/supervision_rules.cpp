@@ -3,6 +3,7 @@
 #include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/cast/unknown_name.hpp"
 
 #include <array>
 #include <charconv>
@@ -25,18 +26,6 @@ std::string_view to_string(RestartStrategy x) noexcept {
   return {};
 }
 
-std::string_view to_string(RestartType x) noexcept {
-  switch (x) {
-    case RestartType::permanent:
-      return "permanent";
-    case RestartType::transient:
-      return "transient";
-    case RestartType::temporary:
-      return "temporary";
-  }
-  return {};
-}
-
 } // namespace castor
 
 namespace castor::cast {
@@ -49,10 +38,6 @@ constexpr std::array strategies{RestartStrategy::one_for_one, RestartStrategy::o
 constexpr std::string_view form =
   "write SUPERVISE who [one_for_one|one_for_all|rest_for_one] [RESTARTS n IN duration] "
   "[DELAY duration TO duration], where who is a subarchitecture, * for all others, or SYSTEM";
-
-bool is_name(const std::optional<std::string>& word) noexcept {
-  return word && !word->empty() && !word->starts_with('#');
-}
 
 std::optional<std::uint32_t> parse_count(std::string_view text) noexcept {
   std::uint32_t result = 0;
@@ -129,13 +114,6 @@ private:
   WordStream& words_;
 };
 
-/// A remedy for a name that is not there.
-std::string nearest_name(const std::string& name, const std::vector<std::string_view>& names,
-                         std::string otherwise) {
-  auto guess = did_you_mean(name, names);
-  return guess.empty() ? otherwise : guess;
-}
-
 } // namespace
 
 void SupervisionRules::read_supervise(WordStream& words, const StructureLine& line,
@@ -143,7 +121,7 @@ void SupervisionRules::read_supervise(WordStream& words, const StructureLine& li
   auto who = words.next();
   std::string problem = "this line does not say whom to supervise";
   SupervisionRule rule{who.value_or(""), {}, line.line->where()};
-  if (is_name(who))
+  if (is_given(who))
     problem = PolicyReader{words}.read(rule.policy);
   if (!problem.empty()) {
     log.report(Severity::error, *line.line, problem, std::string{form}, line.text);
@@ -161,7 +139,7 @@ void SupervisionRules::read_failover(WordStream& words, const StructureLine& lin
   FailoverRule rule{who.value_or(""), {}, line.line->where()};
   while (!words.peek().empty() && !words.peek().starts_with('#'))
     rule.hosts.push_back(use_host(*words.next()));
-  if (!is_name(who) || to != "TO" || rule.hosts.empty()) {
+  if (!is_given(who) || to != "TO" || rule.hosts.empty()) {
     log.report(Severity::error, *line.line, "this line does not say what moves where",
                "write FAILOVER who TO host [host...], where who is a subarchitecture or a "
                "component",
@@ -174,18 +152,13 @@ void SupervisionRules::read_failover(WordStream& words, const StructureLine& lin
 
 void SupervisionRules::finish(const std::set<std::string, std::less<>>& subarchitectures,
                               ArchitectureDescription& to, DiagnosticLog& log) {
-  std::vector<std::string_view> names;
-  for (auto& x : subarchitectures)
-    if (names.size() < most_candidates)
-      names.push_back(x);
   std::map<std::string_view, const StructureLine*> seen;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
     auto& line = *rule_lines_[i];
     auto& who = rules_[i].who;
     if (who != "*" && who != SupervisionRule::system && subarchitectures.count(who) == 0)
-      log.report(Severity::error, *line.line, "there is no subarchitecture " + in_quotes(who),
-                 nearest_name(who, names, "write the name of a subarchitecture, * or SYSTEM"),
-                 line.text);
+      report_unknown(who, subarchitectures, "there is no subarchitecture " + in_quotes(who),
+                     "write the name of a subarchitecture, * or SYSTEM", line, log);
     auto [first, is_new] = seen.try_emplace(who, &line);
     if (!is_new)
       log.report(Severity::error, *line.line,
@@ -200,15 +173,11 @@ void SupervisionRules::finish(const std::set<std::string, std::less<>>& subarchi
       return;
     movable.insert(x.name);
   });
-  for (auto& x : movable)
-    if (subarchitectures.count(x) == 0 && names.size() < most_candidates)
-      names.push_back(x);
   for (std::size_t i = 0; i < failovers_.size(); ++i)
     if (auto& who = failovers_[i].who; movable.count(who) == 0)
-      log.report(Severity::error, *failover_lines_[i]->line,
-                 "there is neither a subarchitecture nor a component " + in_quotes(who),
-                 nearest_name(who, names, "write the name of a subarchitecture or a component"),
-                 failover_lines_[i]->text);
+      report_unknown(
+        who, movable, "there is neither a subarchitecture nor a component " + in_quotes(who),
+        "write the name of a subarchitecture or a component", *failover_lines_[i], log);
   to.supervision = std::move(rules_);
   to.failover = std::move(failovers_);
 }

@@ -80,4 +80,14 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
+std::optional<bool> parse_truth(std::string_view text) noexcept {
+  for (auto yes : {"true", "yes", "on", "1"})
+    if (text == yes)
+      return true;
+  for (auto no : {"false", "no", "off", "0"})
+    if (text == no)
+      return false;
+  return std::nullopt;
+}
+
 } // namespace castor::cast

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,5 +39,8 @@ std::string in_quotes(std::string_view text);
 std::string printable(std::string_view text);
 
 std::string lower_case(std::string_view text);
+
+/// true, yes, on, 1; false, no, off, 0; nothing for any other text.
+std::optional<bool> parse_truth(std::string_view text) noexcept;
 
 } // namespace castor::cast

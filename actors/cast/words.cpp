@@ -4,6 +4,10 @@
 
 namespace castor::cast {
 
+bool is_given(const std::optional<std::string>& word) noexcept {
+  return word && !word->empty() && !word->starts_with('#');
+}
+
 WordStream::WordStream(const StructureLine& line, const Environment& environment,
                        DiagnosticLog& log)
   : line_(line), rest_(line.text), environment_(environment), log_(log) {

@@ -10,6 +10,9 @@
 
 namespace castor::cast {
 
+/// Whether a word is there at all: the line has not ended, and no comment has begun.
+bool is_given(const std::optional<std::string>& word) noexcept;
+
 /// The words of a line, one after the other. A word that begins with `$` is replaced as a whole by
 /// the environment variable that it names; the value is not split again. Words that nobody asks for
 /// are not replaced, so an undefined environment variable in a comment does no harm.

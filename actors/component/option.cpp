@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/component/component.hpp"
 
 #include <algorithm>
@@ -36,16 +37,9 @@ bool parse_number(std::string_view text, T& out) {
 } // namespace
 
 bool parse_option(std::string_view text, bool& out) {
-  for (auto yes : {"true", "yes", "on", "1"})
-    if (text == yes)
-      return out = true;
-  for (auto no : {"false", "no", "off", "0"}) {
-    if (text == no) {
-      out = false;
-      return true;
-    }
-  }
-  return false;
+  auto x = cast::parse_truth(text);
+  out = x.value_or(out);
+  return x.has_value();
 }
 
 bool parse_option(std::string_view text, std::int64_t& out) {

@@ -17,9 +17,9 @@ using Names = std::vector<std::string_view>;
 /// Lists longer than that are of no help in a message.
 constexpr std::size_t most_listed = 10;
 
-bool is_set(const ComponentDescription& x, std::string_view option) {
-  auto setting = x.option(option);
-  return setting != nullptr && setting->value != "false" && !setting->value.empty();
+bool has_journal(const ComponentDescription& working_memory) {
+  auto mode = working_memory.option("journal");
+  return mode != nullptr && mode->value != "off";
 }
 
 bool has(const Names& names, std::string_view name) {
@@ -209,10 +209,10 @@ FaultTargets targets_of(const ArchitectureDescription& architecture,
                         std::vector<std::string> nodes) {
   FaultTargets result;
   for_each_component(architecture, [&](const ComponentDescription& x) {
-    result.components.push_back({x.name, x.subarchitecture, x.kind, is_set(x, "isolate")});
+    result.components.push_back({x.name, x.subarchitecture, x.kind, x.is_on("isolate")});
   });
   for (auto& x : architecture.subarchitectures)
-    result.subarchitectures.push_back({x.name, is_set(x.working_memory, "journal")});
+    result.subarchitectures.push_back({x.name, has_journal(x.working_memory)});
   result.nodes = std::move(nodes);
   return result;
 }

@@ -1,6 +1,7 @@
 #include "castor/actors/supervision/supervision_tree.hpp"
 
 #include "castor/actors/cast/duration.hpp"
+#include "castor/actors/component/component.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -12,12 +13,10 @@ namespace castor {
 namespace {
 
 RestartType restart_type_of(const ComponentDescription& x) {
-  auto* option = x.option("restart");
-  if (!option)
-    return RestartType::permanent;
-  for (auto type : {RestartType::transient, RestartType::temporary})
-    if (option->value == to_string(type))
-      return type;
+  if (auto* option = x.option("restart"))
+    for (auto& [name, type] : reflection_of<RestartType>().enumerators)
+      if (option->value == name)
+        return type;
   return RestartType::permanent;
 }
 

@@ -37,19 +37,18 @@ std::string flaws_of(std::string_view text) {
 }
 
 const FaultTargets& table_top() {
-  static const auto result =
-    targets_of_text("HOST localhost\n"
-                    "SUBARCHITECTURE vision\n"
-                    "CPP WM SubarchitectureWorkingMemory --journal /tmp/journals\n"
-                    "CPP TM AlwaysPositiveTaskManager\n"
-                    "CPP MG segmentor Segmentor\n"
-                    "CPP MG tracker Tracker --isolate\n"
-                    "SUBARCHITECTURE binding\n"
-                    "CPP WM SubarchitectureWorkingMemory\n"
-                    "CPP TM AlwaysPositiveTaskManager\n"
-                    "CPP UM binder Binder\n"
-                    "COMPONENT CPP camera Camera\n",
-                    {"node1", "node2"});
+  static const auto result = targets_of_text("HOST localhost\n"
+                                             "SUBARCHITECTURE vision\n"
+                                             "CPP WM SubarchitectureWorkingMemory --journal full\n"
+                                             "CPP TM AlwaysPositiveTaskManager\n"
+                                             "CPP MG segmentor Segmentor --isolate off\n"
+                                             "CPP MG tracker Tracker --isolate\n"
+                                             "SUBARCHITECTURE binding\n"
+                                             "CPP WM SubarchitectureWorkingMemory --journal off\n"
+                                             "CPP TM AlwaysPositiveTaskManager\n"
+                                             "CPP UM binder Binder\n"
+                                             "COMPONENT CPP camera Camera\n",
+                                             {"node1", "node2"});
   return result;
 }
 
