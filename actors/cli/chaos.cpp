@@ -1,13 +1,14 @@
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/duration_option.hpp"
 #include "castor/actors/cli/final_state.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/process_resources.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/cli/read_plan.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
-#include "castor/actors/faults/fault_targets.hpp"
 #include "castor/actors/faults/injector.hpp"
 #include "castor/actors/faults/outages.hpp"
 #include "castor/actors/faults/random_plan.hpp"
@@ -28,11 +29,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -55,16 +54,6 @@ struct Arguments {
   std::string settle = "2s";
   std::string bound = "10s";
 };
-
-std::chrono::milliseconds duration(const std::string& text) {
-  if (auto result = cast::parse_duration(text))
-    return *result;
-  throw std::invalid_argument("write a duration such as 500ms, 10s or 2min, not " + text);
-}
-
-void print(const std::vector<cast::Diagnostic>& problems) {
-  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
-}
 
 /// What has been noticed of components, by one thread while another looks.
 class Notes {
@@ -93,8 +82,9 @@ private:
 class Chaos {
 public:
   Chaos(const Arguments& arguments, const std::vector<std::string>& plugins)
-    : arguments_(arguments), plugins_(plugins), duration_(duration(arguments.duration)),
-      settle_(duration(arguments.settle)), question_{{arguments.same.begin(), arguments.same.end()},
+    : arguments_(arguments), plugins_(plugins), duration_(duration(arguments.duration).value()),
+      settle_(duration(arguments.settle).value()), question_{
+                                                     {arguments.same.begin(), arguments.same.end()},
                                                      {arguments.but_for.begin(),
                                                       arguments.but_for.end()}} {}
 
@@ -104,7 +94,7 @@ public:
       return bad_input;
     if (arguments_.spread > 0)
       spread(*architecture, arguments_.spread);
-    if (!read_plan(*architecture))
+    if (!take_plan(*architecture))
       return bad_input;
     result_.system = arguments_.architecture.file;
     result_.command = command();
@@ -121,24 +111,20 @@ public:
   }
 
 private:
-  bool read_plan(const ArchitectureDescription& architecture) {
-    std::vector<std::string> nodes;
-    for (auto& [host, name] : other_hosts(architecture))
-      nodes.push_back(name);
-    targets_ = faults::targets_of(architecture, nodes);
+  /// Of the user's plan, or a random one; false if it cannot be brought about.
+  bool take_plan(const ArchitectureDescription& architecture) {
+    targets_ = targets_in(architecture);
     if (!arguments_.plan.empty()) {
-      auto parsed = faults::parse_plan_file(arguments_.plan);
-      print(parsed.diagnostics);
-      if (!parsed.ok())
+      auto plan = read_plan(arguments_.plan, targets_);
+      if (!plan)
         return false;
-      plan_ = *std::move(parsed.plan);
+      plan_ = *std::move(plan);
     }
     seed_ = arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000));
-    if (arguments_.plan.empty())
-      plan_ = faults::random_plan(targets_, seed_, duration_);
-    auto problems = faults::check_plan(plan_, targets_);
-    print(problems);
-    return problems.empty();
+    if (!arguments_.plan.empty())
+      return true;
+    plan_ = faults::random_plan(targets_, seed_, duration_);
+    return is_possible(plan_, targets_);
   }
 
   /// What makes the same faults once more.
@@ -273,7 +259,7 @@ private:
   }
 
   void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {
-    auto bound = duration(arguments_.bound);
+    auto bound = duration(arguments_.bound).value();
     result_.outages =
       faults::outages_of(notes, [&](const std::string&) { return Timestamp{bound}; });
     auto late = faults::late_recoveries(result_.outages, end);
@@ -319,8 +305,8 @@ private:
       violation("interrupted", "the run did not come to its end");
     if (!arguments_.report.empty()) {
       std::filesystem::create_directories(arguments_.report);
-      std::ofstream{arguments_.report / "chaos.html"} << faults::to_html(result_);
-      std::ofstream{arguments_.report / "chaos.json"} << faults::to_json(result_);
+      create(arguments_.report / "chaos.html") << faults::to_html(result_);
+      create(arguments_.report / "chaos.json") << faults::to_json(result_);
     }
     fmt::print("\n{}", faults::to_text(result_, isatty(STDOUT_FILENO) != 0));
     if (!arguments_.report.empty())
@@ -359,7 +345,8 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
                  "the same faults")
     ->type_name("N");
   command->add_option("--duration", arguments->duration, "how long faults happen; by default 1min")
-    ->type_name("DURATION");
+    ->type_name("DURATION")
+    ->check(check_duration);
   command->add_option("--report", arguments->report, "write chaos.html and chaos.json here")
     ->type_name("DIR");
   command
@@ -381,11 +368,13 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
   command
     ->add_option("--settle", arguments->settle,
                  "the end is when nothing has changed for so long; by default 2s")
-    ->type_name("DURATION");
+    ->type_name("DURATION")
+    ->check(check_duration);
   command
     ->add_option("--bound", arguments->bound,
                  "whatever goes down has to be back, or given up, so soon; by default 10s")
-    ->type_name("DURATION");
+    ->type_name("DURATION")
+    ->check(check_duration);
   command->footer(
     "All nodes that the file names are started on this machine.\n"
     "Exit status: 0 if everything held, 1 if something did not, 2 if the run could not be made.\n"

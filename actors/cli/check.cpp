@@ -1,8 +1,9 @@
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/cast/json.hpp"
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
-#include "castor/actors/faults/fault_targets.hpp"
+#include "castor/actors/cli/read_plan.hpp"
 #include "castor/actors/node/placement.hpp"
 
 #include <CLI/App.hpp>
@@ -35,24 +36,6 @@ std::size_t count_components(const ArchitectureDescription& x) {
   return result;
 }
 
-void print(const std::vector<cast::Diagnostic>& problems) {
-  std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
-}
-
-/// Says what is wrong with the plan; whether that is nothing.
-bool check_plan(const std::string& file, const ArchitectureDescription& architecture) {
-  auto result = faults::parse_plan_file(file);
-  print(result.diagnostics);
-  if (!result.ok())
-    return false;
-  std::vector<std::string> nodes;
-  for (auto& [host, name] : other_hosts(architecture))
-    nodes.push_back(name);
-  auto problems = faults::check_plan(*result.plan, faults::targets_of(architecture, nodes));
-  print(problems);
-  return problems.empty();
-}
-
 int check(const Arguments& arguments) {
   auto architecture = read_architecture(arguments.architecture, arguments.expand);
   if (!architecture)
@@ -63,7 +46,7 @@ int check(const Arguments& arguments) {
   print(problems);
   auto is_good = problems.empty();
   if (!arguments.plan.empty())
-    is_good = check_plan(arguments.plan, *architecture) && is_good;
+    is_good = read_plan(arguments.plan, targets_in(*architecture)).has_value() && is_good;
   if (arguments.json)
     fmt::print("{}\n", to_json(*architecture));
   if (!is_good)

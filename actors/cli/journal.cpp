@@ -3,6 +3,7 @@
 #include "castor/actors/cli/journal_replay.hpp"
 #include "castor/actors/cli/json_schema.hpp"
 #include "castor/actors/cli/mcap.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/node/inspection_json.hpp"
@@ -272,11 +273,8 @@ void export_mcap(const Arguments& arguments) {
 
 void export_jsonl(const Arguments& arguments) {
   std::ofstream file;
-  if (arguments.jsonl != "-") {
-    file.open(arguments.jsonl);
-    if (!file)
-      throw std::runtime_error("cannot write " + arguments.jsonl);
-  }
+  if (arguments.jsonl != "-")
+    file = create(arguments.jsonl);
   for_each_change(arguments.files, [&](const std::string& name, const JournalRecord& x) {
     auto line = message_of(name, x) + '\n';
     if (file.is_open())

@@ -1,5 +1,6 @@
 #include "castor/actors/cli/journal_replay.hpp"
 
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/running_system.hpp"
@@ -105,7 +106,7 @@ int replay_into_own(const Arguments& arguments, const Json& request,
   try {
     system.emplace(std::move(*architecture), options);
   } catch (const SystemError& e) {
-    std::fputs(cast::render(e.diagnostics()).c_str(), stderr);
+    print(e.diagnostics());
     return bad_input;
   }
   int status = success;

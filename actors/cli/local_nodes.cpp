@@ -246,9 +246,7 @@ std::map<std::string, LocalNode> isolate(ArchitectureDescription& architecture,
   std::map<std::string, LocalNode> result;
   auto elsewhere = other_hosts(architecture);
   for_each_component(architecture, [&](ComponentDescription& x) {
-    auto* isolated = x.option("isolate");
-    bool wanted = false;
-    if (!isolated || !detail::parse_option(isolated->value, wanted) || !wanted)
+    if (!x.is_on("isolate"))
       return;
     if (elsewhere.count(x.host) > 0 && nodes.count(x.host) == 0)
       throw std::invalid_argument(

@@ -1,9 +1,8 @@
 #include "castor/actors/cli/process_resources.hpp"
 
-#include <unistd.h>
+#include "castor/actors/node/usage.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 namespace castor::cli {
@@ -26,13 +25,12 @@ std::optional<std::uint64_t> count_in(const std::filesystem::path& folder) {
 std::optional<faults::ResourceSample> sample_of(pid_t process) {
   std::filesystem::path folder{"/proc/" + std::to_string(process)};
   faults::ResourceSample result;
-  std::uint64_t pages = 0;
-  std::uint64_t resident = 0;
+  auto memory = resident_bytes(process);
   auto files = count_in(folder / "fd");
   auto threads = count_in(folder / "task");
-  if (!(std::ifstream{folder / "statm"} >> pages >> resident) || !files || !threads)
+  if (!memory || !files || !threads)
     return std::nullopt;
-  result.memory = resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  result.memory = *memory;
   result.files = *files;
   result.threads = *threads;
   return result;

@@ -1,11 +1,10 @@
 #include "castor/actors/cli/read_architecture.hpp"
 
 #include "castor/actors/cast/parser.hpp"
+#include "castor/actors/cli/output.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-
-#include <unistd.h>
 
 #include <cstdio>
 
@@ -39,8 +38,7 @@ std::optional<ArchitectureDescription> read_architecture(const ArchitectureArgum
   cast::ParseOptions options;
   options.variables = variables_of(arguments);
   auto result = cast::parse_file(arguments.file, options);
-  auto report = cast::render(result.diagnostics, isatty(STDERR_FILENO) != 0);
-  std::fputs(report.c_str(), stderr);
+  print(result.diagnostics);
   if (expand)
     for (auto& line : result.expansions)
       std::puts(line.c_str());

@@ -1,5 +1,7 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/duration_option.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/signals.hpp"
@@ -52,25 +54,6 @@ struct Arguments {
   bool insecure = false;
   bool verbose = false;
 };
-
-std::optional<std::chrono::nanoseconds> duration(const std::string& text) {
-  std::chrono::milliseconds result{};
-  if (text.empty() || !detail::parse_option(text, result))
-    return std::nullopt;
-  return result;
-}
-
-std::string check_duration(const std::string& text) {
-  return duration(text) ? std::string{}
-                        : "write a duration such as 500ms, 10s or 2min, not " + text;
-}
-
-std::ofstream create(const std::filesystem::path& file) {
-  std::ofstream result{file};
-  if (!result)
-    throw std::runtime_error("cannot write " + file.string());
-  return result;
-}
 
 /// Prints and writes the timeline; used by one thread at a time.
 class Timeline {
@@ -166,7 +149,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   try {
     system = std::make_unique<System>(std::move(*architecture), options);
   } catch (const SystemError& e) {
-    std::fputs(cast::render(e.diagnostics(), isatty(STDERR_FILENO) != 0).c_str(), stderr);
+    print(e.diagnostics());
     return bad_input;
   }
   int status = success;

@@ -14,8 +14,10 @@ void Deployments::add(Order x) {
     begin();
 }
 
-template <class Question, class Take>
-void Deployments::ask(const Question& question, Take take, std::function<void()> then) {
+template <class Answer, class Question>
+void Deployments::ask(const Question& question,
+                      std::function<void(ProcessNumber, const Answer&)> take,
+                      std::function<void()> then) {
   then_ = std::move(then);
   missing_.clear();
   auto number = ++question_;
@@ -29,7 +31,6 @@ void Deployments::ask(const Question& question, Take take, std::function<void()>
       if (number == self->question_ && self->missing_.erase(process) > 0)
         self->go_on_if_answered();
     };
-    using Answer = typename Take::Answer;
     self_->request(processes_.agent(process), patience_, question)
       .then(
         [self = shared_from_this(), take, process, number, answered](const Answer& x) {
@@ -47,21 +48,6 @@ void Deployments::ask(const Question& question, Take take, std::function<void()>
   go_on_if_answered();
 }
 
-namespace {
-
-/// What to do with answers of a kind.
-template <class T>
-struct Taking {
-  using Answer = T;
-  std::function<void(ProcessNumber, const T&)> f;
-  void operator()(ProcessNumber from, const T& x) const {
-    if (f)
-      f(from, x);
-  }
-};
-
-} // namespace
-
 void Deployments::begin() {
   problems_.clear();
   auto plan = orders_.front().plan();
@@ -69,18 +55,16 @@ void Deployments::begin() {
   for (std::size_t i = 0; i < plan.processes.size(); ++i)
     if (!plan.processes[i].lost)
       planned_.insert(static_cast<ProcessNumber>(i));
-  ask(plan,
-      Taking<PartMade>{[self = shared_from_this(), plan](ProcessNumber from, const PartMade& x) {
-        self->take(plan, from, x);
-      }},
-      [this, plan] {
-        if (!problems_.empty())
-          return finish();
-        std::set<std::string> names{working_memory_of(health_subarchitecture)};
-        for_each_component(plan.architecture, [&](auto& x) { names.insert(x.name); });
-        std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
-        introduce();
-      });
+  ask<PartMade>(
+    plan, [this, plan](ProcessNumber from, const PartMade& x) { take(plan, from, x); },
+    [this, plan] {
+      if (!problems_.empty())
+        return finish();
+      std::set<std::string> names{working_memory_of(health_subarchitecture)};
+      for_each_component(plan.architecture, [&](auto& x) { names.insert(x.name); });
+      std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
+      introduce();
+    });
 }
 
 void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade& made) {
@@ -96,7 +80,8 @@ void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade&
 }
 
 void Deployments::introduce() {
-  ask(JoinParts{actors_}, Taking<Acknowledged>{}, [this] { finish(); });
+  ask<Acknowledged>(
+    JoinParts{actors_}, [](ProcessNumber, const Acknowledged&) {}, [this] { finish(); });
 }
 
 void Deployments::finish() {

@@ -47,8 +47,9 @@ public:
 
 private:
   /// Asks every process that is not lost, and goes on once those have answered that count.
-  template <class Question, class Take>
-  void ask(const Question& question, Take take, std::function<void()> then);
+  template <class Answer, class Question>
+  void ask(const Question& question, std::function<void(ProcessNumber, const Answer&)> take,
+           std::function<void()> then);
   void begin();
   /// Whether a process was lost on which the plan under way counts, so that others wait for it.
   bool is_out_of_date() const;

@@ -17,23 +17,29 @@ namespace castor {
 
 namespace {
 
-/// Calls `f` with every component line that the plan gives to a process, in the order of the file.
+/// The working memory that tells of the system's health, which no file names.
+const ComponentDescription& health_working_memory() {
+  static const auto result = [] {
+    ComponentDescription x;
+    x.kind = ComponentKind::working_memory;
+    x.subarchitecture = health_subarchitecture;
+    x.name = working_memory_of(x.subarchitecture);
+    x.class_name = WorkingMemoryClass::name;
+    return x;
+  }();
+  return result;
+}
+
+/// Calls `f` with every component that the plan gives to a process, in the order of the file. The
+/// system's health is kept beside its supervisor.
 template <class F>
 void for_each_own(const PartPlan& plan, ProcessNumber self, F&& f) {
   for_each_component(plan.architecture, [&](const ComponentDescription& x) {
     if (process_of(plan.placement, x.name) == self)
       f(x);
   });
-}
-
-/// The working memory that tells of the system's health, which no file names.
-ComponentDescription health_working_memory() {
-  ComponentDescription result;
-  result.kind = ComponentKind::working_memory;
-  result.subarchitecture = health_subarchitecture;
-  result.name = working_memory_of(result.subarchitecture);
-  result.class_name = WorkingMemoryClass::name;
-  return result;
+  if (plan.supervisor && self == 0)
+    f(health_working_memory());
 }
 
 caf::resumable* as_resumable(const WorkingMemoryActor& x) {
@@ -71,27 +77,18 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::vector<cast::Diagnostic> problems;
   std::map<std::string, std::uint64_t> wanted;
   std::vector<const ComponentDescription*> missing;
-  auto want = [&](const ComponentDescription& x) {
-    auto i = plan.incarnations.find(x.name);
-    wanted[x.name] = i == plan.incarnations.end() ? 1 : i->second;
-  };
-  for_each_own(plan, self_, want);
-  auto health = health_working_memory();
-  if (plan.supervisor && self_ == 0)
-    want(health);
   std::map<std::string, std::uint64_t> here;
   for (auto& x : residents())
     here[x.name] = x.incarnation;
-  auto look_for = [&](const ComponentDescription& x) {
+  for_each_own(plan, self_, [&](const ComponentDescription& x) {
+    auto life = plan.incarnations.find(x.name);
+    auto& incarnation = wanted[x.name] = life == plan.incarnations.end() ? 1 : life->second;
     auto i = here.find(x.name);
-    if (i != here.end() && i->second == wanted.at(x.name))
+    if (i != here.end() && i->second == incarnation)
       return;
     missing.push_back(&x);
     check_class(x, problems);
-  };
-  for_each_own(plan, self_, look_for);
-  if (wanted.count(health.name) > 0)
-    look_for(health);
+  });
   if (!problems.empty())
     return problems;
   // Before anything is made: what a journal holds may be what is in the way.

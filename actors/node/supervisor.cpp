@@ -2,12 +2,12 @@
 
 #include "castor/actors/cast/duration.hpp"
 #include "castor/actors/component/log.hpp"
-#include "castor/actors/component/option.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/deployment.hpp"
+#include "castor/actors/node/health_log.hpp"
+#include "castor/actors/node/round.hpp"
 #include "castor/actors/supervision/health.hpp"
 #include "castor/actors/supervision/supervision_tree.hpp"
-#include "castor/wm/working_memory_protocol.hpp"
 
 #include <fmt/core.h>
 
@@ -16,7 +16,6 @@
 #include <list>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace castor {
@@ -63,62 +62,6 @@ struct Child {
   bool isolated = false;
   /// Nobody will start it again.
   bool given_up = false;
-  /// Since when it has not been there, and whether that was made known.
-  std::optional<Clock::time_point> down_since;
-};
-
-using Names = std::set<std::string>;
-
-/// The stopping and starting of some children, one step after the other.
-struct Round {
-  enum class Step : std::uint8_t { stop, wait, make, configure, start };
-
-  std::uint64_t id = 0;
-  std::vector<std::string> stop;
-  std::vector<std::string> start;
-  /// The same in another order.
-  std::vector<std::string> configure;
-  Timestamp delay{0};
-  /// Whether it makes what it starts anew.
-  bool makes = false;
-  Step step = Step::stop;
-  /// Counts steps, so that a late reminder is known as such.
-  std::uint64_t steps = 0;
-  /// Who is being stopped, configured or started now, as an index.
-  std::size_t at = 0;
-  /// Whether that one was told to.
-  bool asked = false;
-  Clock::time_point since;
-  /// Who failed meanwhile, to be dealt with when the round is over.
-  std::vector<ComponentEnded> failures;
-  /// Whose process was lost meanwhile.
-  Names gone;
-  std::vector<std::string> stopped;
-  std::vector<std::string> stuck;
-  std::function<void(const Round&)> done;
-
-  /// In which its components go through the present phase: those outside the subarchitectures are
-  /// configured last, and started first.
-  const std::vector<std::string>& order() const {
-    return step == Step::configure ? configure : start;
-  }
-
-  bool concerns(const std::string& name) const {
-    return std::count(stop.begin(), stop.end(), name) > 0 ||
-           std::count(start.begin(), start.end(), name) > 0;
-  }
-
-  bool overlaps(const Round& other) const {
-    auto concerned = [&](auto& name) { return other.concerns(name); };
-    return std::any_of(stop.begin(), stop.end(), concerned) ||
-           std::any_of(start.begin(), start.end(), concerned);
-  }
-
-  bool includes(const Round& other) const {
-    auto concerned = [&](auto& name) { return concerns(name); };
-    return std::all_of(other.stop.begin(), other.stop.end(), concerned) &&
-           std::all_of(other.start.begin(), other.start.end(), concerned);
-  }
 };
 
 /// What runs in a process that takes the place of a lost one.
@@ -133,7 +76,8 @@ public:
   Supervisor(caf::event_based_actor* self, SupervisorParts parts)
     : self_(self), parts_(std::move(parts)), processes_(*parts_.processes),
       options_(*parts_.options), tree_(std::random_device{}()),
-      deployments_(std::make_shared<Deployments>(self, processes_, options_.part_patience)) {}
+      deployments_(std::make_shared<Deployments>(self, processes_, options_.part_patience)),
+      health_(self, *deployments_, options_) {}
 
   caf::behavior begin() {
     auto me = shared_from_this();
@@ -198,11 +142,11 @@ private:
       child.kind = x.kind;
       child.subarchitecture = x.subarchitecture;
       child.shutdown = options_.stop_patience;
-      if (auto* option = x.option("isolate"))
-        detail::parse_option(option->value, child.isolated);
+      child.isolated = x.is_on("isolate");
       if (auto* option = x.option("shutdown"))
         child.shutdown = cast::parse_duration(option->value).value_or(child.shutdown);
     });
+    health_.forget_others(architecture_);
   }
 
   PartPlan plan() const {
@@ -404,9 +348,10 @@ private:
     for (auto& name : round.start) {
       auto& child = children_.at(name);
       ++child.incarnation;
-      others_know = others_know || child.kind == ComponentKind::working_memory ||
+      bool moves = moved_.erase(name) > 0;
+      others_know = others_know || moves || child.kind == ComponentKind::working_memory ||
                     child.kind == ComponentKind::task_manager ||
-                    child.kind == ComponentKind::standalone || moved_.erase(name) > 0;
+                    child.kind == ComponentKind::standalone;
     }
     if (others_know)
       make_by_plan(round);
@@ -693,58 +638,18 @@ private:
     begin_round(std::move(round));
   }
 
-  // -- health
+  // -- what is made known
+
+  HealthLog::Subject subject(const std::string& name) const {
+    auto& child = children_.at(name);
+    return {name, child.subarchitecture, child.incarnation};
+  }
 
   void note_down(const std::string& name, const std::string& reason, bool will_restart) {
-    auto& child = children_.at(name);
-    if (child.down_since && will_restart)
-      return;
-    if (!child.down_since)
-      child.down_since = Clock::now();
-    log(LogLevel::warning, name, reason + (will_restart ? "; it is started again" : ""));
-    ComponentDown x{name, child.subarchitecture, child.incarnation, reason, will_restart};
-    if (options_.on_down)
-      options_.on_down(x);
-    write_health(name, Value::of(std::move(x)));
+    health_.down(subject(name), reason, will_restart);
   }
 
-  void note_up(const std::string& name) {
-    auto& child = children_.at(name);
-    auto since = std::exchange(child.down_since, std::nullopt);
-    if (!since)
-      return;
-    auto down = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - *since);
-    log(LogLevel::info, name,
-        fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
-    ComponentUp x{name, child.subarchitecture, child.incarnation, down.count()};
-    if (options_.on_up)
-      options_.on_up(x);
-    write_health(name, Value::of(std::move(x)));
-  }
-
-  /// Replaces what is there of a component.
-  void write_health(const std::string& name, Value value) {
-    static const auto client =
-      std::make_shared<const Client>(Client{"supervisor", health_subarchitecture, 1});
-    auto i = deployments_->actors().find(working_memory_of(health_subarchitecture));
-    if (i == deployments_->actors().end())
-      return;
-    auto wm = caf::actor_cast<WorkingMemoryActor>(i->second);
-    WriteRequest request;
-    request.address = {health_subarchitecture, name};
-    request.client = client;
-    auto send = [&] {
-      self_->request(wm, caf::infinite, request)
-        .then([](const Outcome<Version>&) {}, [](const caf::error&) {});
-    };
-    if (!told_of_.insert(name).second) {
-      request.operation = Operation::remove;
-      send();
-    }
-    request.operation = Operation::add;
-    request.value = std::move(value);
-    send();
-  }
+  void note_up(const std::string& name) { health_.up(subject(name)); }
 
   // -- processes
 
@@ -863,6 +768,7 @@ private:
   Placement placement_;
   SupervisionTree tree_;
   std::shared_ptr<Deployments> deployments_;
+  HealthLog health_;
   std::map<std::string, Child> children_;
   std::list<Round> rounds_;
   /// Those that have to wait for others.
@@ -872,8 +778,6 @@ private:
   Names moved_;
   /// Processes that are to take the places of lost ones, and what will run there.
   std::map<ProcessNumber, Awaited> awaited_;
-  /// Those of whom there is an entry.
-  Names told_of_;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <string>
 
 namespace castor {
 
@@ -23,11 +24,16 @@ ProcessUsage usage_of_process() {
   getrusage(RUSAGE_SELF, &usage);
   result.cpu = duration(usage.ru_utime) + duration(usage.ru_stime);
   result.age = std::chrono::steady_clock::now() - begin;
+  result.memory_bytes = resident_bytes(getpid()).value_or(0);
+  return result;
+}
+
+std::optional<std::uint64_t> resident_bytes(pid_t process) {
   std::uint64_t pages = 0;
   std::uint64_t resident = 0;
-  if (std::ifstream{"/proc/self/statm"} >> pages >> resident)
-    result.memory_bytes = resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  return result;
+  if (!(std::ifstream{"/proc/" + std::to_string(process) + "/statm"} >> pages >> resident))
+    return std::nullopt;
+  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 } // namespace castor
