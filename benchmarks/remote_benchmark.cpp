@@ -12,6 +12,7 @@
 #include "castor/actors/node/node.hpp"
 #include "castor/actors/node/system.hpp"
 #include "castor/actors/registry.hpp"
+#include "castor/benchmarks/own_process.hpp"
 #include "castor/benchmarks/race.hpp"
 #include "castor/wm/caf.hpp"
 
@@ -20,16 +21,10 @@
 
 #include <fmt/core.h>
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -264,9 +259,7 @@ int serve() {
   auto bare_port = *system.middleman().publish(server, 0, "127.0.0.1");
   std::printf("%d %d\n", node_port, bare_port);
   std::fflush(stdout);
-  // Until the benchmark is over.
-  std::string line;
-  std::getline(std::cin, line);
+  await_end_of_input();
   std::_Exit(0);
 }
 
@@ -274,45 +267,17 @@ int serve() {
 class Server {
 public:
   Server() {
-    std::array<int, 2> in{};
-    std::array<int, 2> out{};
-    if (pipe(in.data()) != 0 || pipe(out.data()) != 0)
+    if (std::sscanf(process_.first_line().c_str(), "%hu %hu", &node_port_, &bare_port_) != 2)
       std::abort();
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
-    for (int x : {in[0], in[1], out[0], out[1]})
-      posix_spawn_file_actions_addclose(&actions, x);
-    std::string name = "remote_benchmark";
-    std::string argument = "--serve";
-    std::array<char*, 4> arguments{name.data(), argument.data(), tls.data(), nullptr};
-    if (posix_spawn(&id_, "/proc/self/exe", &actions, nullptr, arguments.data(), environ) != 0)
-      std::abort();
-    posix_spawn_file_actions_destroy(&actions);
-    close(in[0]);
-    close(out[1]);
-    input_ = in[1];
-    auto* lines = fdopen(out[0], "r");
-    if (std::fscanf(lines, "%d %d", &node_port_, &bare_port_) != 2)
-      std::abort();
-    std::fclose(lines);
-  }
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-  ~Server() {
-    close(input_);
-    waitpid(id_, nullptr, 0);
   }
 
-  Endpoint node() const { return {"127.0.0.1", static_cast<std::uint16_t>(node_port_)}; }
-  std::uint16_t bare_port() const { return static_cast<std::uint16_t>(bare_port_); }
+  Endpoint node() const { return {"127.0.0.1", node_port_}; }
+  std::uint16_t bare_port() const { return bare_port_; }
 
 private:
-  pid_t id_ = -1;
-  int input_ = -1;
-  int node_port_ = 0;
-  int bare_port_ = 0;
+  OwnProcess process_{{"--serve", tls}};
+  std::uint16_t node_port_ = 0;
+  std::uint16_t bare_port_ = 0;
 };
 
 void report_operations(const Server& server) {
