@@ -41,7 +41,7 @@ void load_bundled_plugins() {
   for (std::size_t at = 0; at < bundled.size();) {
     auto end = std::min(bundled.find(',', at), bundled.size());
     if (auto problem = load_plugin(std::string{bundled.substr(at, end - at)}))
-      log(LogLevel::warning, "castor", *problem);
+      note(LogLevel::warning, *problem);
     at = end + 1;
   }
 }

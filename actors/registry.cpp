@@ -14,8 +14,8 @@ Registry& Registry::instance() {
 void Registry::add(ComponentClass x) {
   auto name = x.name;
   if (!classes_.try_emplace(name, std::move(x)).second)
-    log(LogLevel::error, "castor",
-        "two libraries have a component class " + name + "; the one loaded first is used");
+    note(LogLevel::error, "castor",
+         "two libraries have a component class " + name + "; the one loaded first is used");
 }
 
 const ComponentClass* Registry::find(const std::string& name) const {

@@ -93,7 +93,7 @@ void Calls::take_back(const Made& made) {
   try {
     component_.write(WriteBatch{}.delete_entry(made.call).delete_entry(made.request));
   } catch (const WorkingMemoryException& e) {
-    log(LogLevel::debug, shell_.identity().full_name(), e.what());
+    note(LogLevel::debug, shell_.identity().full_name(), e.what());
   } catch (const ComponentStopped&) {
     // The next operation will say so.
   }

@@ -12,8 +12,8 @@ LockGuard::~LockGuard() {
     return;
   auto outcome = shell_->try_unlock(address_, token_);
   if (!outcome)
-    log(LogLevel::warning, shell_->identity().full_name(),
-        "a lease did not last as long as its guard: " + outcome.failure().message);
+    note(LogLevel::warning, shell_->identity().full_name(),
+         "a lease did not last as long as its guard: " + outcome.failure().message);
 }
 
 bool LockGuard::held() const {

@@ -56,9 +56,13 @@ void log(LogLevel level, std::string_view who, std::string_view what) {
   logger().log(to_spdlog(level), "[{}] {}", who, what);
 }
 
-void note(LogLevel level, std::string_view what) {
+void note(LogLevel level, std::string_view who, std::string_view what) {
   if (level >= log_level())
-    log(level, "castor", what);
+    log(level, who, what);
+}
+
+void note(LogLevel level, std::string_view what) {
+  note(level, "castor", what);
 }
 
 void flush_log() {

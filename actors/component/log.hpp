@@ -12,9 +12,12 @@ enum class LogLevel : std::uint8_t { trace, debug, info, warning, error, off };
 void set_log_level(LogLevel level);
 LogLevel log_level();
 
+/// Logs it whatever the level is.
 void log(LogLevel level, std::string_view who, std::string_view what);
 
-/// Logs what the runtime itself has to say, unless that is below the level.
+/// Logs what the runtime itself has to say of somebody, or of itself, unless that is below the
+/// level.
+void note(LogLevel level, std::string_view who, std::string_view what);
 void note(LogLevel level, std::string_view what);
 
 /// Writes out what is still buffered; before a process leaves without its destructors.

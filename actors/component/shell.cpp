@@ -184,7 +184,7 @@ void ComponentShell::phase_done(Phase phase, std::string failure) {
 
 void ComponentShell::fail(const std::string& what) {
   auto report = "failed in " + doing_ + ": " + what;
-  log(LogLevel::error, identity().full_name(), report);
+  note(LogLevel::error, identity().full_name(), report);
   auto state = record_->state();
   record_->fail(report);
   if (state == ComponentState::created)

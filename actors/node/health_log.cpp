@@ -15,7 +15,7 @@ void HealthLog::down(const Subject& who, const std::string& reason, bool will_re
   bool is_new = down_since_.try_emplace(who.name, Clock::now()).second;
   if (!is_new && will_restart)
     return;
-  log(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
+  note(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
   ComponentDown x{who.name, who.subarchitecture, who.incarnation, reason, will_restart};
   if (options_.on_down)
     options_.on_down(x);
@@ -27,8 +27,8 @@ void HealthLog::up(const Subject& who) {
   if (!since)
     return;
   auto down = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - since.mapped());
-  log(LogLevel::info, who.name,
-      fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
+  note(LogLevel::info, who.name,
+       fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
   ComponentUp x{who.name, who.subarchitecture, who.incarnation, down.count()};
   if (options_.on_up)
     options_.on_up(x);
