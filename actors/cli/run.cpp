@@ -49,6 +49,7 @@ struct Arguments {
   bool no_restarts = false;
   std::vector<std::string> nodes;
   bool local_nodes = false;
+  std::string lost_after;
   int spread = 0;
   std::string tls;
   bool insecure = false;
@@ -132,6 +133,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   options.interrupted = [&] { return signals.count() > 0; };
   options.nodes = node_addresses(arguments);
   options.insecure = arguments.insecure;
+  options.link.patience = duration(arguments.lost_after).value_or(options.link.patience);
   if (!arguments.tls.empty())
     options.credentials = Credentials::load(
       arguments.local_nodes || arguments.spread > 0 ? arguments.tls + "/run" : arguments.tls);
@@ -220,6 +222,12 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->take_all();
   command->add_flag("--local-nodes", arguments->local_nodes,
                     "start all nodes on this machine, to try a system of many");
+  command
+    ->add_option("--lost-after", arguments->lost_after,
+                 "a node that was out of reach for so long is lost: what ran there fails over, or "
+                 "waits for another node in its place; by default 30s")
+    ->type_name("DURATION")
+    ->check(check_duration);
   command
     ->add_option("--spread", arguments->spread,
                  "spread everything over so many nodes on this machine, whatever hosts the file "

@@ -11,6 +11,8 @@
 #include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>
 
+#include <fmt/core.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -94,6 +96,7 @@ public:
       [link](const LinkFault& x) { link->befall(x); },
       [link](const Dialled& x) { link->dialled(x); },
       [link](AdoptConnection& x) { link->adopt(std::move(x)); },
+      [link](const LinkPatience& x) { link->parts_.options.patience = x.patience; },
       [link](const CloseLink& x) { link->close(x.reason); },
     };
   }
@@ -428,8 +431,9 @@ private:
       }
     }
     if (!greeted_ && now - down_since_ > parts_.options.patience)
-      lost("it could not be reached for " + std::to_string(parts_.options.patience.count() / 1000) +
-           " s" + (reason_.empty() ? "" : " (" + reason_ + ")"));
+      lost(fmt::format("it could not be reached for {:g} s{}",
+                       std::chrono::duration<double>(parts_.options.patience).count(),
+                       reason_.empty() ? "" : " (" + reason_ + ")"));
   }
 
   void tell(LinkState state, const std::string& why) {

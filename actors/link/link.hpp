@@ -49,6 +49,11 @@ struct CloseLink {
   std::string reason;
 };
 
+/// To a link: from now on the peer is lost after so long without a connection.
+struct LinkPatience {
+  std::chrono::milliseconds patience{0};
+};
+
 /// Connects this process with another one of the same system, for as long as both live: lost
 /// connections are made anew and nothing is lost with them. From now on it is the mesh's port to
 /// the peer.
@@ -60,4 +65,5 @@ void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors
 
 } // namespace castor
 
+CASTOR_LOCAL_MESSAGE(castor::LinkPatience)
 CASTOR_LOCAL_MESSAGE(castor::CloseLink)

@@ -4,6 +4,7 @@
 #include "castor/actors/supervision/health.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace castor {
@@ -53,8 +54,8 @@ void Deployments::begin() {
   auto plan = orders_.front().plan();
   planned_.clear();
   for (std::size_t i = 0; i < plan.processes.size(); ++i)
-    if (!plan.processes[i].lost)
-      planned_.insert(static_cast<ProcessNumber>(i));
+    if (auto process = static_cast<ProcessNumber>(i); is_waited_for(process))
+      planned_.insert(process);
   ask<PartMade>(
     plan, [this, plan](ProcessNumber from, const PartMade& x) { take(plan, from, x); },
     [this, plan] {
@@ -80,8 +81,11 @@ void Deployments::take(const PartPlan& plan, ProcessNumber from, const PartMade&
 }
 
 void Deployments::introduce() {
+  JoinParts all{actors_, {}};
+  std::copy_if(planned_.begin(), planned_.end(), std::inserter(all.processes, all.processes.end()),
+               [this](auto x) { return behind_.count(x) == 0; });
   ask<Acknowledged>(
-    JoinParts{actors_}, [](ProcessNumber, const Acknowledged&) {}, [this] { finish(); });
+    all, [](ProcessNumber, const Acknowledged&) {}, [this] { finish(); });
 }
 
 void Deployments::finish() {
@@ -105,6 +109,11 @@ void Deployments::no_answer(ProcessNumber from) {
   problems_.push_back(std::move(problem));
 }
 
+bool Deployments::is_waited_for(ProcessNumber x) const {
+  auto link = processes_.state(x).link;
+  return link == LinkState::up || (link == LinkState::down && orders_.front().wait_for_all);
+}
+
 bool Deployments::is_out_of_date() const {
   return std::any_of(planned_.begin(), planned_.end(),
                      [&](auto x) { return processes_.state(x).link == LinkState::lost; });
@@ -122,8 +131,7 @@ void Deployments::go_on_if_answered() {
   if (!then_)
     return;
   std::erase_if(missing_, [&](ProcessNumber x) {
-    auto link = processes_.state(x).link;
-    if (link == LinkState::up || (link == LinkState::down && orders_.front().wait_for_all))
+    if (is_waited_for(x))
       return false;
     behind_.insert(x);
     return true;

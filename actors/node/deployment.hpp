@@ -51,6 +51,8 @@ private:
   void ask(const Question& question, std::function<void(ProcessNumber, const Answer&)> take,
            std::function<void()> then);
   void begin();
+  /// Whether the order under way has to wait for what that process says.
+  bool is_waited_for(ProcessNumber x) const;
   /// Whether a process was lost on which the plan under way counts, so that others wait for it.
   bool is_out_of_date() const;
   void take(const PartPlan& plan, ProcessNumber from, const PartMade& made);
@@ -66,7 +68,7 @@ private:
   std::deque<Order> orders_;
   Problems problems_;
   std::set<ProcessNumber> missing_;
-  /// Those that the plan under way counts on.
+  /// Those that the plan under way counts on: out of reach when it began were all others.
   std::set<ProcessNumber> planned_;
   /// Those that were not waited for.
   std::set<ProcessNumber> behind_;

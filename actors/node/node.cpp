@@ -22,6 +22,7 @@ struct Membership {
   Hello self;
   std::shared_ptr<Mesh> mesh;
   caf::actor agent;
+  LinkOptions link;
   std::map<ProcessNumber, caf::actor> links;
 };
 
@@ -78,6 +79,7 @@ private:
     result.self.system = coordinator.system;
     result.self.incarnation = new_incarnation();
     result.self.process = coordinator.receiver;
+    result.link = link_;
     result.mesh = std::make_shared<Mesh>(system_, system_messages(), coordinator.receiver);
     PartAgentParts parts;
     parts.self = coordinator.receiver;
@@ -99,6 +101,8 @@ private:
     auto i = memberships_.find(system);
     if (i == memberships_.end())
       return;
+    i->second.link.patience = plan.patience;
+    caf::anon_send(i->second.links.at(0), LinkPatience{plan.patience});
     for (std::size_t p = 1; p < plan.processes.size(); ++p) {
       auto number = static_cast<ProcessNumber>(p);
       auto& peer = plan.processes[p];
@@ -125,7 +129,7 @@ private:
     parts.dial = std::move(dial);
     parts.self = membership.self;
     parts.credentials = credentials_;
-    parts.options = link_;
+    parts.options = membership.link;
     parts.on_news = [node = weak_from_this(), agent = membership.agent,
                      system = membership.self.system](const LinkNews& x) {
       caf::anon_send(agent, x);

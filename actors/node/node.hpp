@@ -17,7 +17,7 @@ struct NodeOptions {
   int socket = -1;
   /// With them, it talks to those only whose certificates are signed by the same CA.
   std::optional<Credentials> credentials = {};
-  /// How processes that went out of reach are treated.
+  /// How processes that went out of reach are treated; how long they may be, the coordinator says.
   LinkOptions link = {};
 };
 

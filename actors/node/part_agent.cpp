@@ -27,10 +27,6 @@ void watch(Self self) {
 
 PartMade make(Self self, const PartPlan& plan) {
   auto& state = self->state;
-  state.others.clear();
-  for (std::size_t i = 0; i < plan.processes.size(); ++i)
-    if (i != state.parts.self && !plan.processes[i].lost)
-      state.others.insert(static_cast<ProcessNumber>(i));
   if (state.parts.connect)
     state.parts.connect(plan);
   if (!state.part)
@@ -124,6 +120,8 @@ caf::response_promise join(Self self, JoinParts others) {
   if (state.joining)
     state.joining->deliver(Acknowledged{});
   state.joining = promise;
+  state.others = std::move(others.processes);
+  state.others.erase(state.parts.self);
   state.part->join(others.actors);
   Peers peers;
   peers.working_memories = state.part->subarchitectures(others.actors);

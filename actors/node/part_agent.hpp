@@ -35,7 +35,7 @@ struct PartAgentState {
   };
   /// What runs here, or did until its end is known.
   std::map<caf::actor_addr, Watched> watched;
-  /// The other processes, and those of them with which there is a connection.
+  /// The other processes that are to be joined, and all with which there is a connection.
   std::set<ProcessNumber> others;
   std::set<ProcessNumber> connected;
   /// Who waits for the part to have joined the others, and what is still missing.

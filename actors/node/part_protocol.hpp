@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ struct PartPlan {
   bool broadcast = false;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
+  /// After so long without a connection, a process is lost.
+  std::chrono::milliseconds patience{0};
   /// Is sent EndSystem by whoever wants that.
   caf::actor coordinator;
   /// Is sent ComponentEnded.
@@ -69,9 +72,11 @@ struct PartMade {
 };
 
 /// The actors of all parts: introduces them to each other. Answered with Acknowledged once the part
-/// is connected with all others and its working memories know theirs.
+/// is connected with the others and its working memories know theirs.
 struct JoinParts {
   std::map<std::string, caf::strong_actor_ptr> actors;
+  /// Those that have made their parts; the rest is not waited for.
+  std::set<ProcessNumber> processes;
 };
 
 /// Ends a component, if it has not ended yet, and makes it anew; answered with PartMade.

@@ -73,7 +73,7 @@ void wire(A& a, WirePart<A, ProcessDescription>& x) {
 template <class A>
 void wire(A& a, WirePart<A, PartPlan>& x) {
   a(x.architecture, x.processes, x.placement, x.incarnations, x.open_access, x.broadcast, x.age,
-    x.coordinator, x.supervisor, x.task_observer);
+    x.patience, x.coordinator, x.supervisor, x.task_observer);
 }
 
 template <class A>
@@ -83,7 +83,7 @@ void wire(A& a, WirePart<A, PartMade>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, JoinParts>& x) {
-  a(x.actors);
+  a(x.actors, x.processes);
 }
 
 template <class A>

@@ -163,6 +163,7 @@ private:
     result.supervisor = caf::actor_cast<caf::actor>(self_);
     result.task_observer = parts_.task_observer;
     result.age = now();
+    result.patience = options_.link.patience;
     return result;
   }
 
@@ -328,7 +329,7 @@ private:
       if (options_.interrupted && options_.interrupted())
         patience = std::min<std::chrono::milliseconds>(patience, 1s);
       if (Clock::now() - round.since >= patience) {
-        log(LogLevel::error, name, "did not stop: it has not come back from its own code");
+        note(LogLevel::error, name, "did not stop: it has not come back from its own code");
         round.stuck.push_back(name);
         std::erase(round.start, name);
         i->second.given_up = true;
@@ -364,7 +365,7 @@ private:
     order.plan = [this] { return plan(); };
     order.done = [this, id = round.id](const Deployments::Problems& problems) {
       if (!problems.empty())
-        log(LogLevel::error, "supervisor", cast::render(problems));
+        note(LogLevel::error, "supervisor", cast::render(problems));
       auto i = find_round(id);
       if (i != rounds_.end())
         made(i, problems.empty() ? Names{} : Names{i->start.begin(), i->start.end()});
@@ -506,9 +507,9 @@ private:
     if (i == rounds_.end() || i->steps != x.step)
       return;
     if (i->step == Round::Step::configure || i->step == Round::Step::start) {
-      log(LogLevel::info, "supervisor",
-          fmt::format("waiting for {} to {}", i->order()[i->at],
-                      i->step == Round::Step::configure ? "configure" : "start"));
+      note(LogLevel::info, "supervisor",
+           fmt::format("waiting for {} to {}", i->order()[i->at],
+                       i->step == Round::Step::configure ? "configure" : "start"));
       remind_later(*i, between_reports);
       return;
     }
@@ -597,7 +598,7 @@ private:
     if (i == children_.end() || i->second.incarnation != x.incarnation || i->second.given_up ||
         !has_own_process(i->second))
       return;
-    log(LogLevel::warning, x.name, "hangs; its process is killed");
+    note(LogLevel::warning, x.name, "hangs; its process is killed");
     options_.kill_isolated(x.name);
   }
 
@@ -614,9 +615,9 @@ private:
 
   void restart(const SupervisionDecision& decision, const std::string& name) {
     if (!decision.escalated.empty())
-      log(LogLevel::error, "supervisor",
-          fmt::format("{} fails as a whole and is started again: {}", decision.escalated,
-                      decision.reason));
+      note(LogLevel::error, "supervisor",
+           fmt::format("{} fails as a whole and is started again: {}", decision.escalated,
+                       decision.reason));
     Round round;
     round.makes = true;
     round.delay = decision.delay;
@@ -749,7 +750,7 @@ private:
       lose(x.peer, x.reason);
     if (x.state == LinkState::up)
       if (auto awaited = awaited_.extract(x.peer)) {
-        log(LogLevel::info, "supervisor", "node " + x.name + " was started again");
+        note(LogLevel::info, "supervisor", "node " + x.name + " was started again");
         bring_back(awaited.mapped());
       }
     if (deployments_->look_again()) {

@@ -110,6 +110,21 @@ TEST_F(SupervisedSystems, AComponentGoesWhereItsFailoverSays) {
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
 }
 
+TEST_F(SupervisedSystems, AComponentGoesElsewhereThoughItsNodeStaysAway) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  auto arguments = run_on(
+    {&one, &two},
+    "FAILOVER shaky TO [two]\n" + subarchitecture("a", "localhost") +
+      "CPP UM judge Judge\n[one] CPP UM shaky Shaky --how kill\n[one] CPP UM ticker Ticker\n",
+    {"--lost-after", "300ms"});
+  std::erase(arguments, "--no-restarts");
+  Process castor{std::move(arguments)};
+  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_TRUE(two.process->wait_for_output("begins life 2"));
+  EXPECT_THAT(castor.errors(), HasSubstr("node one is lost: it could not be reached for 0.3 s"));
+}
+
 TEST_F(SupervisedSystems, OneThatNeverWorksEndsTheSystemWithItsReason) {
   Process castor{run("SUPERVISE * RESTARTS 2 IN 1min DELAY 1ms TO 2ms\n"
                      "SUPERVISE SYSTEM RESTARTS 1 IN 1min DELAY 1ms TO 2ms\n" +
