@@ -6,6 +6,7 @@
 #include "castor/actors/node/deployment.hpp"
 #include "castor/actors/node/health_log.hpp"
 #include "castor/actors/node/round.hpp"
+#include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/supervision/health.hpp"
 #include "castor/actors/supervision/supervision_tree.hpp"
 
@@ -679,8 +680,9 @@ private:
   /// Another process where a component may run, if its own is lost.
   std::optional<ProcessNumber> refuge_of(const std::string& name) const {
     auto* x = architecture_.component(name);
-    // What a working memory holds is only where it was.
-    if (!x || x->kind == ComponentKind::working_memory)
+    if (!x)
+      return std::nullopt;
+    if (x->kind == ComponentKind::working_memory && !WorkingMemoryClass{*x}.outlives_its_node())
       return std::nullopt;
     for (auto& host : architecture_.failover_of(*x)) {
       auto i = placement_.hosts.find(host);
@@ -689,6 +691,15 @@ private:
         return process;
     }
     return std::nullopt;
+  }
+
+  /// Whether something may have to go there.
+  bool is_refuge(ProcessNumber x) const {
+    for (auto& rule : architecture_.failover)
+      for (auto& host : rule.hosts)
+        if (auto i = placement_.hosts.find(host); i != placement_.hosts.end() && i->second == x)
+          return true;
+    return false;
   }
 
   void lose(ProcessNumber lost, const std::string& why) {
@@ -731,14 +742,15 @@ private:
       if (auto i = find_round(id);
           i != rounds_.end() && i->step != Round::Step::wait && i->step != Round::Step::make)
         advance(i);
-    if (!staying.names.empty()) {
+    if (!staying.names.empty() || is_refuge(lost)) {
       auto successor = processes_.look_for_successor(lost);
       for (auto& [host, process] : placement_.hosts)
         if (process == lost)
           process = successor;
       for (auto& name : staying.names)
         placement_.of[name] = successor;
-      awaited_[successor] = std::move(staying);
+      if (!staying.names.empty())
+        awaited_[successor] = std::move(staying);
     }
     publish();
     if (!moving.empty())

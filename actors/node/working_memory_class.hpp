@@ -69,6 +69,10 @@ struct WorkingMemoryClass {
   Option<bool> journal_shared{options, "journal-shared", false,
                               "the folder is storage that every node of FAILOVER sees"};
 
+  /// What it has acknowledged can be had on other nodes, and those who take it over there keep it
+  /// from acknowledging more.
+  bool outlives_its_node() const { return journal.get() == JournalMode::full && journal_shared; }
+
   /// As the options say.
   JournalOptions journal_of(const std::string& subarchitecture) const {
     JournalOptions result;

@@ -1,10 +1,13 @@
 #include "nodes_fixture.hpp"
 
+#include "castor/tests/support/relay.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <optional>
@@ -46,6 +49,28 @@ protected:
   static std::string witnesses(int done, const std::string& where = "a") {
     return subarchitecture("a", "localhost") + "CPP UM judge Judge --count " +
            std::to_string(done) + "\nCPP UM witness Witness --where " + where + "\n";
+  }
+
+  /// The same over nodes that nobody starts again, and that are soon given up.
+  std::vector<std::string> run_over(const std::vector<const Node*>& nodes,
+                                    const std::string& system) {
+    auto result = run_on(nodes, system, {"--lost-after", "300ms"});
+    std::erase(result, "--no-restarts");
+    return result;
+  }
+
+  /// For `WM` lines: every node can see it.
+  std::string shared_journal() const {
+    return "--journal full --journal-shared --journal-dir " + (folder / "journals").string();
+  }
+
+  static bool is_in_reach(const std::string& node) {
+    Process ps{command({"ps", "--json"})};
+    if (ps.wait() != 0)
+      return false;
+    auto report = json::parse(ps.output());
+    return std::ranges::any_of(report["nodes"],
+                               [&](auto& x) { return x["name"] == node && x["state"] == "up"; });
   }
 
   static std::optional<json> component_in_ps(const std::string& name) {
@@ -113,16 +138,51 @@ TEST_F(SupervisedSystems, AComponentGoesWhereItsFailoverSays) {
 TEST_F(SupervisedSystems, AComponentGoesElsewhereThoughItsNodeStaysAway) {
   auto one = start_node("one");
   auto two = start_node("two");
-  auto arguments = run_on(
+  Process castor{run_over(
     {&one, &two},
     "FAILOVER shaky TO [two]\n" + subarchitecture("a", "localhost") +
-      "CPP UM judge Judge\n[one] CPP UM shaky Shaky --how kill\n[one] CPP UM ticker Ticker\n",
-    {"--lost-after", "300ms"});
-  std::erase(arguments, "--no-restarts");
-  Process castor{std::move(arguments)};
+      "CPP UM judge Judge\n[one] CPP UM shaky Shaky --how kill\n[one] CPP UM ticker Ticker\n")};
   EXPECT_EQ(castor.wait(), judged) << castor.errors();
   EXPECT_TRUE(two.process->wait_for_output("begins life 2"));
   EXPECT_THAT(castor.errors(), HasSubstr("node one is lost: it could not be reached for 0.3 s"));
+}
+
+TEST_F(SupervisedSystems, AWorkingMemoryGoesToWhereItsJournalIsToo) {
+  auto one = start_node("one");
+  auto two = start_node("two");
+  Process castor{run_over({&one, &two},
+                          "FAILOVER b TO [two]\n" + subarchitecture("a", "localhost") +
+                            "CPP UM judge Judge\n" + subarchitecture("b", "one", shared_journal()) +
+                            "CPP UM shaky Shaky --how kill\n")};
+  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_TRUE(two.process->wait_for_output("begins life 2")) << castor.errors();
+}
+
+TEST_F(SupervisedSystems, WhatIsCutOffGoesElsewhereWithAllThatWasAcknowledged) {
+  const std::vector<std::string> witness{CASTOR_EXECUTABLE, "--plugin", CASTOR_WITNESS_PLUGIN};
+  auto node = witness;
+  node.emplace_back("node");
+  auto one = start_node("one", node, {});
+  auto two = start_node("two", node, {});
+  Relay relay{one.port()};
+  Node to_one{"one", nullptr, "127.0.0.1:" + std::to_string(relay.port())};
+  auto acknowledged = (folder / "acknowledged").string();
+  auto arguments = run_over(
+    {&to_one, &two}, "FAILOVER b TO [two] [one]\n" + subarchitecture("b", "one", shared_journal()) +
+                       "CPP UM witness Witness --kills 2 --file " + acknowledged + '\n');
+  std::copy(witness.begin(), witness.end(), arguments.begin());
+  Process castor{std::move(arguments)};
+  ASSERT_TRUE(eventually([&] { return read(acknowledged).size() > 500; })) << castor.errors();
+  // It goes on writing, and noting what is acknowledged, for as long as it can.
+  relay.refuse(true);
+  ASSERT_TRUE(two.process->wait_for_output("life 2: 20 slots")) << castor.errors();
+  ASSERT_TRUE(one.process->wait_for_output(" leaves system")) << one.process->errors();
+  relay.refuse(false);
+  ASSERT_TRUE(eventually([&] { return is_in_reach("one"); })) << castor.errors();
+  two.process->send_signal(SIGKILL);
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_THAT(castor.errors(), HasSubstr("all is there after 2 kills"));
+  EXPECT_TRUE(one.process->wait_for_output("life 3: 20 slots"));
 }
 
 TEST_F(SupervisedSystems, OneThatNeverWorksEndsTheSystemWithItsReason) {
