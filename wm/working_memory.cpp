@@ -154,7 +154,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
   auto& state = self->state;
   // A journal knows which numbers there were.
   if (!options.opened_journal) {
-    auto first = (options.incarnation - 1) << 32;
+    auto first = (options.incarnation - 1) * numbers_per_life;
     options.store.first_version = first;
     options.leases.first_token = first + 1;
   }

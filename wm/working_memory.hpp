@@ -21,6 +21,10 @@
 
 namespace castor {
 
+/// The versions and tokens of a working memory without a journal begin at another multiple of this
+/// in each of its lives, so that none comes twice for different things.
+inline constexpr std::uint64_t numbers_per_life = std::uint64_t{1} << 32;
+
 struct WorkingMemoryOptions {
   std::string subarchitecture;
   /// Subarchitectures whose components may write here besides its own; "*" for all.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/caller_runs.hpp"
+#include "castor/actors/component/operation_log.hpp"
 #include "castor/actors/component/record.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
@@ -32,6 +33,9 @@ struct ComponentServices {
   /// A working memory still knows the last component that ran it after that component is gone, so
   /// these stay until the end.
   std::vector<std::unique_ptr<CallerRuns>> units;
+
+  /// Where operations are written down; null where they are not.
+  std::unique_ptr<OperationLog> operations;
 
   /// Called from any component's thread when it wants the system to end.
   std::function<void(int status, const std::string& reason)> end_system;

@@ -63,6 +63,8 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
     component_receipts_ = Receipts{queue_limit_};
   }
   record_->set_budget(component_->budget_);
+  if (services_->operations)
+    recorder_.emplace(*services_->operations, record_->client());
   component_->attach(this);
 }
 

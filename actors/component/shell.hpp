@@ -5,6 +5,7 @@
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/mailbox.hpp"
 #include "castor/actors/component/neighbours.hpp"
+#include "castor/actors/component/operation_log.hpp"
 #include "castor/actors/component/seen_versions.hpp"
 #include "castor/actors/component/services.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
@@ -80,10 +81,15 @@ public:
   template <class Request>
   std::uint64_t begin(const Request& request) {
     check_may_operate();
+    OperationRecorder::Open open;
+    if (recorder_)
+      open = recorder_->begin(request);
     std::uint64_t id = 0;
     unit_->run(
       [&] { id = this->request(working_memory_, caf::infinite, request).id().integer_value(); });
     open_slot(id);
+    if (recorder_)
+      recorder_->sent(id, std::move(open));
     return id;
   }
 
@@ -193,7 +199,10 @@ private:
     auto content = wait_for(id, address, patience, wait);
     if (!content)
       return content.failure();
-    return take<Outcome<Reply>>(**content, address);
+    auto result = take<Outcome<Reply>>(**content, address);
+    if (recorder_)
+      recorder_->end(id, result);
+    return result;
   }
 
   Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
@@ -240,6 +249,8 @@ private:
   std::string doing_;
   std::uint64_t callbacks_ = 0;
 
+  /// If operations are to be written down.
+  std::optional<OperationRecorder> recorder_;
   SeenVersions seen_;
   std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
   std::map<FilterId, ChangeCallback> listeners_;

@@ -143,6 +143,8 @@ void SystemPart::begin(const PartPlan& plan) {
   if (!services_->working_memories.empty())
     return;
   services_->epoch = std::chrono::steady_clock::now() - plan.age;
+  if (!plan.operations.empty())
+    services_->operations = std::make_unique<OperationLog>(plan.operations);
   services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
     caf::anon_send(to, EndSystem{status, reason});
   };

@@ -52,6 +52,8 @@ struct PartPlan {
   bool open_access = false;
   /// Every change is told to every working memory.
   bool broadcast = false;
+  /// The folder in which operations are written down, on each machine; empty for none.
+  std::string operations;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
   /// After so long without a connection, a process is lost.

@@ -163,6 +163,7 @@ private:
     result.coordinator = parts_.desk;
     result.supervisor = caf::actor_cast<caf::actor>(self_);
     result.task_observer = parts_.task_observer;
+    result.operations = options_.operations.string();
     result.age = now();
     result.patience = options_.link.patience;
     return result;

@@ -72,6 +72,10 @@ struct SystemOptions {
   /// How long processes may take to answer a question.
   std::chrono::milliseconds answer_patience{2000};
 
+  /// Every process writes down in this folder of its machine what its components ask of working
+  /// memories, and what they are answered (operation_log.hpp); empty for none.
+  std::filesystem::path operations;
+
   /// How a node that went out of reach is treated.
   LinkOptions link;
 
