@@ -141,6 +141,11 @@ private:
       result += " --same " + x;
     for (auto& x : arguments_.but_for)
       result += " --but-for " + x;
+    for (auto& [option, value, otherwise] :
+         {std::tuple{"settle", arguments_.settle, Arguments{}.settle},
+          std::tuple{"bound", arguments_.bound, Arguments{}.bound}})
+      if (value != otherwise)
+        result += fmt::format(" --{} {}", option, value);
     return result;
   }
 
@@ -189,10 +194,11 @@ private:
     };
     std::unique_ptr<faults::Injector> injector;
     std::mutex mutex;
-    options.on_change = [&](const ChangeEvent& x) {
+    options.watched = faults::watched_by(plan_);
+    options.on_watched = [&](std::size_t filter, const ChangeEvent&) {
       std::lock_guard guard{mutex};
       if (injector)
-        injector->on_change(x);
+        injector->on_change(filter);
     };
     System system{std::move(architecture), options};
     auto begin = Clock::now();
