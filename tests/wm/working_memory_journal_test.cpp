@@ -55,6 +55,26 @@ protected:
   std::vector<caf::actor> clients;
 };
 
+TEST_F(PatientClients, NeedNotWaitForAnswersOfAWorkingMemoryThatHasEnded) {
+  add({"a", "1"});
+  auto holder = std::make_shared<const Client>(Client{"holder", "a"});
+  auto other = std::make_shared<const Client>(Client{"other", "b"});
+  LockRequest request{{"a", "1"}, LockLevel::odr, {holder, 1, 1h}};
+  ASSERT_TRUE(begin_at<Outcome<Lease>>("a", request)->has_value());
+  request.patience = {other, 1, 1h};
+  // By way of their own one.
+  auto lease = begin_at<Outcome<Lease>>("b", request);
+  auto read = begin_at<Outcome<EntryPtr>>("b", ReadRequest{{"a", "1"}, {other, 2, 1h}});
+  auto query =
+    begin_at<Outcome<std::vector<EntryPtr>>>("b", QueryRequest{{"a", "Item"}, {other, 3, 1h}});
+  EXPECT_THAT(errors, IsEmpty());
+  caf::anon_send_exit(wm.at("a"), caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_FALSE(lease->has_value() || read->has_value() || query->has_value());
+  EXPECT_EQ(errors, std::vector<std::string>(3, errors.front()));
+  EXPECT_THAT(errors.front(), HasSubstr("request_receiver_down"));
+}
+
 /// A working memory d beside those of the fixture, with a journal.
 class JournaledWorkingMemory : public PatientClients {
 protected:
@@ -241,6 +261,9 @@ TEST_F(JournaledWorkingMemory, EndsWhenItsJournalFailsAndHasAcknowledgedNothingT
   tell({0, 0, 0, "the disk is on fire"});
   EXPECT_FALSE(answer->has_value());
   EXPECT_FALSE(read->has_value());
+  // They need not wait until their patience is over.
+  EXPECT_THAT(errors,
+              ElementsAre(HasSubstr("request_receiver_down"), HasSubstr("request_receiver_down")));
   EXPECT_THAT(told(listener), IsEmpty());
   EXPECT_THAT(reports, ElementsAre(HasSubstr("the disk is on fire. The working memory of d ends")));
   self->receive([&](const caf::down_msg& x) {
