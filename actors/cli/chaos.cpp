@@ -129,7 +129,10 @@ private:
 
   /// What makes the same faults once more.
   std::string command() const {
-    auto result = "castor chaos " + arguments_.architecture.file;
+    std::string result = "castor";
+    for (auto& x : plugins_)
+      result += " --plugin " + x;
+    result += " chaos " + arguments_.architecture.file;
     if (!arguments_.plan.empty())
       result += " --plan " + arguments_.plan;
     result += fmt::format(" --seed {} --duration {}", seed_, arguments_.duration);
@@ -227,12 +230,7 @@ private:
     }
     auto reason = system.wait({duration_, {}});
     injector->stop();
-    if (reason == EndReason::all_failed)
-      violation("survival", "all components have failed");
-    if (auto ended = system.ended(); ended && ended->first != success)
-      violation("survival", "the system ended: " + ended->second);
-    else if (ended)
-      result_.facts.emplace_back("ended by", ended->second);
+    look_at_survival(reason, system.ended());
     if (reason == EndReason::time_over)
       compare(come_to_rest(system));
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
@@ -245,6 +243,19 @@ private:
       injector.reset();
     }
     look_at_resources(watch.stop());
+  }
+
+  void look_at_survival(EndReason reason, const std::optional<std::pair<int, std::string>>& ended) {
+    std::string problem;
+    if (reason == EndReason::all_failed)
+      problem = "all components have failed";
+    if (ended && ended->first != success)
+      problem = "the system ended: " + ended->second;
+    else if (ended)
+      result_.facts.emplace_back("ended by", ended->second);
+    check("survival", problem.empty(), arguments_.duration + " of faults");
+    if (!problem.empty())
+      violation("survival", problem);
   }
 
   void compare(const std::vector<std::string>& got) {

@@ -1,5 +1,6 @@
 #include "castor/actors/faults/injector.hpp"
 
+#include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
@@ -124,6 +125,7 @@ FaultRecord Injector::inject(const Fault& fault) {
   record.fault = to_string(fault);
   record.done = outcome.done;
   record.outcome = outcome.text;
+  log(LogLevel::info, "faults", record.fault + (record.done ? "" : ", not done: " + outcome.text));
   std::lock_guard guard{mutex_};
   records_.push_back(record);
   return record;
