@@ -11,6 +11,7 @@ namespace castor {
 
 namespace {
 
+using AppendAtom = caf::atom_constant<caf::atom("append")>;
 using SyncAtom = caf::atom_constant<caf::atom("sync")>;
 using TidyAtom = caf::atom_constant<caf::atom("tidy")>;
 using CloseAtom = caf::atom_constant<caf::atom("close")>;
@@ -23,7 +24,6 @@ public:
   void take(const JournalWrite& x) {
     if (!news_.failure.empty())
       return;
-    last_ = x.changes->back().sequence;
     changes_ += x.changes->size();
     bytes_ += x.bytes;
     gathered_.push_back(x.changes);
@@ -34,19 +34,46 @@ public:
       self_->delayed_send(self_, parts_.delay, SyncAtom::value);
   }
 
+  void befall(const JournalFault& x) {
+    auto until = self_->clock().now() + x.duration;
+    switch (x.kind) {
+      case JournalFault::Kind::failure:
+        fails_until_ = until;
+        break;
+      case JournalFault::Kind::slowness:
+        slowness_ = x.by;
+        slow_until_ = until;
+        break;
+    }
+  }
+
+  /// Begins to write what has gathered.
   void sync() {
     sync_is_due_ = false;
-    if (gathered_.empty() || !news_.failure.empty())
+    if (gathered_.empty() || !under_way_.empty() || !news_.failure.empty())
+      return;
+    under_way_ = std::exchange(gathered_, {});
+    changes_ = bytes_ = 0;
+    if (self_->clock().now() < slow_until_)
+      self_->delayed_send(self_, slowness_, AppendAtom::value);
+    else
+      append();
+  }
+
+  void append() {
+    // When the end came first.
+    if (under_way_.empty())
       return;
     attempt([&] {
-      parts_.file->append(gathered_);
-      news_.synced = last_;
+      parts_.file->append(under_way_);
+      news_.synced = under_way_.back()->back().sequence;
       ++news_.syncs;
     });
-    gathered_.clear();
-    changes_ = bytes_ = 0;
+    under_way_.clear();
     tell();
     tidy_soon();
+    if (!gathered_.empty())
+      sync_soon();
   }
 
   void tidy() {
@@ -62,7 +89,8 @@ public:
   }
 
   void close() {
-    sync();
+    if (news_.failure.empty())
+      write_the_rest();
     if (news_.failure.empty())
       attempt([&] { parts_.file->close(); });
     parts_.file.reset();
@@ -70,9 +98,19 @@ public:
   }
 
 private:
+  void write_the_rest() {
+    under_way_.insert(under_way_.end(), gathered_.begin(), gathered_.end());
+    gathered_.clear();
+    append();
+    if (!news_.failure.empty() && parts_.mode == JournalMode::batched)
+      parts_.report(news_.failure + ". What was acknowledged last may be lost");
+  }
+
   template <class F>
   void attempt(F&& f) {
     try {
+      if (self_->clock().now() < fails_until_)
+        throw JournalError("the journal cannot be written: it was made to fail");
       f();
     } catch (const std::exception& e) {
       news_.failure = e.what();
@@ -99,10 +137,14 @@ private:
   /// It outlives its working memory, which alone knows it.
   caf::actor stay_;
   JournalWriterParts parts_;
+  /// What is written next, and what of that is being written.
   std::vector<JournalGroupPtr> gathered_;
   std::size_t changes_ = 0;
   std::size_t bytes_ = 0;
-  std::uint64_t last_ = 0;
+  std::vector<JournalGroupPtr> under_way_;
+  caf::actor_clock::time_point fails_until_;
+  caf::actor_clock::time_point slow_until_;
+  Timestamp slowness_{0};
   bool sync_is_due_ = false;
   bool tidy_is_due_ = false;
   JournalNews news_;
@@ -117,7 +159,9 @@ caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts pa
   self->set_down_handler([self](const caf::down_msg&) { self->send(self, CloseAtom::value); });
   return {
     [writer](const JournalWrite& x) { writer->take(x); },
+    [writer](const JournalFault& x) { writer->befall(x); },
     [writer](SyncAtom) { writer->sync(); },
+    [writer](AppendAtom) { writer->append(); },
     [writer](TidyAtom) { writer->tidy(); },
     [self, writer](CloseAtom) {
       writer->close();

@@ -2,8 +2,10 @@
 
 #include "castor/wm/caf.hpp"
 #include "castor/wm/journal.hpp"
+#include "castor/wm/journal_fault.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -37,12 +39,16 @@ struct JournalWriterParts {
   std::size_t most_bytes = 0;
   /// The working memory; when it ends, so does the journal, in order.
   caf::strong_actor_ptr owner;
+  /// Is told what goes wrong when nobody hears news any more.
+  std::function<void(const std::string&)> report = [](const std::string&) {};
 };
 
 /// Writes a journal. What arrives while one group of writes is being synced is the next group.
+/// Takes JournalWrite, and JournalFault on purpose; tells its owner JournalNews.
 caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts parts);
 
 } // namespace castor
 
+CASTOR_LOCAL_MESSAGE(castor::JournalFault)
 CASTOR_LOCAL_MESSAGE(castor::JournalWrite)
 CASTOR_LOCAL_MESSAGE(castor::JournalNews)

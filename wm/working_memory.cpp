@@ -225,6 +225,10 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
       catch_up(self);
       set_alarm(self);
     },
+    [self](const JournalFault& x) {
+      if (auto& journal = self->state.journal)
+        caf::anon_send(journal, x);
+    },
     [self](const Subscribe& x) { return subscribe(self, x); },
     [self](const Unsubscribe& x) { unsubscribe(self, x); },
     [self](const EventsTaken& x) { acknowledge(self, x); },

@@ -22,7 +22,8 @@ caf::actor start_writer(Self self, const std::shared_ptr<JournalFile>& file) {
                            options.delay,
                            options.most_unsynced / 4,
                            options.most_unsynced_bytes / 4,
-                           caf::actor_cast<caf::strong_actor_ptr>(self)};
+                           caf::actor_cast<caf::strong_actor_ptr>(self),
+                           options.report};
   return options.own_thread ? self->system().spawn<caf::detached>(journal_writer, std::move(parts))
                             : self->system().spawn(journal_writer, std::move(parts));
 }

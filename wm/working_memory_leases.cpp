@@ -51,7 +51,7 @@ struct PendingQuery {
   ClientPtr client;
   WaitNumber number = 0;
   Timestamp deadline{0};
-  caf::typed_response_promise<Outcome<std::vector<EntryPtr>>> promise;
+  OwedAnswerPtr<Outcome<std::vector<EntryPtr>>> answer;
 };
 
 /// The first entry that the client has to wait for, or null.
@@ -87,7 +87,7 @@ void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
   auto obstacle = first_unreadable(state, entries, pending->client);
   if (!obstacle) {
     note_reads(state, pending->client, entries);
-    say_reply(self, pending->promise, Outcome<std::vector<EntryPtr>>{std::move(entries)});
+    say_reply(self, pending->answer, Outcome<std::vector<EntryPtr>>{std::move(entries)});
     return;
   }
   auto address = obstacle->address;
@@ -97,7 +97,7 @@ void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
       if (x.result != SettledWait::Result::timed_out)
         resume_query(self, pending);
       else
-        say_reply(self, pending->promise,
+        say_reply(self, pending->answer,
                   Outcome<std::vector<EntryPtr>>{
                     failed_wait(self->state, x, pending->client, address, "read")});
     }};
@@ -219,20 +219,19 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
   if (!request.patience.client || state.leases.may_read(address.id, *request.patience.client))
     return read_for(state, address.id, request.patience.client);
   remember_client(self, request.patience.client);
-  auto promise = self->make_response_promise<Outcome<EntryPtr>>();
-  begin_wait(
-    self, request.patience, address.id,
-    [self, promise, address, client = request.patience.client](const SettledWait& x) mutable {
-      if (x.result == SettledWait::Result::readable)
-        say_reply(self, promise, read_for(self->state, address.id, client));
-      else
-        say_reply(self, promise,
-                  Outcome<EntryPtr>{failed_wait(self->state, x, client, address, "read")});
-    });
+  auto answer = owe<Outcome<EntryPtr>>(self);
+  begin_wait(self, request.patience, address.id,
+             [self, answer, address, client = request.patience.client](const SettledWait& x) {
+               if (x.result == SettledWait::Result::readable)
+                 say_reply(self, answer, read_for(self->state, address.id, client));
+               else
+                 say_reply(self, answer,
+                           Outcome<EntryPtr>{failed_wait(self->state, x, client, address, "read")});
+             });
   state.leases.wait_to_read(address.id, request.patience.client, request.patience.number,
                             deadline_of(now(self), request.patience));
   set_alarm(self);
-  return promise;
+  return answer->promise();
 }
 
 caf::result<Outcome<std::vector<EntryPtr>>> query(Self self, const QueryRequest& request) {
@@ -247,9 +246,9 @@ caf::result<Outcome<std::vector<EntryPtr>>> query(Self self, const QueryRequest&
   remember_client(self, client);
   auto pending = std::make_shared<PendingQuery>(PendingQuery{
     request.query, client, request.patience.number, deadline_of(now(self), request.patience),
-    self->make_response_promise<Outcome<std::vector<EntryPtr>>>()});
+    owe<Outcome<std::vector<EntryPtr>>>(self)});
   resume_query(self, pending);
-  return pending->promise;
+  return pending->answer->promise();
 }
 
 caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
@@ -274,19 +273,19 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
                                   to_string(*client) + " cannot lock " + to_string(address) +
                                     " now: " + describe(*state.leases.holding(address.id)),
                                   address}};
-  auto promise = self->make_response_promise<Outcome<Lease>>();
+  auto answer = owe<Outcome<Lease>>(self);
   begin_wait(self, request.patience, address.id,
-             [self, promise, address, client](const SettledWait& x) mutable {
+             [self, answer, address, client](const SettledWait& x) {
                if (x.result == SettledWait::Result::granted)
-                 say_reply(self, promise, Outcome<Lease>{x.lease});
+                 say_reply(self, answer, Outcome<Lease>{x.lease});
                else
-                 say_reply(self, promise,
+                 say_reply(self, answer,
                            Outcome<Lease>{failed_wait(self->state, x, client, address, "lock")});
              });
   state.leases.lock(address.id, client, request.level, request.patience.number, time,
                     deadline_of(time, request.patience));
   set_alarm(self);
-  return promise;
+  return answer->promise();
 }
 
 Outcome<Acknowledged> unlock(Self self, const UnlockRequest& request) {

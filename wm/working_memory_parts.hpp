@@ -20,6 +20,35 @@ const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::
 
 Failure unknown_subarchitecture(const WorkingMemoryState& state, const Address& address);
 
+/// An answer that somebody waits for. If it is never given, because the working memory ends before,
+/// they hear that.
+template <class Reply>
+class OwedAnswer {
+public:
+  explicit OwedAnswer(caf::typed_response_promise<Reply> promise) : promise_(std::move(promise)) {}
+  OwedAnswer(const OwedAnswer&) = delete;
+  OwedAnswer& operator=(const OwedAnswer&) = delete;
+  ~OwedAnswer() {
+    if (promise_.pending())
+      promise_.deliver(caf::make_error(caf::sec::request_receiver_down));
+  }
+
+  void deliver(Reply x) { promise_.deliver(std::move(x)); }
+  const caf::typed_response_promise<Reply>& promise() const { return promise_; }
+
+private:
+  caf::typed_response_promise<Reply> promise_;
+};
+
+template <class Reply>
+using OwedAnswerPtr = std::shared_ptr<OwedAnswer<Reply>>;
+
+/// The answer to the current message is given later.
+template <class Reply>
+OwedAnswerPtr<Reply> owe(Self self) {
+  return std::make_shared<OwedAnswer<Reply>>(self->template make_response_promise<Reply>());
+}
+
 /// Says something that others may conclude from what has happened to entries: not before that is
 /// safe in the journal.
 template <class F>
@@ -37,17 +66,19 @@ caf::result<Reply> say_reply(Self self, caf::result<Reply> reply) {
   auto& gate = self->state.gate;
   if (!gate.holds() || reply.flag != caf::rt_value)
     return reply;
-  auto promise = self->template make_response_promise<Reply>();
-  gate.push([promise, message = std::move(reply.value)]() mutable {
-    promise.deliver(Reply{message.template get_as<Reply>(0)});
+  auto answer = owe<Reply>(self);
+  gate.push([answer, message = std::move(reply.value)] {
+    answer->deliver(Reply{message.template get_as<Reply>(0)});
   });
-  return promise;
+  return answer->promise();
 }
 
 /// And of an answer that has waited.
 template <class Reply>
-void say_reply(Self self, caf::typed_response_promise<Reply> promise, Reply reply) {
-  say(self, [promise, reply = std::move(reply)]() mutable { promise.deliver(std::move(reply)); });
+void say_reply(Self self, OwedAnswerPtr<Reply> answer, Reply reply) {
+  say(self, [answer = std::move(answer), reply = std::move(reply)]() mutable {
+    answer->deliver(std::move(reply));
+  });
 }
 
 /// Answers here what is ours, hands on what is another working memory's.

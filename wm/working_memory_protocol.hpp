@@ -292,6 +292,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<WakeUp>,
   // A fault on purpose.
   caf::reacts_to<JumpClock>,
+  // Another one, that is to befall its journal.
+  caf::reacts_to<JournalFault>,
   // Registers a filter of the sender; answers once it is in force in every working memory
   // concerned.
   caf::replies_to<Subscribe>::with<Outcome<Acknowledged>>,

@@ -129,7 +129,10 @@ private:
 
   /// What makes the same faults once more.
   std::string command() const {
-    auto result = "castor chaos " + arguments_.architecture.file;
+    std::string result = "castor";
+    for (auto& x : plugins_)
+      result += " --plugin " + x;
+    result += " chaos " + arguments_.architecture.file;
     if (!arguments_.plan.empty())
       result += " --plan " + arguments_.plan;
     result += fmt::format(" --seed {} --duration {}", seed_, arguments_.duration);
@@ -141,6 +144,11 @@ private:
       result += " --same " + x;
     for (auto& x : arguments_.but_for)
       result += " --but-for " + x;
+    for (auto& [option, value, otherwise] :
+         {std::tuple{"settle", arguments_.settle, Arguments{}.settle},
+          std::tuple{"bound", arguments_.bound, Arguments{}.bound}})
+      if (value != otherwise)
+        result += fmt::format(" --{} {}", option, value);
     return result;
   }
 
@@ -189,10 +197,11 @@ private:
     };
     std::unique_ptr<faults::Injector> injector;
     std::mutex mutex;
-    options.on_change = [&](const ChangeEvent& x) {
+    options.watched = faults::watched_by(plan_);
+    options.on_watched = [&](std::size_t filter, const ChangeEvent&) {
       std::lock_guard guard{mutex};
       if (injector)
-        injector->on_change(x);
+        injector->on_change(filter);
     };
     System system{std::move(architecture), options};
     auto begin = Clock::now();
@@ -221,12 +230,7 @@ private:
     }
     auto reason = system.wait({duration_, {}});
     injector->stop();
-    if (reason == EndReason::all_failed)
-      violation("survival", "all components have failed");
-    if (auto ended = system.ended(); ended && ended->first != success)
-      violation("survival", "the system ended: " + ended->second);
-    else if (ended)
-      result_.facts.emplace_back("ended by", ended->second);
+    look_at_survival(reason, system.ended());
     if (reason == EndReason::time_over)
       compare(come_to_rest(system));
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
@@ -239,6 +243,19 @@ private:
       injector.reset();
     }
     look_at_resources(watch.stop());
+  }
+
+  void look_at_survival(EndReason reason, const std::optional<std::pair<int, std::string>>& ended) {
+    std::string problem;
+    if (reason == EndReason::all_failed)
+      problem = "all components have failed";
+    if (ended && ended->first != success)
+      problem = "the system ended: " + ended->second;
+    else if (ended)
+      result_.facts.emplace_back("ended by", ended->second);
+    check("survival", problem.empty(), arguments_.duration + " of faults");
+    if (!problem.empty())
+      violation("survival", problem);
   }
 
   void compare(const std::vector<std::string>& got) {

@@ -163,7 +163,7 @@ int add(const Arguments& arguments) {
   for (auto& [name, value] : variables_of(arguments.architecture))
     variables[name] = value;
   return change(arguments, {{"do", "add"},
-                            {"file", arguments.architecture.file},
+                            {"file", std::filesystem::absolute(arguments.architecture.file)},
                             {"directory", std::filesystem::current_path().string()},
                             {"variables", variables}});
 }

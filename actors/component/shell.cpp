@@ -499,7 +499,11 @@ Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
   std::string what = "it sent " + content.stringify();
   if (content.match_elements<caf::error>()) {
     auto& e = content.get_as<caf::error>(0);
-    what = e == caf::sec::request_receiver_down ? "it has ended" : system().render(e);
+    auto has_ended = e == caf::sec::request_receiver_down;
+    what = has_ended ? "it has ended" : system().render(e);
+    // The news of that may still be on its way.
+    if (has_ended && address.subarchitecture == identity().subarchitecture)
+      working_memory_lost_ = true;
   }
   return {FailureKind::working_memory_lost, "no result from " + to_string(address) + ": " + what,
           address};

@@ -79,6 +79,14 @@ PlanResult finish(const cast::Source& source, const std::string& file, cast::Dia
 
 } // namespace
 
+std::vector<ChangeFilter> watched_by(const FaultPlan& x) {
+  std::vector<ChangeFilter> result;
+  for (auto& statement : x.statements)
+    if (auto after = std::get_if<After>(&statement.trigger))
+      result.push_back(after->filter);
+  return result;
+}
+
 std::string to_string(const Statement& x) {
   auto result = std::visit(TriggerPrinter{}, x.trigger);
   std::string_view separator = " ";

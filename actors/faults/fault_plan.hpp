@@ -75,6 +75,9 @@ struct FaultPlan {
   }
 };
 
+/// Of the statements whose faults come after changes, in their order.
+std::vector<ChangeFilter> watched_by(const FaultPlan& x);
+
 /// As a line of a plan, without a line break.
 std::string to_string(const Statement& x);
 

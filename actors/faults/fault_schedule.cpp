@@ -87,17 +87,13 @@ std::optional<DueFault> FaultSchedule::next(Timestamp now) {
   return timed_[next_++];
 }
 
-std::vector<DueFault> FaultSchedule::on_change(const ChangeEvent& event, const Value& content,
-                                               Timestamp now) {
-  std::vector<DueFault> result;
-  for (auto& x : watches_) {
-    if (x.over || !matches(x.after.filter, event, content) || ++x.seen < x.after.count)
-      continue;
-    result.push_back({now, draw(x.statement, x.drawn++), x.statement});
-    x.seen = 0;
-    x.over = !x.after.repeated;
-  }
-  return result;
+std::optional<DueFault> FaultSchedule::on_change(std::size_t filter, Timestamp now) {
+  auto& x = watches_.at(filter);
+  if (x.over || ++x.seen < x.after.count)
+    return std::nullopt;
+  x.seen = 0;
+  x.over = !x.after.repeated;
+  return DueFault{now, draw(x.statement, x.drawn++), x.statement};
 }
 
 FaultPlan FaultSchedule::as_plan() const {

@@ -2,8 +2,6 @@
 
 #include "castor/actors/faults/draw.hpp"
 #include "castor/actors/faults/fault_plan.hpp"
-#include "castor/wm/change_event.hpp"
-#include "castor/wm/value.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,8 +42,9 @@ public:
   /// The next by time that is due, if there is one; each is given once.
   std::optional<DueFault> next(Timestamp now);
 
-  /// Those that happen because of a change, after which the entry's content is that.
-  std::vector<DueFault> on_change(const ChangeEvent& event, const Value& content, Timestamp now);
+  /// There was a change that a filter wants: its place among those that the plan watches
+  /// (`watched_by`). The fault that happens because of it, if there is one.
+  std::optional<DueFault> on_change(std::size_t filter, Timestamp now);
 
   /// The same faults as a plan in which nothing is drawn any more, but for those after every so
   /// many changes. With the same seed its schedule is this one.

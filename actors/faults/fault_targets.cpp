@@ -162,7 +162,7 @@ private:
       report(x.is_any()
                ? std::string{"no working memory has a journal"}
                : "the working memory of " + in_quotes(x.subarchitecture) + " has no journal",
-             "add --journal with a folder to its WM line");
+             "add --journal full to its WM line");
   }
 
   Names processes() const {

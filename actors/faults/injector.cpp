@@ -1,5 +1,6 @@
 #include "castor/actors/faults/injector.hpp"
 
+#include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
@@ -79,10 +80,10 @@ std::vector<FaultRecord> Injector::records() const {
   return records_;
 }
 
-void Injector::on_change(const ChangeEvent& event) {
+void Injector::on_change(std::size_t filter) {
   std::lock_guard guard{mutex_};
-  for (auto& x : schedule_.on_change(event, Value{}, now()))
-    due_.push_back(std::move(x));
+  if (auto x = schedule_.on_change(filter, now()))
+    due_.push_back(*std::move(x));
   changed_.notify_all();
 }
 
@@ -108,24 +109,26 @@ void Injector::work() {
     for (auto& f : calls)
       f();
     for (auto& x : faults)
-      befall(x);
+      inject(x.fault);
     guard.lock();
   }
 }
 
-void Injector::befall(const DueFault& x) {
+FaultRecord Injector::inject(const Fault& fault) {
   auto at = now();
-  auto outcome = std::visit([this](auto& fault) { return inject(fault); }, x.fault);
+  auto outcome = std::visit([this](auto& x) { return befall(x); }, fault);
   FaultRecord record;
   record.at = at;
-  if (auto duration = duration_of(x.fault))
+  if (auto duration = duration_of(fault))
     record.until = at + *duration;
-  record.target = target_of(x.fault);
-  record.fault = to_string(x.fault);
+  record.target = target_of(fault);
+  record.fault = to_string(fault);
   record.done = outcome.done;
   record.outcome = outcome.text;
+  log(LogLevel::info, "faults", record.fault + (record.done ? "" : ", not done: " + outcome.text));
   std::lock_guard guard{mutex_};
-  records_.push_back(std::move(record));
+  records_.push_back(record);
+  return record;
 }
 
 Timestamp Injector::lasting(const Lasting& x) const {
@@ -143,23 +146,23 @@ Outcome befall_component(System& system, const ComponentTarget& target, const Co
 
 } // namespace
 
-Injector::Outcome Injector::inject(const Crash& x) {
+Injector::Outcome Injector::befall(const Crash& x) {
   return befall_component<Outcome>(*parts_.system, x.component, {});
 }
 
-Injector::Outcome Injector::inject(const Throw& x) {
+Injector::Outcome Injector::befall(const Throw& x) {
   ComponentFault fault{ComponentFault::Kind::failure};
   fault.callback = x.callback;
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::inject(const Hang& x) {
+Injector::Outcome Injector::befall(const Hang& x) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = lasting(x.duration);
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::inject(const Slow& x) {
+Injector::Outcome Injector::befall(const Slow& x) {
   ComponentFault fault{ComponentFault::Kind::slowness};
   fault.by = x.by;
   fault.duration = lasting(x.duration);
@@ -172,11 +175,11 @@ Injector::Outcome Injector::signal(const std::string& process, int signal) {
   return {};
 }
 
-Injector::Outcome Injector::inject(const Kill& x) {
+Injector::Outcome Injector::befall(const Kill& x) {
   return signal(x.process.name, SIGKILL);
 }
 
-Injector::Outcome Injector::inject(const Stop& x) {
+Injector::Outcome Injector::befall(const Stop& x) {
   auto outcome = signal(x.process.name, SIGSTOP);
   std::lock_guard guard{mutex_};
   later_.emplace(now() + lasting(x.duration),
@@ -184,11 +187,11 @@ Injector::Outcome Injector::inject(const Stop& x) {
   return outcome;
 }
 
-Injector::Outcome Injector::inject(const Continue& x) {
+Injector::Outcome Injector::befall(const Continue& x) {
   return signal(x.process.name, SIGCONT);
 }
 
-Injector::Outcome Injector::inject(const Partition& x) {
+Injector::Outcome Injector::befall(const Partition& x) {
   auto others = x.from;
   if (others.empty()) {
     others = names_of(*parts_.system->roster());
@@ -202,14 +205,14 @@ Injector::Outcome Injector::inject(const Partition& x) {
   return {};
 }
 
-Injector::Outcome Injector::inject(const Delay& x) {
+Injector::Outcome Injector::befall(const Delay& x) {
   if (!befall_links(*parts_.system, {x.link.first}, {x.link.second},
                     {LinkFault::Kind::delay, lasting(x.duration), x.by}))
     return {false, "there is no such link"};
   return {};
 }
 
-Injector::Outcome Injector::inject(const Drop& x) {
+Injector::Outcome Injector::befall(const Drop& x) {
   LinkFault fault{LinkFault::Kind::loss, lasting(x.duration)};
   fault.part = x.part.thousandths * 10;
   if (!befall_links(*parts_.system, {x.link.first}, {x.link.second}, fault))
@@ -225,23 +228,29 @@ constexpr const char* only_simulated =
 
 } // namespace
 
-Injector::Outcome Injector::inject(const Duplicate&) {
+Injector::Outcome Injector::befall(const Duplicate&) {
   return {false, only_simulated};
 }
 
-Injector::Outcome Injector::inject(const Reorder&) {
+Injector::Outcome Injector::befall(const Reorder&) {
   return {false, only_simulated};
 }
 
-Injector::Outcome Injector::inject(const FailJournal&) {
-  return {false, "journals of a running system cannot be made to fail yet"};
+Injector::Outcome Injector::befall_journal(const MemoryTarget& memory, const JournalFault& x) {
+  if (!parts_.system->befall(memory.subarchitecture, x))
+    return {false, not_there("working memory of " + memory.subarchitecture)};
+  return {};
 }
 
-Injector::Outcome Injector::inject(const SlowJournal&) {
-  return {false, "journals of a running system cannot be made slow yet"};
+Injector::Outcome Injector::befall(const FailJournal& x) {
+  return befall_journal(x.memory, {JournalFault::Kind::failure, lasting(x.duration)});
 }
 
-Injector::Outcome Injector::inject(const JumpClock& x) {
+Injector::Outcome Injector::befall(const SlowJournal& x) {
+  return befall_journal(x.memory, {JournalFault::Kind::slowness, lasting(x.duration), x.by});
+}
+
+Injector::Outcome Injector::befall(const JumpClock& x) {
   if (!parts_.system->jump_clock(x.memory.subarchitecture, x.by))
     return {false, not_there("working memory of " + x.memory.subarchitecture)};
   return {};

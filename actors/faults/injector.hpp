@@ -2,6 +2,7 @@
 
 #include "castor/actors/faults/chaos_run.hpp"
 #include "castor/actors/faults/fault_schedule.hpp"
+#include "castor/wm/journal_fault.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -37,9 +38,12 @@ public:
   Injector& operator=(const Injector&) = delete;
   ~Injector();
 
-  /// Something has changed, after which faults may be due. Of conditions on content none is true:
-  /// the content is not looked at.
-  void on_change(const ChangeEvent& event);
+  /// There was a change that a filter of the plan wants, after which a fault may be due: the
+  /// filter's place among those that the plan watches (`watched_by`).
+  void on_change(std::size_t filter);
+
+  /// Lets a fault befall the system now, whatever the schedule says. All its targets have names.
+  FaultRecord inject(const Fault& fault);
 
   /// No more faults; what was stopped goes on. Links that something befell are left to themselves.
   void stop();
@@ -56,25 +60,24 @@ private:
 
   void work();
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
-  void befall(const DueFault& x);
-
-  Outcome inject(const Crash& x);
-  Outcome inject(const Throw& x);
-  Outcome inject(const Hang& x);
-  Outcome inject(const Slow& x);
-  Outcome inject(const Kill& x);
-  Outcome inject(const Stop& x);
-  Outcome inject(const Continue& x);
-  Outcome inject(const Partition& x);
-  Outcome inject(const Delay& x);
-  Outcome inject(const Drop& x);
-  Outcome inject(const Duplicate& x);
-  Outcome inject(const Reorder& x);
-  Outcome inject(const FailJournal& x);
-  Outcome inject(const SlowJournal& x);
-  Outcome inject(const JumpClock& x);
+  Outcome befall(const Crash& x);
+  Outcome befall(const Throw& x);
+  Outcome befall(const Hang& x);
+  Outcome befall(const Slow& x);
+  Outcome befall(const Kill& x);
+  Outcome befall(const Stop& x);
+  Outcome befall(const Continue& x);
+  Outcome befall(const Partition& x);
+  Outcome befall(const Delay& x);
+  Outcome befall(const Drop& x);
+  Outcome befall(const Duplicate& x);
+  Outcome befall(const Reorder& x);
+  Outcome befall(const FailJournal& x);
+  Outcome befall(const SlowJournal& x);
+  Outcome befall(const JumpClock& x);
 
   Outcome signal(const std::string& process, int signal);
+  Outcome befall_journal(const MemoryTarget& memory, const JournalFault& x);
   /// Something that lasts until the end of the run if nothing else is said.
   Timestamp lasting(const Lasting& x) const;
 

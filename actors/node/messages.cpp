@@ -20,7 +20,8 @@ const WireTable& system_messages() {
     Outcome<Value>, PushRequest, Pushed, PushesTaken,
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
-    BefallComponent, BefallLink, JumpClock, PartStatusQuery, PartStatus, EndSystem, TaskEvent>();
+    BefallComponent, BefallLink, JumpClock, JournalFault, PartStatusQuery, PartStatus, EndSystem,
+    TaskEvent>();
   return result;
 }
 

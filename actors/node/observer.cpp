@@ -1,17 +1,23 @@
 #include "castor/actors/node/observer.hpp"
 
-#include "castor/wm/change_filter.hpp"
-
 namespace castor {
 
 namespace {
 
 using Self = caf::stateful_actor<ObserverState>*;
 
-void observe(Self self, const SystemOptions& options, const ChangeEvent& event) {
+/// Numbers of subscriptions: the first is for every change, then come those that are watched.
+constexpr FilterId all_changes = 1;
+constexpr FilterId first_watched = 2;
+
+void observe(Self self, const SystemOptions& options, const ChangeNotice& notice) {
   auto& state = self->state;
+  auto& event = *notice.event;
   if (options.on_change)
     options.on_change(event);
+  for (auto filter : notice.filters)
+    if (filter >= first_watched)
+      options.on_watched(filter - first_watched, event);
   auto& where = event.address.subarchitecture;
   if (auto i = state.system.logged.find(where); i != state.system.logged.end())
     log(i->second, where + '.' + working_memory_of(where), to_string(event));
@@ -21,15 +27,27 @@ void observe(Self self, const SystemOptions& options, const ChangeEvent& event) 
     self->send(wm->second, EventsTaken{EventStream::component, count});
 }
 
+void subscribe(Self self, const SystemOptions& options, const std::string& name,
+               const WorkingMemoryActor& wm) {
+  if (options.on_change || self->state.system.logged.count(name) > 0)
+    self->send(wm, Subscribe{all_changes, any_change()});
+  for (std::size_t i = 0; i < options.watched.size(); ++i) {
+    auto& where = options.watched[i].subarchitecture;
+    if (where.value_or("").empty() || *where == name)
+      self->send(wm,
+                 Subscribe{first_watched + static_cast<FilterId>(i), options.watched[i].in(name)});
+  }
+}
+
 /// Begins with those that are new.
 void look_at(Self self, const SystemOptions& options, const ObservedSystem& x) {
   auto known = std::exchange(self->state.system, x).working_memories;
   for (auto& [name, wm] : x.working_memories) {
     auto i = known.find(name);
-    if ((i != known.end() && i->second == wm) || (!options.on_change && x.logged.count(name) == 0))
+    if (i != known.end() && i->second == wm)
       continue;
     self->state.receipts.erase(name);
-    self->send(wm, Subscribe{1, any_change()});
+    subscribe(self, options, name, wm);
   }
 }
 
@@ -38,10 +56,10 @@ void look_at(Self self, const SystemOptions& options, const ObservedSystem& x) {
 caf::behavior observer(Self self, const SystemOptions& options) {
   return {
     [self, &options](const ObservedSystem& x) { look_at(self, options, x); },
-    [self, &options](const ChangeNotice& x) { observe(self, options, *x.event); },
+    [self, &options](const ChangeNotice& x) { observe(self, options, x); },
     [self, &options](const ChangeNotices& x) {
       for (auto& notice : x.notices)
-        observe(self, options, *notice.event);
+        observe(self, options, notice);
     },
     [&options](const TaskEvent& x) { options.on_task(x); },
     [](const Outcome<Acknowledged>&) {},

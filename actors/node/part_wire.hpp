@@ -127,6 +127,11 @@ void wire(A& a, WirePart<A, JumpClock>& x) {
 }
 
 template <class A>
+void wire(A& a, WirePart<A, JournalFault>& x) {
+  a(x.kind, x.duration, x.by);
+}
+
+template <class A>
 void wire(A&, WirePart<A, PartStatusQuery>&) {}
 
 template <class A>

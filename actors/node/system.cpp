@@ -179,12 +179,14 @@ public:
     caf::anon_send(processes_.agent(b), BefallLink{a, x});
   }
 
-  bool jump_clock(const std::string& subarchitecture, Timestamp by) {
+  /// A fault that a working memory brings about itself; false if there is none in reach.
+  template <class WorkingMemoryFault>
+  bool befall_working_memory(const std::string& subarchitecture, const WorkingMemoryFault& x) {
     auto known = roster();
     auto i = known->working_memories.find(subarchitecture);
     if (i == known->working_memories.end() || !is_in_reach(working_memory_of(subarchitecture)))
       return false;
-    caf::anon_send(i->second, JumpClock{by});
+    caf::anon_send(i->second, x);
     return true;
   }
 
@@ -389,7 +391,7 @@ private:
       if (wm_class.log || wm_class.debug)
         logged[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
     }
-    if (!options_.on_change && logged.empty())
+    if (!options_.on_change && options_.watched.empty() && logged.empty())
       return;
     make_observer();
     {
@@ -619,8 +621,12 @@ void System::befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
   implementation_->befall(a, b, x);
 }
 
+bool System::befall(const std::string& subarchitecture, const JournalFault& x) {
+  return implementation_->befall_working_memory(subarchitecture, x);
+}
+
 bool System::jump_clock(const std::string& subarchitecture, Timestamp by) {
-  return implementation_->jump_clock(subarchitecture, by);
+  return implementation_->befall_working_memory(subarchitecture, JumpClock{by});
 }
 
 SystemRosterPtr System::roster() const {

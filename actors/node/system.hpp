@@ -8,6 +8,7 @@
 #include "castor/actors/supervision/health.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/change_event.hpp"
+#include "castor/wm/change_filter.hpp"
 #include "castor/wm/entry.hpp"
 
 #include <chrono>
@@ -85,6 +86,11 @@ struct SystemOptions {
   /// Called with every change in every working memory, one at a time, those of one working memory
   /// in their order; not on any component's thread.
   std::function<void(const ChangeEvent&)> on_change;
+
+  /// Called like `on_change`, with the changes that one of these filters wants, and with its place
+  /// among them. Filters without a subarchitecture are for all of them.
+  std::vector<ChangeFilter> watched;
+  std::function<void(std::size_t filter, const ChangeEvent&)> on_watched;
 
   /// Called with what becomes of every proposed task, those of one task manager in their order;
   /// never at the same time as `on_change`.
@@ -183,6 +189,10 @@ public:
 
   /// Lets something befall the link between two processes, by their numbers.
   void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x);
+
+  /// Lets something befall the journal of a working memory, until that has ended; false if there is
+  /// no such working memory in reach.
+  bool befall(const std::string& subarchitecture, const JournalFault& x);
 
   /// Lets the clock of a working memory jump; false if there is none in reach.
   bool jump_clock(const std::string& subarchitecture, Timestamp by);

@@ -147,6 +147,35 @@ class Visitor final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Visitor, "writes into another working memory, also when it is back")
 
+/// Writes numbers down in another working memory until it was refused and then let in again; then
+/// ends the system, with status 0 if all that was acknowledged is there.
+class Clerk final : public UnmanagedComponent {
+  void run() override {
+    std::vector<Address> acknowledged;
+    bool was_refused = false;
+    for (int i = 0, since = 0; since < enough && sleep_for(2ms); ++i) {
+      Address at{where_, std::to_string(i)};
+      try {
+        add(at, Tick{i});
+        acknowledged.push_back(at);
+        since += was_refused;
+      } catch (const WorkingMemoryException& e) {
+        info("is not let in: {}", e.what());
+        was_refused = true;
+      }
+    }
+    for (auto& x : acknowledged)
+      if (!exists(x))
+        return end_system(1, to_string(x) + " is lost");
+    end_system(0, "all that was acknowledged is there");
+  }
+
+  static constexpr int enough = 20;
+
+  Option<std::string> where_{this, "where", "b", "subarchitecture that it writes to"};
+};
+CASTOR_COMPONENT(Clerk, "misses what was acknowledged and is not there")
+
 } // namespace
 
 } // namespace castor::test

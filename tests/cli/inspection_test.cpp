@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -255,6 +256,17 @@ TEST_F(Inspection, ComponentsJoinAndLeave) {
               HasSubstr("stopped, in this order: hearer, b_tm, second, listener"));
 }
 
+TEST_F(Inspection, WhatJoinsIsLookedForWhereTheCommandIsGiven) {
+  auto castor = start_ticking();
+  write("clock.cast", "SUBARCHITECTURE a\nCPP UM clock Clock\n");
+  auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  auto added = ask({"add", "clock.cast"});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_EQ(component_names().count("clock"), 1U);
+}
+
 TEST_F(Inspection, WhatCannotJoinLeavesNothingBehind) {
   auto castor = start_ticking();
   auto before = component_names();
@@ -357,6 +369,76 @@ TEST_F(Inspection, AFolderThatIsOpenToOthersIsNotUsed) {
   Process castor{command({"run", system("CPP UM clock Clock --status 0\n")})};
   EXPECT_EQ(castor.wait(), 0);
   EXPECT_THAT(castor.errors(), HasSubstr("is open to others"));
+}
+
+/// A request of docs/introspection.md, and the answer that stands there.
+struct Example {
+  std::string request;
+  std::vector<std::string> answer;
+};
+
+std::vector<Example> examples_in(const std::string& page) {
+  std::vector<Example> result;
+  std::istringstream in{page};
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```")) {
+      inside = line == "```json";
+      if (inside)
+        result.emplace_back();
+    } else if (inside && result.back().request.empty()) {
+      result.back().request = line;
+    } else if (inside) {
+      result.back().answer.push_back(line);
+    }
+  }
+  return result;
+}
+
+/// The same without what its numbers say, which differ each time.
+json shape_of(json x) {
+  if (x.is_number())
+    return 0;
+  if (x.is_structured())
+    for (auto& value : x)
+      value = shape_of(value);
+  return x;
+}
+
+std::string with_folder(std::string text, const std::string& folder) {
+  static const std::string placeholder = "/home/ann";
+  for (auto i = text.find(placeholder); i != text.npos; i = text.find(placeholder))
+    text.replace(i, placeholder.size(), folder);
+  return text;
+}
+
+TEST_F(Inspection, EveryRequestIsAnsweredAsItsPageSays) {
+  const std::string tail = "\nCPP TM AlwaysPositiveTaskManager\n";
+  const std::string kitchen = "SUBARCHITECTURE kitchen\n";
+  auto recorded = write("recorded.cast", kitchen +
+                                           "CPP WM SubarchitectureWorkingMemory --journal full "
+                                           "--journal-dir " +
+                                           (folder / "journals").string() + tail +
+                                           "CPP UM clock Clock --status 0\n");
+  ASSERT_EQ(ask({"run", recorded}).status, 0);
+  write("more.cast", kitchen + "CPP UM clock Clock\n");
+  auto system = write("kitchen.cast", kitchen + "CPP WM SubarchitectureWorkingMemory" + tail +
+                                        "CPP UM ticker Ticker\n");
+  Process castor{command({"run", system})};
+  ASSERT_TRUE(eventually([] { return ps()["components"][1]["writes"] > 5; }));
+  auto examples = examples_in(read(CASTOR_INTROSPECTION_PAGE));
+  EXPECT_GE(examples.size(), 10U);
+  for (auto& example : examples) {
+    SCOPED_TRACE(example.request);
+    Reader reader{socket_of_system(), with_folder(example.request, folder) + '\n'};
+    for (auto& line : example.answer) {
+      auto expected = shape_of(json::parse(with_folder(line, folder)));
+      auto got = shape_of(json::parse(reader.line()));
+      if (expected.contains("file"))
+        expected["file"] = system;
+      EXPECT_EQ(got, expected);
+    }
+  }
 }
 
 TEST_F(Inspection, StrangeRequestsAreRefused) {

@@ -1,6 +1,6 @@
-# Holds docs/tutorial.md to what it says: the files that it quotes are those of docs/tutorial, they build
-# against an installed Castor, and the commands that it gives print what it shows. What stands before a
-# fence says what is in it:
+# Holds a page of docs to what it says: the files that it quotes are those of the folder of its name, they
+# build against an installed Castor, their tests pass, and the commands that it gives print what it shows.
+# What stands before a fence says what is in it:
 #
 #   `NAME`:                     the whole file
 #   From `NAME`:                a part of it
@@ -14,11 +14,17 @@ run(${CMAKE_COMMAND} -S "${WORK_DIR}" -B "${WORK_DIR}/build" -G Ninja
   "-DCMAKE_PREFIX_PATH=${PREFIX}" "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build "${WORK_DIR}/build")
+if(EXISTS "${WORK_DIR}/build/CTestTestfile.cmake")
+  run(${CMAKE_CTEST_COMMAND} --test-dir "${WORK_DIR}/build" --output-on-failure --no-tests=error)
+endif()
+
+cmake_path(GET SOURCE_DIR FILENAME name)
+set(name "docs/${name}")
 
 function(expect_part whole part what)
   string(FIND "${whole}" "${part}" at)
   if(at EQUAL -1)
-    message(FATAL_ERROR "${what} has not what docs/tutorial.md quotes:\n${part}\nbut:\n${whole}")
+    message(FATAL_ERROR "${what} has not what ${name}.md quotes:\n${part}\nbut:\n${whole}")
   endif()
 endfunction()
 
@@ -35,13 +41,13 @@ while(NOT page STREQUAL "")
     set(in_fence FALSE)
     if(whole_file)
       if(NOT block STREQUAL content)
-        message(FATAL_ERROR "docs/tutorial/${whole_file} and docs/tutorial.md differ")
+        message(FATAL_ERROR "${name}/${whole_file} and ${name}.md differ")
       endif()
       list(APPEND quoted_files "${whole_file}")
     elseif(part_of)
-      expect_part("${content}" "${block}" "docs/tutorial/${part_of}")
+      expect_part("${content}" "${block}" "${name}/${part_of}")
     elseif(language MATCHES "cpp|cmake")
-      message(FATAL_ERROR "docs/tutorial.md does not say which file this is from:\n${block}")
+      message(FATAL_ERROR "${name}.md does not say which file this is from:\n${block}")
     endif()
     set(whole_file "")
     set(part_of "")
@@ -74,6 +80,6 @@ endwhile()
 file(GLOB files RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/*")
 foreach(file IN LISTS files)
   if(NOT file IN_LIST quoted_files)
-    message(FATAL_ERROR "docs/tutorial.md does not quote docs/tutorial/${file}")
+    message(FATAL_ERROR "${name}.md does not quote ${name}/${file}")
   endif()
 endforeach()

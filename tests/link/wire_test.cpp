@@ -207,6 +207,15 @@ TEST_F(Wire, AProbeKeepsItsWay) {
   EXPECT_EQ(x.round, 1u);
 }
 
+TEST_F(Wire, FaultsArriveAsTheyWere) {
+  auto journal = there_and_back(
+    JournalFault{JournalFault::Kind::slowness, std::chrono::seconds{1}, Timestamp{20}});
+  EXPECT_EQ(journal.kind, JournalFault::Kind::slowness);
+  EXPECT_EQ(journal.duration, std::chrono::seconds{1});
+  EXPECT_EQ(journal.by, Timestamp{20});
+  EXPECT_EQ(there_and_back(JumpClock{Timestamp{-5}}).by, Timestamp{-5});
+}
+
 TEST_F(Wire, WhatIsNoMessageOfASystemDoesNotTravel) {
   WireWriter out{names};
   EXPECT_FALSE(system_messages().write(caf::make_message(std::string{"hello"}).content(), out));

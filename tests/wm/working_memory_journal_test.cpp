@@ -22,8 +22,61 @@ struct ScriptedJournal {
   std::uint64_t last() const { return writes.back()->back().sequence; }
 };
 
+/// Requests whose answers may have to wait.
+class PatientClients : public WorkingMemories {
+protected:
+  /// A request that is not waited for; `arrived` says whether it is answered.
+  template <class Reply, class Request>
+  std::shared_ptr<std::optional<Reply>> begin_at(const std::string& name, Request request) {
+    auto result = std::make_shared<std::optional<Reply>>();
+    clients.push_back(
+      system.spawn([=, this, to = wm.at(name)](caf::event_based_actor* me) -> caf::behavior {
+        me->request(to, caf::infinite, request)
+          .then([=](const Reply& x) { *result = x; },
+                [=, this](const caf::error& e) { errors.push_back(system.render(e)); });
+        return {[](int) {}};
+      }));
+    scheduler.run();
+    return result;
+  }
+
+  std::shared_ptr<std::optional<Outcome<Version>>> begin_write(WriteRequest request) {
+    auto& at = request.address.subarchitecture;
+    request.client = std::make_shared<const Client>(Client{"tester", at});
+    return begin_at<Outcome<Version>>(at, request);
+  }
+
+  auto begin_add(const Address& at, int number = 0, EntryLife life = {}) {
+    return begin_write({Operation::add, at, Value::of(Item{number}), {}, {}, 0, life});
+  }
+
+  std::vector<std::string> reports;
+  std::vector<std::string> errors;
+  std::vector<caf::actor> clients;
+};
+
+TEST_F(PatientClients, NeedNotWaitForAnswersOfAWorkingMemoryThatHasEnded) {
+  add({"a", "1"});
+  auto holder = std::make_shared<const Client>(Client{"holder", "a"});
+  auto other = std::make_shared<const Client>(Client{"other", "b"});
+  LockRequest request{{"a", "1"}, LockLevel::odr, {holder, 1, 1h}};
+  ASSERT_TRUE(begin_at<Outcome<Lease>>("a", request)->has_value());
+  request.patience = {other, 1, 1h};
+  // By way of their own one.
+  auto lease = begin_at<Outcome<Lease>>("b", request);
+  auto read = begin_at<Outcome<EntryPtr>>("b", ReadRequest{{"a", "1"}, {other, 2, 1h}});
+  auto query =
+    begin_at<Outcome<std::vector<EntryPtr>>>("b", QueryRequest{{"a", "Item"}, {other, 3, 1h}});
+  EXPECT_THAT(errors, IsEmpty());
+  caf::anon_send_exit(wm.at("a"), caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_FALSE(lease->has_value() || read->has_value() || query->has_value());
+  EXPECT_EQ(errors, std::vector<std::string>(3, errors.front()));
+  EXPECT_THAT(errors.front(), HasSubstr("request_receiver_down"));
+}
+
 /// A working memory d beside those of the fixture, with a journal.
-class JournaledWorkingMemory : public WorkingMemories {
+class JournaledWorkingMemory : public PatientClients {
 protected:
   ~JournaledWorkingMemory() override {
     caf::anon_send_exit(journal.actor, caf::exit_reason::user_shutdown);
@@ -58,35 +111,17 @@ protected:
     scheduler.run();
   }
 
-  /// A request that is not waited for; `arrived` says whether it is answered.
   template <class Reply, class Request>
-  std::shared_ptr<std::optional<Reply>> begin(Request request) {
-    auto result = std::make_shared<std::optional<Reply>>();
-    clients.push_back(
-      system.spawn([=, this, to = wm.at("d")](caf::event_based_actor* me) -> caf::behavior {
-        me->request(to, caf::infinite, request)
-          .then([=](const Reply& x) { *result = x; },
-                [=, this](const caf::error& e) { errors.push_back(system.render(e)); });
-        return {[](int) {}};
-      }));
-    scheduler.run();
-    return result;
+  auto begin(const Request& request) {
+    return begin_at<Reply>("d", request);
   }
 
-  std::shared_ptr<std::optional<Outcome<Version>>> begin_write(WriteRequest request) {
-    request.client = std::make_shared<const Client>(Client{"tester", "d"});
-    return begin<Outcome<Version>>(request);
-  }
-
-  auto begin_add(const std::string& id, int number = 0, EntryLife life = {}) {
-    return begin_write({Operation::add, {"d", id}, Value::of(Item{number}), {}, {}, 0, life});
+  auto begin_add(const std::string& id, int number = 0) {
+    return PatientClients::begin_add({"d", id}, number);
   }
 
   std::shared_ptr<OpenedJournal> opened = std::make_shared<OpenedJournal>();
   ScriptedJournal journal;
-  std::vector<std::string> reports;
-  std::vector<std::string> errors;
-  std::vector<caf::actor> clients;
 };
 
 TEST_F(JournaledWorkingMemory, AnswersAWriteOnceItIsSynced) {
@@ -226,6 +261,9 @@ TEST_F(JournaledWorkingMemory, EndsWhenItsJournalFailsAndHasAcknowledgedNothingT
   tell({0, 0, 0, "the disk is on fire"});
   EXPECT_FALSE(answer->has_value());
   EXPECT_FALSE(read->has_value());
+  // They need not wait until their patience is over.
+  EXPECT_THAT(errors,
+              ElementsAre(HasSubstr("request_receiver_down"), HasSubstr("request_receiver_down")));
   EXPECT_THAT(told(listener), IsEmpty());
   EXPECT_THAT(reports, ElementsAre(HasSubstr("the disk is on fire. The working memory of d ends")));
   self->receive([&](const caf::down_msg& x) {
@@ -302,7 +340,7 @@ TEST_F(JournaledWorkingMemory, LetsEntriesEndThatHaveOutlivedTheirOwnersOrTheirT
 // --- with a file ---
 
 /// The working memory e, whose journal is a real file.
-class FiledWorkingMemory : public WorkingMemories {
+class FiledWorkingMemory : public PatientClients {
 protected:
   ~FiledWorkingMemory() override {
     for (auto& x : ended)
@@ -324,11 +362,22 @@ protected:
     wm.erase("e");
   }
 
-  JournalOptions options() const {
+  void befall(const JournalFault& x) {
+    caf::anon_send(wm.at("e"), x);
+    scheduler.run();
+  }
+
+  void pass(Timestamp x) {
+    scheduler.advance_time(x);
+    scheduler.run();
+  }
+
+  JournalOptions options() {
     JournalOptions result;
     result.mode = JournalMode::full;
     result.file = folder / "e.castor-journal";
     result.own_thread = false;
+    result.report = [this](const std::string& x) { reports.push_back(x); };
     return result;
   }
 
@@ -399,6 +448,105 @@ TEST_F(FiledWorkingMemory, EndsWhenAnotherTakesItsJournalOver) {
   EXPECT_TRUE(refused);
   EXPECT_EQ(*add({"e", "2"}), 0u);
   EXPECT_EQ(status("e").entries, 2u);
+}
+
+// --- faults on purpose ---
+
+constexpr JournalFault failing{JournalFault::Kind::failure, 1s};
+constexpr JournalFault slow{JournalFault::Kind::slowness, 1s, 20ms};
+
+TEST_F(FiledWorkingMemory, EndsWhenItsJournalIsMadeToFailAndIsBackWithAllThatItHasAcknowledged) {
+  start();
+  add({"e", "1"}, 1);
+  befall(failing);
+  self->monitor(wm.at("e"));
+  auto answer = begin_add({"e", "2"});
+  EXPECT_FALSE(answer->has_value());
+  self->receive([&](const caf::down_msg& x) {
+    EXPECT_THAT(system.render(x.reason), HasSubstr("it was made to fail"));
+  });
+  EXPECT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. The working memory of e ends; "
+                                             "everything that it has acknowledged is in its "
+                                             "journal")));
+  start();
+  EXPECT_EQ(status("e").entries, 1u);
+  EXPECT_EQ(status("e").journal.incarnation, 0u);
+  // The fault was that of the former one.
+  EXPECT_TRUE(begin_add({"e", "2"})->has_value());
+}
+
+TEST_F(FiledWorkingMemory, GoesOnAndSaysSoWhenItsJournalIsMadeToFail) {
+  journal.go_on_without = true;
+  start();
+  add({"e", "1"});
+  befall(failing);
+  EXPECT_TRUE(begin_add({"e", "2"})->has_value());
+  EXPECT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. e goes on without a journal")));
+  EXPECT_THAT(status("e").journal.failure, HasSubstr("it was made to fail"));
+  pass(2s);
+  EXPECT_TRUE(begin_add({"e", "3"})->has_value());
+  end();
+  start();
+  EXPECT_EQ(status("e").entries, 1u);
+}
+
+TEST_F(FiledWorkingMemory, DoesNotNoticeAFailureDuringWhichNothingWasWritten) {
+  start();
+  befall(failing);
+  pass(1s);
+  EXPECT_TRUE(begin_add({"e", "1"})->has_value());
+  EXPECT_THAT(reports, IsEmpty());
+}
+
+TEST_F(FiledWorkingMemory, AnswersLaterAsLongAsItsJournalIsMadeSlow) {
+  start();
+  befall(slow);
+  auto first = begin_add({"e", "1"});
+  pass(19ms);
+  // These come while the first is being written: the next group is theirs.
+  auto second = begin_add({"e", "2"});
+  auto third = begin_add({"e", "3"});
+  EXPECT_FALSE(first->has_value());
+  EXPECT_EQ(status("e").journal.unsynced, 3u);
+  pass(1ms);
+  EXPECT_TRUE(first->has_value());
+  pass(19ms);
+  EXPECT_FALSE(second->has_value());
+  EXPECT_FALSE(third->has_value());
+  pass(1ms);
+  EXPECT_TRUE(second->has_value());
+  EXPECT_TRUE(third->has_value());
+  EXPECT_EQ(status("e").journal.syncs, 2u);
+  pass(1s);
+  EXPECT_TRUE(begin_add({"e", "4"})->has_value());
+}
+
+TEST_F(FiledWorkingMemory, WritesDownWhatASlowJournalHasNotTakenBeforeItEnds) {
+  journal.mode = JournalMode::batched;
+  start();
+  befall(slow);
+  add({"e", "1"});
+  pass(journal.delay);
+  add({"e", "2"});
+  end();
+  pass(1s);
+  EXPECT_THAT(reports, IsEmpty());
+  start();
+  EXPECT_EQ(status("e").entries, 2u);
+  EXPECT_EQ(status("e").journal.incarnation, 0u);
+}
+
+TEST_F(FiledWorkingMemory, SaysThatAcknowledgedChangesMayBeLostIfItsJournalFailsAtItsEnd) {
+  journal.mode = JournalMode::batched;
+  start();
+  add({"e", "1"});
+  befall(failing);
+  end();
+  EXPECT_THAT(
+    reports, ElementsAre(HasSubstr("it was made to fail. What was acknowledged last may be lost")));
+  start();
+  EXPECT_EQ(status("e").entries, 0u);
+  EXPECT_EQ(status("e").journal.incarnation, 1u);
 }
 
 } // namespace

@@ -1,0 +1,161 @@
+#include "castor_fixture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace castor::test {
+
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::Contains;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Short runs under fault plans.
+class Chaos : public Castor {
+protected:
+  std::vector<std::string> arguments(const std::string& system, const std::string& plan,
+                                     const std::string& duration = "1s",
+                                     const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> result{
+      "chaos",    system,  "--plan",   write("system.plan", plan), "--duration", duration,
+      "--settle", "300ms", "--report", report().string()};
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  }
+
+  std::filesystem::path report() const { return folder / "report"; }
+  json report_as_json() const { return json::parse(read(report() / "chaos.json")); }
+
+  static std::vector<std::string> values(const json& list, const std::string& name) {
+    std::vector<std::string> result;
+    for (auto& x : list)
+      result.push_back(x.at(name));
+    return result;
+  }
+
+  /// The command that a report gives for making the same faults again.
+  static std::vector<std::string> command_for_again(const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream words{text.substr(text.find("again: castor ") + 7)};
+    std::string line;
+    std::getline(words, line);
+    std::istringstream in{line};
+    for (std::string word; in >> word;)
+      result.push_back(word);
+    result.front() = CASTOR_EXECUTABLE;
+    return result;
+  }
+};
+
+TEST_F(Chaos, ASystemThatHoldsIsReportedWithEverythingThatBefellIt) {
+  auto answer = ask(arguments(system("CPP UM clock Clock\nCPP UM listener Listener --count 1000\n"),
+                              "at 200ms crash clock\n"
+                              "after overwritten Tick in a where number == 3: crash listener\n"
+                              "after Tick where number == 4: crash a_tm\n"
+                              "at 400ms slow clock by 1ms for 100ms\n"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(HasSubstr("system.cast: held"), HasSubstr("3 of 3 faults"),
+                                   HasSubstr("outages: 2 back, 0 given up, 0 neither")));
+  auto result = report_as_json();
+  EXPECT_EQ(result["held"], true);
+  auto page = read(report() / "chaos.html");
+  for (auto fault : {"crash clock", "crash listener", "slow clock by 1ms for 100ms"}) {
+    EXPECT_THAT(answer.errors, HasSubstr(std::string{"[faults] "} + fault));
+    EXPECT_THAT(values(result["faults"], "fault"), Contains(fault));
+    EXPECT_THAT(page, HasSubstr(fault));
+  }
+  for (auto who : {"clock", "listener"}) {
+    EXPECT_THAT(answer.errors, ContainsRegex("\\[" + std::string{who} + "\\] is back after"));
+    EXPECT_THAT(values(result["outages"], "target"), Contains(who));
+  }
+  for (auto& x : result["faults"])
+    EXPECT_EQ(x["done"], true) << x;
+}
+
+TEST_F(Chaos, OneThatDoesNotHoldIsReportedWithTheCommandThatDoesTheSameAgain) {
+  auto file = write("fragile.cast", "SUPERVISE * RESTARTS 0 IN 1min\n"
+                                    "SUPERVISE SYSTEM RESTARTS 0 IN 1min\n" +
+                                      read(system("CPP UM clock Clock\n")));
+  auto answer = ask(arguments(file, "at 200ms crash any component\n", "1s", {"--bound", "5s"}));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output,
+              AllOf(HasSubstr("VIOLATED   survival"),
+                    HasSubstr("the system ended: the supervisor: clock has failed"),
+                    HasSubstr("clock is down: failed in run(): it was made to crash")));
+  auto again = command_for_again(answer.output);
+  EXPECT_THAT(again, AllOf(Contains("--plan"), Contains("--settle"), Contains("--bound"),
+                           Contains("--plugin"), Not(Contains("--report"))));
+  Process repetition{again};
+  EXPECT_EQ(repetition.wait(), 1) << repetition.errors();
+  EXPECT_THAT(repetition.output(), HasSubstr("the system ended: the supervisor: clock has failed"));
+}
+
+TEST_F(Chaos, AStateThatIsNotTheSameAsWithoutFaultsIsAViolation) {
+  // Each time that it is started, the clock adds another entry.
+  auto answer = ask(
+    arguments(system("CPP UM clock Clock\n"), "at 200ms crash clock\n", "1s", {"--same", "Tick"}));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(HasSubstr("VIOLATED   state as without faults"),
+                                   HasSubstr("  + a Tick {\"number\":3}")));
+  EXPECT_THAT(values(report_as_json()["violations"], "check"),
+              testing::ElementsAre("state as without faults"));
+}
+
+TEST_F(Chaos, AFlawedPlanIsRefusedWithItsPlace) {
+  auto file = system("CPP UM clock Clock\n");
+  auto answer = ask(arguments(file, "at 1s crash clock\nat 1s tickle clock\n"));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.errors, AllOf(HasSubstr("system.plan:2"), HasSubstr("is not a fault")));
+  answer = ask(arguments(file, "at 1s crash clocl\n"));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.errors, AllOf(HasSubstr("system.plan:1"), HasSubstr("clock")));
+  answer = ask(arguments(file, "at 1s fail journal of a\n"));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.errors, HasSubstr("add --journal full to its WM line"));
+  EXPECT_FALSE(std::filesystem::exists(report()));
+}
+
+TEST_F(Chaos, AnInterruptEndsTheRunInOrder) {
+  auto file =
+    write("nodes.cast", "HOSTNAME one one.test\n" + read(system("CPP UM ticker Ticker\n")) +
+                          "[one] CPP UM listener Listener --count 1000000 --late\n");
+  Process castor{command(arguments(file, "at 100ms crash listener\n", "1min"))};
+  ASSERT_TRUE(castor.wait_for_output("[listener] is back")) << castor.errors();
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 1) << castor.errors();
+  EXPECT_THAT(castor.output(), AllOf(HasSubstr("interrupted"), HasSubstr("1 of 1 faults")));
+  EXPECT_THAT(castor.errors(), HasSubstr("stopped, in this order: listener, ticker, a_tm"));
+  EXPECT_EQ(report_as_json()["held"], false);
+}
+
+TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
+  auto file =
+    write("journaled.cast",
+          "HOSTNAME one one.test\nACCESS a WRITES b\n" + read(system("CPP UM clerk Clerk\n")) +
+            "SUBARCHITECTURE b [one]\nCPP WM SubarchitectureWorkingMemory --journal full "
+            "--journal-dir " +
+            (folder / "journals").string() + "\nCPP TM AlwaysPositiveTaskManager\n");
+  auto answer = ask(arguments(
+    file, "at 100ms slow journal of b by 20ms for 200ms\nat 400ms fail journal of b\n", "20s"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output,
+              AllOf(HasSubstr("2 of 2 faults"),
+                    HasSubstr("ended by: a.clerk: all that was acknowledged is there")));
+  EXPECT_THAT(answer.errors, HasSubstr("it was made to fail. The working memory of b ends"));
+  EXPECT_THAT(values(report_as_json()["outages"], "target"), Contains("b_wm"));
+}
+
+} // namespace
+
+} // namespace castor::test
