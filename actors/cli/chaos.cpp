@@ -1,6 +1,7 @@
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/duration_option.hpp"
 #include "castor/actors/cli/final_state.hpp"
+#include "castor/actors/cli/history_watch.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/process_resources.hpp"
@@ -203,7 +204,10 @@ private:
       if (injector)
         injector->on_change(filter);
     };
+    HistoryWatch histories{architecture, clocks_jump()};
+    histories.watch(options);
     System system{std::move(architecture), options};
+    histories.look_at_beginning(system);
     auto begin = Clock::now();
     if (!system.start()) {
       system.stop();
@@ -237,11 +241,13 @@ private:
     result_.faults = injector->records();
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
+    histories.end();
     system.stop();
     {
       std::lock_guard guard{mutex};
       injector.reset();
     }
+    look_at_histories(histories);
     look_at_resources(watch.stop());
   }
 
@@ -295,6 +301,25 @@ private:
           fmt::format("{} components", summary.components.size()));
     if (!down.empty())
       violation("everybody runs in the end", down);
+  }
+
+  bool clocks_jump() const {
+    auto jumps = [](auto& fault) { return std::holds_alternative<faults::JumpClock>(fault); };
+    return std::ranges::any_of(plan_.statements,
+                               [&](auto& x) { return std::ranges::any_of(x.faults, jumps); });
+  }
+
+  void look_at_histories(const HistoryWatch& histories) {
+    using Verdict = faults::CheckRecord::Verdict;
+    using Kind = linearizability::Verdict::Kind;
+    for (auto& [name, x] : histories.judge()) {
+      auto verdict = x.verdict == Kind::ok          ? Verdict::held
+                     : x.verdict == Kind::violation ? Verdict::violated
+                                                    : Verdict::undecided;
+      result_.checks.push_back({name, verdict, x.grounds});
+      if (verdict == Verdict::violated)
+        violation(name, x.report);
+    }
   }
 
   void look_at_resources(std::vector<faults::ProcessResources> resources) {

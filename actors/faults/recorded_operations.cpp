@@ -3,7 +3,7 @@
 #include "castor/actors/faults/linearizability/answers.hpp"
 #include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/actors/faults/linearizability/lapses.hpp"
-#include "castor/wm/journal.hpp"
+#include "castor/wm/working_memory.hpp"
 
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <regex>
 #include <set>
 #include <unordered_map>
 
@@ -56,7 +57,7 @@ void take_end(RecordedOperation& x, const Json& line) {
 
 /// The life of a working memory that gave, or was shown, this number.
 std::uint64_t life_of(std::uint64_t number) {
-  return number / numbers_per_incarnation;
+  return number / numbers_per_life;
 }
 
 bool is_write(OperationKind x) {
@@ -82,7 +83,7 @@ std::optional<std::uint64_t> life_of(const OperationRecord& x) {
 
 /// The same with numbers that begin with the life.
 OperationRecord in_life(OperationRecord x, std::uint64_t life) {
-  auto base = life * numbers_per_incarnation;
+  auto base = life * numbers_per_life;
   auto shift = [&](std::uint64_t& number) { number = number < base ? 0 : number - base; };
   shift(x.result.version);
   shift(x.result.token);
@@ -114,6 +115,26 @@ std::map<std::uint64_t, History> by_life(const History& all, bool one_life) {
           (x->token == 0 || life_of(x->token) == life))
         history.push_back(in_life(*x, life));
   return result;
+}
+
+/// What the checker calls by numbers has names.
+std::string with_names(const std::string& report, const Recording& recording) {
+  static const std::regex number{"(entry|client) ([0-9]+)"};
+  std::map<std::string, std::string> names;
+  for (auto& x : recording) {
+    names["entry " + std::to_string(x.record.entry)] = to_string(x.address);
+    names["client " + std::to_string(x.record.client)] =
+      x.life == 1 ? x.component : fmt::format("{} in life {}", x.component, x.life);
+  }
+  std::string result;
+  auto rest = report.begin();
+  for (std::sregex_iterator i{report.begin(), report.end(), number}, end; i != end; ++i) {
+    result.append(rest, (*i)[0].first);
+    auto name = names.find(i->str());
+    result += name == names.end() ? i->str() : name->second;
+    rest = (*i)[0].second;
+  }
+  return result.append(rest, report.end());
 }
 
 std::string counted(std::size_t n, const char* one, const char* several) {
@@ -169,9 +190,9 @@ Recording read_operations(const std::filesystem::path& folder) {
 Judgement judge_operations(const Recording& recording, const MemoryConditions& conditions,
                            const std::set<Life>& ended, Tick until) {
   Judgement result;
-  if (conditions.had_entries) {
+  if (!conditions.unknown.empty()) {
     result.verdict = Kind::undecided;
-    result.grounds = "it held entries in the beginning, of which nobody knows how they came";
+    result.grounds = conditions.unknown;
     return result;
   }
   std::set<std::uint32_t> passing;
@@ -213,7 +234,7 @@ Judgement judge_operations(const Recording& recording, const MemoryConditions& c
     if (verdict.ok() || result.verdict == Kind::violation)
       continue;
     result.verdict = verdict.kind;
-    result.report = verdict.report;
+    result.report = with_names(verdict.report, recording);
   }
   result.grounds = counted(all.size(), "operation", "operations") + " on " +
                    counted(entries.size(), "entry", "entries") +
@@ -223,8 +244,10 @@ Judgement judge_operations(const Recording& recording, const MemoryConditions& c
 
 Judgement judge_events(const Recording& recording, const MemoryConditions& conditions,
                        std::span<const ChangeEventPtr> told) {
-  Judgement result{Kind::undecided, "the working memory was down in between", {}};
+  Judgement result{Kind::undecided, conditions.unknown, {}};
   if (conditions.went_down)
+    result.grounds = "the working memory was down in between";
+  if (!result.grounds.empty())
     return result;
   if (std::ranges::any_of(told, [](auto& x) { return x->coalesced; })) {
     result.grounds = "they came faster than they could be taken, and were merged";
@@ -234,9 +257,8 @@ Judgement judge_events(const Recording& recording, const MemoryConditions& condi
   for (auto& x : recording) {
     if (x.address.subarchitecture != conditions.subarchitecture || !is_write(x.record.kind))
       continue;
-    if (x.has_life || conditions.had_entries) {
-      result.grounds =
-        x.has_life ? "some entries go of themselves" : "it held entries in the beginning";
+    if (x.has_life) {
+      result.grounds = "some entries go of themselves";
       return result;
     }
     if (!x.record.pending() && x.record.result.status != Status::ok)

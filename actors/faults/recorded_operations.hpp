@@ -66,7 +66,7 @@ struct MemoryConditions {
   /// When it comes back, it has what it had acknowledged; otherwise nothing.
   bool durable = false;
   /// Why nobody knows what it held in the beginning of one of its lives; empty if it held nothing.
-  std::string unknown;
+  std::string unknown = {};
 };
 
 /// A judgement, with its grounds.

@@ -39,10 +39,10 @@ void Deployments::ask(const Question& question,
             take(process, x);
           answered();
         },
-        [self = shared_from_this(), process, number, answered](const caf::error&) {
+        [self = shared_from_this(), process, number, answered](const caf::error& error) {
           // Of a process that is lost, nothing is expected any more.
           if (number == self->question_ && self->missing_.count(process) > 0)
-            self->no_answer(process);
+            self->no_answer(process, error);
           answered();
         });
   }
@@ -97,12 +97,14 @@ void Deployments::finish() {
     begin();
 }
 
-void Deployments::no_answer(ProcessNumber from) {
+void Deployments::no_answer(ProcessNumber from, const caf::error& error) {
   auto x = processes_.state(from);
   cast::Diagnostic problem;
   problem.message = (from == 0 ? "this process" : "the node " + x.description.name) +
-                    " did not make its part of the system in " +
-                    std::to_string(patience_.count() / 1000) + " s";
+                    " did not make its part of the system";
+  problem.message += error == caf::sec::request_timeout
+                       ? " in " + std::to_string(patience_.count() / 1000) + " s"
+                       : ": " + self_->system().render(error);
   if (x.link != LinkState::up)
     problem.message += ": " + x.reason;
   problem.remedy = "see that the nodes can reach each other where the file says that they are";

@@ -58,7 +58,7 @@ private:
   void take(const PartPlan& plan, ProcessNumber from, const PartMade& made);
   void introduce();
   void finish();
-  void no_answer(ProcessNumber from);
+  void no_answer(ProcessNumber from, const caf::error& error);
   void go_on_if_answered();
 
   caf::event_based_actor* self_;

@@ -81,6 +81,10 @@ TEST_F(Chaos, ASystemThatHoldsIsReportedWithEverythingThatBefellIt) {
   }
   for (auto& x : result["faults"])
     EXPECT_EQ(x["done"], true) << x;
+  // Everybody's operations were written down, and every change was told.
+  EXPECT_THAT(answer.output,
+              ContainsRegex("ok +operations on a +[0-9]+ operations on [2-9] entries"));
+  EXPECT_THAT(answer.output, ContainsRegex("ok +changes in a +[0-9]+ changes"));
 }
 
 TEST_F(Chaos, OneThatDoesNotHoldIsReportedWithTheCommandThatDoesTheSameAgain) {
