@@ -102,6 +102,8 @@ struct WorkingMemoryState {
   struct Wait {
     std::string id;
     std::function<void(const SettledWait&)> finish;
+    /// Nobody wants to hear any more.
+    std::function<void()> forgo;
   };
 
   WorkingMemoryOptions options;

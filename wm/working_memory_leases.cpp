@@ -40,9 +40,12 @@ WorkingMemoryState::WaitKey key_of(const Client& client, WaitNumber number) {
   return {client.component, client.incarnation, number};
 }
 
-void begin_wait(Self self, const Patience& patience, const std::string& id,
+template <class Reply>
+void begin_wait(Self self, const Client& client, WaitNumber number, const std::string& id,
+                const OwedAnswerPtr<Reply>& answer,
                 std::function<void(const SettledWait&)> finish) {
-  self->state.waits[key_of(*patience.client, patience.number)] = {id, std::move(finish)};
+  self->state.waits[key_of(client, number)] = {id, std::move(finish),
+                                               [answer] { answer->forgo(); }};
 }
 
 /// A query that waits for one lease after the other, until it finds all entries readable at once.
@@ -91,16 +94,16 @@ void resume_query(Self self, const std::shared_ptr<PendingQuery>& pending) {
     return;
   }
   auto address = obstacle->address;
-  state.waits[key_of(*pending->client, pending->number)] = {
-    address.id, [self, pending, address](const SettledWait& x) {
-      // A deleted entry is no result any more, but the others may be.
-      if (x.result != SettledWait::Result::timed_out)
-        resume_query(self, pending);
-      else
-        say_reply(self, pending->answer,
-                  Outcome<std::vector<EntryPtr>>{
-                    failed_wait(self->state, x, pending->client, address, "read")});
-    }};
+  begin_wait(self, *pending->client, pending->number, address.id, pending->answer,
+             [self, pending, address](const SettledWait& x) {
+               // A deleted entry is no result any more, but the others may be.
+               if (x.result != SettledWait::Result::timed_out)
+                 resume_query(self, pending);
+               else
+                 say_reply(self, pending->answer,
+                           Outcome<std::vector<EntryPtr>>{
+                             failed_wait(self->state, x, pending->client, address, "read")});
+             });
   state.leases.wait_to_read(address.id, pending->client, pending->number, pending->deadline);
   set_alarm(self);
 }
@@ -220,7 +223,7 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
     return read_for(state, address.id, request.patience.client);
   remember_client(self, request.patience.client);
   auto answer = owe<Outcome<EntryPtr>>(self);
-  begin_wait(self, request.patience, address.id,
+  begin_wait(self, *request.patience.client, request.patience.number, address.id, answer,
              [self, answer, address, client = request.patience.client](const SettledWait& x) {
                if (x.result == SettledWait::Result::readable)
                  say_reply(self, answer, read_for(self->state, address.id, client));
@@ -274,7 +277,7 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
                                     " now: " + describe(*state.leases.holding(address.id)),
                                   address}};
   auto answer = owe<Outcome<Lease>>(self);
-  begin_wait(self, request.patience, address.id,
+  begin_wait(self, *request.patience.client, request.patience.number, address.id, answer,
              [self, answer, address, client](const SettledWait& x) {
                if (x.result == SettledWait::Result::granted)
                  say_reply(self, answer, Outcome<Lease>{x.lease});
@@ -319,6 +322,8 @@ void cancel(Self self, const CancelWait& request) {
   auto wait = state.waits.extract(key_of(*request.client, request.number));
   state.leases.cancel(wait ? wait.mapped().id : request.address.id, *request.client, request.number,
                       now(self));
+  if (wait)
+    wait.mapped().forgo();
   settle(self);
 }
 

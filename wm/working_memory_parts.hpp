@@ -29,15 +29,20 @@ public:
   OwedAnswer(const OwedAnswer&) = delete;
   OwedAnswer& operator=(const OwedAnswer&) = delete;
   ~OwedAnswer() {
-    if (promise_.pending())
+    if (wanted_ && promise_.pending())
       promise_.deliver(caf::make_error(caf::sec::request_receiver_down));
   }
 
   void deliver(Reply x) { promise_.deliver(std::move(x)); }
+
+  /// Nobody wants it any more.
+  void forgo() { wanted_ = false; }
+
   const caf::typed_response_promise<Reply>& promise() const { return promise_; }
 
 private:
   caf::typed_response_promise<Reply> promise_;
+  bool wanted_ = true;
 };
 
 template <class Reply>

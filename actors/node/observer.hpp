@@ -29,8 +29,9 @@ struct ObserverState {
   std::map<std::string, Receipts> receipts;
 };
 
-/// Calls `SystemOptions::on_change`, `on_watched` and `on_task`, one at a time, and logs changes. It has to be
-/// sent ObservedSystem when something is added or removed. The options have to outlive it.
+/// Calls `SystemOptions::on_change`, `on_watched` and `on_task`, one at a time, and logs changes.
+/// It has to be sent ObservedSystem when something is added or removed. The options have to outlive
+/// it.
 caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOptions& options);
 
 } // namespace castor
