@@ -22,6 +22,10 @@ const WorkingMemoryActor* find_peer(const WorkingMemoryState& state, const std::
 }
 
 Failure unknown_subarchitecture(const WorkingMemoryState& state, const Address& address) {
+  if (state.absent.count(address.subarchitecture) > 0)
+    return {FailureKind::working_memory_lost,
+            "the working memory of " + address.subarchitecture + " is lost, and not back yet",
+            address};
   std::string known = state.options.subarchitecture;
   for (auto& peer : state.peers)
     if (!peer.removed)

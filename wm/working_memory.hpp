@@ -140,6 +140,8 @@ struct WorkingMemoryState {
   /// What the other subarchitectures want; a key is the index into `peers` above the interest's id.
   FilterIndex peer_index;
   std::vector<Peer> peers;
+  /// Subarchitectures whose working memories are lost, and may come back.
+  std::set<std::string> absent;
   std::vector<Route> routes;
   /// Of working memories that have been introduced to this one, but it not yet to them.
   std::vector<std::pair<caf::actor_addr, Interest>> early_interests;

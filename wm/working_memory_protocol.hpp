@@ -193,6 +193,8 @@ struct Peers {
   std::map<std::string, caf::strong_actor_ptr> routes = {};
   /// Subarchitectures whose components may write here from now on; "*" for all.
   std::set<std::string> writers = {};
+  /// Subarchitectures of the system whose working memories are not there at the moment.
+  std::set<std::string> absent = {};
 };
 
 struct Acknowledged {};

@@ -88,6 +88,7 @@ void forget_removed(WorkingMemoryState& state, const Peers& peers) {
 caf::result<Acknowledged> introduce(Self self, const Peers& peers) {
   auto& state = self->state;
   forget_removed(state, peers);
+  state.absent = peers.absent;
   struct Pending {
     caf::typed_response_promise<Acknowledged> promise;
     std::size_t missing = 0;

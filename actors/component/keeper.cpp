@@ -64,7 +64,7 @@ caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
   self->delayed_send(self, period, TickAtom::value);
   return {
     [self, watch, parts = std::move(parts)](TickAtom) {
-      auto now = ComponentRecord::Clock::now();
+      auto now = self->clock().now();
       for (auto& x : watch->check(now)) {
         note(LogLevel::warning, x.component->identity().full_name(),
              fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "

@@ -53,6 +53,8 @@ LogLevel log_level() {
 }
 
 void log(LogLevel level, std::string_view who, std::string_view what) {
+  if (log_level() == LogLevel::off)
+    return;
   logger().log(to_spdlog(level), "[{}] {}", who, what);
 }
 

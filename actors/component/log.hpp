@@ -8,7 +8,8 @@ namespace castor {
 
 enum class LogLevel : std::uint8_t { trace, debug, info, warning, error, off };
 
-/// Below this nothing is logged, unless a component asks for more of its own.
+/// Below this nothing is logged, unless a component asks for more of its own; if it is off, nothing
+/// at all.
 void set_log_level(LogLevel level);
 LogLevel log_level();
 

@@ -125,7 +125,7 @@ FaultRecord Injector::inject(const Fault& fault) {
   record.fault = to_string(fault);
   record.done = outcome.done;
   record.outcome = outcome.text;
-  log(LogLevel::info, "faults", record.fault + (record.done ? "" : ", not done: " + outcome.text));
+  note(LogLevel::info, "faults", record.fault + (record.done ? "" : ", not done: " + outcome.text));
   std::lock_guard guard{mutex_};
   records_.push_back(record);
   return record;

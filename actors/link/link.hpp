@@ -59,6 +59,9 @@ struct LinkPatience {
 /// the peer.
 caf::actor spawn_link(LinkParts parts);
 
+/// How a link is made.
+using LinkSpawn = std::function<caf::actor(LinkParts)>;
+
 /// Waits until actors that were told to end have ended: those of the network are not waited for
 /// when an actor system is destroyed, and what they were sent before is lost then.
 void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors);

@@ -345,6 +345,9 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
           sink(content, context);
         return;
       }
+      // Who asked is lost, as far as this process knows: there is nobody to answer.
+      if (!sender && id.is_request())
+        return;
       auto receiver = local(number);
       if (receiver && id.is_response())
         close_request(receiver, id);

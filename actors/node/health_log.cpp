@@ -12,7 +12,7 @@
 namespace castor {
 
 void HealthLog::down(const Subject& who, const std::string& reason, bool will_restart) {
-  bool is_new = down_since_.try_emplace(who.name, Clock::now()).second;
+  bool is_new = down_since_.try_emplace(who.name, self_->clock().now()).second;
   if (!is_new && will_restart)
     return;
   note(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
@@ -26,7 +26,8 @@ void HealthLog::up(const Subject& who) {
   auto since = down_since_.extract(who.name);
   if (!since)
     return;
-  auto down = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - since.mapped());
+  auto down =
+    std::chrono::duration_cast<std::chrono::microseconds>(self_->clock().now() - since.mapped());
   note(LogLevel::info, who.name,
        fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
   ComponentUp x{who.name, who.subarchitecture, who.incarnation, down.count()};

@@ -73,6 +73,14 @@ std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
 
 } // namespace
 
+PartSpawn::PartSpawn()
+  : working_memory([](caf::actor_system& system, WorkingMemoryOptions options) {
+      return system.spawn(castor::working_memory, std::move(options));
+    }),
+    component([](caf::actor_system& system, ShellParts parts) -> caf::actor {
+      return system.spawn<ComponentShell>(std::move(parts));
+    }) {}
+
 std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::vector<cast::Diagnostic> problems;
   std::map<std::string, std::uint64_t> wanted;
@@ -142,7 +150,7 @@ void SystemPart::begin(const PartPlan& plan) {
     services_->run = new_incarnation() >> 32;
   if (!services_->working_memories.empty())
     return;
-  services_->epoch = std::chrono::steady_clock::now() - plan.age;
+  services_->epoch = system_.clock().now() - plan.age;
   if (!plan.operations.empty())
     services_->operations = std::make_unique<OperationLog>(plan.operations);
   services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
@@ -198,7 +206,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.incarnation = incarnation;
   options.journal = journal_options(x);
   options.opened_journal = std::move(journal);
-  auto actor = system_.spawn(working_memory, std::move(options));
+  auto actor = spawn_.working_memory(system_, std::move(options));
   working_memories_[name] = {actor, incarnation};
   // It may meet the unit of the component that ran it last until its own end.
   caf::actor_cast<caf::abstract_actor*>(actor)->attach_functor([services = services_] {});
@@ -215,7 +223,7 @@ void SystemPart::spawn_component(const ComponentDescription& x, std::uint64_t in
   parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
   parts.unit->set_working_memories(&services_->working_memories.back());
   auto record = parts.record;
-  running_.push_back({system_.spawn<ComponentShell>(std::move(parts)), std::move(record),
+  running_.push_back({spawn_.component(system_, std::move(parts)), std::move(record),
                       x.kind == ComponentKind::task_manager});
 }
 
@@ -252,6 +260,15 @@ SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>&
       result[x.name] = i->second;
   if (auto i = actors.find(health_working_memory().name); i != actors.end())
     result[health_subarchitecture] = i->second;
+  return result;
+}
+
+std::set<std::string>
+SystemPart::absent(const std::map<std::string, caf::strong_actor_ptr>& working_memories) const {
+  std::set<std::string> result;
+  for (auto& x : architecture_.subarchitectures)
+    if (working_memories.count(x.name) == 0)
+      result.insert(x.name);
   return result;
 }
 

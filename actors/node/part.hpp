@@ -6,13 +6,27 @@
 #include "castor/wm/journal.hpp"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor {
+
+struct ShellParts;
+struct WorkingMemoryOptions;
+
+/// How the actors of a part are made.
+struct PartSpawn {
+  /// As working memories and components are.
+  PartSpawn();
+
+  std::function<WorkingMemoryActor(caf::actor_system&, WorkingMemoryOptions)> working_memory;
+  std::function<caf::actor(caf::actor_system&, ShellParts)> component;
+};
 
 /// What one process contributes to a system: the working memories and components that the plan
 /// gives it. Its actors are there once a plan was applied; `join` lets them know those of the other
@@ -21,7 +35,8 @@ namespace castor {
 /// To be used by one thread at a time, and destroyed before the actor system.
 class SystemPart {
 public:
-  SystemPart(caf::actor_system& system, ProcessNumber self) : system_(system), self_(self) {}
+  SystemPart(caf::actor_system& system, ProcessNumber self, PartSpawn spawn = {})
+    : system_(system), self_(self), spawn_(std::move(spawn)) {}
   SystemPart(const SystemPart&) = delete;
   SystemPart& operator=(const SystemPart&) = delete;
   /// Ends all its actors. Components that do not come back from their own code stay.
@@ -52,6 +67,10 @@ public:
   /// Of all parts' actors, the working memories by subarchitecture.
   std::map<std::string, caf::strong_actor_ptr>
   subarchitectures(const std::map<std::string, caf::strong_actor_ptr>& actors) const;
+
+  /// Those whose working memories are not among these.
+  std::set<std::string>
+  absent(const std::map<std::string, caf::strong_actor_ptr>& working_memories) const;
 
   /// Subarchitectures whose components may write to that one, "*" for all.
   std::set<std::string> writers(const std::string& subarchitecture) const;
@@ -88,6 +107,7 @@ private:
 
   caf::actor_system& system_;
   const ProcessNumber self_;
+  const PartSpawn spawn_;
   ArchitectureDescription architecture_;
   bool open_access_ = false;
   caf::actor supervisor_;

@@ -1,5 +1,6 @@
 #include "castor/actors/node/part_agent.hpp"
 
+#include "castor/actors/link/remote_actor.hpp"
 #include "castor/actors/node/usage.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ PartMade make(Self self, const PartPlan& plan) {
   if (state.parts.connect)
     state.parts.connect(plan);
   if (!state.part)
-    state.part = std::make_unique<SystemPart>(self->system(), state.parts.self);
+    state.part = std::make_unique<SystemPart>(self->system(), state.parts.self, state.parts.spawn);
   state.supervisor = plan.supervisor;
   auto problems = state.part->apply(plan);
   watch(self);
@@ -63,12 +64,24 @@ void befall(Self self, const BefallComponent& x) {
   }
 }
 
+void answer_if_joined(Self self) {
+  auto& state = self->state;
+  if (!state.joining || !state.unanswered.empty() ||
+      (state.parts.connect && !std::includes(state.connected.begin(), state.connected.end(),
+                                             state.others.begin(), state.others.end())))
+    return;
+  std::exchange(state.joining, std::nullopt)->deliver(Acknowledged{});
+}
+
 /// Something that was here has ended.
 void report_end(Self self, const caf::down_msg& x) {
   auto& state = self->state;
   auto watched = state.watched.extract(x.source);
   if (!watched)
     return;
+  // It knows the others when it is back.
+  if (state.unanswered.erase(x.source) > 0)
+    answer_if_joined(self);
   auto& [name, incarnation, record] = watched.mapped();
   ComponentEnded ended{name, incarnation, ComponentEnded::How::stopped, {}};
   if (record) {
@@ -81,15 +94,6 @@ void report_end(Self self, const caf::down_msg& x) {
     ended.failure = self->system().render(x.reason);
   }
   caf::anon_send(state.supervisor, std::move(ended));
-}
-
-void answer_if_joined(Self self) {
-  auto& state = self->state;
-  if (!state.joining || state.unanswered > 0 ||
-      (state.parts.connect && !std::includes(state.connected.begin(), state.connected.end(),
-                                             state.others.begin(), state.others.end())))
-    return;
-  std::exchange(state.joining, std::nullopt)->deliver(Acknowledged{});
 }
 
 /// Hands the events that come from other processes to the working memories of this one.
@@ -107,10 +111,31 @@ void deliver_events(const std::map<std::string, WorkingMemoryActor>& working_mem
         nullptr, caf::make_message_id(), caf::make_message(std::move(events)), context);
 }
 
+/// The ways for events to other processes.
+using Routes = std::map<ProcessNumber, caf::strong_actor_ptr>;
+
+/// Leaves out those of lost processes, of whom nothing is known here, or not any more.
+Routes find_routes(Mesh& mesh, std::map<std::string, caf::strong_actor_ptr>& actors) {
+  Routes result;
+  std::erase_if(actors, [&](auto& x) {
+    auto* remote = dynamic_cast<RemoteActor*>(x.second->get());
+    if (!remote)
+      return false;
+    auto process = process_of(remote->actor());
+    auto [route, is_new] = result.try_emplace(process);
+    if (is_new)
+      route->second = mesh.well_known(process, WellKnownActor::events);
+    return !route->second;
+  });
+  return result;
+}
+
 caf::response_promise join(Self self, JoinParts others) {
   auto& state = self->state;
-  // Those of lost processes, of whom nothing is known here.
   std::erase_if(others.actors, [](auto& x) { return !x.second; });
+  Routes routes;
+  if (state.parts.mesh)
+    routes = find_routes(*state.parts.mesh, others.actors);
   auto promise = self->make_response_promise();
   if (!state.part) {
     promise.deliver(caf::make_error(caf::sec::runtime_error));
@@ -125,28 +150,28 @@ caf::response_promise join(Self self, JoinParts others) {
   state.part->join(others.actors);
   Peers peers;
   peers.working_memories = state.part->subarchitectures(others.actors);
+  peers.absent = state.part->absent(peers.working_memories);
   if (auto& mesh = state.parts.mesh) {
     for (auto& [name, actor] : peers.working_memories)
-      if (auto process = process_of(mesh->name_of(actor)); process != state.parts.self)
-        peers.routes[name] = mesh->well_known(process, WellKnownActor::events);
+      if (auto* remote = dynamic_cast<RemoteActor*>(actor->get()))
+        peers.routes[name] = routes.at(process_of(remote->actor()));
     mesh->set_event_sink([here = state.part->working_memories()](auto& message, auto* context) {
       deliver_events(here, message, context);
     });
   }
   auto working_memories = state.part->working_memories();
-  state.unanswered = working_memories.size();
-  // One that has ended meanwhile knows the others when it is back.
-  auto answered = [self, number = ++state.joins] {
-    if (number != self->state.joins)
-      return;
-    --self->state.unanswered;
-    answer_if_joined(self);
+  state.unanswered.clear();
+  for (auto& [name, actor] : working_memories)
+    state.unanswered.insert(actor.address());
+  auto answered = [self, number = ++state.joins](const caf::actor_addr& who) {
+    if (number == self->state.joins && self->state.unanswered.erase(who) > 0)
+      answer_if_joined(self);
   };
   for (auto& [name, actor] : working_memories) {
     peers.writers = state.part->writers(name);
     self->request(actor, patience, peers)
-      .then([answered](Acknowledged) { answered(); },
-            [answered](const caf::error&) { answered(); });
+      .then([answered, who = actor.address()](Acknowledged) { answered(who); },
+            [answered, who = actor.address()](const caf::error&) { answered(who); });
   }
   answer_if_joined(self);
   return promise;

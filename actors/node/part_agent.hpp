@@ -20,6 +20,7 @@ struct PartAgentParts {
   std::shared_ptr<Mesh> mesh;
   /// Called with the plan before the part is made: connects with the other processes.
   std::function<void(const PartPlan&)> connect;
+  PartSpawn spawn = {};
 };
 
 struct PartAgentState {
@@ -40,7 +41,7 @@ struct PartAgentState {
   std::set<ProcessNumber> connected;
   /// Who waits for the part to have joined the others, and what is still missing.
   std::optional<caf::response_promise> joining;
-  std::size_t unanswered = 0;
+  std::set<caf::actor_addr> unanswered;
   /// Counts what others had to be joined.
   std::size_t joins = 0;
 };

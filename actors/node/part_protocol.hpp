@@ -31,6 +31,9 @@ struct ProcessDescription {
   bool lost = false;
 };
 
+/// Where a component runs that is not to be made yet.
+inline constexpr ProcessNumber nowhere = 0xffff;
+
 /// Where a component runs, as `placement` has it, which leaves out what the coordinator runs.
 inline ProcessNumber process_of(const std::map<std::string, ProcessNumber>& placement,
                                 const std::string& component) {

@@ -43,11 +43,16 @@ cast::Diagnostic out_of_reach(const ArchitectureDescription& architecture,
 
 Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
                      std::function<void(const LinkNews&)> on_news)
+  : Processes(system, options, std::move(name), std::move(on_news),
+              system.has_middleman() ? spawn_link : LinkSpawn{}) {}
+
+Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
+                     std::function<void(const LinkNews&)> on_news, LinkSpawn spawn)
   : system_(system), options_(options), name_(std::move(name)), on_news_(std::move(on_news)),
-    incarnation_(new_incarnation()) {
+    spawn_(std::move(spawn)), incarnation_(new_incarnation()) {
   processes_.emplace_back();
   processes_.front().news.state = LinkState::up;
-  if (system_.has_middleman())
+  if (spawn_)
     mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
 }
 
@@ -76,8 +81,7 @@ void Processes::connect(const ArchitectureDescription& architecture, const Place
       architecture, placement, static_cast<ProcessNumber>(first),
       {placement.processes[first], LinkState::down, "the system was started without a network"})}};
   check_security(architecture, placement, first);
-  for (auto i = first; i < placement.processes.size(); ++i)
-    open_link(placement.processes[i]);
+  open(placement);
   try {
     await_connections(architecture, placement, first);
   } catch (const SystemError&) {
@@ -90,6 +94,11 @@ void Processes::connect(const ArchitectureDescription& architecture, const Place
     }
     throw;
   }
+}
+
+void Processes::open(const Placement& placement) {
+  for (auto i = size(); i < placement.processes.size(); ++i)
+    open_link(placement.processes[i]);
 }
 
 void Processes::check_security(const ArchitectureDescription& architecture,
@@ -135,7 +144,7 @@ ProcessNumber Processes::open_link(const ProcessDescription& description) {
   parts.credentials = options_.credentials;
   parts.options = options_.link;
   parts.on_news = [this](const LinkNews& news) { hear(news); };
-  auto link = spawn_link(std::move(parts));
+  auto link = spawn_(std::move(parts));
   std::lock_guard guard{mutex_};
   processes_[number].link = link;
   processes_[number].agent =

@@ -32,6 +32,9 @@ public:
   /// `on_news` is called on the network's thread.
   Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
             std::function<void(const LinkNews&)> on_news);
+  /// With links of another kind.
+  Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
+            std::function<void(const LinkNews&)> on_news, LinkSpawn spawn);
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
@@ -40,7 +43,10 @@ public:
   /// Null if the actor system has no network.
   const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
 
-  /// Connects with those processes of the placement that are new to it. Throws SystemError, with
+  /// Begins to connect with those processes of the placement that are new to it.
+  void open(const Placement& placement);
+
+  /// The same, and waits until there are connections. Throws SystemError, with
   /// the lines of the architecture that need a process which is not to be reached in time; then the
   /// new ones are left again, and count as lost processes without a name and a host.
   void connect(const ArchitectureDescription& architecture, const Placement& placement);
@@ -84,6 +90,7 @@ private:
   const SystemOptions& options_;
   const std::string name_;
   const std::function<void(const LinkNews&)> on_news_;
+  const LinkSpawn spawn_;
   std::uint64_t incarnation_;
   std::shared_ptr<Mesh> mesh_;
 

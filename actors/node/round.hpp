@@ -26,15 +26,16 @@ struct Round {
   /// The same in another order.
   std::vector<std::string> configure;
   Timestamp delay{0};
-  /// Whether it makes what it starts anew.
+  /// Whether it makes what it starts anew, and why.
   bool makes = false;
+  std::string reason;
   Step step = Step::stop;
   /// Counts steps, so that a late reminder is known as such.
   std::uint64_t steps = 0;
   /// Who is being stopped, configured or started now, as an index.
   std::size_t at = 0;
-  /// Whether that one was told to.
-  bool asked = false;
+  /// Who of its name was told to; nobody if nobody was.
+  caf::actor_addr asked;
   std::chrono::steady_clock::time_point since;
   /// Who failed meanwhile, to be dealt with when the round is over.
   std::vector<ComponentEnded> failures;

@@ -76,7 +76,7 @@ class Supervisor : public std::enable_shared_from_this<Supervisor> {
 public:
   Supervisor(caf::event_based_actor* self, SupervisorParts parts)
     : self_(self), parts_(std::move(parts)), processes_(*parts_.processes),
-      options_(*parts_.options), tree_(std::random_device{}()),
+      options_(*parts_.options), tree_(parts_.seed ? *parts_.seed : std::random_device{}()),
       deployments_(std::make_shared<Deployments>(self, processes_, options_.part_patience)),
       health_(self, *deployments_, options_) {}
 
@@ -96,9 +96,9 @@ public:
   }
 
 private:
-  Timestamp now() const {
-    return std::chrono::duration_cast<Timestamp>(Clock::now() - parts_.epoch);
-  }
+  Clock::time_point time() const { return self_->clock().now(); }
+
+  Timestamp now() const { return std::chrono::duration_cast<Timestamp>(time() - parts_.epoch); }
 
   // -- what the system consists of
 
@@ -155,9 +155,13 @@ private:
     result.architecture = architecture_;
     result.processes = processes_.descriptions();
     result.placement = placement_.of;
-    for (auto& [name, child] : children_)
+    for (auto& [name, child] : children_) {
       if (child.incarnation != 1)
         result.incarnations[name] = child.incarnation;
+      // It is made in its next life, once that has begun.
+      if (moved_.count(name) > 0 || is_awaited(name))
+        result.placement[name] = nowhere;
+    }
     result.open_access = options_.open_access;
     result.broadcast = options_.broadcast;
     result.coordinator = parts_.desk;
@@ -238,7 +242,7 @@ private:
 
   void begin_round(Round round) {
     round.id = ++last_round_;
-    round.since = Clock::now();
+    round.since = time();
     // In the reverse order of their start.
     std::reverse(round.stop.begin(), round.stop.end());
     // What others do to the same components need not be done any more.
@@ -278,9 +282,9 @@ private:
   void enter(Round& round, Round::Step step) {
     round.step = step;
     round.at = 0;
-    round.asked = false;
+    round.asked = nullptr;
     ++round.steps;
-    round.since = Clock::now();
+    round.since = time();
   }
 
   /// Does what can be done of a round now.
@@ -319,7 +323,7 @@ private:
 
   /// Stops one after the other; true when the last one has ended.
   bool stop_next(Round& round) {
-    for (; round.at < round.stop.size(); ++round.at, ++round.steps, round.since = Clock::now()) {
+    for (; round.at < round.stop.size(); ++round.at, ++round.steps, round.since = time()) {
       auto& name = round.stop[round.at];
       auto i = children_.find(name);
       // Working memories end where they are made anew. Of a node that is out of reach, the part
@@ -330,11 +334,13 @@ private:
       auto patience = i->second.shutdown;
       if (options_.interrupted && options_.interrupted())
         patience = std::min<std::chrono::milliseconds>(patience, 1s);
-      if (Clock::now() - round.since >= patience) {
+      if (time() - round.since >= patience) {
         note(LogLevel::error, name, "did not stop: it has not come back from its own code");
         round.stuck.push_back(name);
         std::erase(round.start, name);
         i->second.given_up = true;
+        if (round.makes)
+          note_down(name, "it did not stop, and is not started again", false);
         continue;
       }
       if (auto actor = actor_of(name))
@@ -406,10 +412,14 @@ private:
   void made(RoundIterator i, const Names& failed) {
     for (auto& name : i->start) {
       auto& child = children_.at(name);
-      // What becomes of those whose process is lost was decided when that was known.
-      bool gone = i->gone.count(name) > 0;
-      child.alive = !gone && failed.count(name) == 0;
-      if (!gone && !child.alive)
+      // What becomes of those whose process is lost was decided when that was known, and another
+      // round brings them back.
+      bool gone = i->gone.count(name) > 0 || moved_.count(name) > 0 || is_awaited(name);
+      bool ended = std::any_of(i->failures.begin(), i->failures.end(), [&](auto& x) {
+        return x.name == name && x.incarnation == child.incarnation;
+      });
+      child.alive = !gone && !ended && failed.count(name) == 0;
+      if (!gone && !ended && !child.alive)
         i->failures.push_back(
           {name, child.incarnation, ComponentEnded::How::failed, "it could not be made anew"});
     }
@@ -438,18 +448,31 @@ private:
       auto& name = order[round.at];
       if (!takes_part(name))
         continue;
-      if (!std::exchange(round.asked, true)) {
-        send_phase(name, phase);
-        round.since = Clock::now();
+      auto actor = actor_of(name);
+      if (!actor || round.asked == actor.address())
+        return false;
+      bool is_first = !std::exchange(round.asked, actor.address());
+      send_phase(name, phase);
+      if (is_first)
         remind_later(round, between_reports);
-      }
       return false;
     }
     return true;
   }
 
+  /// Whoever was made without our knowledge, in a process that was out of reach, is known now.
+  void ask_again() {
+    std::vector<std::uint64_t> ids;
+    for (auto& round : rounds_)
+      if (round.step == Round::Step::configure || round.step == Round::Step::start)
+        ids.push_back(round.id);
+    for (auto id : ids)
+      if (auto i = find_round(id); i != rounds_.end())
+        advance(i);
+  }
+
   static void go_to_next(Round& round) {
-    round.asked = false;
+    round.asked = nullptr;
     ++round.at;
     ++round.steps;
   }
@@ -496,7 +519,12 @@ private:
       if (next == waiting_.end())
         return;
       rounds_.splice(rounds_.end(), waiting_, next);
-      advance(std::prev(rounds_.end()));
+      auto begun = std::prev(rounds_.end());
+      begun->since = time();
+      // Some may have come back while it waited.
+      if (begun->makes)
+        note_stops(*begun);
+      advance(begun);
     }
   }
 
@@ -532,10 +560,15 @@ private:
 
   void ended(const ComponentEnded& x) {
     auto i = children_.find(x.name);
-    if (i == children_.end() || i->second.incarnation != x.incarnation || !i->second.alive)
+    if (i == children_.end() || i->second.incarnation != x.incarnation)
       return;
-    i->second.alive = false;
     auto round = round_of(x.name);
+    if (!std::exchange(i->second.alive, false)) {
+      // It has ended before we heard that it was made.
+      if (round != rounds_.end() && round->step == Round::Step::make)
+        round->failures.push_back(x);
+      return;
+    }
     if (round == rounds_.end()) {
       if (!i->second.given_up)
         deal_with(x);
@@ -626,7 +659,7 @@ private:
     auto is_here = [&](const std::string& x) {
       auto i = children_.find(x);
       return i != children_.end() && (!i->second.given_up || !decision.escalated.empty()) &&
-             processes_.state(process_of(x)).link != LinkState::lost;
+             !is_awaited(x) && processes_.state(process_of(x)).link != LinkState::lost;
     };
     std::copy_if(decision.stop.begin(), decision.stop.end(), std::back_inserter(round.stop),
                  is_here);
@@ -634,9 +667,8 @@ private:
                  is_here);
     for (auto& x : round.start)
       children_.at(x).given_up = false;
-    for (auto& x : round.stop)
-      if (x != name)
-        note_down(x, "it is started again because of " + name, true);
+    round.reason = "it is started again because of " + name;
+    note_stops(round);
     publish();
     begin_round(std::move(round));
   }
@@ -650,6 +682,12 @@ private:
 
   void note_down(const std::string& name, const std::string& reason, bool will_restart) {
     health_.down(subject(name), reason, will_restart);
+  }
+
+  void note_stops(const Round& round) {
+    for (auto& name : round.stop)
+      if (children_.count(name) > 0)
+        note_down(name, round.reason, true);
   }
 
   void note_up(const std::string& name) { health_.up(subject(name)); }
@@ -674,6 +712,12 @@ private:
       return move(x.names, "the return of its node");
     moved_.insert(x.names.begin(), x.names.end());
     restart(*x.decision, x.names.front());
+  }
+
+  /// Whether it is made when a process has taken the place of its own, and not before.
+  bool is_awaited(const std::string& name) const {
+    return std::any_of(awaited_.begin(), awaited_.end(),
+                       [&](auto& x) { return std::ranges::count(x.second.names, name) > 0; });
   }
 
   bool has_own_process(const Child& x) const { return x.isolated && options_.kill_isolated; }
@@ -735,14 +779,6 @@ private:
         staying.names.push_back(name);
       }
     }
-    // Those who are waited for in vain.
-    std::vector<std::uint64_t> ids;
-    for (auto& round : rounds_)
-      ids.push_back(round.id);
-    for (auto id : ids)
-      if (auto i = find_round(id);
-          i != rounds_.end() && i->step != Round::Step::wait && i->step != Round::Step::make)
-        advance(i);
     if (!staying.names.empty() || is_refuge(lost)) {
       auto successor = processes_.look_for_successor(lost);
       for (auto& [host, process] : placement_.hosts)
@@ -753,6 +789,14 @@ private:
       if (!staying.names.empty())
         awaited_[successor] = std::move(staying);
     }
+    // Those who are waited for in vain.
+    std::vector<std::uint64_t> ids;
+    for (auto& round : rounds_)
+      ids.push_back(round.id);
+    for (auto id : ids)
+      if (auto i = find_round(id);
+          i != rounds_.end() && i->step != Round::Step::wait && i->step != Round::Step::make)
+        advance(i);
     publish();
     if (!moving.empty())
       move(moving, "the loss of its node");
@@ -766,12 +810,20 @@ private:
         note(LogLevel::info, "supervisor", "node " + x.name + " was started again");
         bring_back(awaited.mapped());
       }
-    if (deployments_->look_again()) {
-      Deployments::Order order;
-      order.plan = [this] { return plan(); };
-      order.done = [this](const Deployments::Problems&) { publish(); };
-      deployments_->add(std::move(order));
-    }
+    // Who was out of reach has missed something; the others do not know yet who is lost.
+    if (deployments_->look_again() || x.state == LinkState::lost)
+      tell_plan();
+  }
+
+  /// The others are to know how things stand.
+  void tell_plan() {
+    Deployments::Order order;
+    order.plan = [this] { return plan(); };
+    order.done = [this](const Deployments::Problems&) {
+      publish();
+      ask_again();
+    };
+    deployments_->add(std::move(order));
   }
 
   caf::event_based_actor* self_;

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,8 @@ struct SupervisorParts {
   const SystemOptions* options = nullptr;
   std::string file;
   std::chrono::steady_clock::time_point epoch;
+  /// That of the jitter of delays; nothing for one that nobody knows.
+  std::optional<std::uint64_t> seed = {};
   /// Is sent EndSystem.
   caf::actor desk;
   /// Is sent every TaskEvent; null if nobody wants to know.

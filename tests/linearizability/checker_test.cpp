@@ -55,6 +55,40 @@ TEST(Checker, AnUpdateIsNotLost) {
   EXPECT_FALSE(accepted(with(history, overwrite(b, 12, 0, {10, 20}, at_version(2)))));
 }
 
+TEST(Checker, NothingOutlivesTheLossOfItsWorkingMemory) {
+  History history{added, loss(100, 50, {10, 12})};
+  EXPECT_TRUE(accepted(with(history, read(b, {5, 9}, saw(0, 10)))));
+  EXPECT_TRUE(accepted(with(history, read(b, {9, 13}, saw(0, 10)))));
+  EXPECT_FALSE(accepted(with(history, read(b, {13, 15}, saw(0, 10)))));
+  EXPECT_TRUE(accepted(with(history, read(b, {13, 15}, failed(Status::does_not_exist)))));
+  EXPECT_FALSE(accepted(with(history, read(b, {5, 9}, failed(Status::does_not_exist)))));
+  // What was under way may have been done before, after, or not at all.
+  EXPECT_TRUE(accepted(with(history, overwrite(b, 11, 0, {9, never}))));
+  auto again = with(history, add(b, 12, {9, never}));
+  EXPECT_TRUE(accepted(with(again, read(c, {13, 15}, saw(100, 12)))));
+  EXPECT_FALSE(accepted(with(again, read(c, {13, 15}, saw(0, 12)))));
+}
+
+TEST(Checker, AfterALossVersionsAndTokensAreHigherThanEverBefore) {
+  History history{added, lock(a, o, {3, 4}, obtained(1)), loss(100, 50, {10, 12})};
+  EXPECT_FALSE(accepted(with(history, add(b, 11, {13, 14}, at_version(1)))));
+  history = with(history, add(b, 11, {13, 14}, at_version(100)));
+  EXPECT_TRUE(accepted(with(history, overwrite(b, 12, 100, {15, 16}, at_version(101)))));
+  // Nobody has a lease any more.
+  EXPECT_TRUE(
+    accepted(with(history, overwrite(a, 12, 100, {15, 16}, failed(Status::stale), Token{1}))));
+  EXPECT_FALSE(accepted(with(history, overwrite(a, 12, 100, {15, 16}, at_version(101), Token{1}))));
+  EXPECT_TRUE(accepted(with(history, lock(b, o, {15, 16}, obtained(51)))));
+  EXPECT_FALSE(accepted(with(history, lock(b, o, {15, 16}, obtained(2)))));
+}
+
+TEST(Checker, WhoWaitsWhenItsWorkingMemoryIsLostIsNeverAnswered) {
+  History history{added, locked, loss(100, 50, {10, 12})};
+  EXPECT_TRUE(accepted(with(history, read(b, {5, never}))));
+  EXPECT_TRUE(accepted(with(history, lock(b, o, {5, never}))));
+  EXPECT_FALSE(accepted(with(history, read(b, {5, 20}, saw(0, 10)))));
+}
+
 TEST(Checker, TheOrderOfTheRecordsMeansNothing) {
   EXPECT_TRUE(
     accepted({read(b, {21, 25}, saw(1, 11)), overwrite(a, 11, 0, {10, 20}, at_version(1)), added}));

@@ -1,26 +1,6 @@
 # Working memories, components and links that are wrong on purpose, to see that the simulation or the
 # runs over nodes notice.
 
-# castor_mutate(<name> <source> <from> <to>)
-#
-# Sets `mutated` to a copy of the source file in which <from>, which must occur there exactly once,
-# says <to>.
-function(castor_mutate name source from to)
-  set(path "${PROJECT_SOURCE_DIR}/${source}")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
-  file(READ "${path}" text)
-  string(FIND "${text}" "${from}" first)
-  string(FIND "${text}" "${from}" last REVERSE)
-  if(first EQUAL -1 OR NOT first EQUAL last)
-    message(FATAL_ERROR
-      "mutant ${name}: this does not stand in ${source} exactly once, adapt the mutant:\n${from}")
-  endif()
-  string(REPLACE "${from}" "${to}" text "${text}")
-  set(path "${CMAKE_CURRENT_BINARY_DIR}/mutants/${name}.cpp")
-  file(CONFIGURE OUTPUT "${path}" CONTENT "${text}" @ONLY)
-  set(mutated "${path}" PARENT_SCOPE)
-endfunction()
-
 # castor_mutant(<name> <source> FROM <text> TO <text> [ALL])
 #
 # castor_mutant_<name>, the simulation of working memories in whose source file <text> says something
@@ -177,8 +157,8 @@ castor_node_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
   rewritten_ = 0;"
   TO "")
 
-castor_node_mutant(late_connections_are_taken actors/link/link.cpp
-  FROM "x.hello.incarnation == incarnation_ && x.hello.attempt <= attempt_"
+castor_node_mutant(late_connections_are_taken actors/link/link_end.cpp
+  FROM "hello.incarnation == incarnation_ && hello.attempt <= attempt_"
   TO "false")
 
 castor_node_mutant(reads_are_answered_from_a_cache actors/component/component.cpp
@@ -212,9 +192,3 @@ castor_node_mutant(leases_never_expire wm/lease_table.cpp
 castor_node_mutant(leases_expire_too_early wm/lease_table.cpp
   FROM "level, now + options_.duration}, client"
   TO "level, now + options_.duration / 2}, client")
-
-get_property(mutants GLOBAL PROPERTY CASTOR_MUTANTS)
-list(TRANSFORM mutants PREPEND castor_mutant_ OUTPUT_VARIABLE mutant_targets)
-add_custom_target(castor_mutants DEPENDS ${mutant_targets})
-list(JOIN mutants "\n" mutant_lines)
-file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/mutants/list" CONTENT "${mutant_lines}\n" @ONLY)

@@ -36,8 +36,10 @@ void Recorder::did_not_happen(Index x) {
 
 void Recorder::obtained(Index lock) {
   auto& [record, sent, dropped] = operations_[lock];
-  leases_.try_emplace({record.entry, record.result.token},
-                      Lease{record.client, sent + lease_duration_, now() + lease_duration_});
+  Lease lease{record.client, sent + lease_duration_, now() + lease_duration_};
+  if (may_be_lost_.contains(record.client))
+    lease.may_end_from = record.invoked;
+  leases_.try_emplace({record.entry, record.result.token}, lease);
 }
 
 void Recorder::renewing(std::uint32_t entry, Token token) {
@@ -78,6 +80,25 @@ void Recorder::died(Client client) {
       lease.may_end_from = std::min(lease.may_end_from, now);
 }
 
+void Recorder::may_be_lost(Client client) {
+  auto now = tick();
+  may_be_lost_.try_emplace(client, now);
+  for (auto& [key, lease] : leases_)
+    if (lease.holder == client)
+      lease.may_end_from = std::min(lease.may_end_from, now);
+}
+
+void Recorder::lost(std::uint32_t entry, Tick from, Tick to, Version version, Token token) {
+  OperationRecord x;
+  x.entry = entry;
+  x.kind = OperationKind::loss;
+  x.result.version = version;
+  x.result.token = token;
+  x.invoked = from;
+  x.returned = to;
+  operations_.push_back({x, now(), false});
+}
+
 void Recorder::deaths_are_known() {
   auto now = tick();
   for (auto& [key, lease] : leases_)
@@ -92,15 +113,19 @@ History Recorder::finish() {
     if (dropped)
       continue;
     result.push_back(record);
-    // The lease that the dead may have obtained without ever hearing of it.
-    auto death = deaths_.find(record.client);
-    if (record.pending() && death != deaths_.end() &&
+    // The lease that a client may have obtained without ever hearing of it.
+    if (record.pending() &&
         (record.kind == OperationKind::lock || record.kind == OperationKind::try_lock)) {
       OperationRecord lapse;
       lapse.client = record.client;
       lapse.entry = record.entry;
       lapse.kind = OperationKind::lapse;
-      lapse.invoked = std::min(death->second, first_tick_at(sent + lease_duration_));
+      lapse.invoked = first_tick_at(sent + lease_duration_);
+      for (auto* ends : {&deaths_, &may_be_lost_})
+        if (auto i = ends->find(record.client); i != ends->end())
+          lapse.invoked = std::min(lapse.invoked, i->second);
+      if (lapse.invoked == never)
+        continue;
       lapse.returned = end;
       result.push_back(lapse);
     }

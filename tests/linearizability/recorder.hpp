@@ -55,8 +55,14 @@ public:
   void has_ended(std::uint32_t entry, Token token);
   /// The client's leases may end from now on; what it waits for is never answered.
   void died(Client client);
+  /// The same of a client that others may take for dead, and that lives.
+  void may_be_lost(Client client);
   /// Every working memory has heard of every death.
   void deaths_are_known();
+
+  /// A working memory ended and another took its place, which knows of no entries, between these
+  /// moments. It begins with such versions and tokens.
+  void lost(std::uint32_t entry, Tick from, Tick to, Version version, Token token);
 
   /// All that happened; to be called when nothing is under way any more.
   History finish();
@@ -89,6 +95,7 @@ private:
   /// By entry and token.
   std::map<std::pair<std::uint32_t, Token>, Lease> leases_;
   std::map<Client, Tick> deaths_;
+  std::map<Client, Tick> may_be_lost_;
 };
 
 } // namespace castor::linearizability

@@ -79,6 +79,13 @@ OperationRecord mandatory_lapse(Client holder, Token token, Span span) {
   return x;
 }
 
+OperationRecord loss(Version version, Token token, Span span) {
+  Result begins_with;
+  begins_with.version = version;
+  begins_with.token = token;
+  return record(0, OperationKind::loss, span, begins_with);
+}
+
 OperationRecord queued_by(Tick moment, OperationRecord operation) {
   operation.queued_by = moment;
   return operation;

@@ -39,6 +39,8 @@ OperationRecord unlock(Client client, Token token, Span span, Result result = {}
 OperationRecord lapse(Client holder, Token token, Span span);
 OperationRecord mandatory_lapse(Client holder, Token token, Span span);
 
+OperationRecord loss(Version version, Token token, Span span);
+
 OperationRecord queued_by(Tick moment, OperationRecord operation);
 /// The history and one more operation.
 History with(History history, const OperationRecord& operation);

@@ -71,7 +71,10 @@ void SimulatedClient::go_on() {
   if (stepping_ || world_.operations_left == 0)
     return;
   stepping_ = true;
-  send(this, StepAtom::value);
+  if (auto delay = pause(); delay.count() > 0)
+    delayed_send(this, delay, StepAtom::value);
+  else
+    send(this, StepAtom::value);
 }
 
 void SimulatedClient::act() {
@@ -118,9 +121,13 @@ Token SimulatedClient::token_to_show(std::uint32_t entry) {
   return view.old_tokens.empty() ? 0 : view.old_tokens[world_.pick(view.old_tokens.size())];
 }
 
-void SimulatedClient::die() {
+void SimulatedClient::end_of_life() {
   world_.recorder.died(number_);
   world_.dead.push_back(identity_);
+}
+
+void SimulatedClient::die() {
+  end_of_life();
   std::erase(world_.alive, caf::actor_cast<caf::actor>(this));
   auto successor = parts_;
   ++successor.incarnation;
@@ -190,24 +197,40 @@ void SimulatedClient::ask(Route route, const Request& message, std::vector<Index
                           WaitNumber wait, F answered) {
   auto number = ++sent_;
   outstanding_.push_back({number, route, std::move(records), wait});
-  request(world_.working_memories[route.via].actor, caf::infinite, message)
+  request(way_to(route.via), deadline(), message)
     .then(
       [this, number, answered](const Outcome<Reply>& x) {
-        answered(take_outstanding(number), x);
+        auto arrived = x || x.failure().kind != FailureKind::working_memory_lost;
+        answered(take_outstanding(number, arrived), x);
         if (!is_waiting())
           go_on();
       },
-      [this](const caf::error& e) { world_.find("no answer: " + system().render(e)); });
+      [this, number](const caf::error& e) { not_answered(number, e); });
 }
 
-/// Of messages that take one route, the answer to a later one says that the earlier have arrived.
-SimulatedClient::Outstanding SimulatedClient::take_outstanding(std::uint64_t number) {
+/// What was asked for may have been done, or not.
+void SimulatedClient::not_answered(std::uint64_t number, const caf::error& e) {
+  if (deadline() == caf::infinite)
+    world_.find("no answer: " + system().render(e));
+  std::erase_if(outstanding_, [&](auto& x) {
+    if (x.number == number)
+      for (auto record : x.records)
+        views_[world_.recorder[record].entry].unsure = true;
+    return x.number == number;
+  });
+  if (!is_waiting())
+    go_on();
+}
+
+/// Of messages that take one route, the answer to a later one says that the earlier have arrived,
+/// if that one has.
+SimulatedClient::Outstanding SimulatedClient::take_outstanding(std::uint64_t number, bool arrived) {
   auto& recorder = world_.recorder;
   Outstanding result = *std::ranges::find(outstanding_, number, &Outstanding::number);
   std::erase_if(outstanding_, [&](auto& x) {
     if (x.number == number)
       return true;
-    if (!(x.route == result.route) || x.number > number)
+    if (!arrived || !(x.route == result.route) || x.number > number)
       return false;
     auto was_given_up = x.given_up_by != 0 && x.given_up_by < number;
     for (auto record : x.records)
@@ -218,7 +241,7 @@ SimulatedClient::Outstanding SimulatedClient::take_outstanding(std::uint64_t num
     return was_given_up;
   });
   std::erase_if(unwanted_, [&](auto& x) {
-    auto has_ended = x.route == result.route && x.given_up_by < number;
+    auto has_ended = arrived && x.route == result.route && x.given_up_by < number;
     if (has_ended)
       recorder.has_ended(x.entry, x.token);
     return has_ended;
@@ -423,22 +446,35 @@ void SimulatedClient::renew() {
         recorder.renewing(entry, token);
       }
     }
-    if (renewed.empty())
+    auto to = way_to(owner);
+    if (renewed.empty() || !to)
       continue;
-    request(world_.working_memories[owner].actor, caf::infinite, message)
-      .then([this, renewed, sent = recorder.now()](const RenewReply& answer) {
-        for (auto& [entry, token] : renewed) {
-          auto is_lost = std::ranges::count(answer.lost, token, &HeldToken::token) > 0;
-          if (is_lost)
-            world_.recorder.not_renewed(entry, token);
-          else
-            world_.recorder.renewed(entry, token, sent);
-          if (!is_lost && std::ranges::count(views_[entry].returned_tokens, token) > 0)
-            world_.find("client " + std::to_string(number_) + " renewed token " +
-                        std::to_string(token) + ", which it had given back");
-        }
-      });
+    request(to, deadline(), message)
+      .then(
+        [this, renewed, sent = recorder.now()](const RenewReply& answer) {
+          for (auto& [entry, token] : renewed) {
+            auto is_lost = std::ranges::count(answer.lost, token, &HeldToken::token) > 0;
+            if (is_lost)
+              world_.recorder.not_renewed(entry, token);
+            else
+              world_.recorder.renewed(entry, token, sent);
+            if (!is_lost && !may_hold_unawares(entry) &&
+                std::ranges::count(views_[entry].returned_tokens, token) > 0)
+              world_.find("client " + std::to_string(number_) + " renewed token " +
+                          std::to_string(token) + ", which it had given back");
+          }
+        },
+        // Whether they were renewed is not known then.
+        [](const caf::error&) {});
   }
+}
+
+bool SimulatedClient::may_hold_unawares(std::uint32_t entry) const {
+  return views_[entry].unsure ||
+         (deadline() != caf::infinite && std::ranges::any_of(outstanding_, [&](auto& x) {
+            return std::ranges::any_of(
+              x.records, [&](auto record) { return world_.recorder[record].entry == entry; });
+          }));
 }
 
 void SimulatedClient::give_up_something() {
@@ -466,7 +502,7 @@ void SimulatedClient::give_up_something() {
   i->given_up_by = ++sent_;
   i->given_up_at = world_.recorder.tick();
   auto& address = world_.entries[world_.recorder[i->records.front()].entry].address;
-  send(world_.working_memories[i->route.via].actor, CancelWait{address, identity_, i->wait});
+  send(way_to(i->route.via), CancelWait{address, identity_, i->wait});
 }
 
 // -- what came of it
@@ -513,6 +549,11 @@ void SimulatedClient::lost(EntryView& view) {
 }
 
 void SimulatedClient::failed(Index index, const Failure& failure) {
+  if (failure.kind == FailureKind::working_memory_lost && deadline() != caf::infinite) {
+    // The working memory is lost, which its own one knows.
+    world_.recorder.did_not_happen(index);
+    return;
+  }
   auto status = status_of(failure.kind, world_.recorder[index].kind);
   if (!status) {
     world_.find("an operation that cannot end so: " + failure.message);

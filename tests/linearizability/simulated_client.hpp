@@ -78,6 +78,8 @@ struct EntryView {
   /// In hand, and obtained so often.
   Token token = 0;
   std::size_t times = 0;
+  /// A lock was never answered: it may have obtained the lease once more than it knows.
+  bool unsure = false;
   /// Of leases it had.
   std::vector<Token> old_tokens;
   /// Of these, those that were given back.
@@ -110,6 +112,24 @@ public:
 
 protected:
   caf::behavior make_behavior() override;
+
+  /// The way to a working memory, by index; null if there is none now.
+  virtual WorkingMemoryActor way_to(std::size_t working_memory) const {
+    return world_.working_memories[working_memory].actor;
+  }
+  /// How long it waits for an answer. For ever means that there has to be one.
+  virtual caf::duration deadline() const { return caf::infinite; }
+  /// Before its next operations.
+  virtual Timestamp pause() { return Timestamp{0}; }
+
+  SimulatedWorld& world() { return world_; }
+  const SimulatedClientParts& parts() const { return parts_; }
+  Client number() const { return number_; }
+
+  /// Begins to operate, or goes on.
+  void go_on();
+  /// Whatever it sends from now on does not count.
+  void end_of_life();
 
 private:
   using Index = Recorder::Index;
@@ -144,7 +164,6 @@ private:
   // -- what to do
   void step();
   void act();
-  void go_on();
   bool is_waiting() const;
   void rest();
   void die();
@@ -160,6 +179,8 @@ private:
   void lock(OperationRecord x);
   void unlock(const OperationRecord& x);
   void renew();
+  /// Whether it may hold a lease of the entry of which it does not know.
+  bool may_hold_unawares(std::uint32_t entry) const;
   void give_up_something();
   OperationRecord planned_write(std::uint32_t entry, OperationKind kind);
   WriteRequest request_for(const OperationRecord& x) const;
@@ -170,7 +191,8 @@ private:
   template <class Reply, class Request, class F>
   void ask(Route route, const Request& request, std::vector<Index> records, WaitNumber wait,
            F answered);
-  Outstanding take_outstanding(std::uint64_t number);
+  Outstanding take_outstanding(std::uint64_t number, bool arrived);
+  void not_answered(std::uint64_t number, const caf::error& e);
 
   // -- what came of it
   void wrote(Index record, Version version);

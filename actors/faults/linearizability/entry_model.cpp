@@ -49,10 +49,13 @@ std::optional<Result> EntryModel::answer(const EntryState& state, OperationIndex
     case OperationKind::add:
       if (state.present())
         return Result{Status::already_exists};
-      return Result{Status::ok,
-                    state.presence == EntryState::Presence::unheard_of ? 0 : state.version + 1};
+      return Result{Status::ok, state.presence == EntryState::Presence::unheard_of
+                                  ? state.version
+                                  : state.version + 1};
     case OperationKind::lapse:
       return Result{};
+    case OperationKind::loss:
+      return x.result;
     default:
       break;
   }
@@ -115,6 +118,9 @@ std::optional<Result> EntryModel::arrive(EntryState& state, OperationIndex opera
     case OperationKind::lapse:
       if (ends_lease(state, x))
         end_lease(state, settled);
+      break;
+    case OperationKind::loss:
+      lose(state, x, settled);
       break;
     default:
       break;
@@ -206,6 +212,16 @@ void EntryModel::remove(EntryState& state, std::vector<SettledWait>& settled) co
   for (std::size_t i = 0; i < state.waiting; ++i)
     settled.push_back({state.queue[i], Result{Status::does_not_exist}});
   state.waiting = 0;
+}
+
+void EntryModel::lose(EntryState& state, const OperationRecord& loss,
+                      std::vector<SettledWait>& settled) const {
+  // Nobody answers those who wait.
+  for (std::size_t i = 0; i < state.waiting; ++i)
+    settled.push_back({state.queue[i], Result{Status::never_existed}});
+  state = {};
+  state.version = loss.result.version;
+  state.last_token = loss.result.token;
 }
 
 void EntryModel::serve_reads(EntryState& state, std::vector<SettledWait>& settled) const {

@@ -24,7 +24,7 @@ struct EntryState {
   bool token_known = false;
   std::uint16_t waiting = 0;
   Client holder = 0;
-  /// The last version, of a deleted entry too.
+  /// The last version, of a deleted entry too; of one unheard of, that of an addition.
   Version version = 0;
   Content content = 0;
   /// The lease's levels, two bits each, the one to be given back first in the lowest bits; 0 if
@@ -68,7 +68,8 @@ struct SettledWait {
 /// queue. When a lease ends, the queue is served from its front: reads, up to the first lock,
 /// which obtains the lease; and from then on only reads: all if the new level allows reading, else
 /// those of the new holder. When a lease is weakened to a level that allows reading, all reads in
-/// the queue are served. A deletion ends the lease and fails all that wait.
+/// the queue are served. A deletion ends the lease and fails all that wait; after a loss, nobody
+/// who waits is answered.
 class EntryModel {
 public:
   explicit EntryModel(std::span<const OperationRecord> operations) : operations_(operations) {}
@@ -96,6 +97,8 @@ private:
   void give_back(EntryState& state, std::vector<SettledWait>& settled) const;
   void end_lease(EntryState& state, std::vector<SettledWait>& settled) const;
   void remove(EntryState& state, std::vector<SettledWait>& settled) const;
+  void lose(EntryState& state, const OperationRecord& loss,
+            std::vector<SettledWait>& settled) const;
   void serve_reads(EntryState& state, std::vector<SettledWait>& settled) const;
 
   std::span<const OperationRecord> operations_;

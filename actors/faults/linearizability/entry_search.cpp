@@ -203,14 +203,16 @@ bool EntrySearch::any_success_to_come(F&& f) const {
 /// Whether something that is still to come found a lower version, which only rises, or this one
 /// with another content.
 bool EntrySearch::passes_by(const EntryState& state) const {
+  // After a loss the version is the one that an addition gets.
+  auto written = state.presence != EntryState::Presence::unheard_of;
   return any_success_to_come([&](auto& x) {
     switch (x.kind) {
       case OperationKind::add:
       case OperationKind::overwrite:
-        return x.result.version <= state.version;
+        return x.result.version < state.version + (written ? 1 : 0);
       case OperationKind::read:
         return x.result.version < state.version ||
-               (x.result.version == state.version && x.result.content != state.content);
+               (written && x.result.version == state.version && x.result.content != state.content);
       case OperationKind::version:
       case OperationKind::remove:
         return x.result.version < state.version;
@@ -223,7 +225,8 @@ bool EntrySearch::passes_by(const EntryState& state) const {
 /// Whether something that is still to come has succeeded under that lease.
 bool EntrySearch::is_used_later(Token lease) const {
   return any_success_to_come([&](auto& x) {
-    return x.kind != OperationKind::lapse && (x.token == lease || x.result.token == lease);
+    return x.kind != OperationKind::lapse && x.kind != OperationKind::loss &&
+           (x.token == lease || x.result.token == lease);
   });
 }
 
@@ -231,6 +234,8 @@ EntrySearch::Fit EntrySearch::fit(const EntryState& state, OperationIndex x) con
   const auto& operation = operations_[x];
   if (operation.kind == OperationKind::lapse)
     return fit_lapse(state, operation);
+  if (operation.kind == OperationKind::loss)
+    return Fit::possible;
   auto answer = model_.answer(state, x);
   if (!answer) {
     if (keeps_for_good_[x])
@@ -355,6 +360,8 @@ bool EntrySearch::keeps_for_good(const OperationRecord& lock) const {
   return std::ranges::none_of(operations_, [&](auto& x) {
     if (x.returned < lock.invoked)
       return false;
+    if (x.kind == OperationKind::loss)
+      return true;
     if (x.kind == OperationKind::remove)
       return lock.level == LockLevel::o && (x.pending() || x.result.status == Status::ok);
     return &x != &lock && x.client == lock.client &&

@@ -75,6 +75,8 @@ std::string to_string(OperationKind x) {
       return "unlock";
     case OperationKind::lapse:
       return "lapse";
+    case OperationKind::loss:
+      return "loss";
   }
   return "?";
 }
@@ -111,9 +113,9 @@ std::string to_string(OperationKind kind, const Result& x) {
 }
 
 std::string to_string(const OperationRecord& x) {
-  std::string result =
-    "client " + std::to_string(x.client) + " " + to_string(x.kind) + arguments(x);
-  if (x.kind != OperationKind::lapse)
+  auto who = x.kind == OperationKind::loss ? "" : "client " + std::to_string(x.client) + " ";
+  std::string result = who + to_string(x.kind) + arguments(x);
+  if (x.kind != OperationKind::lapse && x.kind != OperationKind::loss)
     result += x.pending() ? " -> pending" : " -> " + to_string(x.kind, x.result);
   result += " [" + moment(x.invoked) + ", " + moment(x.returned);
   if (x.queued_by != never)

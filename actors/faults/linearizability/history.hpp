@@ -36,6 +36,10 @@ enum class OperationKind : std::uint8_t {
   /// whichever lease of the entry the client has. It ended at some moment from `invoked` to
   /// `returned` if it had not ended before; or it need not have ended at all, unless `mandatory`.
   lapse,
+  /// No operation of a client either: the working memory ended, and another took its place, which
+  /// knows of no entry. Its result says what the new one begins with: the version that an addition
+  /// gets, and the token that all of its own are above.
+  loss,
 };
 
 /// Whom a lease keeps from what: overwriting; deleting too; reading too.

@@ -70,7 +70,7 @@ std::string report(std::span<const OperationRecord> operations, std::span<const 
     auto next = state;
     result += indented(to_string(operations[x]));
     settled.clear();
-    if (operations[x].kind != OperationKind::lapse)
+    if (operations[x].kind != OperationKind::lapse && operations[x].kind != OperationKind::loss)
       result += indented("  now: " + outcome(operations[x], model.arrive(next, x, settled)));
     for (auto& wait : settled)
       result += indented("  would give " + outcome(operations[wait.operation], wait.result) +

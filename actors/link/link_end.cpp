@@ -1,0 +1,372 @@
+#include "castor/actors/link/link_end.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace castor {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// How much may be in the connection's own buffer, where nothing can overtake it any more.
+constexpr std::size_t buffered = 192 * 1024;
+
+} // namespace
+
+void LinkEnd::begin() {
+  driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
+  if (parts_.dial)
+    dial();
+}
+
+void LinkEnd::remind(LinkReminder of) {
+  switch (of) {
+    case LinkReminder::tick:
+      guarded([this] { tick(); });
+      break;
+    case LinkReminder::dial:
+      dial();
+      break;
+    case LinkReminder::delayed:
+      guarded([this] { say_delayed(); });
+      break;
+  }
+}
+
+// -- connections
+
+void LinkEnd::dial() {
+  if (is_silent())
+    driver_.remind(LinkReminder::dial, 20ms);
+  else
+    driver_.dial();
+}
+
+void LinkEnd::dialled(Connection x) {
+  ++attempt_;
+  begin_connection(x, std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::dials));
+  guarded([this] { say({}); });
+}
+
+void LinkEnd::adopt(Connection x, std::shared_ptr<Channel> channel, const Hello& hello,
+                    Bytes received) {
+  // The peer has given that one up before it made the present one.
+  if (is_silent() || (hello.incarnation == incarnation_ && hello.attempt <= attempt_)) {
+    driver_.close(x);
+    return;
+  }
+  attempt_ = hello.attempt;
+  if (connection_)
+    drop_connection();
+  begin_connection(x, std::move(channel));
+  heard_words_ = std::move(received);
+  guarded([&] {
+    say({});
+    established(hello);
+  });
+}
+
+void LinkEnd::begin_connection(Connection x, std::shared_ptr<Channel> channel) {
+  connection_ = x;
+  channel_ = std::move(channel);
+  has_greeted_ = greeted_ = deaf_ = false;
+  heard_words_.clear();
+  delayed_.clear();
+  in_buffer_ = 0;
+  heard_ = driver_.now();
+  driver_.listen_to(x);
+}
+
+void LinkEnd::drop_connection() {
+  auto connection = *std::exchange(connection_, std::nullopt);
+  greeted_ = false;
+  driver_.close(connection);
+}
+
+/// Without a connection for now.
+void LinkEnd::disconnected(const std::string& why) {
+  bool was_up = greeted_;
+  if (connection_)
+    drop_connection();
+  if (was_up) {
+    down_since_ = driver_.now();
+    backoff_ = 20ms;
+  }
+  if (!over_ && (was_up || why != reason_))
+    tell(LinkState::down, why);
+  reason_ = why;
+  if (parts_.dial) {
+    // With some jitter, so that those who lost each other at once do not meet at once for ever.
+    std::uniform_int_distribution<int> jitter{0, static_cast<int>(backoff_.count()) / 2};
+    driver_.remind(LinkReminder::dial, backoff_ + Milliseconds{jitter(random_)});
+    backoff_ = std::min<Milliseconds>(backoff_ * 2, 1000ms);
+  }
+}
+
+/// Without a connection for good.
+void LinkEnd::lost(const std::string& why) {
+  if (std::exchange(over_, true))
+    return;
+  if (connection_) {
+    session_.say_goodbye(why);
+    say_last();
+    drop_connection();
+  }
+  // Whoever waits for an answer learns of the reason first.
+  tell(LinkState::lost, why);
+  parts_.mesh->end_process(parts_.peer);
+  driver_.quit();
+}
+
+void LinkEnd::say_last() {
+  try {
+    flush();
+  } catch (const SecurityError&) {
+    // Then the peer will find out by itself.
+  }
+}
+
+void LinkEnd::close(const std::string& reason) {
+  over_ = true;
+  if (greeted_) {
+    session_.say_goodbye(reason);
+    say_last();
+  }
+  if (connection_)
+    drop_connection();
+  parts_.mesh->end_process(parts_.peer);
+  driver_.quit();
+}
+
+void LinkEnd::closed(Connection x) {
+  if (x == connection_)
+    disconnected("the connection was closed");
+}
+
+void LinkEnd::transferred(Connection x, std::size_t remaining) {
+  if (x != connection_)
+    return;
+  in_buffer_ = remaining;
+  guarded([this] { flush(); });
+}
+
+/// Does something with what the peer says, and ends the connection if that cannot be.
+template <class F>
+void LinkEnd::guarded(F&& f) {
+  try {
+    f();
+  } catch (const SecurityError& e) {
+    // Once it was the right peer, it is the way to it that is at fault.
+    if (incarnation_ != 0)
+      disconnected(e.what());
+    else
+      lost(e.what());
+  } catch (const LinkError& e) {
+    lost(e.what());
+  } catch (const DecodeError& e) {
+    lost(std::string{"a message that cannot be read: "} + e.what());
+  }
+}
+
+// -- what is made to befall it
+
+void LinkEnd::befall(const LinkFault& x) {
+  auto until = driver_.now() + x.duration;
+  switch (x.kind) {
+    case LinkFault::Kind::silence:
+      silent_until_ = until;
+      break;
+    case LinkFault::Kind::delay:
+      delayed_until_ = until;
+      delay_ = x.by;
+      break;
+    case LinkFault::Kind::loss:
+      lossy_until_ = until;
+      loss_ = x.part;
+      break;
+  }
+}
+
+/// Whether the next message is one of those that are lost.
+bool LinkEnd::loses_next() {
+  return driver_.now() < lossy_until_ &&
+         std::uniform_int_distribution<std::uint32_t>{1, 1'000'000}(random_) <= loss_;
+}
+
+void LinkEnd::say_delayed() {
+  auto now = driver_.now();
+  while (connection_ && !delayed_.empty() && delayed_.front().first <= now) {
+    auto words = std::move(delayed_.front().second);
+    delayed_.pop_front();
+    say_now(std::move(words));
+  }
+}
+
+// -- what is said
+
+void LinkEnd::say(std::vector<char> words) {
+  auto now = driver_.now();
+  bool is_late = now < delayed_until_;
+  if (!is_late && delayed_.empty()) {
+    say_now(std::move(words));
+    return;
+  }
+  // Never before what is on its way.
+  auto due = std::max(is_late ? now + delay_ : now,
+                      delayed_.empty() ? Clock::time_point{} : delayed_.back().first);
+  in_buffer_ += words.size();
+  delayed_.emplace_back(due, std::move(words));
+  auto rest = std::chrono::ceil<Milliseconds>(due - now);
+  driver_.remind(LinkReminder::delayed, std::max(rest, 0ms));
+}
+
+/// Says it, after the greeting if that is due.
+void LinkEnd::say_now(std::vector<char> words) {
+  if (!has_greeted_ && channel_->is_ready()) {
+    has_greeted_ = true;
+    auto hello = parts_.self;
+    hello.known = incarnation_;
+    hello.received = session_.received();
+    hello.attempt = attempt_;
+    write_greeting(words, hello);
+  }
+  auto& out = driver_.output(*connection_);
+  auto before = out.size();
+  channel_->write(std::move(words), out);
+  in_buffer_ += out.size() - before;
+  LinkRecord::add(record_->bytes_out, out.size() - before);
+  driver_.flush(*connection_);
+}
+
+void LinkEnd::established(const Hello& x) {
+  if (parts_.peer_name.empty())
+    parts_.peer_name = x.node;
+  if (x.node != parts_.peer_name)
+    throw LinkError("there is a node " + x.node + " where " + parts_.peer_name + " should be");
+  if (!channel_->proves(x.node))
+    throw LinkError("its certificate is not for the name " + x.node);
+  if (x.system != parts_.self.system)
+    throw LinkError("it takes part in another system");
+  if ((incarnation_ != 0 && x.incarnation != incarnation_) ||
+      (x.known != 0 && x.known != parts_.self.incarnation))
+    throw LinkError("it was started again");
+  incarnation_ = x.incarnation;
+  session_.resume(x.received);
+  greeted_ = true;
+  backoff_ = 20ms;
+  LinkRecord::add(record_->connections, 1);
+  tell(LinkState::up, {});
+  hear(std::exchange(heard_words_, {}));
+  flush();
+}
+
+void LinkEnd::receive(Connection from, std::span<const std::uint8_t> bytes) {
+  if (from != connection_)
+    return;
+  // What was not heard is not made good for but by another connection, and what follows is not to
+  // be heard without it.
+  deaf_ = deaf_ || is_silent();
+  if (deaf_)
+    return;
+  heard_ = driver_.now();
+  LinkRecord::add(record_->bytes_in, bytes.size());
+  guarded([&] {
+    auto words = channel_->receive(bytes);
+    say({});
+    if (greeted_) {
+      hear(words);
+    } else {
+      heard_words_.insert(heard_words_.end(), words.begin(), words.end());
+      hear_greeting();
+    }
+    flush();
+  });
+}
+
+void LinkEnd::hear_greeting() {
+  auto greeting = read_greeting(heard_words_);
+  if (!greeting)
+    return;
+  if (auto* refusal = std::get_if<Refusal>(&*greeting)) {
+    if (refusal->final)
+      lost(refusal->reason);
+    else
+      disconnected(refusal->reason);
+    return;
+  }
+  established(std::get<Hello>(*greeting));
+}
+
+void LinkEnd::hear(std::span<const std::uint8_t> bytes) {
+  session_.receive(bytes, [this](IncomingMessage x) {
+    LinkRecord::add(record_->messages_in, 1);
+    parts_.mesh->receive(parts_.peer, std::move(x), driver_.context());
+  });
+  if (!session_.goodbye().empty())
+    lost(session_.goodbye());
+}
+
+void LinkEnd::send(LinkMessage x) {
+  if (over_)
+    return;
+  guarded([&] {
+    std::vector<TypeDescriptorPtr> unknown;
+    for (auto& type : x.types)
+      if (told_types_.insert(type->hash).second)
+        unknown.push_back(std::move(type));
+    if (!unknown.empty())
+      session_.send({parts_.mesh->introduction(unknown)});
+    session_.send(std::move(x.message));
+    LinkRecord::add(record_->messages_out, 1);
+    if (connection_ && loses_next())
+      disconnected("what was sent was lost");
+    flush();
+  });
+}
+
+void LinkEnd::flush() {
+  if (!greeted_ || !connection_ || is_silent())
+    return;
+  while (in_buffer_ < buffered && session_.has_something_to_say()) {
+    std::vector<char> words;
+    session_.produce(words, buffered - in_buffer_);
+    spoke_ = spoke_ || !words.empty();
+    say(std::move(words));
+  }
+  record_->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
+}
+
+void LinkEnd::tick() {
+  if (over_)
+    return;
+  driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
+  auto now = driver_.now();
+  if (connection_ && !is_silent() && deaf_)
+    disconnected("what was said was not heard");
+  if (connection_) {
+    if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
+      disconnected("no sign of life");
+    } else if (greeted_ && !std::exchange(spoke_, false)) {
+      session_.remind();
+      flush();
+      spoke_ = false;
+    }
+  }
+  if (!greeted_ && now - down_since_ > parts_.options.patience)
+    lost(fmt::format("it could not be reached for {:g} s{}",
+                     std::chrono::duration<double>(parts_.options.patience).count(),
+                     reason_.empty() ? "" : " (" + reason_ + ")"));
+}
+
+void LinkEnd::tell(LinkState state, const std::string& why) {
+  LinkNews news{parts_.peer, state, why, parts_.peer_name};
+  record_->set_news(news);
+  if (parts_.on_news)
+    parts_.on_news(news);
+}
+
+} // namespace castor

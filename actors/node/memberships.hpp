@@ -1,0 +1,66 @@
+#pragma once
+
+#include "castor/actors/link/credentials.hpp"
+#include "castor/actors/link/handshake.hpp"
+#include "castor/actors/link/link.hpp"
+#include "castor/actors/link/mesh.hpp"
+#include "castor/actors/node/part.hpp"
+#include "castor/actors/node/part_protocol.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace castor {
+
+struct MembershipParts {
+  /// Of the node.
+  std::string name;
+  std::optional<Credentials> credentials;
+  LinkOptions link;
+  LinkSpawn spawn_link;
+  PartSpawn spawn;
+};
+
+/// The systems that a node takes part in; used by the network's thread and by agents.
+class Memberships : public std::enable_shared_from_this<Memberships> {
+public:
+  Memberships(caf::actor_system& system, MembershipParts parts)
+    : system_(system), parts_(std::move(parts)) {}
+
+  /// The link that a new connection is for. The coordinator's first makes the node take part.
+  std::variant<caf::actor, Refusal> route(const Hello& x);
+
+  std::vector<std::string> systems() const;
+
+  /// Leaves all systems; the links that end thereby.
+  std::vector<caf::actor> end();
+
+private:
+  /// What this process contributes to one system.
+  struct Membership {
+    Hello self;
+    std::shared_ptr<Mesh> mesh;
+    caf::actor agent;
+    std::map<ProcessNumber, caf::actor> links;
+  };
+
+  /// Whether the coordinator takes this process for a new one.
+  bool is_given_up(const Hello& coordinator) const;
+  Membership& enter(const Hello& coordinator);
+  void connect(const std::string& system, const PartPlan& plan);
+  void add_link(Membership& membership, ProcessNumber peer, const std::string& name,
+                std::optional<Endpoint> dial);
+  std::vector<caf::actor> leave(const std::string& system, const std::string& why);
+
+  caf::actor_system& system_;
+  const MembershipParts parts_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Membership> memberships_;
+};
+
+} // namespace castor

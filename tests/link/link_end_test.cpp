@@ -1,0 +1,173 @@
+#include "castor/actors/link/link_end.hpp"
+
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/node/messages.hpp"
+
+#include <caf/scheduler/test_coordinator.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct TestConfig : caf::actor_system_config {
+  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
+};
+
+/// One end of a link, with the world around it in the test's hands.
+struct End : LinkDriver {
+  End(caf::actor_system& system, ProcessNumber self, ProcessNumber peer, Clock::time_point& clock)
+    : time(clock), mesh(std::make_shared<Mesh>(system, system_messages(), self)) {
+    receiver = system.spawn([this]() -> caf::behavior {
+      return {[this](const RetractTask& x) { heard.push_back(x.id); },
+              [this](const LockQuery& x) {
+                asked.push_back(x.address.id);
+                return Outcome<LockStatus>{LockStatus{}};
+              }};
+    });
+    mesh->set_well_known(WellKnownActor::agent, caf::actor_cast<caf::strong_actor_ptr>(receiver));
+    outlet = system.spawn(
+      [this]() -> caf::behavior { return {[this](LinkMessage& x) { end->send(std::move(x)); }}; });
+    LinkParts parts;
+    parts.mesh = mesh;
+    parts.peer = peer;
+    parts.self = {std::to_string(self), "s", 100u + self, self, peer, 0, 0, 0};
+    if (self < peer)
+      parts.dial = Endpoint{"there", 1};
+    auto record = std::make_shared<LinkRecord>(peer);
+    mesh->add_port(std::make_shared<LinkPort>(mesh, peer, outlet, record));
+    end.emplace(*this, std::move(parts), record, 1);
+    end->begin();
+  }
+
+  Clock::time_point now() const override { return time; }
+  void remind(LinkReminder, std::chrono::milliseconds) override {}
+  void dial() override { ++dials; }
+  void listen_to(Connection) override {}
+  void close(Connection x) override { closed.push_back(x); }
+  std::vector<char>& output(Connection) override { return out; }
+  void flush(Connection) override {}
+  void quit() override {}
+  caf::execution_unit* context() override { return nullptr; }
+
+  Clock::time_point& time;
+  std::shared_ptr<Mesh> mesh;
+  caf::actor receiver;
+  caf::actor outlet;
+  std::vector<std::string> heard;
+  std::vector<std::string> asked;
+  std::vector<char> out;
+  std::vector<Connection> closed;
+  int dials = 0;
+  std::optional<LinkEnd> end;
+};
+
+class LinkEndTest : public testing::Test {
+protected:
+  LinkEndTest() { connect(1); }
+
+  ~LinkEndTest() override {
+    for (auto* x : {&a, &b}) {
+      x->mesh->close();
+      caf::anon_send_exit(x->receiver, caf::exit_reason::user_shutdown);
+      caf::anon_send_exit(x->outlet, caf::exit_reason::user_shutdown);
+    }
+    run();
+  }
+
+  void run() {
+    while (scheduler.try_run_once()) {
+    }
+  }
+
+  void carry(LinkDriver::Connection x) {
+    auto move = [&](End& from, End& to) {
+      auto words = std::exchange(from.out, {});
+      if (!words.empty())
+        to.end->receive(x, {reinterpret_cast<const std::uint8_t*>(words.data()), words.size()});
+      return !words.empty();
+    };
+    while (move(a, b) || move(b, a))
+      run();
+  }
+
+  /// As a listener does: what dialled says who it is first.
+  void connect(LinkDriver::Connection x) {
+    a.end->dialled(x);
+    Bytes said{a.out.begin(), a.out.end()};
+    a.out.clear();
+    auto hello = std::get<Hello>(*read_greeting(said));
+    b.end->adopt(x, std::make_shared<Channel>(std::nullopt, SecureChannel::Role::accepts), hello,
+                 std::move(said));
+    carry(x);
+  }
+
+  void say(const std::string& what) {
+    auto to = a.mesh->well_known(1, WellKnownActor::agent);
+    caf::anon_send(caf::actor_cast<caf::actor>(to), RetractTask{what});
+    run();
+  }
+
+  TestConfig config;
+  caf::actor_system system{config};
+  caf::scheduler::test_coordinator& scheduler =
+    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
+  LinkDriver::Clock::time_point time = LinkDriver::Clock::time_point{} + 1h;
+  End a{system, 0, 1, time};
+  End b{system, 1, 0, time};
+};
+
+TEST_F(LinkEndTest, HearsWhatIsSaid) {
+  say("one");
+  carry(1);
+  EXPECT_THAT(b.heard, ElementsAre("one"));
+}
+
+TEST_F(LinkEndTest, AfterAGapNothingIsHeardBeforeThereIsAnotherConnection) {
+  b.end->befall({LinkFault::Kind::silence, 100ms});
+  say("lost");
+  carry(1);
+  time += 200ms;
+  say("after the gap");
+  carry(1);
+  EXPECT_THAT(b.heard, IsEmpty());
+  b.end->remind(LinkReminder::tick);
+  EXPECT_THAT(b.closed, ElementsAre(1));
+  a.end->closed(1);
+  connect(2);
+  EXPECT_THAT(b.heard, ElementsAre("lost", "after the gap"));
+}
+
+TEST_F(LinkEndTest, ARequestOfSomebodyUnknownHereIsNotDelivered) {
+  // What a working memory passes on for a component in a process that `b` has lost.
+  a.mesh->add_port(std::make_shared<LinkPort>(a.mesh, ProcessNumber{2}, a.outlet,
+                                              std::make_shared<LinkRecord>(2)));
+  auto lost = a.mesh->actor_of(make_actor_name(2, 20));
+  auto to = a.mesh->well_known(1, WellKnownActor::agent);
+  auto send = [&](caf::message_id id, const std::string& what) {
+    to->enqueue(lost, id, caf::make_message(LockQuery{{"s", what}}), nullptr);
+  };
+  send(caf::make_message_id(), "message");
+  send(caf::make_message_id(caf::message_id::default_async_value + 1), "request");
+  run();
+  carry(1);
+  EXPECT_THAT(b.asked, ElementsAre("message"));
+}
+
+} // namespace
+
+} // namespace castor::test

@@ -1,0 +1,182 @@
+#include "castor/actors/node/supervisor.hpp"
+
+#include "castor/actors/component/log.hpp"
+#include "castor/tests/node/support.hpp"
+
+#include <caf/scheduler/test_coordinator.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct TestConfig : caf::actor_system_config {
+  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
+};
+
+/// A supervisor, with stand-ins for the agent of its process and for components.
+class SupervisorTest : public testing::Test {
+protected:
+  SupervisorTest() {
+    set_log_level(LogLevel::off);
+    described = architecture(subarchitecture("a", "localhost") + "CPP MG m M\nCPP UM u U\n");
+    for_each_component(described, [&](auto& x) { names.push_back(x.name); });
+    options.on_up = [this](const ComponentUp& x) { ups.push_back(x); };
+    agent = system.spawn([this](caf::event_based_actor* self) -> caf::behavior {
+      return {[this](const PartPlan&) { return make(names); },
+              [this, self](const RestartComponent& x) {
+                restarts.push_back(x);
+                promise = self->make_response_promise();
+                return *promise;
+              },
+              [](const JoinParts&) { return Acknowledged{}; },
+              [this](Acknowledged) { promise->deliver(make({restarts.back().name})); }};
+    });
+    processes.set_own_agent(agent);
+    SupervisorParts parts;
+    parts.processes = &processes;
+    parts.options = &options;
+    parts.epoch = system.clock().now();
+    parts.on_change = [](const SystemRosterPtr&) {};
+    supervisor = system.spawn(castor::supervisor, std::move(parts));
+    asker = system.spawn([this](caf::event_based_actor* self) -> caf::behavior {
+      return {
+        [this, self](const Deploy& x) {
+          self->request(supervisor, caf::infinite, x).then([](const Deployed&) {});
+        },
+        [this, self](const StartComponents& x) {
+          self->request(supervisor, caf::infinite, x).then([](ComponentsStarted) {});
+        },
+        [this, self](const StopComponents& x) {
+          self->request(supervisor, caf::infinite, x).then([this](const ComponentsStopped& y) {
+            stopped = y;
+          });
+        }};
+    });
+    caf::anon_send(asker, Deploy{described, {}});
+    run();
+    caf::anon_send(asker, StartComponents{names});
+    run();
+  }
+
+  ~SupervisorTest() override {
+    for (auto& x : {asker, supervisor, agent})
+      caf::anon_send_exit(x, caf::exit_reason::user_shutdown);
+    for (auto& x : made)
+      caf::anon_send_exit(x, caf::exit_reason::user_shutdown);
+    run();
+    set_log_level(LogLevel::info);
+  }
+
+  void run() {
+    while (scheduler.try_run_once()) {
+    }
+  }
+
+  void let_time_pass(std::chrono::milliseconds x) {
+    scheduler.advance_time(x);
+    run();
+  }
+
+  PartMade make(const std::vector<std::string>& which) {
+    PartMade result;
+    for (auto& name : which) {
+      made.push_back(system.spawn([this, name](caf::event_based_actor* self) -> caf::behavior {
+        self->set_exit_handler([this, self, name](const caf::exit_msg&) {
+          end(name, ComponentEnded::How::stopped);
+          self->quit();
+        });
+        return {[this, self, name](const EnterPhase& x) {
+          PhaseDone done{std::uint32_t(described.component(name)->number), x.phase, {}};
+          if (x.phase == Phase::configure && name == slow)
+            late = done;
+          else if (x.phase != Phase::run)
+            self->send(x.conductor, done);
+        }};
+      }));
+      result.actors[name] = caf::actor_cast<caf::strong_actor_ptr>(made.back());
+    }
+    return result;
+  }
+
+  void answer_restart() {
+    caf::anon_send(agent, Acknowledged{});
+    run();
+  }
+
+  /// Says that a component has ended, in the life that it is known to live.
+  void end(const std::string& name, ComponentEnded::How how) {
+    caf::anon_send(supervisor, ComponentEnded{name, lives[name] + 1, how, "it failed"});
+  }
+
+  TestConfig config;
+  caf::actor_system system{config};
+  caf::scheduler::test_coordinator& scheduler =
+    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
+  SystemOptions options;
+  Processes processes{system, options, "test", [](const LinkNews&) {}, {}};
+  ArchitectureDescription described;
+  std::vector<std::string> names;
+  caf::actor agent;
+  caf::actor supervisor;
+  caf::actor asker;
+  std::vector<caf::actor> made;
+  /// Lives over.
+  std::map<std::string, std::uint64_t> lives;
+  std::vector<RestartComponent> restarts;
+  std::optional<caf::response_promise> promise;
+  /// Who does not say that it is configured, and what it would say.
+  std::string slow;
+  std::optional<PhaseDone> late;
+  std::vector<ComponentUp> ups;
+  std::optional<ComponentsStopped> stopped;
+};
+
+TEST_F(SupervisorTest, WhoEndsBeforeItIsKnownToHaveBeenMadeIsStartedAgainToo) {
+  end("u", ComponentEnded::How::failed);
+  run();
+  ASSERT_EQ(restarts.size(), 1u);
+  ++lives["u"];
+  end("u", ComponentEnded::How::failed);
+  run();
+  answer_restart();
+  let_time_pass(1s);
+  ASSERT_EQ(restarts.size(), 2u);
+  EXPECT_EQ(restarts.back().incarnation, 3u);
+  answer_restart();
+  ASSERT_EQ(ups.size(), 1u);
+  EXPECT_EQ(ups.back().incarnation, 3u);
+}
+
+TEST_F(SupervisorTest, TheTimeThatARoundWaitsForAnotherIsNotTimeToStop) {
+  slow = "m";
+  end("a_tm", ComponentEnded::How::failed);
+  run();
+  ++lives["a_tm"];
+  ++lives["m"];
+  ASSERT_TRUE(late);
+  // It concerns `m` too, so it has to wait.
+  caf::anon_send(asker, StopComponents{{"m", "u"}});
+  let_time_pass(options.stop_patience + 1s);
+  EXPECT_FALSE(stopped);
+  caf::anon_send(supervisor, *late);
+  run();
+  ASSERT_TRUE(stopped);
+  EXPECT_THAT(stopped->stuck, IsEmpty());
+  EXPECT_THAT(stopped->stopped, ElementsAre("u", "m"));
+}
+
+} // namespace
+
+} // namespace castor::test

@@ -1,0 +1,106 @@
+# Systems that are wrong on purpose, to see that the simulation of whole systems notices; for
+# scripts/mutation-check, with those of tests/linearizability.
+
+# castor_system_mutant(<name> <source> FROM <text> TO <text>)
+#
+# castor_mutant_system_<name>, a `castor_system_simulation` in which <text> says something else.
+function(castor_system_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
+  castor_mutate(system_${name} ${source} "${ARG_FROM}" "${ARG_TO}")
+  set(target castor_mutant_system_${name})
+  # What an executable defines takes precedence over what its libraries do.
+  castor_executable(${target}
+    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_system_simulation>
+      $<TARGET_OBJECTS:castor_simulation_parts>
+    DEPENDS castor_system_simulation_parts CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
+  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS system_${name})
+endfunction()
+
+# -- supervision
+
+castor_system_mutant(failures_are_left actors/supervision/supervision_tree.cpp
+  FROM "result.start = result.stop;"
+  TO "")
+
+castor_system_mutant(restarts_forget_dependents actors/supervision/supervision_tree.cpp
+  FROM "if (all || children_.at(x).kind == ComponentKind::managed)"
+  TO "if (false)")
+
+castor_system_mutant(nodes_that_return_stay_empty actors/node/supervisor.cpp
+  FROM "if (auto awaited = awaited_.extract(x.peer)) {"
+  TO "if (auto awaited = awaited_.extract(ProcessNumber(x.peer + 100))) {")
+
+castor_system_mutant(lives_are_not_counted actors/node/supervisor.cpp
+  FROM "++child.incarnation;"
+  TO "child.incarnation = 2;")
+
+castor_system_mutant(early_ends_are_missed actors/node/supervisor.cpp
+  FROM "if (round != rounds_.end() && round->step == Round::Step::make)
+        round->failures.push_back(x);"
+  TO "")
+
+castor_system_mutant(waiting_rounds_lose_their_patience actors/node/supervisor.cpp
+  FROM "begun->since = time();"
+  TO "")
+
+castor_system_mutant(nobody_is_asked_again actors/node/supervisor.cpp
+  FROM "if (!actor || round.asked == actor.address())"
+  TO "if (!actor || round.asked)")
+
+castor_system_mutant(the_awaited_are_made_early actors/node/supervisor.cpp
+  FROM "if (moved_.count(name) > 0 || is_awaited(name))"
+  TO "if (false)")
+
+# -- filters and leases
+
+castor_system_mutant(new_memories_do_not_know_filters wm/working_memory_routes.cpp
+  FROM "if (!concerns(filter, peer))
+        continue;
+      ++pending->missing;"
+  TO "if (true)
+        continue;
+      ++pending->missing;")
+
+castor_system_mutant(the_dead_keep_their_leases wm/working_memory_leases.cpp
+  FROM "state.leases.drop(*client.mapped(), time);"
+  TO "")
+
+castor_system_mutant(memories_count_from_the_start wm/working_memory.cpp
+  FROM "auto first = (options.incarnation - 1) * numbers_per_life;"
+  TO "std::uint64_t first = 0;")
+
+# -- links
+
+castor_system_mutant(resumed_sessions_send_all_again actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "rewritten_ = 0;")
+
+castor_system_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "")
+
+castor_system_mutant(half_deaf_links_go_on actors/link/link_end.cpp
+  FROM "deaf_ = deaf_ || is_silent();
+  if (deaf_)
+    return;"
+  TO "if (is_silent()) {
+    deaf_ = true;
+    return;
+  }")
+
+castor_system_mutant(late_connections_are_taken actors/node/memberships.cpp
+  FROM "(x.known != 0 && x.known != self.incarnation) || x.receiver < self.process"
+  TO "false")
+
+castor_system_mutant(requests_to_the_lost_stay_open actors/link/mesh.cpp
+  FROM "for (auto& x : unanswered)
+    receiver_down(x.sender, x.id);"
+  TO "")
+
+castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
+  FROM "port->tell_end(name);"
+  TO "(void)port;")

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "castor/actors/component/neighbours.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/node/part.hpp"
+#include "castor/tests/linearizability/simulated_client.hpp"
+#include "castor/tests/simulation/simulated_network.hpp"
+#include "castor/wm/change_event.hpp"
+
+#include <caf/resumable.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace castor::simulation {
+
+class SimulatedComponent;
+
+/// What a component was told in one of its lives.
+struct Told {
+  std::string component;
+  std::uint64_t incarnation = 1;
+  Life process = 0;
+  std::vector<ChangeEventPtr> events;
+  /// The component still is there.
+  bool alive = true;
+};
+
+/// What all in one simulated system share, besides what its clients do.
+struct SystemWorld : linearizability::SimulatedWorld {
+  using SimulatedWorld::SimulatedWorld;
+
+  /// Something has happened: the same seed gives the same of these.
+  void note(std::uint64_t x) { digest = (digest ^ x) * 0x100000001b3; }
+  void note(const std::string& x) {
+    for (auto c : x)
+      note(static_cast<unsigned char>(c));
+  }
+
+  std::uint64_t digest = 0xcbf29ce484222325;
+  /// The longest pause of a client between operations.
+  std::chrono::milliseconds longest_pause{50};
+  /// Those that are there now.
+  std::map<std::string, SimulatedComponent*> components;
+  std::vector<std::shared_ptr<Told>> told;
+  /// Which process an actor is of.
+  std::map<const caf::resumable*, Life> owners;
+  bool over = false;
+  /// Runs what is to be done in a process, until nothing is.
+  std::function<void(Life)> run_jobs_of;
+};
+
+/// A component of a simulated system: goes through its phases of life as its supervisor says, hears
+/// of every change, and operates on working memories if it is no task manager. In place of the
+/// actor that has a thread of its own, which would not be deterministic.
+class SimulatedComponent : public linearizability::SimulatedClient {
+public:
+  SimulatedComponent(caf::actor_config& config, SystemWorld& world,
+                     linearizability::SimulatedClientParts parts,
+                     std::shared_ptr<ComponentRecord> record, bool operates, Life process);
+
+  const char* name() const override { return "simulated component"; }
+
+  Life process() const { return process_; }
+  const ComponentRecord& record() const { return *record_; }
+  using SimulatedClient::number;
+
+  void on_exit() override;
+
+protected:
+  caf::behavior make_behavior() override;
+  WorkingMemoryActor way_to(std::size_t working_memory) const override;
+  caf::duration deadline() const override { return caf::duration{std::chrono::seconds{1}}; }
+  Timestamp pause() override;
+
+private:
+  void meet(NeighboursPtr neighbours);
+  void enter(const EnterPhase& x);
+  void register_filter();
+  void phase_done(Phase phase, std::string failure = {});
+  void fail(const std::string& why);
+  void hear(const ChangeNotice& x);
+  void trace(const std::string& what) const;
+
+  SystemWorld& system_world_;
+  const std::shared_ptr<ComponentRecord> record_;
+  const bool operates_;
+  const Life process_;
+  NeighboursPtr neighbours_;
+  WorkingMemoryActor home_;
+  caf::actor conductor_;
+  std::shared_ptr<Told> told_ = std::make_shared<Told>();
+};
+
+} // namespace castor::simulation

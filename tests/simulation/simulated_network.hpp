@@ -1,0 +1,88 @@
+#pragma once
+
+#include "castor/actors/link/handshake.hpp"
+#include "castor/actors/link/link.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <variant>
+#include <vector>
+
+namespace castor::simulation {
+
+/// Counts the processes that there have been, on whatever machine.
+using Life = std::size_t;
+
+/// What lies between simulated processes: carries what their links say, in order, cut anywhere and
+/// as late as its random numbers have it. Runs on one thread, under CAF's test coordinator.
+class SimulatedNetwork {
+public:
+  using Connection = std::int64_t;
+  using Route = std::function<std::variant<caf::actor, Refusal>(const Hello&)>;
+
+  SimulatedNetwork(caf::actor_system& system, std::mt19937_64& random)
+    : system_(system), random_(random) {}
+
+  /// What is said arrives at once, but for so much of it, in percent.
+  void set_delays(unsigned percent, std::chrono::milliseconds longest) {
+    delayed_ = percent;
+    longest_ = longest;
+  }
+
+  /// Takes connections for a process; the actor that does.
+  caf::actor listen(std::uint16_t port, Life life, Route route);
+
+  /// The end of a link, in a process.
+  caf::actor spawn_link(Life life, LinkParts parts);
+
+  /// A process is no more: whoever has a connection with it is told so, or is not.
+  void end(Life life, bool silently);
+
+  /// The process with which a link had a connection last, if it had one.
+  std::optional<Life> peer_of(const caf::actor& link) const;
+
+  // -- for links and listeners
+
+  void dial(const caf::actor& from, Life life, std::uint16_t port);
+  void say(const caf::actor& from, Connection x, std::vector<char> words);
+  void close(const caf::actor& from, Connection x);
+  /// The connection is not the listener's any more.
+  void hand_over(Connection x, const caf::actor& to);
+
+private:
+  struct End {
+    caf::actor actor;
+    Life life = 0;
+    /// When the last of what it was sent arrives.
+    std::chrono::steady_clock::time_point due;
+  };
+
+  struct Listener {
+    caf::actor actor;
+    Life life = 0;
+  };
+
+  std::size_t pick(std::size_t count) { return random_() % count; }
+  std::chrono::milliseconds latency();
+  template <class T>
+  void send(End& to, const T& message);
+  /// The side that is not that actor's; null if the connection is closed.
+  End* other_end(const caf::actor& from, Connection x);
+
+  caf::actor_system& system_;
+  std::mt19937_64& random_;
+  unsigned delayed_ = 0;
+  std::chrono::milliseconds longest_{0};
+  Connection last_ = 0;
+  /// The end that dialled, and the other.
+  std::map<Connection, std::pair<End, End>> connections_;
+  std::map<std::uint16_t, Listener> listeners_;
+  std::map<caf::actor, Life> peers_;
+};
+
+} // namespace castor::simulation

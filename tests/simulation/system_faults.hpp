@@ -1,0 +1,28 @@
+#pragma once
+
+#include "castor/actors/faults/fault_plan.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+
+namespace castor::simulation {
+
+/// The machines of a simulated system.
+inline constexpr std::array<std::string_view, 3> machines{faults::coordinator, "node1", "node2"};
+
+/// No fault begins after that.
+inline constexpr std::chrono::milliseconds time_of_faults{1500};
+/// How long the links of a simulated system wait for a process to be back.
+inline constexpr std::chrono::milliseconds link_patience{1500};
+
+/// What befalls a simulated system: up to six faults, at given times, which follow from the seed.
+/// Every component, working memory and node may end; what keeps processes apart is much shorter
+/// than the patience of links, or much longer.
+faults::FaultPlan system_faults(std::uint64_t seed);
+
+/// How long a process that is killed at that time is not there.
+std::chrono::milliseconds time_until_return(std::uint64_t seed, Timestamp killed);
+
+} // namespace castor::simulation

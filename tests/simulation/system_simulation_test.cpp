@@ -1,0 +1,123 @@
+#include "castor/tests/simulation/system_simulation.hpp"
+
+#include "castor/tests/simulation/system_faults.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace castor::simulation {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::SizeIs;
+
+std::string lines(const SystemResult& x) {
+  std::string result;
+  for (auto& operation : x.history)
+    result += to_string(operation) + "\n";
+  return result;
+}
+
+faults::FaultPlan plan(Timestamp at, faults::Fault x) {
+  faults::FaultPlan result;
+  result.statements.push_back({faults::At{at}, {std::move(x)}, {}, {}});
+  return result;
+}
+
+} // namespace
+
+/// More of them, as many as one likes: castor_system_simulation.
+TEST(SystemSimulation, SystemsRecoverAndLoseNothingThatIsPromised) {
+  SystemSimulation simulation;
+  int undecided = 0;
+  for (std::uint64_t seed = 1; seed <= CASTOR_SIMULATED_SYSTEMS; ++seed) {
+    auto result = simulation.run(seed);
+    ASSERT_FALSE(result.is_wrong()) << "castor_system_simulation --seed " << seed << "\n"
+                                    << to_string(result) << "\nwith\n"
+                                    << to_string(minimised(simulation, seed, result.faults));
+    undecided += !result.ok();
+  }
+  EXPECT_LT(undecided, 5);
+}
+
+TEST(SystemSimulation, ASeedGivesTheSameRunAgain) {
+  SystemSimulation simulation;
+  SystemSimulation another;
+  another.run(99);
+  for (std::uint64_t seed : {1, 2, 3, 45, 160, 1, 3}) {
+    auto once = simulation.run(seed);
+    auto again = another.run(seed);
+    EXPECT_EQ(lines(once), lines(again));
+    EXPECT_EQ(once.digest, again.digest);
+    EXPECT_EQ(once.steps, again.steps);
+  }
+}
+
+TEST(SystemSimulation, WithoutFaultsNobodyFails) {
+  SystemSimulation simulation;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto result = simulation.run(seed, faults::FaultPlan{});
+    EXPECT_TRUE(result.ok()) << to_string(result);
+    EXPECT_EQ(result.failures, 0u);
+    EXPECT_EQ(result.losses, 0u);
+  }
+}
+
+TEST(SystemSimulation, EveryKindOfFaultHasItsEffect) {
+  SystemSimulation simulation;
+  auto failures = [&](faults::Fault x) {
+    auto result = simulation.run(1, plan(500ms, std::move(x)));
+    EXPECT_TRUE(result.ok()) << to_string(result);
+    return result.failures;
+  };
+  auto separation = 2 * link_patience;
+  EXPECT_GE(failures(faults::Crash{{"a1", {}}}), 1u);
+  // With all that it takes along.
+  EXPECT_GE(failures(faults::Crash{{"b_wm", {}}}), 4u);
+  EXPECT_GE(failures(faults::Kill{{"node1"}}), 3u);
+  EXPECT_GE(failures(faults::Stop{{"node2"}, separation}), 3u);
+  EXPECT_GE(failures(faults::Partition{{"node2"}, {}, separation}), 3u);
+  EXPECT_EQ(failures(faults::Stop{{"node2"}, link_patience / 3}), 0u);
+  EXPECT_EQ(failures(faults::Partition{{"node2"}, {}, link_patience / 3}), 0u);
+  EXPECT_EQ(failures(faults::Hang{{"a1", {}}, 100ms}), 0u);
+}
+
+TEST(SystemSimulation, RunsShowAllThatCanHappen) {
+  using linearizability::OperationKind;
+  using linearizability::Status;
+  SystemSimulation simulation;
+  std::set<std::pair<OperationKind, Status>> seen;
+  std::size_t pending = 0;
+  std::size_t losses = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    for (auto& x : simulation.run(seed).history) {
+      pending += x.pending();
+      losses += x.kind == OperationKind::loss;
+      if (!x.pending())
+        seen.emplace(x.kind, x.result.status);
+    }
+  using enum OperationKind;
+  for (auto kind : {add, overwrite, remove, read, exists, version, lock, try_lock, unlock})
+    EXPECT_TRUE(seen.contains({kind, Status::ok})) << to_string(kind);
+  EXPECT_TRUE(seen.contains({overwrite, Status::locked}));
+  EXPECT_TRUE(seen.contains({overwrite, Status::stale}));
+  EXPECT_GT(pending, 100u);
+  EXPECT_GT(losses, 100u);
+}
+
+TEST(SystemFaults, FollowFromTheSeed) {
+  EXPECT_EQ(system_faults(7), system_faults(7));
+  std::set<std::size_t> kinds;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    for (auto& x : system_faults(seed).statements)
+      kinds.insert(x.faults.front().index());
+  EXPECT_THAT(kinds, SizeIs(7));
+}
+
+} // namespace castor::simulation
