@@ -20,14 +20,10 @@ void Deployments::ask(const Question& question,
                       std::function<void(ProcessNumber, const Answer&)> take,
                       std::function<void()> then) {
   then_ = std::move(then);
-  missing_.clear();
   auto number = ++question_;
-  for (std::size_t i = 0; i < processes_.size(); ++i)
-    if (auto process = static_cast<ProcessNumber>(i);
-        processes_.state(process).link != LinkState::lost)
-      missing_.insert(process);
-  auto asked = missing_;
-  for (auto process : asked) {
+  std::erase_if(asked_, [this](auto x) { return processes_.state(x).link == LinkState::lost; });
+  missing_ = asked_;
+  for (auto process : asked_) {
     auto answered = [self = shared_from_this(), process, number] {
       if (number == self->question_ && self->missing_.erase(process) > 0)
         self->go_on_if_answered();
@@ -52,10 +48,14 @@ void Deployments::ask(const Question& question,
 void Deployments::begin() {
   problems_.clear();
   auto plan = orders_.front().plan();
+  asked_.clear();
   planned_.clear();
-  for (std::size_t i = 0; i < plan.processes.size(); ++i)
-    if (auto process = static_cast<ProcessNumber>(i); is_waited_for(process))
+  for (std::size_t i = 0; i < processes_.size(); ++i) {
+    auto process = static_cast<ProcessNumber>(i);
+    asked_.insert(process);
+    if (is_waited_for(process))
       planned_.insert(process);
+  }
   ask<PartMade>(
     plan, [this, plan](ProcessNumber from, const PartMade& x) { take(plan, from, x); },
     [this, plan] {

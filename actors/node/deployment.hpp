@@ -46,7 +46,8 @@ public:
   void set_actor(const std::string& name, const caf::strong_actor_ptr& x) { actors_[name] = x; }
 
 private:
-  /// Asks every process that is not lost, and goes on once those have answered that count.
+  /// Asks those again that were asked first, unless they are lost, and goes on once those have
+  /// answered that count.
   template <class Answer, class Question>
   void ask(const Question& question, std::function<void(ProcessNumber, const Answer&)> take,
            std::function<void()> then);
@@ -67,6 +68,9 @@ private:
   /// The first is under way.
   std::deque<Order> orders_;
   Problems problems_;
+  /// Those that the plan under way went to: one that has come since knows nothing of it.
+  std::set<ProcessNumber> asked_;
+  /// Those of them that have not answered the last question.
   std::set<ProcessNumber> missing_;
   /// Those that the plan under way counts on: out of reach when it began were all others.
   std::set<ProcessNumber> planned_;
