@@ -82,6 +82,7 @@ public:
                          x.hello, std::move(x.received));
         link->settle();
       },
+      [link](const LinkPatience& x) { link->end_.set_patience(x.patience); },
       [link](const CloseLink& x) { link->end_.close(x.reason); },
     };
   }
