@@ -26,6 +26,13 @@ struct ScriptedJournal {
 /// Requests whose answers may have to wait.
 class PatientClients : public WorkingMemories {
 protected:
+  /// Nobody hears of the end of what the fixture consists of.
+  ~PatientClients() override {
+    for (auto& x : clients)
+      caf::anon_send_exit(x, caf::exit_reason::user_shutdown);
+    scheduler.run();
+  }
+
   /// A request that is not waited for; `arrived` says whether it is answered.
   template <class Reply, class Request>
   std::shared_ptr<std::optional<Reply>> begin_at(const std::string& name, Request request) {
