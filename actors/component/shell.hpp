@@ -81,15 +81,15 @@ public:
   template <class Request>
   std::uint64_t begin(const Request& request) {
     check_may_operate();
-    OperationRecorder::Open open;
+    std::optional<OperationRecorder::Open> open;
     if (recorder_)
       open = recorder_->begin(request);
     std::uint64_t id = 0;
     unit_->run(
       [&] { id = this->request(working_memory_, caf::infinite, request).id().integer_value(); });
     open_slot(id);
-    if (recorder_)
-      recorder_->sent(id, std::move(open));
+    if (open)
+      recorder_->sent(id, *std::move(open));
     return id;
   }
 
