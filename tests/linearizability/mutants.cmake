@@ -8,24 +8,20 @@
 # and scripts/mutation-check.
 function(castor_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "ALL" "FROM;TO" "")
-  castor_mutate(${name} ${source} "${ARG_FROM}" "${ARG_TO}")
   cmake_path(GET source FILENAME file)
   set(target castor_mutant_${name})
   # Linked together from objects: a mutant differs from the product by one file.
-  castor_executable(${target}
-    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_simulation>
+  castor_add_mutant(${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
+    SOURCES $<TARGET_OBJECTS:castor_simulation>
       $<FILTER:$<TARGET_OBJECTS:castor_wm>,EXCLUDE,/${file}\\.o$>
-    DEPENDS castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3 ZLIB::ZLIB
-      CLI11::CLI11 fmt::fmt)
+    DEPENDS castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
+      ZLIB::ZLIB CLI11::CLI11 fmt::fmt)
   target_include_directories(${target} PRIVATE "${CASTOR_INCLUDE_ROOT}")
-  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
-  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS ${name})
   if(ARG_ALL)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL FALSE)
     add_test(NAME Mutant.${name}.IsCaught
       COMMAND ${target} --seeds 1..20000 --expect-violation)
     set_tests_properties(Mutant.${name}.IsCaught PROPERTIES LABELS tests TIMEOUT 120)
-  else()
-    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endif()
 endfunction()
 
@@ -35,15 +31,9 @@ endfunction()
 # scripts/mutation-check.
 function(castor_node_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
-  castor_mutate(node_${name} ${source} "${ARG_FROM}" "${ARG_TO}")
-  set(target castor_mutant_node_${name})
-  # What an executable defines takes precedence over what its libraries do.
-  castor_executable(${target}
-    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_real_runs>
+  castor_add_mutant(node_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
+    SOURCES $<TARGET_OBJECTS:castor_real_runs>
     DEPENDS castor_real_run_parts CAF::io CLI11::CLI11 fmt::fmt)
-  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
-  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
-  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS node_${name})
 endfunction()
 
 castor_mutant(no_version_check wm/entry_store.cpp ALL

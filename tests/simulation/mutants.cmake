@@ -6,16 +6,9 @@
 # castor_mutant_system_<name>, a `castor_system_simulation` in which <text> says something else.
 function(castor_system_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
-  castor_mutate(system_${name} ${source} "${ARG_FROM}" "${ARG_TO}")
-  set(target castor_mutant_system_${name})
-  # What an executable defines takes precedence over what its libraries do.
-  castor_executable(${target}
-    SOURCES "${mutated}" $<TARGET_OBJECTS:castor_system_simulation>
-      $<TARGET_OBJECTS:castor_simulation_parts>
+  castor_add_mutant(system_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
+    SOURCES $<TARGET_OBJECTS:castor_system_simulation> $<TARGET_OBJECTS:castor_simulation_parts>
     DEPENDS castor_system_simulation_parts CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
-  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
-  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
-  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS system_${name})
 endfunction()
 
 # -- supervision

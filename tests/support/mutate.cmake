@@ -17,3 +17,20 @@ function(castor_mutate name source from to)
   file(CONFIGURE OUTPUT "${path}" CONTENT "${text}" @ONLY)
   set(mutated "${path}" PARENT_SCOPE)
 endfunction()
+
+# castor_add_mutant(<name> <source> FROM <text> TO <text> SOURCES <source>... DEPENDS <target>...)
+#
+# castor_mutant_<name>, an executable of these sources and of <source>, in which <text> says something
+# else. What an executable defines takes precedence over what its libraries do. Built by the target
+# castor_mutants only, and by scripts/mutation-check.
+function(castor_add_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "SOURCES;DEPENDS")
+  castor_mutate(${name} ${source} "${ARG_FROM}" "${ARG_TO}")
+  set(target castor_mutant_${name})
+  castor_executable(${target}
+    SOURCES "${mutated}" ${ARG_SOURCES}
+    DEPENDS ${ARG_DEPENDS})
+  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS ${name})
+endfunction()

@@ -5,16 +5,10 @@
 # castor_mutant_journal_<name>, a `wm_tests` in which <text> says something else.
 function(castor_journal_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
-  castor_mutate(journal_${name} ${source} "${ARG_FROM}" "${ARG_TO}")
-  set(target castor_mutant_journal_${name})
-  # What an executable defines takes precedence over what its libraries do.
-  castor_executable(${target}
-    SOURCES "${mutated}" $<TARGET_OBJECTS:wm_tests>
+  castor_add_mutant(journal_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
+    SOURCES $<TARGET_OBJECTS:wm_tests>
     DEPENDS castor::wm nlohmann_json::nlohmann_json SQLite::SQLite3 rapidcheck_gtest GTest::gmock
       GTest::gtest_main)
-  target_compile_options(${target} PRIVATE -Wno-unused-parameter -Wno-unused-variable)
-  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
-  set_property(GLOBAL APPEND PROPERTY CASTOR_MUTANTS journal_${name})
 endfunction()
 
 castor_journal_mutant(nothing_is_synced wm/journal.cpp
