@@ -2,10 +2,8 @@
 
 #include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/tests/linearizability/simulated_client.hpp"
+#include "castor/tests/support/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
-#include <caf/scoped_actor.hpp>
 
 #include <algorithm>
 #include <map>
@@ -22,10 +20,6 @@ constexpr std::chrono::milliseconds lease_duration{100};
 constexpr std::chrono::seconds long_time{10};
 /// Far more than a history takes.
 constexpr std::size_t most_steps = 100'000;
-
-struct TestingConfig : caf::actor_system_config {
-  TestingConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
 
 using Told = std::vector<ChangeEventPtr>;
 
@@ -59,14 +53,12 @@ Operation operation_of(OperationKind x) {
 } // namespace
 
 /// The actor system, which outlasts a seed, and what plays on it.
-class Simulation::Stage {
+class Simulation::Stage : private test::TestingSystem {
 public:
-  Stage() : scheduler_(dynamic_cast<caf::scheduler::test_coordinator&>(system_.scheduler())) {}
-
   SimulationResult run(std::uint64_t seed) {
     SimulatedWorld world{seed, lease_duration};
     world_ = &world;
-    begin_ = scheduler_.clock().now();
+    begin_ = scheduler.clock().now();
     SimulationResult result;
     try {
       set_up();
@@ -102,20 +94,20 @@ private:
       // No token of one working memory is ever the right one in another by chance.
       options.leases.first_token = static_cast<LeaseToken>(i + 1) * 1'000'000;
       auto name = options.subarchitecture;
-      auto actor = system_.spawn(working_memory, std::move(options));
+      auto actor = system.spawn(working_memory, std::move(options));
       peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
       world.working_memories.push_back({name, std::move(actor)});
     }
     for (auto& wm : world.working_memories)
       caf::anon_send(wm.actor, peers);
-    run_all();
+    scheduler.run();
     told_.assign(working_memories, {});
     for (std::size_t i = 0; i < working_memories; ++i) {
-      listeners_.push_back(system_.spawn(listener, &told_[i]));
+      listeners_.push_back(system.spawn(listener, &told_[i]));
       caf::send_as(listeners_.back(), world.working_memories[i].actor,
                    Subscribe{1, any_change().anywhere()});
     }
-    run_all();
+    scheduler.run();
     for (std::size_t entries = 1 + world.pick(4), i = 0; i < entries; ++i) {
       auto owner = world.pick(working_memories);
       world.entries.push_back(
@@ -129,7 +121,7 @@ private:
       parts.home = world.pick(working_memories);
       parts.temper = {world.chance(25), world.chance(40), world.chance(50), world.chance(40),
                       world.chance(30)};
-      SimulatedClient::spawn(system_, std::move(parts));
+      SimulatedClient::spawn(system, std::move(parts));
     }
   }
 
@@ -137,7 +129,7 @@ private:
 
   void play() {
     auto& world = *world_;
-    auto& jobs = scheduler_.jobs;
+    auto& jobs = scheduler.jobs;
     auto hurry = 1 + world.pick(5);
     for (std::size_t steps = 0; steps < most_steps; ++steps) {
       if (jobs.empty()) {
@@ -169,31 +161,21 @@ private:
     world.dead.clear();
   }
 
-  void run_one(std::size_t job) {
-    std::swap(scheduler_.jobs.front(), scheduler_.jobs[job]);
-    scheduler_.run_once();
-  }
-
-  void run_all() {
-    while (!scheduler_.jobs.empty())
-      scheduler_.run_once();
-  }
-
   void let_time_pass(std::chrono::microseconds x) {
-    scheduler_.advance_time(x);
+    scheduler.advance_time(x);
     world_->recorder.set_time(
-      std::chrono::duration_cast<Timestamp>(scheduler_.clock().now() - begin_));
+      std::chrono::duration_cast<Timestamp>(scheduler.clock().now() - begin_));
   }
 
   /// False if nothing will.
   bool let_time_pass_until_something_happens() {
-    auto& clock = scheduler_.clock();
-    while (scheduler_.jobs.empty() && clock.has_pending_timeout()) {
+    auto& clock = scheduler.clock();
+    while (scheduler.jobs.empty() && clock.has_pending_timeout()) {
       auto due = clock.schedule().begin()->first - clock.now();
       let_time_pass(
         std::max(std::chrono::microseconds{0}, std::chrono::ceil<std::chrono::microseconds>(due)));
     }
-    return !scheduler_.jobs.empty();
+    return !scheduler.jobs.empty();
   }
 
   // -- looking back
@@ -203,9 +185,9 @@ private:
     auto& world = *world_;
     for (auto& client : world.alive)
       SimulatedClient::let_rest(client);
-    run_all();
+    scheduler.run();
     let_time_pass(long_time);
-    run_all();
+    scheduler.run();
     for (std::uint32_t entry = 0; entry < world.entries.size(); ++entry)
       look_at(entry);
     for (std::size_t i = 0; i < world.working_memories.size(); ++i)
@@ -312,10 +294,7 @@ private:
 
   template <class Reply, class Request>
   Reply ask(const SimulatedWorld::WorkingMemory& wm, const Request& request) {
-    std::optional<Reply> result;
-    auto answer = self_->request(wm.actor, caf::infinite, request);
-    run_all();
-    answer.receive([&](const Reply& x) { result = x; }, [](const caf::error&) {});
+    auto result = answer_of<Reply>(wm.actor, request);
     if (!result)
       throw std::runtime_error{"the working memory of " + wm.subarchitecture + " has ended"};
     return *std::move(result);
@@ -328,16 +307,12 @@ private:
       caf::anon_send_exit(x, caf::exit_reason::kill);
     for (auto& x : world_->working_memories)
       caf::anon_send_exit(x.actor, caf::exit_reason::kill);
-    run_all();
-    scheduler_.clock().cancel_all();
+    scheduler.run();
+    scheduler.clock().cancel_all();
     listeners_.clear();
     world_ = nullptr;
   }
 
-  TestingConfig config_;
-  caf::actor_system system_{config_};
-  caf::scheduler::test_coordinator& scheduler_;
-  caf::scoped_actor self_{system_};
   Checker checker_{{.max_states = 4'000'000}};
 
   // -- of one seed

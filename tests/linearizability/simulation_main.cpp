@@ -1,4 +1,5 @@
 #include "castor/tests/linearizability/simulation.hpp"
+#include "castor/tests/support/seeds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -13,18 +14,8 @@ namespace castor::linearizability {
 
 namespace {
 
-struct Seeds {
-  std::uint64_t from = 1;
-  std::uint64_t to = 1000;
-};
-
-Seeds parse_seeds(const std::string& text) {
-  auto dots = text.find("..");
-  Seeds result;
-  result.from = std::stoull(text.substr(0, dots));
-  result.to = dots == std::string::npos ? result.from : std::stoull(text.substr(dots + 2));
-  return result;
-}
+using test::parse_seeds;
+using test::Seeds;
 
 /// The number of the seed that something is wrong with, if there is one.
 std::optional<std::uint64_t> run(Simulation& simulation, const Seeds& seeds) {

@@ -2,8 +2,7 @@
 
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
+#include "castor/tests/support/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,10 +22,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
 
 /// One end of a link, with the world around it in the test's hands.
 struct End : LinkDriver {
@@ -76,7 +71,7 @@ struct End : LinkDriver {
   std::optional<LinkEnd> end;
 };
 
-class LinkEndTest : public testing::Test {
+class LinkEndTest : public testing::Test, protected TestingSystem {
 protected:
   LinkEndTest() { connect(1); }
 
@@ -122,10 +117,6 @@ protected:
     run();
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler =
-    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
   LinkDriver::Clock::time_point time = LinkDriver::Clock::time_point{} + 1h;
   End a{system, 0, 1, time};
   End b{system, 1, 0, time};

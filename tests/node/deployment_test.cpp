@@ -1,8 +1,8 @@
 #include "castor/actors/node/deployment.hpp"
 
 #include "castor/tests/node/support.hpp"
+#include "castor/tests/support/testing_system.hpp"
 
-#include <caf/scheduler/test_coordinator.hpp>
 #include <caf/scoped_actor.hpp>
 
 #include <gmock/gmock.h>
@@ -26,12 +26,8 @@ using testing::IsEmpty;
 using testing::Key;
 using testing::SizeIs;
 
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 /// A system in one process, on CAF's test coordinator, with a stand-in for its agent.
-class DeploymentTest : public testing::Test {
+class DeploymentTest : public testing::Test, protected TestingSystem {
 protected:
   DeploymentTest() {
     agent = system.spawn([this](caf::event_based_actor* self) -> caf::behavior {
@@ -79,10 +75,6 @@ protected:
     caf::anon_send(host, Acknowledged{});
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler =
-    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
   SystemOptions options;
   Processes processes{system, options, "test", [](const LinkNews&) {}};
   caf::actor agent;

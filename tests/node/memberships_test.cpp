@@ -1,6 +1,5 @@
 #include "castor/actors/node/memberships.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
+#include "castor/tests/support/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,12 +16,8 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 /// A node that takes part in one system as its process 2, with stand-ins for its links.
-class MembershipsTest : public testing::Test {
+class MembershipsTest : public testing::Test, protected TestingSystem {
 protected:
   MembershipsTest() {
     node->route(coordinator(2));
@@ -72,10 +67,6 @@ protected:
     return result;
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler =
-    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
   /// In the order in which they were made.
   std::vector<LinkParts> links;
   std::vector<caf::actor> actors;

@@ -3,9 +3,8 @@
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/tests/node/support.hpp"
+#include "castor/tests/support/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,13 +18,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 /// The agent of process 0, with the working memory of `a`; that of `b` is in process 1, of which
 /// nobody ever answers.
-class PartAgentTest : public testing::Test {
+class PartAgentTest : public testing::Test, protected TestingSystem {
 protected:
   PartAgentTest() {
     silent = system.spawn([]() -> caf::behavior { return {[](const LinkMessage&) {}}; });
@@ -83,10 +78,6 @@ protected:
     run();
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler =
-    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
   std::shared_ptr<Mesh> mesh = std::make_shared<Mesh>(system, system_messages(), ProcessNumber{0});
   caf::actor silent;
   caf::actor agent;

@@ -2,8 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/tests/node/support.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
+#include "castor/tests/support/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,12 +20,8 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 /// A supervisor, with stand-ins for the agent of its process and for components.
-class SupervisorTest : public testing::Test {
+class SupervisorTest : public testing::Test, protected TestingSystem {
 protected:
   SupervisorTest() {
     set_log_level(LogLevel::off);
@@ -120,10 +115,6 @@ protected:
     caf::anon_send(supervisor, ComponentEnded{name, lives[name] + 1, how, "it failed"});
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler =
-    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
   SystemOptions options;
   Processes processes{system, options, "test", [](const LinkNews&) {}, {}};
   ArchitectureDescription described;

@@ -7,10 +7,10 @@
 #include "castor/actors/supervision/health.hpp"
 #include "castor/tests/simulation/simulated_architecture.hpp"
 #include "castor/tests/simulation/simulated_machines.hpp"
+#include "castor/tests/support/testing_system.hpp"
+#include "castor/wm/working_memory.hpp"
 
 #include <caf/actor_registry.hpp>
-#include <caf/scheduler/test_coordinator.hpp>
-#include <caf/scoped_actor.hpp>
 
 #include <algorithm>
 #include <array>
@@ -39,21 +39,15 @@ constexpr std::chrono::milliseconds long_time{1300};
 constexpr std::size_t most_steps = 400'000;
 constexpr const char* sentinel = "sentinel";
 
-struct TestingConfig : caf::actor_system_config {
-  TestingConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 } // namespace
 
 /// The actor system, which outlasts a seed, and what plays on it.
-class SystemSimulation::Stage {
+class SystemSimulation::Stage : private test::TestingSystem {
 public:
-  Stage() : scheduler_(dynamic_cast<caf::scheduler::test_coordinator&>(system_.scheduler())) {
-    set_log_level(LogLevel::off);
-  }
+  Stage() { set_log_level(LogLevel::off); }
 
   SystemResult run(std::uint64_t seed, const faults::FaultPlan& faults) {
-    auto actors_before = system_.registry().running();
+    auto actors_before = system.registry().running();
     lease_ = lease_durations[seed % lease_durations.size()];
     SystemWorld world{seed, lease_};
     world_ = &world;
@@ -61,8 +55,8 @@ public:
     result.faults = faults;
     result.seed = seed;
     result_ = &result;
-    begin_ = scheduler_.clock().now();
-    SimulatedMachines simulated{system_, world};
+    begin_ = scheduler.clock().now();
+    SimulatedMachines simulated{system, world};
     machines_ = &simulated;
     world.run_jobs_of = [this](Life x) { run_jobs_of(x); };
     try {
@@ -80,7 +74,7 @@ public:
       world.note(to_string(x));
     result.digest = world.digest;
     clear();
-    if (auto actors = system_.registry().running(); actors != actors_before)
+    if (auto actors = system.registry().running(); actors != actors_before)
       world.find(std::to_string(actors - actors_before) + " actors are left");
     result.findings = std::move(world.findings);
     machines_ = nullptr;
@@ -130,9 +124,9 @@ private:
     for (std::size_t x = 1; x < machines.size(); ++x)
       machines_->start_node(x);
     processes_.emplace(
-      system_, options_, "simulated", [this](const LinkNews& x) { caf::anon_send(supervisor_, x); },
+      system, options_, "simulated", [this](const LinkNews& x) { caf::anon_send(supervisor_, x); },
       machines_->spawn_link(0));
-    desk_ = system_.spawn([this]() -> caf::behavior {
+    desk_ = system.spawn([this]() -> caf::behavior {
       return {[this](const EndSystem& x) { ended_.emplace(x.reason); }};
     });
     SupervisorParts parts;
@@ -142,11 +136,11 @@ private:
     parts.seed = world_->random();
     parts.desk = desk_;
     parts.on_change = [](const SystemRosterPtr&) {};
-    supervisor_ = system_.spawn(supervisor, std::move(parts));
+    supervisor_ = system.spawn(supervisor, std::move(parts));
     PartAgentParts agent;
     agent.mesh = processes_->mesh();
     agent.spawn = machines_->spawn(0);
-    agent_ = system_.spawn(part_agent, std::move(agent));
+    agent_ = system.spawn(part_agent, std::move(agent));
     processes_->set_own_agent(agent_);
     std::map<std::string, Endpoint> nodes;
     for (std::size_t x = 1; x < machines.size(); ++x)
@@ -155,8 +149,8 @@ private:
     processes_->open(placement);
     StartComponents start;
     for_each_component(architecture_, [&](auto& x) { start.names.push_back(x.name); });
-    conductor_ = system_.spawn([this, start, deploy = Deploy{architecture_, placement}](
-                                 caf::event_based_actor* self) -> caf::behavior {
+    conductor_ = system.spawn([this, start, deploy = Deploy{architecture_, placement}](
+                                caf::event_based_actor* self) -> caf::behavior {
       self->request(supervisor_, caf::infinite, deploy)
         .then([this, self, start](const Deployed& x) {
           if (!x.problems.empty())
@@ -226,7 +220,7 @@ private:
   }
 
   Timestamp time() const {
-    return std::chrono::duration_cast<Timestamp>(scheduler_.clock().now() - begin_);
+    return std::chrono::duration_cast<Timestamp>(scheduler.clock().now() - begin_);
   }
 
   void advance(Timestamp until) {
@@ -237,7 +231,7 @@ private:
   template <class F>
   bool advance_until(Timestamp until, F&& enough) {
     auto& world = *world_;
-    auto& jobs = scheduler_.jobs;
+    auto& jobs = scheduler.jobs;
     for (;;) {
       if (++result_->steps > most_steps)
         throw std::runtime_error{"it does not come to rest"};
@@ -264,7 +258,7 @@ private:
 
   /// One of those that may run; as many as there are if none may.
   std::size_t ready_job() {
-    auto& jobs = scheduler_.jobs;
+    auto& jobs = scheduler.jobs;
     if (jobs.empty())
       return 0;
     auto first = world_->pick(jobs.size());
@@ -277,7 +271,7 @@ private:
   }
 
   Timestamp next_event() {
-    auto& clock = scheduler_.clock();
+    auto& clock = scheduler.clock();
     auto result = machines_->next_event();
     if (clock.has_pending_timeout())
       result = std::min(result, clock.schedule().begin()->first);
@@ -287,25 +281,15 @@ private:
     return due_.empty() ? next : std::min(next, due_.begin()->first);
   }
 
-  void run_one(std::size_t job) {
-    std::swap(scheduler_.jobs.front(), scheduler_.jobs[job]);
-    scheduler_.run_once();
-  }
-
-  void run_all() {
-    while (!scheduler_.jobs.empty())
-      scheduler_.run_once();
-  }
-
   void run_jobs_of(Life x) {
-    scheduler_.run_jobs_filtered([&](caf::resumable* job) {
+    scheduler.run_jobs_filtered([&](caf::resumable* job) {
       auto owner = world_->owners.find(job);
       return owner != world_->owners.end() && owner->second == x;
     });
   }
 
   void let_time_pass(Timestamp x) {
-    scheduler_.advance_time(x);
+    scheduler.advance_time(x);
     world_->recorder.set_time(time());
   }
 
@@ -409,7 +393,7 @@ private:
   void check_told(const Told& told) {
     std::map<std::pair<std::string, std::uint64_t>, std::uint64_t> last;
     for (auto& event : told.events) {
-      auto life = (event->version >> 32) + 1;
+      auto life = event->version / numbers_per_life + 1;
       auto& lives = machines_->memories().at(event->address.subarchitecture);
       auto memory = std::ranges::find(lives, life, &MemoryLife::incarnation);
       if (memory == lives.end())
@@ -451,7 +435,7 @@ private:
     for (auto& [name, lives] : machines_->memories())
       for (std::size_t i = 1; i < lives.size(); ++i) {
         ++result_->losses;
-        auto floor = (lives[i].incarnation - 1) << 32;
+        auto floor = (lives[i].incarnation - 1) * numbers_per_life;
         for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
           if (world_->entries[entry].address.subarchitecture == name)
             world_->recorder.lost(entry, std::min(lives[i - 1].end, lives[i].begin),
@@ -465,10 +449,7 @@ private:
 
   template <class Reply, class Request>
   Reply ask(const WorkingMemoryActor& to, const Request& request) {
-    std::optional<Reply> result;
-    auto answer = self_->request(to, caf::infinite, request);
-    run_all();
-    answer.receive([&](const Reply& x) { result = x; }, [](const caf::error&) {});
+    auto result = answer_of<Reply>(to, request);
     if (!result)
       throw std::runtime_error{"a working memory does not answer"};
     return *std::move(result);
@@ -479,22 +460,18 @@ private:
     machines_->end();
     for (auto* x : {&supervisor_, &agent_, &desk_, &conductor_})
       caf::anon_send_exit(std::exchange(*x, nullptr), caf::exit_reason::kill);
-    run_all();
+    scheduler.run();
     if (processes_)
       processes_->mesh()->close();
-    run_all();
-    scheduler_.clock().cancel_all();
-    run_all();
+    scheduler.run();
+    scheduler.clock().cancel_all();
+    scheduler.run();
     processes_.reset();
     down_.clear();
     ended_.reset();
     started_ = false;
   }
 
-  TestingConfig config_;
-  caf::actor_system system_{config_};
-  caf::scheduler::test_coordinator& scheduler_;
-  caf::scoped_actor self_{system_};
   linearizability::Checker checker_{{.max_states = 1'000'000}};
 
   // -- of one seed

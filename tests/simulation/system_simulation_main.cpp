@@ -1,5 +1,6 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/tests/simulation/system_simulation.hpp"
+#include "castor/tests/support/seeds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -17,18 +18,8 @@ namespace castor::simulation {
 
 namespace {
 
-struct Seeds {
-  std::uint64_t from = 1;
-  std::uint64_t to = 10'000;
-};
-
-Seeds parse_seeds(const std::string& text) {
-  auto dots = text.find("..");
-  Seeds result;
-  result.from = std::stoull(text.substr(0, dots));
-  result.to = dots == std::string::npos ? result.from : std::stoull(text.substr(dots + 2));
-  return result;
-}
+using test::parse_seeds;
+using test::Seeds;
 
 /// The faults as a plan, each on a line.
 std::string lines(const faults::FaultPlan& x) {

@@ -1,9 +1,7 @@
 #pragma once
 
+#include "castor/tests/support/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
-
-#include <caf/scheduler/test_coordinator.hpp>
-#include <caf/scoped_actor.hpp>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +9,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Working memory actors on CAF's test coordinator.
@@ -29,10 +29,6 @@ struct FlaggedItem : Item {
 };
 CASTOR_REFLECT_DERIVED(FlaggedItem, Item, on)
 
-struct TestConfig : caf::actor_system_config {
-  TestConfig() { set("scheduler.policy", caf::atom("testing")); }
-};
-
 /// What a stand-in for a component received.
 struct Listener {
   caf::actor actor;
@@ -42,12 +38,10 @@ struct Listener {
   int batches = 0;
 };
 
-/// Working memories of the subarchitectures a, b and c on CAF's test coordinator: nothing runs but
-/// when the test says so, and time passes only there.
-class WorkingMemories : public testing::Test {
+/// Working memories of the subarchitectures a, b and c.
+class WorkingMemories : public testing::Test, protected TestingSystem {
 protected:
-  WorkingMemories()
-    : scheduler(dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler())) {
+  WorkingMemories() {
     Peers peers;
     for (auto name : {"a", "b", "c"}) {
       WorkingMemoryOptions options;
@@ -72,12 +66,10 @@ protected:
 
   template <class Reply, class Request>
   Reply ask(const WorkingMemoryActor& to, const Request& request) {
-    std::optional<Reply> result;
-    auto handle = self->request(to, caf::infinite, request);
-    scheduler.run();
-    handle.receive([&](const Reply& x) { result = x; },
-                   [&](const caf::error& e) { ADD_FAILURE() << system.render(e); });
-    return result.value();
+    auto result = answer_of<Reply>(to, request);
+    if (!result)
+      throw std::runtime_error(system.render(result.error()));
+    return *std::move(result);
   }
 
   Outcome<Version> write(const std::string& via, WriteRequest request) {
@@ -136,10 +128,6 @@ protected:
     return ask<WorkingMemoryStatus>(wm.at(name), StatusQuery{});
   }
 
-  TestConfig config;
-  caf::actor_system system{config};
-  caf::scheduler::test_coordinator& scheduler;
-  caf::scoped_actor self{system};
   std::map<std::string, WorkingMemoryActor> wm;
   std::vector<std::unique_ptr<Listener>> listeners;
 };

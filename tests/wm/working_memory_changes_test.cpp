@@ -54,7 +54,7 @@ TEST_F(ChangingSystems, ANewOneIsAskedForEventsBeforeItWasIntroduced) {
   subscribe(in_a, "a", 1, any_change().anywhere());
   spawn("d");
   auto all = peers();
-  auto told_a = self->request(wm.at("a"), caf::infinite, all);
+  auto told_a = outsider->request(wm.at("a"), caf::infinite, all);
   scheduler.run();
   told_a.receive([](Acknowledged) {}, [&](const caf::error& e) { FAIL() << system.render(e); });
   for (auto name : {"b", "c", "d"})

@@ -269,7 +269,7 @@ TEST_F(JournaledWorkingMemory, EndsWhenItsJournalFailsAndHasAcknowledgedNothingT
   subscribe(listener, "d", 1, any_change());
   auto answer = begin_add("1");
   auto read = begin<Outcome<EntryPtr>>(ReadRequest{{"d", "1"}, {}});
-  self->monitor(wm.at("d"));
+  outsider->monitor(wm.at("d"));
   tell({0, 0, 0, "the disk is on fire"});
   EXPECT_FALSE(answer->has_value());
   EXPECT_FALSE(read->has_value());
@@ -278,7 +278,7 @@ TEST_F(JournaledWorkingMemory, EndsWhenItsJournalFailsAndHasAcknowledgedNothingT
               ElementsAre(HasSubstr("request_receiver_down"), HasSubstr("request_receiver_down")));
   EXPECT_THAT(told(listener), IsEmpty());
   EXPECT_THAT(reports, ElementsAre(HasSubstr("the disk is on fire. The working memory of d ends")));
-  self->receive([&](const caf::down_msg& x) {
+  outsider->receive([&](const caf::down_msg& x) {
     EXPECT_THAT(system.render(x.reason), HasSubstr("the disk is on fire"));
   });
 }
@@ -443,7 +443,7 @@ TEST_F(FiledWorkingMemory, EndsWhenAnotherTakesItsJournalOver) {
   start();
   add({"e", "1"});
   ended.push_back(wm.at("e"));
-  self->monitor(ended.back());
+  outsider->monitor(ended.back());
   start();
   auto request = WriteRequest{Operation::add,
                               {"e", "2"},
@@ -453,7 +453,7 @@ TEST_F(FiledWorkingMemory, EndsWhenAnotherTakesItsJournalOver) {
   bool refused = false;
   caf::anon_send(ended.back(), request);
   scheduler.run();
-  self->receive([&](const caf::down_msg& x) {
+  outsider->receive([&](const caf::down_msg& x) {
     EXPECT_THAT(system.render(x.reason), HasSubstr("has taken it over"));
     refused = true;
   });
@@ -471,13 +471,13 @@ TEST_F(FiledWorkingMemory, EndsWhenItsJournalIsMadeToFailAndIsBackWithAllThatItH
   start();
   add({"e", "1"}, 1);
   befall(failing);
-  self->monitor(wm.at("e"));
+  outsider->monitor(wm.at("e"));
   auto answer = begin_add({"e", "2"});
   EXPECT_FALSE(answer->has_value());
   ASSERT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. The working memory of e ends; "
                                              "everything that it has acknowledged is in its "
                                              "journal")));
-  self->receive([&](const caf::down_msg& x) {
+  outsider->receive([&](const caf::down_msg& x) {
     EXPECT_THAT(system.render(x.reason), HasSubstr("it was made to fail"));
   });
   start();

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <caf/actor_system.hpp>
+#include <caf/actor_system_config.hpp>
+#include <caf/atom.hpp>
+#include <caf/expected.hpp>
+#include <caf/scheduler/test_coordinator.hpp>
+#include <caf/scoped_actor.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace castor::test {
+
+/// An actor system on CAF's test coordinator: nothing runs but when the test says so, and time
+/// passes only there.
+class TestingSystem {
+private:
+  struct Config : caf::actor_system_config {
+    Config() { set("scheduler.policy", caf::atom("testing")); }
+  };
+
+  Config config_;
+
+protected:
+  /// Lets one of those run that are ready.
+  void run_one(std::size_t job) {
+    std::swap(scheduler.jobs.front(), scheduler.jobs[job]);
+    scheduler.run_once();
+  }
+
+  /// Lets everybody run until there is an answer.
+  template <class Reply, class Actor, class Request>
+  caf::expected<Reply> answer_of(const Actor& to, const Request& request) {
+    caf::expected<Reply> result{caf::error{}};
+    auto handle = outsider->request(to, caf::infinite, request);
+    scheduler.run();
+    handle.receive([&](const Reply& x) { result = x; }, [&](const caf::error& e) { result = e; });
+    return result;
+  }
+
+  caf::actor_system system{config_};
+  caf::scheduler::test_coordinator& scheduler =
+    dynamic_cast<caf::scheduler::test_coordinator&>(system.scheduler());
+  caf::scoped_actor outsider{system};
+};
+
+} // namespace castor::test
