@@ -21,9 +21,9 @@ endif()
 if(CASTOR_SANITIZE)
   target_compile_options(castor_build_options INTERFACE
     -fsanitize=${CASTOR_SANITIZE} -fno-omit-frame-pointer
-    # Looked for at every access, which doubles the time that it takes to build. What null pointers and
-    # objects that are too small do is found by AddressSanitizer all the same.
-    -fno-sanitize=null,object-size,vptr,alignment)
+    # Looked for at every access, which doubles the time that it takes to build. What null pointers,
+    # overflowing ones, and objects that are too small do is found by AddressSanitizer all the same.
+    -fno-sanitize=null,object-size,vptr,alignment,pointer-overflow)
   target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # What sanitizers insert confuses GCC's analysis of what is initialised, and how large it is.
