@@ -1,0 +1,101 @@
+#include "castor/binding/feature_comparator.hpp"
+
+#include "castor/wm/encoding.hpp"
+
+#include <algorithm>
+
+namespace castor::binding {
+
+namespace {
+
+Trust trust_in(const FeatureComparisonCompetence& competence, Truth internal) {
+  switch (internal) {
+    case Truth::yes:
+      return competence.trust_yes;
+    case Truth::no:
+      return competence.trust_no;
+    case Truth::unknown:
+      break;
+  }
+  return competence.trust_unknown;
+}
+
+std::string bytes_of(const Feature& x) {
+  Bytes bytes;
+  Encoder{bytes}.put_fields(x);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+} // namespace
+
+FeatureComparator::Pair FeatureComparator::pair_of(const Feature& a, const Feature& b) {
+  Pair result{bytes_of(a), bytes_of(b)};
+  if (result.high < result.low)
+    std::swap(result.low, result.high);
+  return result;
+}
+
+const FeatureComparisonCompetence* FeatureComparator::competence(FeatureKind a,
+                                                                 FeatureKind b) const {
+  for (const auto& x : competences_) {
+    if ((x.proxy_kind == a && x.union_kind == b) || (x.proxy_kind == b && x.union_kind == a))
+      return &x;
+  }
+  return nullptr;
+}
+
+void FeatureComparator::add(FeatureComparisonCompetence competence) {
+  // By name, so that it does not matter who came first.
+  const auto place = std::upper_bound(
+    competences_.begin(), competences_.end(), competence,
+    [](const auto& x, const auto& y) { return x.subarchitecture < y.subarchitecture; });
+  competences_.insert(place, std::move(competence));
+}
+
+void FeatureComparator::remove(const std::string& subarchitecture) {
+  std::erase_if(competences_, [&](const auto& x) { return x.subarchitecture == subarchitecture; });
+}
+
+void FeatureComparator::answer(const Feature& a, const Feature& b, Truth equivalent) {
+  answers_[pair_of(a, b)] = equivalent;
+}
+
+Truth FeatureComparator::compare(const Feature& a, const Feature& b) const {
+  const Truth internal = binding::compare(a, b, options_);
+  const auto* competent = competence(a.kind, b.kind);
+  if (!competent)
+    return internal;
+  const Trust trust = trust_in(*competent, internal);
+  if (trust == Trust::completely)
+    return internal;
+  const auto answered = answers_.find(pair_of(a, b));
+  if (answered != answers_.end() && answered->second != Truth::unknown)
+    return answered->second;
+  return trust == Trust::not_at_all ? Truth::unknown : internal;
+}
+
+const FeatureComparisonCompetence* FeatureComparator::competent_for(const Feature& a,
+                                                                    const Feature& b) const {
+  const auto* competent = competence(a.kind, b.kind);
+  if (!competent || trust_in(*competent, binding::compare(a, b, options_)) == Trust::completely ||
+      answers_.contains(pair_of(a, b)))
+    return nullptr;
+  return competent;
+}
+
+bool FeatureComparator::is_evidence(FeatureKind a, FeatureKind b) const {
+  return binding::is_evidence(a, b) || competence(a, b) != nullptr;
+}
+
+KindSet FeatureComparator::evidence_beside(KindSet kinds) const {
+  KindSet result = binding::evidence_beside(kinds);
+  for (const auto& x : competences_) {
+    if ((kinds & bit(x.proxy_kind)) != 0)
+      result |= bit(x.union_kind);
+    if ((kinds & bit(x.union_kind)) != 0)
+      result |= bit(x.proxy_kind);
+  }
+  return result;
+}
+
+} // namespace castor::binding
