@@ -9,11 +9,10 @@ BinderStep next_step(const ProxyRef& proxy, const std::string& current_id,
                      const BindingUnion* current, const std::string& best) {
   BinderStep step;
   const bool alone = current && current->proxy_ids.size() == 1;
-  const bool is_first = current && current->proxy_ids.front() == *proxy.id;
   step.to = best.empty() ? union_id_of(*proxy.id) : best;
-  if (current && (current_id == step.to || (best.empty() && is_first))) {
+  if (current && current_id == step.to) {
     step.kind = BinderStep::Kind::renew;
-    step.from = step.to = current_id;
+    step.from = current_id;
   } else if (current) {
     step.kind = BinderStep::Kind::move;
     step.from = current_id;

@@ -6,6 +6,7 @@
 #include "castor/binding/types.hpp"
 
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>

@@ -82,6 +82,8 @@ void BindingScorer::add_features(const BindingProxy& proxy, const BindingProxy& 
     score.mismatch = true;
   for (const auto& own : proxy.features) {
     for (const auto& other : member.features) {
+      if (!comparator_.may_compare(own.kind, other.kind))
+        continue;
       const Truth truth = comparator_.compare(own, other);
       if (truth == Truth::no)
         score.mismatch = true;

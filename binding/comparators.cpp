@@ -87,13 +87,9 @@ bool is_evidence(FeatureKind a, FeatureKind b) {
          are(a, b, this_proxy_id, existing_proxy_id);
 }
 
-KindSet evidence_beside(KindSet kinds) {
-  KindSet result = kinds & (words | bit(location));
-  if ((kinds & bit(this_proxy_id)) != 0)
-    result |= bit(existing_proxy_id);
-  if ((kinds & bit(existing_proxy_id)) != 0)
-    result |= bit(this_proxy_id);
-  return result;
+bool may_compare(FeatureKind a, FeatureKind b) {
+  return is_evidence(a, b) || (a == temporal_frame && b == temporal_frame) ||
+         are(a, b, source_id, other_source_id) || are(a, b, group, singular);
 }
 
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options) {
@@ -117,6 +113,11 @@ Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& optio
   if (a.kind == concept_name)
     return compare_concept_with_denied(stated, denied, options);
   return base == Truth::yes ? Truth::no : Truth::yes;
+}
+
+bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  return a.kind == concept_name && b.kind == concept_name && a.holds && b.holds &&
+         a.text != b.text && subsumes(a.text, b.text, options);
 }
 
 } // namespace castor::binding

@@ -25,8 +25,8 @@ struct ComparatorOptions {
 /// exclude each other.
 bool is_evidence(FeatureKind a, FeatureKind b);
 
-/// The kinds that are evidence beside one of `kinds`.
-KindSet evidence_beside(KindSet kinds);
+/// Whether features of these kinds may be anything but unknown to each other.
+bool may_compare(FeatureKind a, FeatureKind b);
 
 /// Whether both may be true of one thing: yes, if one says what the other says; no, if they exclude
 /// each other. The order does not matter.
@@ -35,5 +35,9 @@ KindSet evidence_beside(KindSet kinds);
 /// kind of. Of time frames, ids of sources, groups and singulars, different ones exclude each other
 /// and equal ones prove nothing. What is not red excludes what is red, and includes what is blue.
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
+
+/// Whether `a` is a concept that `b` is only a kind of: what is known to be a thing may be a ball,
+/// but need not be one.
+bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
 
 } // namespace castor::binding

@@ -3,6 +3,7 @@
 #include "castor/wm/encoding.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace castor::binding {
 
@@ -44,16 +45,22 @@ const FeatureComparisonCompetence* FeatureComparator::competence(FeatureKind a,
   return nullptr;
 }
 
+FeatureComparator::FeatureComparator(ComparatorOptions options) : options_(std::move(options)) {
+  look_up_kinds();
+}
+
 void FeatureComparator::add(FeatureComparisonCompetence competence) {
   // By name, so that it does not matter who came first.
   const auto place = std::upper_bound(
     competences_.begin(), competences_.end(), competence,
     [](const auto& x, const auto& y) { return x.subarchitecture < y.subarchitecture; });
   competences_.insert(place, std::move(competence));
+  look_up_kinds();
 }
 
 void FeatureComparator::remove(const std::string& subarchitecture) {
   std::erase_if(competences_, [&](const auto& x) { return x.subarchitecture == subarchitecture; });
+  look_up_kinds();
 }
 
 void FeatureComparator::answer(const Feature& a, const Feature& b, Truth equivalent) {
@@ -74,6 +81,10 @@ Truth FeatureComparator::compare(const Feature& a, const Feature& b) const {
   return trust == Trust::not_at_all ? Truth::unknown : internal;
 }
 
+bool FeatureComparator::confirms(const Feature& known, const Feature& described) const {
+  return compare(described, known) == Truth::yes && !is_more_general(known, described, options_);
+}
+
 const FeatureComparisonCompetence* FeatureComparator::competent_for(const Feature& a,
                                                                     const Feature& b) const {
   const auto* competent = competence(a.kind, b.kind);
@@ -83,19 +94,26 @@ const FeatureComparisonCompetence* FeatureComparator::competent_for(const Featur
   return competent;
 }
 
-bool FeatureComparator::is_evidence(FeatureKind a, FeatureKind b) const {
-  return binding::is_evidence(a, b) || competence(a, b) != nullptr;
+KindSet FeatureComparator::evidence_beside(KindSet kinds) const {
+  KindSet result = 0;
+  for (; kinds != 0; kinds &= kinds - 1)
+    result |= evidence_[static_cast<std::size_t>(std::countr_zero(kinds))];
+  return result;
 }
 
-KindSet FeatureComparator::evidence_beside(KindSet kinds) const {
-  KindSet result = binding::evidence_beside(kinds);
-  for (const auto& x : competences_) {
-    if ((kinds & bit(x.proxy_kind)) != 0)
-      result |= bit(x.union_kind);
-    if ((kinds & bit(x.union_kind)) != 0)
-      result |= bit(x.proxy_kind);
+void FeatureComparator::look_up_kinds() {
+  for (std::size_t i = 0; i < feature_kinds; ++i) {
+    evidence_[i] = comparable_[i] = 0;
+    for (std::size_t j = 0; j < feature_kinds; ++j) {
+      const auto a = static_cast<FeatureKind>(i);
+      const auto b = static_cast<FeatureKind>(j);
+      const bool others = competence(a, b) != nullptr;
+      if (others || binding::is_evidence(a, b))
+        evidence_[i] |= bit(b);
+      if (others || binding::may_compare(a, b))
+        comparable_[i] |= bit(b);
+    }
   }
-  return result;
 }
 
 } // namespace castor::binding

@@ -2,7 +2,9 @@
 
 #include "castor/binding/types.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +35,8 @@ Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end = std::
 
 /// The first feature of that kind, if there is one.
 const Feature* find_feature(std::span<const Feature> features, FeatureKind kind);
+
+inline constexpr std::size_t feature_kinds = std::size(reflection_of<FeatureKind>().enumerators);
 
 /// Kinds as a set, one bit for each.
 using KindSet = std::uint32_t;

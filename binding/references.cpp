@@ -25,10 +25,9 @@ std::optional<std::uint32_t> unknown_of(const DescribedThing& thing, const Bindi
   for (const auto& described : thing.features) {
     bool confirmed = false;
     for (const auto& known : of.features) {
-      const Truth truth = comparator.compare(described, known);
-      if (truth == Truth::no)
+      if (comparator.compare(described, known) == Truth::no)
         return std::nullopt;
-      confirmed |= truth == Truth::yes;
+      confirmed |= comparator.confirms(known, described);
     }
     unknown += confirmed ? 0 : 1;
   }
