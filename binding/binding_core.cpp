@@ -154,14 +154,10 @@ void BindingCore::put_in(const std::string& id, BindingProxy proxy) {
 void BindingCore::take_out(Node& x) {
   concern_related(x, nullptr);
   if (x.is_first()) {
-    for (auto current = nodes_.upper_bound(x.rank); current != nodes_.end(); ++current) {
-      auto& best = current->second.best;
-      const auto removed =
-        std::erase_if(best, [&](const Candidate& candidate) { return candidate.first == &x; });
-      // It may be that others are as good as the one that is gone, but have not been looked at.
-      if (removed > 0)
-        concern_all(current->second);
-    }
+    // Those for whom it was the best are among the members.
+    for (auto current = nodes_.upper_bound(x.rank); current != nodes_.end(); ++current)
+      std::erase_if(current->second.best,
+                    [&](const Candidate& candidate) { return candidate.first == &x; });
     dissolve(x);
   } else {
     auto* first = x.first;
@@ -309,10 +305,8 @@ void BindingCore::leave(Node& x) {
 void BindingCore::dissolve(Node& first) {
   for (auto* member : std::exchange(first.members, {})) {
     member->first = nullptr;
-    if (member != &first) {
+    if (member != &first)
       concern_all(*member);
-      concern_related(*member, &first);
-    }
   }
   update_members(first);
 }

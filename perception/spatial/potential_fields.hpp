@@ -46,8 +46,8 @@ struct RelationThresholds {
 /// The field is what is asked for one cell at a time; its maximum is 1 at the landmark, except
 /// where a distractor covers that, and is then looked for around it. So there is no map to fill.
 /// Positions are those of the cells that they lie in: moving something by less than a cell may make
-/// a difference of some 0.02. What lies outside of the map has no relations and disturbs none but
-/// at the border.
+/// a difference of some 0.02. What lies outside of the map has no relations and disturbs
+/// none.
 class PotentialFields {
 public:
   /// \throws std::invalid_argument if the map has no cells.

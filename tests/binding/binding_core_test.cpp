@@ -92,6 +92,42 @@ TEST_F(Binding, TellsAlikeThingsApartByTheirRelations) {
   EXPECT_EQ(core.union_of("c1"), "union of v1");
 }
 
+// What follows took some ten thousand random runs to be noticed.
+
+TEST_F(Binding, ForgetsChoicesThatHaveBecomeOne) {
+  core.set("a1", proxy_from("vision", {concept_of("box"), shape("round")}));
+  core.set("a2", proxy_from("vision", {colour("red")}));
+  core.set("b", proxy_from("vision", {concept_of("ball"), colour("red"), shape("round")}));
+  core.set("c", proxy_from("vision", {shape("round")}));
+  EXPECT_EQ(core.best_unions("c").unions, (Ids{"union of a1", "union of a2"}));
+  core.set("a0", proxy_from("vision", {colour("red")}));
+  EXPECT_EQ(core.best_unions("c").unions, (Ids{"union of a0", "union of a1"}));
+}
+
+TEST_F(Binding, CountsRelationsOnceSomebodyMakesThemComparable) {
+  const auto here = location_at(0, 0, 0);
+  core.set("far", proxy_from("vision", {concept_of("ball")}));
+  core.set("r1", relation_from("vision", "left", "a", "far"));
+  core.set("r2", relation_from("comsys", "left", "c", "far"));
+  core.set("a", proxy_from("vision", {here}));
+  core.set("c", proxy_from("comsys", {colour("red")}));
+  EXPECT_EQ(core.union_of("c"), "union of c");
+  core.set("b", proxy_from("spatial", {here, colour("unknown")}));
+  EXPECT_EQ(core.union_of("c"), "union of a");
+}
+
+TEST_F(Binding, CountsRelationsOfThoseWhoJoinWhatIsComparable) {
+  const auto here = location_at(0, 0, 0);
+  core.set("far", proxy_from("vision", {concept_of("ball")}));
+  core.set("r1", relation_from("vision", "left", "b", "far"));
+  core.set("r2", relation_from("comsys", "left", "c", "far"));
+  core.set("a", proxy_from("vision", {here, colour("unknown")}));
+  core.set("c", proxy_from("comsys", {colour("red")}));
+  EXPECT_EQ(core.union_of("c"), "union of c");
+  core.set("b", proxy_from("spatial", {here}));
+  EXPECT_EQ(core.union_of("c"), "union of a");
+}
+
 TEST_F(Binding, WaitsForAnswersOfOthers) {
   FeatureComparisonCompetence coma;
   coma.subarchitecture = "coma";

@@ -40,7 +40,9 @@ TEST(BindingJudgement, TakesAllThatAreBest) {
 }
 
 TEST(BindingJudgement, IsNilUnlessSomethingSpeaksForAUnion) {
-  const std::vector<ProxyUnionScore> scores{scored("u1", 0), mismatch("u2")};
+  auto equal = nil;
+  equal.union_id = "u3";
+  const std::vector<ProxyUnionScore> scores{scored("u1", 0), mismatch("u2"), equal};
   EXPECT_TRUE(judge("p", scores).best.unions.empty());
   EXPECT_TRUE(judge("p", {}).best.unions.empty());
 }
@@ -72,6 +74,11 @@ TEST(BindingJudge, WaitsForAllScores) {
   EXPECT_EQ(judge.take_new().at("p").best.unions, Ids{"u3"});
   judge.remove_union("u3");
   EXPECT_EQ(judge.take_new().at("p").best.unions, Ids{"u1"});
+  // It was another union, though by the same id.
+  judge.add_union("u3");
+  EXPECT_TRUE(judge.take_new().empty());
+  judge.add(scored("u3", 1));
+  EXPECT_EQ(judge.judgement("p")->best.unions, Ids{"u1"});
   judge.forget("p");
   EXPECT_EQ(judge.judgement("p"), std::nullopt);
 }

@@ -42,6 +42,7 @@ public:
       for (const auto& [union_id, members] : members_)
         scores.push_back({id, union_id, scorer.score(ref(id), refs(members), *this)});
       const auto best = judge(id, scores).best.unions;
+      best_unions[id] = best;
       union_of_[id] = best.empty() ? union_id_of(id) : best.front();
       members_[union_of_[id]].push_back(id);
     }
@@ -50,6 +51,7 @@ public:
   }
 
   std::map<std::string, BindingUnion> unions;
+  std::map<std::string, std::vector<std::string>> best_unions;
 
 private:
   ProxyRef ref(const std::string& id) const {
@@ -88,6 +90,8 @@ private:
 void expect_as_from_scratch(const BindingCore& core, const Proxies& proxies) {
   const Naive naive(proxies, core.comparator());
   ASSERT_EQ(without_counters(core.unions()), naive.unions);
+  for (const auto& [id, best] : naive.best_unions)
+    ASSERT_EQ(core.best_unions(id).unions, best) << id;
 }
 
 TEST(BindingProperties, TheOrderOfArrivalDoesNotMatter) {

@@ -12,10 +12,12 @@ namespace castor::binding::test {
 
 using Proxies = std::map<std::string, BindingProxy>;
 
-/// Proxies as chance has it: few words, so that they have to do with each other.
+/// Proxies as chance has it: few words, so that they have to do with each other. With every other
+/// seed it is mostly relations that they differ by.
 class Chance {
 public:
-  explicit Chance(int seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
+  explicit Chance(int seed)
+    : random_(static_cast<std::mt19937::result_type>(seed)), relational_(seed % 2 == 1) {}
 
   int below(int limit) { return std::uniform_int_distribution<>(0, limit - 1)(random_); }
 
@@ -32,6 +34,8 @@ public:
 
   Feature some_feature() {
     Feature result;
+    if (relational_ && !once_in(5))
+      return once_in(2) ? concept_of("thing") : colour(word({"unknown", "red"}));
     switch (below(9)) {
       case 0:
       case 1:
@@ -62,8 +66,9 @@ public:
   BindingProxy some_proxy(int others) {
     const auto source = word({"vision", "spatial", "comsys"});
     BindingProxy result;
-    if (once_in(4)) {
-      result = relation_from(source, word({"left", "near"}), id(below(others)), id(below(others)));
+    if (once_in(relational_ ? 2 : 4)) {
+      result = relation_from(source, relational_ ? "left" : word({"left", "near"}),
+                             id(below(others)), id(below(others)));
       if (once_in(8))
         result.out_ports.pop_back();
     } else {
@@ -89,6 +94,7 @@ public:
 
 private:
   std::mt19937 random_;
+  bool relational_;
 };
 
 } // namespace castor::binding::test

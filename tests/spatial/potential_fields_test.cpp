@@ -154,6 +154,11 @@ TEST(PotentialFields, HaveTheirMaximumOneAlsoWhereTheLandmarkIsCovered) {
   }
 }
 
+TEST(PotentialFields, AreNotDisturbedByWhatIsNotOnTheMap) {
+  EXPECT_EQ(fields_of({{-0.9, 0}, {-0.97, 0.01}, {-1.3, 0}}).value(left, 1, 0),
+            fields_of({{-0.9, 0}, {-0.97, 0.01}}).value(left, 1, 0));
+}
+
 TEST(PotentialFields, GiveNothingForWhatIsNotOnTheMap) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto fields = fields_of({{0, 0}, {1.0, 0}, {-1.01, 0}, {nan, 0}, {1e300, 0}});
