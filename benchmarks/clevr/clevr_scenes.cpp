@@ -34,6 +34,15 @@ Object parse_object(const Json& json) {
   return object;
 }
 
+ObjectPairs parse_pairs(const Json& related) {
+  ObjectPairs pairs;
+  for (std::size_t landmark = 0; landmark < related.size(); ++landmark) {
+    for (const auto& target : related[landmark])
+      pairs.emplace(landmark, target.get<std::size_t>());
+  }
+  return pairs;
+}
+
 /// Images by file name; there may be several of one name in different folders.
 using ImageIndex = std::multimap<std::string, fs::path>;
 
@@ -65,9 +74,13 @@ void add_scene(const Json& json, const fs::path& file, const ImageIndex& images,
     find_image(images, json.value("image_filename", file.stem().string() + ".png"), file);
   if (!image || scenes.contains(*image))
     return;
-  Scene scene{*image, {}};
+  Scene scene{*image, {}, {}};
   for (const auto& object : *objects)
     scene.objects.push_back(parse_object(object));
+  if (const auto relations = json.find("relationships"); relations != json.end()) {
+    for (const auto& [word, related] : relations->items())
+      scene.relations.emplace(word, parse_pairs(related));
+  }
   scenes.emplace(*image, std::move(scene));
 }
 

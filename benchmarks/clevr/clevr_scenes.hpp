@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "castor/perception/vision/types.hpp"
@@ -28,9 +32,14 @@ struct Object {
   double radius() const { return size == "large" ? 0.7 : 0.35; }
 };
 
+/// Pairs of indices of objects: of the first, the second is on that side.
+using ObjectPairs = std::set<std::pair<std::size_t, std::size_t>>;
+
 struct Scene {
   std::filesystem::path image;
   std::vector<Object> objects;
+  /// By the word: "left", "right", "front", "behind". Empty if the scene graph does not say.
+  std::map<std::string, ObjectPairs> relations;
 };
 
 /// All scenes below `folder` whose image is there as well, ordered by image: those in files with a

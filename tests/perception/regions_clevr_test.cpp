@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "castor/benchmarks/clevr/evaluation.hpp"
+#include "castor/benchmarks/clevr/relations.hpp"
 
 namespace castor::clevr {
 namespace {
@@ -15,7 +16,7 @@ double share(const Tally& tally) {
   return static_cast<double>(tally.hits) / static_cast<double>(tally.all);
 }
 
-TEST(RegionsOnClevr, are_found_and_named) {
+TEST(RegionsOnClevr, are_found_named_and_related) {
   if (!std::filesystem::exists(data_folder))
     GTEST_SKIP() << "there are no CLEVR images at " << data_folder;
   const auto scenes = load_scenes(data_folder);
@@ -32,6 +33,9 @@ TEST(RegionsOnClevr, are_found_and_named) {
   // The shapes were trained on these very images; the benchmark leaves each out in turn.
   EXPECT_GE(share(summary.shape), 0.95);
   EXPECT_GE(share(summary.size), 0.95);
+  const auto relations = judge_relations(outcomes, make_camera(CameraGuess{}, 320, 240, 1));
+  ASSERT_GT(relations.all.all, 0u);
+  EXPECT_GE(share(relations.all), 0.98);
 }
 
 } // namespace

@@ -1,0 +1,146 @@
+// What it costs to bind one more proxy, by how many there are: what is seen, half of it described
+// by somebody, with a relation for every tenth thing. As a yardstick: one comparison of two
+// features' words for every proxy.
+//
+//   binding_benchmark [MOST_PROXIES]
+#include "castor/binding/binding_core.hpp"
+#include "castor/binding/features.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace castor::binding {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using enum FeatureKind;
+
+/// Keeps results from being optimised away.
+volatile std::size_t sink = 0;
+
+double milliseconds(Clock::duration x) {
+  return std::chrono::duration<double, std::milli>(x).count();
+}
+
+std::string word(const char* stem, std::size_t i, std::size_t many) {
+  return stem + std::to_string(i % many);
+}
+
+/// All of it unlike all else in some way.
+BindingProxy seen(std::size_t i) {
+  BindingProxy result;
+  result.source = "vision";
+  result.features = {
+    feature(concept_name, "thing"),           feature(colour, word("colour", i, 11)),
+    feature(shape, word("shape", i / 11, 7)), feature(material, word("material", i / 77, 300)),
+    feature(temporal_frame, "perceived"),     not_from("vision")};
+  return result;
+}
+
+/// What somebody says of the i-th.
+BindingProxy described(std::size_t i) {
+  BindingProxy result;
+  result.source = "comsys";
+  result.precedence = 1;
+  result.features = {feature(concept_name, word("kind", i, 50)),
+                     feature(colour, word("colour", i, 11)),
+                     feature(material, word("material", i / 77, 300)), not_from("comsys")};
+  return result;
+}
+
+BindingProxy related(std::size_t i) {
+  BindingProxy result;
+  result.type = ProxyType::relation;
+  result.source = "spatial";
+  result.features = {feature(relation_label, word("relation", i / 10, 5)), not_from("spatial")};
+  result.out_ports = {{"from", "seen " + std::to_string(i), {}},
+                      {"to", "seen " + std::to_string(i / 2), {}}};
+  return result;
+}
+
+void fill(BindingCore& core, std::size_t proxies) {
+  for (std::size_t i = 0; core.size() < proxies; ++i) {
+    core.set("seen " + std::to_string(i), seen(i));
+    if (i % 2 == 0)
+      core.set("described " + std::to_string(i), described(i));
+    if (i % 10 == 9)
+      core.set("related " + std::to_string(i), related(i));
+  }
+}
+
+struct Costs {
+  double median = 0;
+  double highest = 0;
+};
+
+/// Of adding proxies one by one and of taking each out again.
+template <class Make>
+Costs cost(BindingCore& core, const std::string& id, Make&& make) {
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < 40; ++i) {
+    const auto proxy = make(i * 37);
+    const auto begin = Clock::now();
+    core.set(id, proxy);
+    costs.push_back(milliseconds(Clock::now() - begin));
+    core.remove(id);
+  }
+  std::sort(costs.begin(), costs.end());
+  return {costs[costs.size() / 2], costs.back()};
+}
+
+double yardstick(std::size_t proxies) {
+  const FeatureComparator comparator;
+  const auto a = feature(colour, "colour 1");
+  const auto b = feature(colour, "colour 2");
+  double least = 1e9;
+  for (int run = 0; run < 10; ++run) {
+    const auto begin = Clock::now();
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < proxies; ++i)
+      same += comparator.compare(a, b) == Truth::yes ? 1 : 0;
+    sink = same;
+    least = std::min(least, milliseconds(Clock::now() - begin));
+  }
+  return least;
+}
+
+void measure(std::size_t proxies) {
+  BindingCore core;
+  const auto begin = Clock::now();
+  fill(core, proxies);
+  const double all = milliseconds(Clock::now() - begin);
+  const double unit = yardstick(proxies);
+  fmt::print("{:>8} {:>8} {:>10.1f}", core.size(), core.unions().size(), all);
+  const auto print = [&](const Costs& x) {
+    fmt::print(" {:>9.3f} ({:>5.0f}) {:>8.3f}", x.median, x.median / unit, x.highest);
+  };
+  // The first in binding order, which all others may have to do with; the last; a relation.
+  print(cost(core, "a first", [](std::size_t i) { return seen(i); }));
+  print(cost(core, "z last", [](std::size_t i) { return described(i); }));
+  print(cost(core, "z relation", [](std::size_t i) { return related(i); }));
+  fmt::print("\n");
+}
+
+} // namespace
+
+} // namespace castor::binding
+
+int main(int argc, char** argv) {
+  using namespace castor::binding;
+  const auto most = argc > 1 ? static_cast<std::size_t>(std::atol(argv[1])) : 3000;
+  fmt::print(
+    "ms: of adding all of them; of adding one more, as a median, its ratio to comparing as "
+    "many pairs of words, and the highest\n");
+  fmt::print("{:>8} {:>8} {:>10} {:>26} {:>26} {:>26}\n", "proxies", "unions", "all", "first",
+             "last", "relation");
+  for (const std::size_t proxies : {10, 30, 100, 300, 1000, 3000}) {
+    if (proxies <= most)
+      measure(proxies);
+  }
+}

@@ -1,0 +1,123 @@
+#include "castor/binding/comparators.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace castor::binding {
+
+namespace {
+
+using enum FeatureKind;
+
+constexpr KindSet words = bit(concept_name) | bit(name) | bit(relation_label) | bit(colour) |
+                          bit(shape) | bit(size) | bit(material) | bit(area_id) | bit(person_id);
+
+Truth truth(bool x) {
+  return x ? Truth::yes : Truth::no;
+}
+
+/// Whether `general` is `special` or what that is a kind of. Nobody is a kind of itself: chains end
+/// after as many steps as there are concepts.
+bool subsumes(const std::string& general, const std::string& special,
+              const ComparatorOptions& options) {
+  const std::string* current = &special;
+  for (std::size_t steps = 0; steps <= options.is_a.size() + 1; ++steps) {
+    if (*current == general)
+      return true;
+    if (current->empty() || *current == options.top_concept)
+      return false;
+    const auto found = options.is_a.find(*current);
+    current = found == options.is_a.end() ? &options.top_concept : &found->second;
+  }
+  return false;
+}
+
+Truth compare_places(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  if (a.numbers.size() != 3 || b.numbers.size() != 3)
+    return Truth::unknown;
+  const double apart = std::hypot(a.numbers[0] - b.numbers[0], a.numbers[1] - b.numbers[1],
+                                  a.numbers[2] - b.numbers[2]);
+  if (apart <= options.same_place)
+    return Truth::yes;
+  return apart >= options.other_place ? Truth::no : Truth::unknown;
+}
+
+Truth compare_words(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  const auto says_nothing = [](const std::string& text) {
+    return text.empty() || text == "unknown";
+  };
+  if (says_nothing(a.text) || says_nothing(b.text))
+    return Truth::unknown;
+  if (a.kind == concept_name)
+    return truth(subsumes(a.text, b.text, options) || subsumes(b.text, a.text, options));
+  return truth(a.text == b.text);
+}
+
+bool are(FeatureKind a, FeatureKind b, FeatureKind one, FeatureKind other) {
+  return (a == one && b == other) || (a == other && b == one);
+}
+
+/// Both hold.
+Truth compare_statements(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  if (a.kind == location && b.kind == location)
+    return compare_places(a, b, options);
+  if (a.kind == b.kind && (words & bit(a.kind)) != 0)
+    return compare_words(a, b, options);
+  if (are(a.kind, b.kind, this_proxy_id, existing_proxy_id))
+    return a.text == b.text ? Truth::yes : Truth::unknown;
+  if (a.kind == temporal_frame && b.kind == temporal_frame)
+    return a.text == b.text ? Truth::unknown : Truth::no;
+  if (are(a.kind, b.kind, group, singular))
+    return Truth::no;
+  return Truth::unknown;
+}
+
+/// A concept may be narrower than what is denied: what is no ball may well be a thing.
+Truth compare_concept_with_denied(const Feature& stated, const Feature& denied,
+                                  const ComparatorOptions& options) {
+  if (subsumes(denied.text, stated.text, options))
+    return Truth::no;
+  return subsumes(stated.text, denied.text, options) ? Truth::unknown : Truth::yes;
+}
+
+} // namespace
+
+bool is_evidence(FeatureKind a, FeatureKind b) {
+  return (a == b && ((words | bit(location)) & bit(a)) != 0) ||
+         are(a, b, this_proxy_id, existing_proxy_id);
+}
+
+bool may_compare(FeatureKind a, FeatureKind b) {
+  return is_evidence(a, b) || (a == temporal_frame && b == temporal_frame) ||
+         are(a, b, source_id, other_source_id) || are(a, b, group, singular);
+}
+
+Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  if (a.holds && b.holds)
+    return compare_statements(a, b, options);
+  if (!a.holds && !b.holds)
+    return Truth::unknown;
+  const Feature& stated = a.holds ? a : b;
+  const Feature& denied = a.holds ? b : a;
+  if (are(a.kind, b.kind, source_id, other_source_id))
+    return a.text == b.text ? Truth::no : Truth::unknown;
+  if (are(a.kind, b.kind, this_proxy_id, existing_proxy_id))
+    return a.text == b.text ? Truth::no : Truth::unknown;
+  if (a.kind == temporal_frame && b.kind == temporal_frame)
+    return a.text == b.text ? Truth::no : Truth::unknown;
+  Feature affirmed = denied;
+  affirmed.holds = true;
+  const Truth base = compare_statements(stated, affirmed, options);
+  if (base == Truth::unknown || !is_evidence(a.kind, b.kind))
+    return Truth::unknown;
+  if (a.kind == concept_name)
+    return compare_concept_with_denied(stated, denied, options);
+  return base == Truth::yes ? Truth::no : Truth::yes;
+}
+
+bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options) {
+  return a.kind == concept_name && b.kind == concept_name && a.holds && b.holds &&
+         a.text != b.text && subsumes(a.text, b.text, options);
+}
+
+} // namespace castor::binding

@@ -1,0 +1,271 @@
+#pragma once
+
+#include "castor/actors/component/entry_pointer.hpp"
+#include "castor/wm/address.hpp"
+#include "castor/wm/reflect.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Entry types of the binding working memory: what subarchitectures say of the things that they
+/// know about, and what binding makes of it. docs/binding.md has the whole picture.
+namespace castor::binding {
+
+enum class FeatureKind {
+  concept_name,
+  name,
+  relation_label,
+  colour,
+  shape,
+  size,
+  material,
+  /// Where it is: x, y, z in `numbers`, metres.
+  location,
+  /// The subarchitecture that it comes from.
+  source_id,
+  /// Negated: not to be bound to anything from that subarchitecture.
+  other_source_id,
+  /// The tether: the entry that the proxy stands for, in `data`.
+  source_data,
+  this_proxy_id,
+  /// To be bound to that proxy.
+  existing_proxy_id,
+  /// Microseconds since the system began, in `numbers`.
+  creation_time,
+  /// While it was pointed at: begin, and end if it is over; microseconds, in `numbers`.
+  salience,
+  /// "perceived", "desired", ...
+  temporal_frame,
+  group,
+  singular,
+  area_id,
+  person_id,
+  debug_string,
+};
+
+/// What can be said of a thing, in words that all subarchitectures know. Immutable: a proxy changes
+/// by having other features.
+struct Feature {
+  FeatureKind kind = FeatureKind::debug_string;
+  std::string text;
+  std::vector<double> numbers;
+  AnyEntryPointer data;
+  /// False for what it is not, as in "not red".
+  bool holds = true;
+
+  friend bool operator==(const Feature&, const Feature&) = default;
+};
+
+enum class ProxyType { basic, group, relation };
+
+/// One end of a relation. In the relation's proxy (out-port) it says to whom it leads; the same
+/// record stands in the InPorts of that one.
+struct Port {
+  /// The end's name, such as "from" and "to".
+  std::string label;
+  /// Who is there.
+  std::string proxy;
+  /// The proxy of the relation.
+  std::string owner;
+
+  friend bool operator==(const Port&, const Port&) = default;
+};
+
+enum class ProxyState { fresh, updated, reprocessed, bound };
+
+/// What one subarchitecture says of one thing. The entry's id is the proxy's.
+struct BindingProxy {
+  ProxyType type = ProxyType::basic;
+  /// The subarchitecture that it comes from.
+  std::string source;
+  /// Proxies with a lower precedence are bound first, whenever they came: perception before what
+  /// refers to it.
+  std::int32_t precedence = 0;
+  std::vector<Feature> features;
+  /// Of a relation.
+  std::vector<Port> out_ports;
+  /// Stands for something that need not exist.
+  bool hypothetical = false;
+  ProxyState state = ProxyState::fresh;
+  /// What the binder made of it; empty before.
+  std::string union_id;
+  /// All members of that union, itself included.
+  std::vector<std::string> proxy_ids;
+  std::uint32_t updates = 0;
+  std::uint32_t binding_count = 0;
+};
+
+/// The relations that lead to a proxy. An entry of its own, so that a new relation does not rewrite
+/// the proxy.
+struct InPorts {
+  std::string proxy;
+  std::vector<Port> ports;
+};
+
+/// One thing: all that is said of it. The entry's id follows from its first member's.
+struct BindingUnion {
+  ProxyType type = ProxyType::basic;
+  /// In the order of binding.
+  std::vector<std::string> proxy_ids;
+  /// The subarchitectures of the members, in the same order.
+  std::vector<std::string> sources;
+  /// Those of all members: what several say stands there several times.
+  std::vector<Feature> features;
+  std::vector<Port> out_ports;
+  std::vector<Port> in_ports;
+  std::uint32_t updates = 0;
+
+  friend bool operator==(const BindingUnion&, const BindingUnion&) = default;
+};
+
+/// How well a proxy fits into a union, or to stay alone.
+struct BindingScore {
+  bool comparable = false;
+  bool mismatch = false;
+  std::uint32_t matches = 0;
+  bool relation_mismatch = false;
+  std::uint32_t relation_matches = 0;
+  std::uint32_t sticky = 0;
+  /// Microseconds between what is salient here and there; 0 where they overlap.
+  double salience_gap = 1e13;
+
+  friend bool operator==(const BindingScore&, const BindingScore&) = default;
+};
+
+/// From the scorer to the judge. An empty union id is for NIL: a union of its own.
+struct ProxyUnionScore {
+  std::string proxy;
+  std::string union_id;
+  BindingScore score;
+};
+
+/// From a monitor to the binding components: these have come or have changed.
+struct BindTheseProxies {
+  std::vector<std::string> proxies;
+};
+
+/// From the judge: the unions that fit equally well and better than all others, the one to take
+/// first. Empty for NIL.
+struct BestUnionsForProxy {
+  std::string proxy;
+  std::vector<std::string> unions;
+
+  friend bool operator==(const BestUnionsForProxy&, const BestUnionsForProxy&) = default;
+};
+
+struct NonMatchingUnions {
+  std::string proxy;
+  std::vector<std::string> unions;
+
+  friend bool operator==(const NonMatchingUnions&, const NonMatchingUnions&) = default;
+};
+
+/// From the judge to the binder: see to it that the proxy is in the best of its unions.
+struct BindingTask {
+  std::string proxy;
+};
+
+struct ProxyProcessingFinished {
+  std::string proxy;
+};
+
+struct BinderStatus {
+  /// Nothing is being bound.
+  bool stable = true;
+  std::uint64_t proxies = 0;
+  std::uint64_t unions = 0;
+};
+
+/// Whether two features speak of the same thing.
+enum class Truth { unknown, yes, no };
+
+/// Asks a competent subarchitecture to compare two features; answered by an overwrite.
+struct FeatureComparison {
+  Feature proxy_feature;
+  Feature union_feature;
+  Truth equivalent = Truth::unknown;
+  bool answered = false;
+};
+
+/// In the competent subarchitecture: leads to the comparison.
+struct FeatureComparisonTask {
+  EntryPointer<FeatureComparison> comparison;
+};
+
+/// What becomes of an internal comparator's answer where there is an external one.
+enum class Trust {
+  /// Nobody else is asked.
+  completely,
+  /// It counts until the other has answered.
+  until_validated,
+  /// It never counts.
+  not_at_all,
+};
+
+/// A subarchitecture says that it can compare these kinds of features.
+struct FeatureComparisonCompetence {
+  std::string subarchitecture;
+  FeatureKind proxy_kind = FeatureKind::concept_name;
+  FeatureKind union_kind = FeatureKind::concept_name;
+  Trust trust_yes = Trust::completely;
+  Trust trust_no = Trust::until_validated;
+  Trust trust_unknown = Trust::not_at_all;
+};
+
+/// Several unions fit a proxy equally well; it was bound to the first of them.
+struct Ambiguity {
+  std::string proxy;
+  std::vector<std::string> unions;
+  /// What some of the unions say of themselves and the proxy does not.
+  std::vector<FeatureKind> missing_in_proxy;
+  /// What the proxy says and some of the unions do not.
+  std::vector<FeatureKind> missing_in_unions;
+
+  friend bool operator==(const Ambiguity&, const Ambiguity&) = default;
+};
+
+/// From a monitor: this proxy is to be deleted.
+struct BindingProxyDeletionTask {
+  std::string proxy;
+};
+
+/// A tombstone: the proxy is gone, and what leads to it may be cleared away.
+struct DeletedBindingProxy {
+  std::string proxy;
+  std::string source;
+  std::string union_id;
+};
+
+CASTOR_REFLECT_ENUM(FeatureKind, concept_name, name, relation_label, colour, shape, size, material,
+                    location, source_id, other_source_id, source_data, this_proxy_id,
+                    existing_proxy_id, creation_time, salience, temporal_frame, group, singular,
+                    area_id, person_id, debug_string)
+CASTOR_REFLECT(Feature, kind, text, numbers, data, holds)
+CASTOR_REFLECT_ENUM(ProxyType, basic, group, relation)
+CASTOR_REFLECT(Port, label, proxy, owner)
+CASTOR_REFLECT_ENUM(ProxyState, fresh, updated, reprocessed, bound)
+CASTOR_REFLECT(BindingProxy, type, source, precedence, features, out_ports, hypothetical, state,
+               union_id, proxy_ids, updates, binding_count)
+CASTOR_REFLECT(InPorts, proxy, ports)
+CASTOR_REFLECT(BindingUnion, type, proxy_ids, sources, features, out_ports, in_ports, updates)
+CASTOR_REFLECT(BindingScore, comparable, mismatch, matches, relation_mismatch, relation_matches,
+               sticky, salience_gap)
+CASTOR_REFLECT(ProxyUnionScore, proxy, union_id, score)
+CASTOR_REFLECT(BindTheseProxies, proxies)
+CASTOR_REFLECT(BestUnionsForProxy, proxy, unions)
+CASTOR_REFLECT(NonMatchingUnions, proxy, unions)
+CASTOR_REFLECT(BindingTask, proxy)
+CASTOR_REFLECT(ProxyProcessingFinished, proxy)
+CASTOR_REFLECT(BinderStatus, stable, proxies, unions)
+CASTOR_REFLECT_ENUM(Truth, unknown, yes, no)
+CASTOR_REFLECT(FeatureComparison, proxy_feature, union_feature, equivalent, answered)
+CASTOR_REFLECT(FeatureComparisonTask, comparison)
+CASTOR_REFLECT_ENUM(Trust, completely, until_validated, not_at_all)
+CASTOR_REFLECT(FeatureComparisonCompetence, subarchitecture, proxy_kind, union_kind, trust_yes,
+               trust_no, trust_unknown)
+CASTOR_REFLECT(Ambiguity, proxy, unions, missing_in_proxy, missing_in_unions)
+CASTOR_REFLECT(BindingProxyDeletionTask, proxy)
+CASTOR_REFLECT(DeletedBindingProxy, proxy, source, union_id)
+
+} // namespace castor::binding

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "castor/perception/spatial/potential_fields.hpp"
+#include "castor/perception/spatial/types.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace castor::spatial {
+
+/// A place that takes part in a scene, by the id of its SpatialLocation.
+struct ScenePlace {
+  std::string location;
+  GroundPoint position;
+};
+
+/// All pairs of places for which the relation holds by potential fields, in the order of the
+/// places: targets first, landmarks within.
+std::vector<SpatialRelationship> relationships(SpatialRelation relation,
+                                               std::span<const ScenePlace> places,
+                                               const GroundPoint& viewer,
+                                               const FieldOptions& options = {},
+                                               const RelationThresholds& thresholds = {});
+
+/// The scene's list for a relation.
+std::vector<SpatialRelationship>& list_of(SpatialScene& scene, SpatialRelation relation);
+const std::vector<SpatialRelationship>& list_of(const SpatialScene& scene,
+                                                SpatialRelation relation);
+
+/// The centre of a box, from above.
+GroundPoint ground_point(const vision::ObjectBox& box);
+
+/// Whether an object moved so far that relations may have changed: by more than its own width.
+bool has_moved(const vision::ObjectBox& before, const vision::ObjectBox& now);
+
+/// Static points closer than `min_distance` metres to an object take no part in a scene: the object
+/// is there in their stead. True for those that stay.
+bool is_free(const GroundPoint& static_point, std::span<const GroundPoint> objects,
+             double min_distance = 0.03);
+
+} // namespace castor::spatial

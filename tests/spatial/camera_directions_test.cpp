@@ -1,0 +1,45 @@
+#include "castor/perception/spatial/camera_directions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace castor::spatial {
+
+namespace {
+
+using enum SpatialRelation;
+
+/// Above (0, -1), looking north and down by 45 degrees: a turn about x by 135 degrees brings z
+/// there and y to the image's lower edge.
+vision::Pose from_the_south() {
+  const double half = 3 * std::acos(-1.0) / 8;
+  return {{0, -1, 1}, {std::cos(half), -std::sin(half), 0, 0}};
+}
+
+TEST(CameraDirections, AreThoseOfTheViewer) {
+  const auto directions = ground_directions(from_the_south());
+  ASSERT_TRUE(directions);
+  EXPECT_NEAR(directions->back.y, 1, 1e-12);
+  EXPECT_NEAR(directions->front.y, -1, 1e-12);
+  EXPECT_NEAR(directions->right.x, 1, 1e-12);
+  EXPECT_NEAR(directions->left.x, -1, 1e-12);
+}
+
+TEST(CameraDirections, AreNoneStraightFromAbove) {
+  EXPECT_FALSE(ground_directions({{0, 0, 1}, {0, 1, 0, 0}}));
+}
+
+TEST(CameraDirections, RelateThingsWhateverTheirDistance) {
+  const auto directions = *ground_directions(from_the_south());
+  EXPECT_NEAR(advance(directions, right, {0.3, 2}, {0.1, -1}), 0.2, 1e-12);
+  EXPECT_TRUE(lies(directions, right, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(lies(directions, right, {0.3, 2}, {0.1, -1}, 0.25));
+  EXPECT_TRUE(lies(directions, back, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(lies(directions, front, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(lies(directions, left, {0.3, 2}, {0.1, -1}));
+}
+
+} // namespace
+
+} // namespace castor::spatial
