@@ -228,7 +228,7 @@ TEST_F(SlowComponentsOfASystem, HearOfCancelledCallsHoweverManyThereWere) {
     });
   };
   script("caller").run = [](auto& self) {
-    for (std::uint32_t i = 0; i < standard_queue_limit * 4 / 3; ++i)
+    for (int i = 0; i < 4000; ++i)
       self.delete_entry(self.add(Call{"b", "Errand", "Answer", {}, "somebody"}));
     // Until the server has taken one in time.
     for (;;) {
@@ -240,7 +240,7 @@ TEST_F(SlowComponentsOfASystem, HearOfCancelledCallsHoweverManyThereWere) {
     }
   };
   System system{architecture(subarchitecture("a") + "CPP UM caller Unmanaged\n" +
-                             subarchitecture("b") + "CPP UM server Unmanaged\n")};
+                             subarchitecture("b") + "CPP UM server Unmanaged --queue-limit 3000\n")};
   EXPECT_EQ(run(system), 0);
   EXPECT_TRUE(cancelled);
 }

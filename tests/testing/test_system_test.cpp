@@ -10,6 +10,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace castor::test {
 
@@ -77,6 +78,24 @@ TEST_F(TestedSystem, AComponentCrashesAndIsBackAndNobodyElseNotices) {
   system.inject("crash one");
   system.expect_back("one", 3);
   system.expect_entry("Note in a from one where text == \"from one\"");
+}
+
+TEST_F(TestedSystem, ACrashThatComesWhileALeaseIsGivenBackIsOneLikeAnyOther) {
+  std::atomic<bool> holds = false;
+  std::atomic<bool> go = false;
+  script("one").run = [&](auto& self) {
+    if (go)
+      return;
+    auto guard = self.lock(self.add(Note{1, "mine"}), LockLevel::od);
+    holds = true;
+    while (!go)
+      std::this_thread::yield();
+  };
+  TestSystem system{workers()};
+  system.wait_until("one holds a lease", [&] { return holds.load(); });
+  system.inject("crash one");
+  go = true;
+  system.expect_back("one");
 }
 
 TEST_F(TestedSystem, SaysWhoIsNotBackAndWhatThereWasInstead) {
