@@ -1,27 +1,12 @@
 #include "castor/binding/binder.hpp"
 
+#include "castor/binding/binding_order.hpp"
+
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace castor::binding {
-
-BinderStep next_step(const ProxyRef& proxy, const std::string& current_id,
-                     const BindingUnion* current, const std::string& best) {
-  BinderStep step;
-  const bool alone = current && current->proxy_ids.size() == 1;
-  step.to = best.empty() ? union_id_of(*proxy.id) : best;
-  if (current && current_id == step.to) {
-    step.kind = BinderStep::Kind::renew;
-    step.from = current_id;
-  } else if (current) {
-    step.kind = BinderStep::Kind::move;
-    step.from = current_id;
-    step.delete_from = alone;
-  } else {
-    step.kind = best.empty() ? BinderStep::Kind::create : BinderStep::Kind::join;
-  }
-  return step;
-}
 
 BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& surroundings) {
   std::vector<ProxyRef> ordered(members.begin(), members.end());
@@ -48,6 +33,52 @@ BindingProxy bound(BindingProxy proxy, const std::string& union_id, const Bindin
   proxy.state = ProxyState::bound;
   ++proxy.binding_count;
   return proxy;
+}
+
+namespace {
+
+/// Where the proxy is to be; empty if that is not known yet.
+std::string place_of(const std::string& id, const BindingProxy& proxy, const BindingView& view,
+                     const std::map<std::string, std::string>& best) {
+  auto judged = best.find(id);
+  auto current = view.unions().contains(proxy.union_id) ? proxy.union_id : std::string{};
+  if (judged == best.end())
+    return current;
+  if (judged->second.empty())
+    return union_id_of(id);
+  return view.unions().contains(judged->second) ? judged->second : current;
+}
+
+/// But for how often it has changed.
+bool same_content(BindingUnion a, const BindingUnion& b) {
+  a.updates = b.updates;
+  return a == b;
+}
+
+} // namespace
+
+BindingPlan plan_binding(const BindingView& view, const std::map<std::string, std::string>& best,
+                         const std::set<std::string>& leaving) {
+  std::map<std::string, std::vector<ProxyRef>> members;
+  for (auto& [id, proxy] : view.proxies())
+    if (auto place = place_of(id, *proxy, view, best); !place.empty() && !leaving.contains(id))
+      members[place].push_back(view.ref(id));
+  BindingPlan result;
+  for (auto& [id, refs] : members) {
+    auto wanted = make_union(refs, view);
+    auto known = view.unions().find(id);
+    if (known != view.unions().end())
+      wanted.updates = known->second->updates + 1;
+    for (auto& x : refs)
+      if (x.proxy->union_id != id || x.proxy->proxy_ids != wanted.proxy_ids)
+        result.proxies[*x.id] = bound(*x.proxy, id, wanted);
+    if (known == view.unions().end() || !same_content(wanted, *known->second))
+      result.unions[id] = std::move(wanted);
+  }
+  for (auto& [id, x] : view.unions())
+    if (!members.contains(id))
+      result.deleted_unions.insert(id);
+  return result;
 }
 
 } // namespace castor::binding

@@ -1,41 +1,15 @@
 #pragma once
 
 #include "castor/binding/binding_scorer.hpp"
+#include "castor/binding/binding_view.hpp"
 #include "castor/binding/types.hpp"
 
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 
 namespace castor::binding {
-
-/// What the binder does about a judgement.
-struct BinderStep {
-  enum class Kind {
-    /// A union of its own.
-    create,
-    /// It was in none.
-    join,
-    /// First into the new one, then out of the old one.
-    move,
-    /// What it says has changed in the union where it is.
-    renew,
-  };
-
-  Kind kind = Kind::create;
-  /// Where it leaves; empty if it was in none.
-  std::string from;
-  /// Where it comes.
-  std::string to;
-  /// The union that it leaves has no one left.
-  bool delete_from = false;
-
-  friend bool operator==(const BinderStep&, const BinderStep&) = default;
-};
-
-/// \param current the union that the proxy is in; nullptr if it is in none.
-/// \param best empty for a union of its own.
-BinderStep next_step(const ProxyRef& proxy, const std::string& current_id,
-                     const BindingUnion* current, const std::string& best);
 
 /// The union of these proxies, by binding order whatever order they are given in. Ports of the
 /// members' relations are in `surroundings`.
@@ -44,5 +18,25 @@ BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& s
 
 /// The proxy with what its union makes of it.
 BindingProxy bound(BindingProxy proxy, const std::string& union_id, const BindingUnion& in);
+
+/// What the binder is to write, all at once.
+struct BindingPlan {
+  /// New ones, and those with other members or other content.
+  std::map<std::string, BindingUnion> unions;
+  /// They have no one left.
+  std::set<std::string> deleted_unions;
+  /// Proxies whose union is another one, or has other members.
+  std::map<std::string, BindingProxy> proxies;
+
+  bool empty() const { return unions.empty() && deleted_unions.empty() && proxies.empty(); }
+};
+
+/// Puts each proxy where it is wanted. Who is not judged stays where it is, and so does who is
+/// wanted in a union that does not exist: another judgement will come.
+///
+/// \param best the best union of each proxy that has been judged; empty for one of its own.
+/// \param leaving proxies that are to be deleted.
+BindingPlan plan_binding(const BindingView& view, const std::map<std::string, std::string>& best,
+                         const std::set<std::string>& leaving = {});
 
 } // namespace castor::binding

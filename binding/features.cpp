@@ -3,58 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace castor::binding {
-
-namespace {
-
-Feature numeric(FeatureKind kind, std::vector<double> numbers) {
-  Feature result;
-  result.kind = kind;
-  result.numbers = std::move(numbers);
-  return result;
-}
-
-} // namespace
-
-Feature feature(FeatureKind kind, std::string text) {
-  Feature result;
-  result.kind = kind;
-  result.text = std::move(text);
-  return result;
-}
-
-Feature negated(Feature x) {
-  x.holds = !x.holds;
-  return x;
-}
-
-Feature location_at(double x, double y, double z) {
-  return numeric(FeatureKind::location, {x, y, z});
-}
-
-Feature not_from(const std::string& subarchitecture) {
-  return negated(feature(FeatureKind::other_source_id, subarchitecture));
-}
-
-Feature tether_to(AnyEntryPointer data) {
-  Feature result;
-  result.kind = FeatureKind::source_data;
-  result.data = std::move(data);
-  return result;
-}
-
-Feature created_at(std::int64_t time) {
-  return numeric(FeatureKind::creation_time, {static_cast<double>(time)});
-}
-
-Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end) {
-  std::vector<double> numbers{static_cast<double>(begin)};
-  if (end)
-    numbers.push_back(static_cast<double>(*end));
-  return numeric(FeatureKind::salience, std::move(numbers));
-}
 
 const Feature* find_feature(std::span<const Feature> features, FeatureKind kind) {
   for (const auto& x : features) {

@@ -5,33 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <span>
 #include <string>
 
-/// How features are made and taken apart.
+/// How features are taken apart.
 namespace castor::binding {
-
-/// A kind whose value is a word: concept, colour, ...
-Feature feature(FeatureKind kind, std::string text);
-
-/// The same, said not to hold.
-Feature negated(Feature x);
-
-/// Metres.
-Feature location_at(double x, double y, double z);
-
-/// Not to be bound to anything from that subarchitecture.
-Feature not_from(const std::string& subarchitecture);
-
-/// The tether to what the proxy stands for.
-Feature tether_to(AnyEntryPointer data);
-
-/// Microseconds since the system began.
-Feature created_at(std::int64_t time);
-
-/// Still salient if there is no end.
-Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end = std::nullopt);
 
 /// The first feature of that kind, if there is one.
 const Feature* find_feature(std::span<const Feature> features, FeatureKind kind);

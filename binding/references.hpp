@@ -4,55 +4,12 @@
 #include "castor/binding/types.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace castor::binding {
-
-/// What somebody says of a thing that is meant to be known already.
-struct DescribedThing {
-  std::vector<Feature> features;
-};
-
-/// Two described things, by their numbers: `from` is `label` of `to`.
-struct DescribedRelation {
-  std::string label;
-  std::size_t from = 0;
-  std::size_t to = 0;
-};
-
-/// "the red thing left of the ball": two things, one relation. The first thing is the one that is
-/// asked for.
-struct Description {
-  std::vector<DescribedThing> things;
-  std::vector<DescribedRelation> relations;
-};
-
-/// Which unions a description may be about.
-struct Referents {
-  /// One for each described thing, none twice.
-  std::vector<std::string> unions;
-  /// How many of the features described are neither confirmed nor denied; 0 if it is certain.
-  std::uint32_t unknown = 0;
-
-  friend bool operator==(const Referents&, const Referents&) = default;
-};
-
-/// A relation between two unions, as some relation proxy says.
-struct UnionRelation {
-  std::string label;
-  std::string from;
-  std::string to;
-
-  friend auto operator<=>(const UnionRelation&, const UnionRelation&) = default;
-};
-
-/// The names of a relation's two ends.
-inline constexpr const char* from_port = "from";
-inline constexpr const char* to_port = "to";
 
 /// All relations between unions whose proxies are bound; each once, ordered.
 std::vector<UnionRelation> relations_between(const std::map<std::string, BindingUnion>& unions);

@@ -5,7 +5,9 @@
 #include "castor/wm/reflect.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Entry types of the binding working memory: what subarchitectures say of the things that they
@@ -57,10 +59,57 @@ struct Feature {
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
+/// A kind whose value is a word: concept, colour, ...
+inline Feature feature(FeatureKind kind, std::string text) {
+  return {kind, std::move(text), {}, {}, true};
+}
+
+/// The same, said not to hold.
+inline Feature negated(Feature x) {
+  x.holds = !x.holds;
+  return x;
+}
+
+/// Metres.
+inline Feature location_at(double x, double y, double z) {
+  return {FeatureKind::location, {}, {x, y, z}, {}, true};
+}
+
+/// Not to be bound to anything from that subarchitecture.
+inline Feature not_from(std::string subarchitecture) {
+  return negated(feature(FeatureKind::other_source_id, std::move(subarchitecture)));
+}
+
+/// The tether to what the proxy stands for.
+inline Feature tether_to(AnyEntryPointer data) {
+  return {FeatureKind::source_data, {}, {}, std::move(data), true};
+}
+
+/// Microseconds since the system began.
+inline Feature created_at(std::int64_t time) {
+  return {FeatureKind::creation_time, {}, {static_cast<double>(time)}, {}, true};
+}
+
+/// Still salient if there is no end.
+inline Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end = std::nullopt) {
+  Feature result{FeatureKind::salience, {}, {static_cast<double>(begin)}, {}, true};
+  if (end)
+    result.numbers.push_back(static_cast<double>(*end));
+  return result;
+}
+
 enum class ProxyType { basic, group, relation };
 
+/// Temporal frames.
+inline constexpr const char* perceived_frame = "perceived";
+inline constexpr const char* desired_frame = "desired";
+
+/// The names of a relation's two ends: `from` is left of `to`.
+inline constexpr const char* from_port = "from";
+inline constexpr const char* to_port = "to";
+
 /// One end of a relation. In the relation's proxy (out-port) it says to whom it leads; the same
-/// record stands in the InPorts of that one.
+/// record stands among the in-ports of that one's union.
 struct Port {
   /// The end's name, such as "from" and "to".
   std::string label;
@@ -96,13 +145,6 @@ struct BindingProxy {
   std::uint32_t binding_count = 0;
 };
 
-/// The relations that lead to a proxy. An entry of its own, so that a new relation does not rewrite
-/// the proxy.
-struct InPorts {
-  std::string proxy;
-  std::vector<Port> ports;
-};
-
 /// One thing: all that is said of it. The entry's id follows from its first member's.
 struct BindingUnion {
   ProxyType type = ProxyType::basic;
@@ -133,16 +175,21 @@ struct BindingScore {
   friend bool operator==(const BindingScore&, const BindingScore&) = default;
 };
 
-/// From the scorer to the judge. An empty union id is for NIL: a union of its own.
+/// An empty union id is for NIL: a union of its own.
 struct ProxyUnionScore {
   std::string proxy;
   std::string union_id;
   BindingScore score;
+
+  friend bool operator==(const ProxyUnionScore&, const ProxyUnionScore&) = default;
 };
 
-/// From a monitor to the binding components: these have come or have changed.
-struct BindTheseProxies {
-  std::vector<std::string> proxies;
+/// From the scorer to the judge: how well a proxy fits into every union.
+struct ProxyUnionScores {
+  std::string proxy;
+  std::vector<ProxyUnionScore> scores;
+
+  friend bool operator==(const ProxyUnionScores&, const ProxyUnionScores&) = default;
 };
 
 /// From the judge: the unions that fit equally well and better than all others, the one to take
@@ -161,36 +208,30 @@ struct NonMatchingUnions {
   friend bool operator==(const NonMatchingUnions&, const NonMatchingUnions&) = default;
 };
 
-/// From the judge to the binder: see to it that the proxy is in the best of its unions.
-struct BindingTask {
-  std::string proxy;
-};
+/// The id of the one BinderStatus.
+inline constexpr const char* binder_status = "binder-status";
 
-struct ProxyProcessingFinished {
-  std::string proxy;
-};
-
+/// Whoever changes proxies or unions holds a lease of this entry meanwhile: monitors, and the
+/// binder.
 struct BinderStatus {
-  /// Nothing is being bound.
+  /// Every proxy is in the best of its unions, as far as that is known.
   bool stable = true;
   std::uint64_t proxies = 0;
   std::uint64_t unions = 0;
+
+  friend bool operator==(const BinderStatus&, const BinderStatus&) = default;
 };
 
 /// Whether two features speak of the same thing.
 enum class Truth { unknown, yes, no };
 
-/// Asks a competent subarchitecture to compare two features; answered by an overwrite.
+/// A question that a competent subarchitecture is to answer, and the answer; a request of calls,
+/// too.
 struct FeatureComparison {
   Feature proxy_feature;
   Feature union_feature;
   Truth equivalent = Truth::unknown;
   bool answered = false;
-};
-
-/// In the competent subarchitecture: leads to the comparison.
-struct FeatureComparisonTask {
-  EntryPointer<FeatureComparison> comparison;
 };
 
 /// What becomes of an internal comparator's answer where there is an external one.
@@ -237,6 +278,69 @@ struct DeletedBindingProxy {
   std::string union_id;
 };
 
+/// What somebody says of a thing that is meant to be known already.
+struct DescribedThing {
+  std::vector<Feature> features;
+};
+
+/// Two described things, by their numbers: `from` is `label` of `to`.
+struct DescribedRelation {
+  std::string label;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+/// "the red thing left of the ball": two things, one relation. The first thing is the one that is
+/// asked for.
+struct Description {
+  std::vector<DescribedThing> things;
+  std::vector<DescribedRelation> relations;
+};
+
+/// Which unions a description may be about.
+struct Referents {
+  /// One for each described thing, none twice.
+  std::vector<std::string> unions;
+  /// How many of the features described are neither confirmed nor denied; 0 if it is certain.
+  std::uint32_t unknown = 0;
+
+  friend bool operator==(const Referents&, const Referents&) = default;
+};
+
+/// A relation between two unions, as some relation proxy says.
+struct UnionRelation {
+  std::string label;
+  std::string from;
+  std::string to;
+
+  friend auto operator<=>(const UnionRelation&, const UnionRelation&) = default;
+};
+
+/// A call: which unions may each description be about? Only what is perceived counts.
+struct ReferenceRequest {
+  std::vector<Description> descriptions;
+};
+
+/// What is known of a union.
+struct KnownUnion {
+  std::string id;
+  std::vector<Feature> features;
+};
+
+/// Of one description.
+struct DescriptionReferents {
+  std::vector<Referents> readings;
+};
+
+struct ReferenceReply {
+  /// For each description, the readings, the most certain first. No relation or feature of them is
+  /// denied.
+  std::vector<DescriptionReferents> referents;
+  /// Everything that is perceived, and how it lies to each other.
+  std::vector<KnownUnion> unions;
+  std::vector<UnionRelation> relations;
+};
+
 CASTOR_REFLECT_ENUM(FeatureKind, concept_name, name, relation_label, colour, shape, size, material,
                     location, source_id, other_source_id, source_data, this_proxy_id,
                     existing_proxy_id, creation_time, salience, temporal_frame, group, singular,
@@ -247,25 +351,30 @@ CASTOR_REFLECT(Port, label, proxy, owner)
 CASTOR_REFLECT_ENUM(ProxyState, fresh, updated, reprocessed, bound)
 CASTOR_REFLECT(BindingProxy, type, source, precedence, features, out_ports, hypothetical, state,
                union_id, proxy_ids, updates, binding_count)
-CASTOR_REFLECT(InPorts, proxy, ports)
 CASTOR_REFLECT(BindingUnion, type, proxy_ids, sources, features, out_ports, in_ports, updates)
 CASTOR_REFLECT(BindingScore, comparable, mismatch, matches, relation_mismatch, relation_matches,
                sticky, salience_gap)
 CASTOR_REFLECT(ProxyUnionScore, proxy, union_id, score)
-CASTOR_REFLECT(BindTheseProxies, proxies)
+CASTOR_REFLECT(ProxyUnionScores, proxy, scores)
 CASTOR_REFLECT(BestUnionsForProxy, proxy, unions)
 CASTOR_REFLECT(NonMatchingUnions, proxy, unions)
-CASTOR_REFLECT(BindingTask, proxy)
-CASTOR_REFLECT(ProxyProcessingFinished, proxy)
 CASTOR_REFLECT(BinderStatus, stable, proxies, unions)
 CASTOR_REFLECT_ENUM(Truth, unknown, yes, no)
 CASTOR_REFLECT(FeatureComparison, proxy_feature, union_feature, equivalent, answered)
-CASTOR_REFLECT(FeatureComparisonTask, comparison)
 CASTOR_REFLECT_ENUM(Trust, completely, until_validated, not_at_all)
 CASTOR_REFLECT(FeatureComparisonCompetence, subarchitecture, proxy_kind, union_kind, trust_yes,
                trust_no, trust_unknown)
 CASTOR_REFLECT(Ambiguity, proxy, unions, missing_in_proxy, missing_in_unions)
 CASTOR_REFLECT(BindingProxyDeletionTask, proxy)
 CASTOR_REFLECT(DeletedBindingProxy, proxy, source, union_id)
+CASTOR_REFLECT(DescribedThing, features)
+CASTOR_REFLECT(DescribedRelation, label, from, to)
+CASTOR_REFLECT(Description, things, relations)
+CASTOR_REFLECT(Referents, unions, unknown)
+CASTOR_REFLECT(UnionRelation, label, from, to)
+CASTOR_REFLECT(ReferenceRequest, descriptions)
+CASTOR_REFLECT(KnownUnion, id, features)
+CASTOR_REFLECT(DescriptionReferents, readings)
+CASTOR_REFLECT(ReferenceReply, referents, unions, relations)
 
 } // namespace castor::binding

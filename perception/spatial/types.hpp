@@ -46,8 +46,15 @@ struct SpatialRelationship {
   friend bool operator==(const SpatialRelationship&, const SpatialRelationship&) = default;
 };
 
+/// There is a component that finds this relation in every scene. Goes with that component.
+struct RelationFinder {
+  SpatialRelation relation = SpatialRelation::near;
+  std::string component;
+};
+
 /// All locations at one time. One component for each relation fills in what holds; the scene is
-/// complete when no component is active any more.
+/// complete when no component is active any more. Whoever makes the scene writes down who is to be
+/// active, so that it cannot seem complete before they have begun.
 struct SpatialScene {
   vision::Pose viewer;
   /// Microseconds since the system began.
@@ -70,8 +77,8 @@ struct TargetPosition {
   friend bool operator==(const TargetPosition&, const TargetPosition&) = default;
 };
 
-/// Asks for positions that are `relation` of a landmark. Answered by an overwrite with `answered`;
-/// then `targets` may hold fewer than were asked for, or none: there is no such position.
+/// A call: which positions are `relation` of a landmark? In the reply, which is of the same type,
+/// `targets` may hold fewer than were asked for, or none: there is no such position.
 struct SpatialRelationshipTargetQuery {
   SpatialRelation relation = SpatialRelation::near;
   /// The id of a SpatialLocation.
@@ -79,33 +86,18 @@ struct SpatialRelationshipTargetQuery {
   std::uint32_t requested_targets = 1;
   /// The id of a SpatialScene; empty for the latest.
   std::string scene;
-  bool answered = false;
   std::vector<TargetPosition> targets;
-};
-
-/// Static points that further scenes are to have.
-struct AddToScene {
-  std::vector<SpatialLocation> locations;
-};
-
-/// Asks that the location of a binding proxy be made a relation of another's, as a target to bring
-/// something to.
-struct RepositionLocation {
-  std::string landmark_proxy;
-  std::string target_proxy;
-  SpatialRelation relation = SpatialRelation::near;
 };
 
 CASTOR_REFLECT_ENUM(SpatialRelation, near, front, back, left, right)
 CASTOR_REFLECT(GroundPoint, x, y)
 CASTOR_REFLECT(SpatialLocation, object, box, label)
 CASTOR_REFLECT(SpatialRelationship, relation, target, landmark, value)
+CASTOR_REFLECT(RelationFinder, relation, component)
 CASTOR_REFLECT(SpatialScene, viewer, time, locations, near, front, back, left, right,
                active_components)
 CASTOR_REFLECT(TargetPosition, position, value)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
-               answered, targets)
-CASTOR_REFLECT(AddToScene, locations)
-CASTOR_REFLECT(RepositionLocation, landmark_proxy, target_proxy, relation)
+               targets)
 
 } // namespace castor::spatial

@@ -2,9 +2,11 @@
 
 #include "castor/tests/binding/proxies.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,46 +14,78 @@ namespace castor::binding::test {
 
 namespace {
 
-using Kind = BinderStep::Kind;
+using Best = std::map<std::string, std::string>;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Key;
 
-const std::string proxy_id = "p";
-const BindingProxy some_proxy;
-const ProxyRef ref{&proxy_id, &some_proxy};
-
-BindingUnion union_with(std::vector<std::string> ids) {
-  BindingUnion result;
-  result.proxy_ids = std::move(ids);
+/// Proxies in unions of these names; "" for those that are in none.
+BindingView view_of(const Best& places) {
+  BindingView result;
+  std::map<std::string, std::vector<std::string>> members;
+  for (const auto& [id, place] : places)
+    if (!place.empty())
+      members[place].push_back(id);
+  for (const auto& [id, place] : places) {
+    auto proxy = proxy_from("vision", {});
+    proxy.union_id = place;
+    if (!place.empty())
+      proxy.proxy_ids = members[place];
+    result.set(id, std::make_shared<const BindingProxy>(proxy));
+  }
+  for (const auto& [id, ids] : members)
+    result.set(id, std::make_shared<const BindingUnion>(make_union(result.refs(ids), result)));
   return result;
 }
 
-TEST(Binder, FoundsAUnionOrJoinsOne) {
-  EXPECT_EQ(next_step(ref, "", nullptr, ""), (BinderStep{Kind::create, "", "union of p", false}));
-  EXPECT_EQ(next_step(ref, "", nullptr, "union of a"),
-            (BinderStep{Kind::join, "", "union of a", false}));
+TEST(Binder, FoundsUnionsAndLetsOthersJoin) {
+  const auto view = view_of({{"a", "union of a"}, {"p", ""}, {"q", ""}, {"r", ""}});
+  const auto plan = plan_binding(view, {{"a", ""}, {"p", ""}, {"q", "union of a"}});
+  EXPECT_THAT(plan.unions, ElementsAre(Key("union of a"), Key("union of p")));
+  EXPECT_THAT(plan.unions.at("union of a").proxy_ids, ElementsAre("a", "q"));
+  EXPECT_EQ(plan.unions.at("union of a").updates, 1u);
+  EXPECT_THAT(plan.proxies, ElementsAre(Key("a"), Key("p"), Key("q"))) << "r is not judged yet";
+  EXPECT_EQ(plan.proxies.at("q").union_id, "union of a");
+  EXPECT_THAT(plan.proxies.at("a").proxy_ids, ElementsAre("a", "q"));
 }
 
 TEST(Binder, MovesAndClearsAwayWhatIsEmpty) {
-  const auto alone = union_with({"p"});
-  const auto others = union_with({"b", "p"});
-  EXPECT_EQ(next_step(ref, "union of p", &alone, "union of a"),
-            (BinderStep{Kind::move, "union of p", "union of a", true}));
-  EXPECT_EQ(next_step(ref, "union of b", &others, "union of a"),
-            (BinderStep{Kind::move, "union of b", "union of a", false}));
-  EXPECT_EQ(next_step(ref, "union of b", &others, ""),
-            (BinderStep{Kind::move, "union of b", "union of p", false}));
-  // The founder has left: who is first now founds another, and the rest will follow.
-  const auto founded_by_another = union_with({"p", "q"});
-  EXPECT_EQ(next_step(ref, "union of b", &founded_by_another, ""),
-            (BinderStep{Kind::move, "union of b", "union of p", false}));
+  const auto view = view_of({{"a", "union of a"}, {"p", "union of p"}});
+  const auto plan = plan_binding(view, {{"a", ""}, {"p", "union of a"}});
+  EXPECT_THAT(plan.unions, ElementsAre(Key("union of a")));
+  EXPECT_THAT(plan.deleted_unions, ElementsAre("union of p"));
 }
 
-TEST(Binder, RenewsTheUnionThatFits) {
-  const auto alone = union_with({"p", "q"});
-  const auto others = union_with({"b", "p"});
-  EXPECT_EQ(next_step(ref, "union of p", &alone, ""),
-            (BinderStep{Kind::renew, "union of p", "union of p", false}));
-  EXPECT_EQ(next_step(ref, "union of b", &others, "union of b"),
-            (BinderStep{Kind::renew, "union of b", "union of b", false}));
+TEST(Binder, LetsAFounderLeaveThoseBehindWhoJoined) {
+  const auto view = view_of({{"a", "union of a"}, {"b", "union of b"}, {"c", "union of b"}});
+  const auto plan = plan_binding(view, {{"a", ""}, {"b", "union of a"}, {"c", "union of b"}});
+  EXPECT_THAT(plan.unions.at("union of b").proxy_ids, ElementsAre("c"));
+  EXPECT_THAT(plan.deleted_unions, IsEmpty());
+}
+
+TEST(Binder, WaitsForUnionsThatDoNotExist) {
+  const auto view = view_of({{"p", "union of p"}, {"q", ""}});
+  EXPECT_TRUE(plan_binding(view, {{"p", "union of x"}, {"q", "union of x"}}).empty());
+}
+
+TEST(Binder, TakesOutWhoLeaves) {
+  const auto view = view_of({{"a", "union of a"}, {"p", "union of a"}, {"q", "union of q"}});
+  const auto plan = plan_binding(view, {}, {"p", "q"});
+  EXPECT_THAT(plan.unions.at("union of a").proxy_ids, ElementsAre("a"));
+  EXPECT_THAT(plan.deleted_unions, ElementsAre("union of q"));
+  EXPECT_THAT(plan.proxies, ElementsAre(Key("a")));
+}
+
+TEST(Binder, RenewsAUnionWhoseMembersSaySomethingElse) {
+  auto view = view_of({{"a", "union of a"}, {"b", "union of b"}});
+  EXPECT_TRUE(plan_binding(view, {{"a", ""}, {"b", ""}}).empty());
+  auto changed = *view.proxy("a");
+  changed.features = {colour("red")};
+  view.set("a", std::make_shared<const BindingProxy>(changed));
+  const auto plan = plan_binding(view, {{"a", ""}, {"b", ""}});
+  EXPECT_THAT(plan.unions.at("union of a").features, ElementsAre(colour("red")));
+  EXPECT_EQ(plan.unions.size(), 1u);
+  EXPECT_THAT(plan.proxies, IsEmpty()) << "they are where they were";
 }
 
 class NoRelations final : public Surroundings {

@@ -4,6 +4,7 @@
 #include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_judge.hpp"
 #include "castor/binding/binding_score.hpp"
+#include "castor/binding/binding_view.hpp"
 #include "castor/tests/binding/chance.hpp"
 #include "castor/tests/binding/proxies.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -21,21 +23,24 @@ namespace castor::binding::test {
 namespace {
 
 /// The working memory, and the three around it. Each step is one entry that one of them sees to.
-class Components final : private Surroundings {
+class Components {
 public:
   void set(const std::string& id, BindingProxy x) {
-    remove(id);
     for (auto& port : x.out_ports)
       port.owner = id;
-    proxies_[id] = std::move(x);
+    if (const auto* known = view_.proxy(id)) {
+      x.union_id = known->union_id;
+      x.proxy_ids = known->proxy_ids;
+    }
+    view_.set(id, std::make_shared<const BindingProxy>(std::move(x)));
     rescore_all();
   }
 
   void remove(const std::string& id) {
-    if (!proxies_.contains(id))
+    if (!view_.proxy(id))
       return;
-    leave(id);
-    proxies_.erase(id);
+    carry_out(plan_binding(view_, {}, {id}));
+    view_.remove_proxy(id);
     to_score_.erase(id);
     best_.erase(id);
     judge_.forget(id);
@@ -55,9 +60,9 @@ public:
 
   std::map<std::string, BindingUnion> unions() const {
     std::map<std::string, BindingUnion> result;
-    for (const auto& [id, members] : members_)
-      result.emplace(id, make_union(refs(members), *this));
-    return result;
+    for (const auto& [id, x] : view_.unions())
+      result.emplace(id, *x);
+    return without_counters(std::move(result));
   }
 
 private:
@@ -67,9 +72,10 @@ private:
     const auto id = *std::next(to_score_.begin(), chance.below(static_cast<int>(to_score_.size())));
     to_score_.erase(id);
     const FeatureComparator comparator;
-    for (const auto& [union_id, members] : members_)
+    for (const auto& [union_id, x] : view_.unions())
       scored_.push_back(
-        {id, union_id, BindingScorer{comparator}.score(ref(id), refs(members), *this)});
+        {id, union_id,
+         BindingScorer{comparator}.score(view_.ref(id), view_.refs(x->proxy_ids), view_)});
     scored_.push_back({id, "", nil_score()});
     return true;
   }
@@ -80,94 +86,49 @@ private:
     // One score at a time: what it has may be old or incomplete.
     const auto score = scored_.front();
     scored_.erase(scored_.begin());
-    if (score.union_id.empty() || members_.contains(score.union_id))
+    if (score.union_id.empty() || view_.unions().contains(score.union_id))
       judge_.add(score);
     for (auto& [id, judgement] : judge_.take_new())
       best_[id] = judgement.best.unions.empty() ? std::string{} : judgement.best.unions.front();
     return true;
   }
 
+  /// Some of what is known to be better, but not all of it.
   bool bind(Chance& chance) {
-    std::vector<std::string> able;
-    for (const auto& [id, best] : best_) {
-      const auto& wanted = best.empty() ? union_id_of(id) : best;
-      if (union_of_[id] != wanted && (best.empty() || members_.contains(best)))
-        able.push_back(id);
-    }
-    if (able.empty())
+    std::map<std::string, std::string> some;
+    for (const auto& x : best_)
+      if (!chance.once_in(3))
+        some.insert(x);
+    auto plan = plan_binding(view_, some);
+    if (plan.empty())
+      plan = plan_binding(view_, best_);
+    if (plan.empty())
       return false;
-    const auto id = able[static_cast<std::size_t>(chance.below(static_cast<int>(able.size())))];
-    const auto current_id = union_of_[id];
-    const auto current =
-      current_id.empty() ? BindingUnion{} : make_union(refs(members_.at(current_id)), *this);
-    const auto step =
-      next_step(ref(id), current_id, current_id.empty() ? nullptr : &current, best_.at(id));
-    EXPECT_NE(step.kind, BinderStep::Kind::renew);
-    EXPECT_EQ(step.delete_from, !step.from.empty() && members_.at(step.from).size() == 1);
-    leave(id);
-    if (!members_.contains(step.to))
-      judge_.add_union(step.to);
-    members_[step.to].insert(id);
-    union_of_[id] = step.to;
+    carry_out(plan);
     rescore_all();
     return true;
   }
 
-  void leave(const std::string& id) {
-    const auto left = std::exchange(union_of_[id], {});
-    const auto found = members_.find(left);
-    if (found == members_.end())
-      return;
-    found->second.erase(id);
-    if (found->second.empty()) {
-      members_.erase(found);
-      judge_.remove_union(left);
+  void carry_out(const BindingPlan& plan) {
+    for (const auto& [id, x] : plan.unions) {
+      if (!view_.unions().contains(id))
+        judge_.add_union(id);
+      view_.set(id, std::make_shared<const BindingUnion>(x));
     }
+    for (const auto& id : plan.deleted_unions) {
+      judge_.remove_union(id);
+      view_.remove_union(id);
+    }
+    for (const auto& [id, x] : plan.proxies)
+      view_.set(id, std::make_shared<const BindingProxy>(x));
   }
 
   void rescore_all() {
-    for (const auto& [id, x] : proxies_)
+    for (const auto& [id, x] : view_.proxies())
       to_score_.insert(id);
-    ports_.clear();
-    for (const auto& [id, x] : proxies_) {
-      for (const auto& port : x.out_ports)
-        ports_[port.proxy].push_back(port);
-    }
   }
 
-  ProxyRef ref(const std::string& id) const {
-    const auto found = proxies_.find(id);
-    return {&found->first, &found->second};
-  }
-
-  std::vector<ProxyRef> refs(const std::set<std::string>& ids) const {
-    std::vector<ProxyRef> result;
-    for (const auto& id : ids)
-      result.push_back(ref(id));
-    return result;
-  }
-
-  const BindingProxy* proxy(const std::string& id) const override {
-    const auto found = proxies_.find(id);
-    return found == proxies_.end() ? nullptr : &found->second;
-  }
-
-  std::span<const Port> in_ports(const std::string& id) const override {
-    const auto found = ports_.find(id);
-    return found == ports_.end() ? std::span<const Port>{} : found->second;
-  }
-
-  std::vector<ProxyRef> bound_with(const std::string& id) const override {
-    const auto found = union_of_.find(id);
-    if (found == union_of_.end() || found->second.empty())
-      return {ref(id)};
-    return refs(members_.at(found->second));
-  }
-
-  Proxies proxies_;
-  std::map<std::string, std::vector<Port>> ports_;
-  std::map<std::string, std::set<std::string>> members_;
-  std::map<std::string, std::string> union_of_;
+  BindingView view_;
   std::set<std::string> to_score_;
   std::vector<ProxyUnionScore> scored_;
   BindingJudge judge_;

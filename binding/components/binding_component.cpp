@@ -1,0 +1,52 @@
+#include "castor/binding/components/binding_component.hpp"
+
+#include <type_traits>
+
+namespace castor::binding {
+
+void BindingComponent::start() {
+  on_change(changed<BindingProxy>(),
+            [this](const ChangeEvent& event) { changes_.proxies.insert(event.address.id); });
+  on_change(changed<BindingUnion>(),
+            [this](const ChangeEvent& event) { changes_.unions.insert(event.address.id); });
+  for (auto& x : read_all<BindingProxy>())
+    changes_.proxies.insert(x.address.id);
+  for (auto& x : read_all<BindingUnion>())
+    changes_.unions.insert(x.address.id);
+}
+
+void BindingComponent::run() {
+  do
+    work(catch_up());
+  while (wait_for_changes() || is_running());
+}
+
+BindingComponent::Changes BindingComponent::catch_up() {
+  auto changes = std::exchange(changes_, {});
+  look_at<BindingProxy>(changes.proxies);
+  look_at<BindingUnion>(changes.unions);
+  return changes;
+}
+
+void BindingComponent::drop(const std::string& id) {
+  try {
+    delete_entry(here(id));
+  } catch (const DoesNotExistOnWM&) {
+    trace("{} is gone already", id);
+  }
+}
+
+template <class T>
+void BindingComponent::look_at(const std::set<std::string>& ids) {
+  for (auto& id : ids)
+    try {
+      view_.set(id, read<T>(here(id)).object);
+    } catch (const DoesNotExistOnWM&) {
+      if constexpr (std::is_same_v<T, BindingProxy>)
+        view_.remove_proxy(id);
+      else
+        view_.remove_union(id);
+    }
+}
+
+} // namespace castor::binding

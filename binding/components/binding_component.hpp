@@ -1,0 +1,72 @@
+#pragma once
+
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/binding/binding_view.hpp"
+#include "castor/binding/types.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <set>
+#include <string>
+#include <utility>
+
+namespace castor::binding {
+
+/// What the components of the binding subarchitecture have in common: each sees the proxies and the
+/// unions, and works whenever something has changed, on all that has changed since. So one that is
+/// started again catches up by itself.
+class BindingComponent : public UnmanagedComponent {
+protected:
+  /// Ids of what has come, changed or gone.
+  struct Changes {
+    std::set<std::string> proxies;
+    std::set<std::string> unions;
+  };
+
+  void start() override;
+  void run() override;
+
+  /// Does what there is to do. Everything is in `changes` the first time.
+  virtual void work(const Changes& changes) = 0;
+
+  const BindingView& view() const { return view_; }
+
+  /// For what the component itself has just written.
+  BindingView& view() { return view_; }
+
+  /// Looks at all that has changed since this was last called.
+  Changes catch_up();
+
+  /// Overwrites an entry of the own working memory, or adds it, if it is to say something else than
+  /// it does. What a predecessor has left is taken over.
+  template <class T>
+  void put(const std::string& id, T x) {
+    auto address = here(id);
+    while (is_running()) {
+      try {
+        if (*read<T>(address) != x)
+          overwrite(address, x);
+        return;
+      } catch (const ConsistencyException&) {
+        continue;
+      } catch (const DoesNotExistOnWM&) {
+        try {
+          return add(address, x);
+        } catch (const AlreadyExistsOnWM&) {
+          continue;
+        }
+      }
+    }
+  }
+
+  /// Deletes an entry of the own working memory, if it is there.
+  void drop(const std::string& id);
+
+private:
+  template <class T>
+  void look_at(const std::set<std::string>& ids);
+
+  Changes changes_;
+  BindingView view_;
+};
+
+} // namespace castor::binding

@@ -1,0 +1,152 @@
+#include "castor/binding/binding_scorer.hpp"
+
+#include "castor/actors/registry.hpp"
+#include "castor/binding/binding_score.hpp"
+#include "castor/binding/components/binding_component.hpp"
+#include "castor/binding/feature_comparator.hpp"
+#include "castor/binding/features.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+// The components are named like the plain classes that they are made of.
+namespace castor::binding::components {
+
+namespace {
+
+/// Scores every proxy against every union, and keeps the scores up to date.
+class BindingScorer final : public BindingComponent {
+  void configure() override {
+    ComparatorOptions options;
+    options.same_place = same_place_;
+    options.other_place = other_place_;
+    comparator_ = FeatureComparator{options};
+  }
+
+  void start() override {
+    BindingComponent::start();
+    auto competences_changed = [this](const ChangeEvent&) { competences_changed_ = true; };
+    on_change(changed<FeatureComparisonCompetence>(), competences_changed);
+    on_change(overwritten<FeatureComparison>(),
+              [this](const ChangeEvent& event) { answered_.insert(event.address.id); });
+    for (auto& x : read_all<FeatureComparison>())
+      answered_.insert(x.address.id);
+    for (auto& x : read_all<ProxyUnionScores>())
+      scores_[x->proxy] = *x;
+  }
+
+  void work(const Changes& changes) override {
+    auto all = learn_what_others_know();
+    std::erase_if(scores_, [this](auto& x) {
+      if (view().proxy(x.first))
+        return false;
+      drop(entry_id(x.first));
+      return true;
+    });
+    for (auto& [id, proxy] : view().proxies())
+      if (all || changes.proxies.contains(id) || view().has_ports(id) || !scores_.contains(id))
+        score(id);
+      else
+        score(id, changes);
+  }
+
+  /// True if it may be that features compare otherwise than before.
+  bool learn_what_others_know() {
+    auto result = competences_changed_;
+    if (std::exchange(competences_changed_, false)) {
+      for (auto& name : competent_)
+        comparator_.remove(name);
+      competent_.clear();
+      for (auto& x : read_all<FeatureComparisonCompetence>()) {
+        comparator_.add(*x);
+        competent_.insert(x->subarchitecture);
+      }
+    }
+    for (auto& id : std::exchange(answered_, {}))
+      try {
+        if (auto x = read<FeatureComparison>(here(id)); x->answered) {
+          comparator_.answer(x->proxy_feature, x->union_feature, x->equivalent);
+          result = true;
+        }
+      } catch (const DoesNotExistOnWM&) {
+        trace("{} is gone", id);
+      }
+    return result;
+  }
+
+  /// Against all unions.
+  void score(const std::string& id) {
+    ProxyUnionScores result{id, {{id, {}, nil_score()}}};
+    for (auto& [union_id, x] : view().unions())
+      result.scores.push_back({id, union_id, score_in(id, union_id, *x)});
+    tell(std::move(result));
+  }
+
+  /// Against those that have changed.
+  void score(const std::string& id, const Changes& changes) {
+    auto result = scores_.at(id);
+    std::erase_if(result.scores, [&](auto& x) { return changes.unions.contains(x.union_id); });
+    for (auto& union_id : changes.unions)
+      if (auto x = view().unions().find(union_id); x != view().unions().end())
+        result.scores.push_back({id, union_id, score_in(id, union_id, *x->second)});
+    tell(std::move(result));
+  }
+
+  BindingScore score_in(const std::string& id, const std::string&, const BindingUnion& in) {
+    auto members = view().refs(in.proxy_ids);
+    for (auto& member : members)
+      if (*member.id != id)
+        ask_others(*view().proxy(id), *member.proxy);
+    return scorer_.score(view().ref(id), members, view());
+  }
+
+  void ask_others(const BindingProxy& proxy, const BindingProxy& member) {
+    if (competent_.empty())
+      return;
+    for (auto& x : scorer_.open_comparisons(proxy, member)) {
+      auto id =
+        "comparison of " + to_string(x.proxy_feature) + " with " + to_string(x.union_feature);
+      if (!asked_.insert(id).second)
+        continue;
+      try {
+        add(here(id), x);
+      } catch (const AlreadyExistsOnWM&) {
+        answered_.insert(id);
+      }
+    }
+  }
+
+  void tell(ProxyUnionScores x) {
+    std::ranges::sort(x.scores, {}, &ProxyUnionScore::union_id);
+    auto& known = scores_[x.proxy];
+    if (known == x)
+      return;
+    known = x;
+    put(entry_id(known.proxy), std::move(x));
+  }
+
+  static std::string entry_id(const std::string& proxy) { return "scores of " + proxy; }
+
+  Option<double> same_place_{this, "same-place", ComparatorOptions{}.same_place,
+                             "up to here two locations are the same, metres"};
+  Option<double> other_place_{this, "other-place", ComparatorOptions{}.other_place,
+                              "from here on they are not, metres"};
+
+  FeatureComparator comparator_;
+  binding::BindingScorer scorer_{comparator_};
+  std::set<std::string> competent_;
+  bool competences_changed_ = true;
+  /// Comparisons that may have been answered, and all that were asked for, by their entries' ids.
+  std::set<std::string> answered_;
+  std::set<std::string> asked_;
+  /// What stands on working memory.
+  std::map<std::string, ProxyUnionScores> scores_;
+};
+
+CASTOR_COMPONENT(BindingScorer, "scores how well binding proxies fit into binding unions")
+
+} // namespace
+
+} // namespace castor::binding::components

@@ -1,0 +1,110 @@
+#include "castor/actors/registry.hpp"
+#include "castor/binding/binding_monitor.hpp"
+#include "castor/perception/vision/types.hpp"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace castor::vision {
+
+namespace {
+
+using binding::BindingProxy;
+using binding::Feature;
+using binding::FeatureKind;
+
+/// Tells binding of each object on the table: the thing, where it is, and that it is there.
+class VisionBindingMonitor final : public binding::BindingMonitor {
+  void start() override {
+    BindingMonitor::start();
+    on_change(changed<SceneObject>(), [this](const ChangeEvent& event) {
+      look(event.address);
+      publish();
+    });
+    for (auto& [id, proxy] : own_proxies())
+      if (id.starts_with(object_prefix))
+        objects_[id.substr(object_prefix.size())];
+    for (auto& x : read_all<SceneObject>())
+      objects_[x.address.id];
+    for (auto& [id, place] : objects_)
+      look(here(id));
+    publish();
+  }
+
+  void look(const Address& address) {
+    try {
+      tell_of(address.id, *read<SceneObject>(address));
+    } catch (const DoesNotExistOnWM&) {
+      forget(address.id);
+    }
+  }
+
+  void tell_of(const std::string& id, const SceneObject& object) {
+    auto& place = objects_[id];
+    // A thing that is jostled is where it was.
+    if (has_moved(place, object.box))
+      place = object.box;
+    auto data = AnyEntryPointer{here(id), std::string{type_name<SceneObject>()}};
+    auto thing = from_here();
+    thing.features.push_back(binding::tether_to(data));
+    thing.features.push_back(feature(FeatureKind::concept_name, "thing"));
+    add_word(thing, FeatureKind::colour, object.color);
+    add_word(thing, FeatureKind::shape, object.shape);
+    add_word(thing, FeatureKind::size, object.size);
+    auto location = from_here();
+    auto& centre = place.centroid;
+    location.features.push_back(binding::tether_to(data));
+    location.features.push_back(binding::location_at(centre.x, centre.y, centre.z));
+    auto position = from_here();
+    position.type = binding::ProxyType::relation;
+    position.features.push_back(feature(FeatureKind::relation_label, "pos"));
+    position.out_ports = {{binding::from_port, location_id(id), {}},
+                          {binding::to_port, object_id(id), {}}};
+    tell(object_id(id), std::move(thing));
+    tell(location_id(id), std::move(location));
+    tell(position_id(id), std::move(position));
+  }
+
+  void forget(const std::string& id) {
+    objects_.erase(id);
+    withdraw(position_id(id));
+    withdraw(object_id(id));
+    withdraw(location_id(id));
+  }
+
+  BindingProxy from_here() const {
+    BindingProxy result;
+    result.features = {feature(FeatureKind::temporal_frame, binding::perceived_frame),
+                       binding::not_from(subarchitecture())};
+    return result;
+  }
+
+  void add_word(BindingProxy& to, FeatureKind kind, const Hypothesis& word) const {
+    if (word.confidence >= certain_ && word.value != "unknown")
+      to.features.push_back(feature(kind, word.value));
+  }
+
+  static bool has_moved(const ObjectBox& before, const ObjectBox& now) {
+    return std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
+           std::min(before.size.x, now.size.x);
+  }
+
+  static constexpr std::string_view object_prefix = "vision/object/";
+  static std::string object_id(const std::string& id) { return std::string{object_prefix} + id; }
+  static std::string location_id(const std::string& id) { return "vision/location/" + id; }
+  static std::string position_id(const std::string& id) { return "vision/position/" + id; }
+
+  Option<double> certain_{this, "certain", 0.5,
+                          "how sure vision has to be of a colour, a shape or a size to tell of it"};
+
+  /// Where each was when that was last told.
+  std::map<std::string, ObjectBox> objects_;
+};
+
+CASTOR_COMPONENT(VisionBindingMonitor, "tells binding of the objects on the table")
+
+} // namespace
+
+} // namespace castor::vision
