@@ -1,0 +1,77 @@
+#include "castor/communication/lexicon/english_lexicon.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/parser.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace castor::communication;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+namespace {
+
+PackedLogicalForm parse(const std::string& utterance) {
+  static Parser parser(english_lexicon());
+  return parser.parse(utterance);
+}
+
+} // namespace
+
+TEST(Parser, NamesUnknownWordsAndWhatMayHaveBeenMeant) {
+  const auto packed = parse("put the bxo near the skware thing");
+  ASSERT_THAT(packed.unparsable, SizeIs(2));
+  EXPECT_EQ(packed.unparsable[0].first_word, 2);
+  EXPECT_EQ(packed.unparsable[0].words, 1);
+  EXPECT_EQ(packed.unparsable[0].text, "bxo");
+  EXPECT_EQ(packed.unparsable[0].reason, "the word \"bxo\" is not known");
+  EXPECT_THAT(packed.unparsable[0].suggestions, Contains("box"));
+  EXPECT_THAT(packed.unparsable[1].suggestions, Contains("square"));
+}
+
+TEST(Parser, KeepsWhatItUnderstoodBesideAnUnknownWord) {
+  const auto packed = parse("zorg the blue square");
+  ASSERT_THAT(packed.unparsable, SizeIs(1));
+  ASSERT_THAT(packed.readings, SizeIs(1));
+  EXPECT_THAT(to_string(unpack(packed, 0).at(0)), HasSubstr("square"));
+}
+
+TEST(Parser, SaysWhereTheAnalysisBroke) {
+  const auto packed = parse("the ball the box");
+  ASSERT_THAT(packed.unparsable, SizeIs(1));
+  EXPECT_EQ(packed.unparsable[0].first_word, 2);
+  EXPECT_EQ(packed.unparsable[0].reason, "\"the box\" does not go with \"the ball\" before it");
+}
+
+TEST(Parser, SaysWhatIsMissing) {
+  const auto packed = parse("put the ball");
+  ASSERT_THAT(packed.unparsable, SizeIs(1));
+  EXPECT_EQ(packed.unparsable[0].first_word, 3);
+  EXPECT_EQ(packed.unparsable[0].reason,
+            "\"put the ball\" is incomplete: it needs a further pp[loc]");
+}
+
+TEST(Parser, RefusesWhatDoesNotAgree) {
+  EXPECT_THAT(parse("the balls is red").unparsable, testing::Not(IsEmpty()));
+  EXPECT_THAT(parse("a balls").unparsable, testing::Not(IsEmpty()));
+  EXPECT_THAT(parse("there are a ball").unparsable, testing::Not(IsEmpty()));
+  EXPECT_THAT(parse("the balls are red").unparsable, IsEmpty());
+}
+
+TEST(Parser, HasNothingToSayOfNothing) {
+  const auto packed = parse("");
+  EXPECT_THAT(packed.readings, IsEmpty());
+  ASSERT_THAT(packed.unparsable, SizeIs(1));
+  EXPECT_EQ(packed.unparsable[0].reason, "there are no words");
+}
+
+TEST(Parser, StopsListeningAtItsLimit) {
+  std::string text = "the";
+  for (int i = 0; i < 100; ++i)
+    text += " red";
+  const auto packed = parse(text + " ball");
+  ASSERT_THAT(packed.unparsable, testing::Not(IsEmpty()));
+  EXPECT_EQ(packed.string_position, 48);
+  EXPECT_THAT(packed.unparsable.back().reason, HasSubstr("at most 48 words"));
+}
