@@ -1,5 +1,5 @@
-// How many commands of SemEval-2014 task 6 are understood: whole trees that equal the annotated ones,
-// with the board known and without.
+// How many commands of SemEval-2014 task 6 are understood: whole trees that equal the annotated
+// ones, with the board known and without.
 
 #include "corpus.hpp"
 #include "lexicon_training.hpp"
@@ -66,7 +66,9 @@ public:
       score.among_readings += is_among ? 1 : 0;
       if (best != right && failures_.is_open())
         failures_ << command->id << "\t" << command->text << "\n"
-                  << (is_among ? "  misjudged\n" : best.empty() ? "  not parsed\n" : "  missing\n")
+                  << (is_among       ? "  misjudged\n"
+                      : best.empty() ? "  not parsed\n"
+                                     : "  missing\n")
                   << "  wanted " << right << "\n  found  " << best << "\n";
     }
     return score;
@@ -83,11 +85,11 @@ communication::CommandInterpreter train(const std::vector<const Command*>& comma
 
 void print(const char* what, const Score& score) {
   const auto percent = [&score](int count) { return 100.0 * count / std::max(score.commands, 1); };
-  fmt::print("{:8} {:5} commands   with the board {:6.2f} %   without {:6.2f} %   among the readings "
-             "{:6.2f} %   {:.2f} ms each, {:.1f} at most\n",
-             what, score.commands, percent(score.with_board), percent(score.without_board),
-             percent(score.among_readings), score.milliseconds / std::max(score.commands, 1),
-             score.longest);
+  fmt::print(
+    "{:8} {:5} commands   with the board {:6.2f} %   without {:6.2f} %   among the readings "
+    "{:6.2f} %   {:.2f} ms each, {:.1f} at most\n",
+    what, score.commands, percent(score.with_board), percent(score.without_board),
+    percent(score.among_readings), score.milliseconds / std::max(score.commands, 1), score.longest);
   std::fflush(stdout);
 }
 

@@ -1,4 +1,5 @@
-// Learns what the library knows of robot commands from the training commands of SemEval-2014 task 6:
+// Learns what the library knows of robot commands from the training commands of SemEval-2014 task
+// 6:
 //
 //   build/release/benchmarks/semeval/train_robot_commands
 //

@@ -88,12 +88,17 @@ void Chart::fill(std::size_t begin, std::size_t end) {
   prune(found);
 }
 
+const double* Chart::filler_weight(std::size_t position) const {
+  const auto* weight = grammar_.lexicon.filler(words_[position]);
+  return weight != nullptr || !limits_.skipping_weight ? weight : &*limits_.skipping_weight;
+}
+
 /// Fillers belong to the phrase before them, at the beginning of an utterance to the one after.
 void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
   double before = 0;
   for (std::size_t first = begin; first < end && first - begin <= max_fillers; ++first) {
     if (first > begin) {
-      const auto* weight = begin == 0 ? grammar_.lexicon.filler(words_[first - 1]) : nullptr;
+      const auto* weight = begin == 0 ? filler_weight(first - 1) : nullptr;
       if (weight == nullptr)
         return;
       before += *weight;
@@ -101,7 +106,7 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
     double after = 0;
     for (std::size_t last = end; last > first && end - last <= max_fillers; --last) {
       if (last < end) {
-        const auto* weight = grammar_.lexicon.filler(words_[last]);
+        const auto* weight = filler_weight(last);
         if (weight == nullptr)
           break;
         after += *weight;

@@ -5,7 +5,7 @@
 #include "castor/communication/parsing/meaning.hpp"
 
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,9 @@ struct ChartLimits {
   std::size_t edges_per_span = 40;
   /// Of more meanings of one category over the same words, the preferred ones are kept.
   std::size_t meanings_per_edge = 16;
+  /// What any word weighs as one that says nothing; if there is no such weight, only fillers say
+  /// nothing.
+  std::optional<double> skipping_weight;
 };
 
 /// A category that some neighbouring words make, with all that they may mean as one.
@@ -66,6 +69,7 @@ private:
 
   Cell& cell(std::size_t begin, std::size_t end);
   void fill(std::size_t begin, std::size_t end);
+  const double* filler_weight(std::size_t position) const;
   void add_phrases(std::size_t begin, std::size_t end, Cell& found);
   void add_combinations(const Cell& left, const Cell& right, Cell& found);
   void combine(const Edge& left, const Edge& right, const Combination& how, Cell& found);

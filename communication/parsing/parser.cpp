@@ -51,7 +51,12 @@ bool Parser::is_root(CategoryId category) {
 }
 
 IncrementalParse::IncrementalParse(Parser& parser)
-  : parser_(parser), chart_(parser.grammar(), parser.options().chart) {
+  : IncrementalParse(parser, parser.options().chart) {
+  // nop
+}
+
+IncrementalParse::IncrementalParse(Parser& parser, const ChartLimits& limits)
+  : parser_(parser), chart_(parser.grammar(), limits) {
   // nop
 }
 

@@ -4,6 +4,7 @@
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/types.hpp"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -52,6 +53,7 @@ private:
 class IncrementalParse {
 public:
   explicit IncrementalParse(Parser& parser);
+  IncrementalParse(Parser& parser, const ChartLimits& limits);
 
   /// Hears another word; as words_of() makes them.
   void add(std::string word);

@@ -25,16 +25,15 @@ const char* color_of(char letter) {
 }
 
 bool is_on_board(const BoardPosition& position) {
-  return position.x >= 0 && position.x < board_size && position.y >= 0 &&
-         position.y < board_size && position.z >= 0;
+  return position.x >= 0 && position.x < board_size && position.y >= 0 && position.y < board_size &&
+         position.z >= 0;
 }
 
 } // namespace
 
 const Block* Board::at(const BoardPosition& position) const {
-  const auto place = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
-    return block.position == position;
-  });
+  const auto place = std::find_if(blocks.begin(), blocks.end(),
+                                  [&](const Block& block) { return block.position == position; });
   return place == blocks.end() ? nullptr : &*place;
 }
 

@@ -41,8 +41,9 @@ struct Board {
   int height(int x, int y) const;
 };
 
-/// Reads one layout, lines such as "3 3 0 B 1" (x, y, z, colour, 1 for a cube and 2 for a prism) and
-/// "6 5 4 O" (the gripper, open, or C if it holds what is there); nothing if a line is none of them.
+/// Reads one layout, lines such as "3 3 0 B 1" (x, y, z, colour, 1 for a cube and 2 for a prism)
+/// and "6 5 4 O" (the gripper, open, or C if it holds what is there); nothing if a line is none of
+/// them.
 std::optional<Board> parse_board(std::string_view text);
 
 } // namespace castor::communication

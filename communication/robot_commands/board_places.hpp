@@ -19,7 +19,8 @@ BoardPoint middle(const Referent& referent);
 
 /// The parts of a board of an RCL type (corner, edge, region, board, tile, robot) that have all of
 /// these indicators (left, right, front, back, center).
-std::vector<Referent> places(std::string_view type, const std::vector<std::string_view>& indicators);
+std::vector<Referent> places(std::string_view type,
+                             const std::vector<std::string_view>& indicators);
 
 bool is_place(std::string_view type);
 

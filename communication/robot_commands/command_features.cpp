@@ -117,12 +117,12 @@ private:
 
   void add_entity(const RclTree& entity, const std::string& role) {
     const auto* type = entity.child("type");
-    const auto colors = std::count_if(
-      entity.children.begin(), entity.children.end(),
-      [](const RclTree& child) { return child.label == "color"; });
+    const auto colors = std::count_if(entity.children.begin(), entity.children.end(),
+                                      [](const RclTree& child) { return child.label == "color"; });
     const auto name = phrase(*type) + "=" + type->value;
     add("e:" + name + "|" + std::to_string(colors));
     add("e:" + name + "|" + role);
+    add("e:" + type->value + "|" + std::to_string(colors));
     for (const auto& child : entity.children)
       if (child.label == "indicator" || child.label == "cardinal")
         add("e:" + child.value + "|" + type->value);

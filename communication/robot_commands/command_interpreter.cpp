@@ -36,6 +36,9 @@ double score(const std::vector<CommandFeature>& features,
   return sum;
 }
 
+/// Of a word that is left out because the command makes no sense with it.
+constexpr double skipping_weight = -5;
+
 /// The smallest weight that is worth a line.
 constexpr double negligible = 0.005;
 
@@ -87,14 +90,28 @@ CommandInterpreter::CommandInterpreter(std::shared_ptr<const Lexicon> lexicon,
 
 std::vector<CommandCandidate> CommandInterpreter::candidates(std::string_view command,
                                                              const Board* board) {
-  IncrementalParse parse(parser_);
-  for (auto& word : corrected(command_tokens(command), parser_.lexicon()))
-    parse.add(std::move(word));
-  parse.finish();
+  auto limits = parser_.options().chart;
+  const auto words = corrected(command_tokens(command), parser_.lexicon());
+  const auto parse = [&] {
+    IncrementalParse parsed(parser_, limits);
+    for (const auto& word : words)
+      parsed.add(word);
+    parsed.finish();
+    return candidates(parsed, board);
+  };
+  auto found = parse();
+  if (!found.empty())
+    return found;
+  limits.skipping_weight = skipping_weight;
+  return parse();
+}
+
+std::vector<CommandCandidate> CommandInterpreter::candidates(const IncrementalParse& parse,
+                                                             const Board* board) const {
   std::vector<CommandCandidate> found;
   for (const auto* meaning : parse.meanings()) {
-    const auto form = logical_form(
-      *meaning, [&parse](Symbol symbol) { return parse.chart().text(symbol); });
+    const auto form =
+      logical_form(*meaning, [&parse](Symbol symbol) { return parse.chart().text(symbol); });
     for (auto& tree : command_trees(form)) {
       auto features =
         command_features({parse.chart().words(), meaning}, parser_.lexicon(), tree, board);

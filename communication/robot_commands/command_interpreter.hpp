@@ -54,11 +54,14 @@ public:
   std::vector<CommandCandidate> candidates(std::string_view command, const Board* board);
 
 private:
+  std::vector<CommandCandidate> candidates(const IncrementalParse& parse, const Board* board) const;
+
   Parser parser_;
   CommandWeights weights_;
 };
 
-/// What was learned from the training commands of SemEval-2014 task 6, which is part of the library.
+/// What was learned from the training commands of SemEval-2014 task 6, which is part of the
+/// library.
 CommandInterpreter robot_command_interpreter();
 
 /// The lexicon of commands: its families, and then these words.

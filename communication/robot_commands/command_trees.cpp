@@ -111,9 +111,9 @@ std::vector<RclTree> command_trees(const LogicalForm& form) {
   auto tree = TreeWriter(form).write();
   std::vector<RclTree*> entities;
   collect_entities(tree, entities);
-  const bool has_reference = std::any_of(entities.begin(), entities.end(), [](const RclTree* entity) {
-    return entity->value_of("type") == "reference";
-  });
+  const bool has_reference =
+    std::any_of(entities.begin(), entities.end(),
+                [](const RclTree* entity) { return entity->value_of("type") == "reference"; });
   if (has_reference)
     return {with_references(tree, 0)};
   const auto one = std::find_if(entities.begin(), entities.end(),

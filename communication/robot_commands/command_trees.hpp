@@ -7,8 +7,8 @@
 
 namespace castor::communication {
 
-/// The RCL trees that a meaning may stand for: more than one if "one" may refer to several entities.
-/// Leaves know the word that they begin with.
+/// The RCL trees that a meaning may stand for: more than one if "one" may refer to several
+/// entities. Leaves know the word that they begin with.
 std::vector<RclTree> command_trees(const LogicalForm& form);
 
 } // namespace castor::communication

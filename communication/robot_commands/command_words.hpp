@@ -8,8 +8,8 @@
 
 namespace castor::communication {
 
-/// The tokens of a command as its annotations count them: words in lower case, and every punctuation
-/// mark and hyphen by itself.
+/// The tokens of a command as its annotations count them: words in lower case, and every
+/// punctuation mark and hyphen by itself.
 std::vector<std::string> command_tokens(std::string_view command);
 
 /// The same words, those that the lexicon does not know replaced by the nearest that it does, where

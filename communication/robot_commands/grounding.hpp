@@ -40,7 +40,8 @@ private:
   std::vector<Referent> blocks(const RclTree& entity, std::string_view type) const;
   std::vector<Referent> stacks(const RclTree& entity) const;
   std::vector<Referent> groups(const RclTree& entity) const;
-  std::vector<Referent> selected(std::vector<Referent> candidates, std::string_view indicator) const;
+  std::vector<Referent> selected(std::vector<Referent> candidates,
+                                 std::string_view indicator) const;
   const RclTree* antecedent(const RclTree& tree) const;
 
   const Board& board_;

@@ -63,9 +63,9 @@ private:
     });
     add("g:clear|" + how_many(static_cast<std::size_t>(clear)));
     if (board_.held) {
-      const bool is_held = std::any_of(taken.begin(), taken.end(), [this](const Referent& referent) {
-        return referent.block == &*board_.held;
-      });
+      const bool is_held =
+        std::any_of(taken.begin(), taken.end(),
+                    [this](const Referent& referent) { return referent.block == &*board_.held; });
       add(is_held ? "g:is-held" : "g:is-not-held");
     }
   }

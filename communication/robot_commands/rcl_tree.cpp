@@ -87,9 +87,8 @@ private:
 } // namespace
 
 const RclTree* RclTree::child(std::string_view wanted) const {
-  const auto place = std::find_if(children.begin(), children.end(), [wanted](const RclTree& tree) {
-    return tree.label == wanted;
-  });
+  const auto place = std::find_if(children.begin(), children.end(),
+                                  [wanted](const RclTree& tree) { return tree.label == wanted; });
   return place == children.end() ? nullptr : &*place;
 }
 
