@@ -10,9 +10,9 @@ namespace castor::semeval {
 
 struct WeightTraining {
   int epochs = 12;
-  double learning_rate = 0.3;
+  double learning_rate = 0.2;
   /// Of the squared weights, per command.
-  double regularisation = 2e-4;
+  double regularisation = 5e-4;
 };
 
 /// Learns the weights of readings: a log-linear model of the annotated tree among all that the
