@@ -9,6 +9,10 @@ namespace {
 /// Each composition makes a derivation a little less preferred, so that plain ones come first.
 constexpr double composition_weight = -0.01;
 
+/// So does each word of what a modifier modifies: "left of the thing in front of the box" speaks of
+/// the thing in front of the box, and "red cubes or balls" of any balls.
+constexpr double modified_word_weight = -0.001;
+
 /// More arguments than this no category of a language takes.
 constexpr std::size_t max_arguments = 5;
 
@@ -179,6 +183,9 @@ void Chart::combine(const Edge& left, const Edge& right, const Combination& how,
       if (auto meaning = unite(function.meanings[i], argument.meanings[k], how.result_atoms)) {
         if (is_composition(how.combinator))
           meaning->weight += composition_weight;
+        if (how.modifies)
+          meaning->weight +=
+            modified_word_weight * static_cast<double>(argument.meanings[k].choices.size());
         insert(how.result, how.combinator, std::move(*meaning), found);
       }
 }

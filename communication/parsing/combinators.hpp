@@ -29,6 +29,8 @@ struct Combination {
   /// Of the function's indices so many are those of its result; the others are those of the
   /// argument, and meet the first of the argument's indices.
   std::uint16_t result_atoms;
+  /// The function modifies the argument: what it makes is of the argument's category again.
+  bool modifies = false;
 };
 
 /// The combinatory rules: application, and composition over up to two arguments, harmonic and

@@ -71,4 +71,20 @@ std::vector<std::string> words_of(std::string_view utterance) {
   return words;
 }
 
+std::vector<std::string> sentences_of(std::string_view text) {
+  std::vector<std::string> sentences;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_mark = text[i] == '.' || text[i] == '!' || text[i] == '?';
+    const bool is_last = i + 1 == text.size();
+    if (!is_last && !(is_mark && (text[i + 1] == ' ' || text[i + 1] == '\n')))
+      continue;
+    const auto sentence = text.substr(begin, i + 1 - begin);
+    begin = i + 1;
+    if (!words_of(sentence).empty())
+      sentences.emplace_back(sentence.substr(sentence.find_first_not_of(" \n")));
+  }
+  return sentences;
+}
+
 } // namespace castor::communication

@@ -11,4 +11,8 @@ namespace castor::communication {
 /// word that keeps them: 'zorg'. Bytes that are no letters of ASCII count as letters.
 std::vector<std::string> words_of(std::string_view utterance);
 
+/// The sentences of a longer text, which are parsed one by one: they end with ".", "!" or "?"
+/// before a blank or at the end.
+std::vector<std::string> sentences_of(std::string_view text);
+
 } // namespace castor::communication

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+using castor::communication::sentences_of;
 using castor::communication::words_of;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -25,4 +26,11 @@ TEST(Words, InQuotesStayTogether) {
 
 TEST(Words, SurviveStrayQuotesAndForeignLetters) {
   EXPECT_THAT(words_of("' the '' b\xc3\xa4ll '"), ElementsAre("the", "b\xc3\xa4ll"));
+}
+
+TEST(Sentences, EndWithTheirMarks) {
+  EXPECT_THAT(sentences_of("There is a ball. What size is it?  Put it on 3.5!\nOk"),
+              ElementsAre("There is a ball.", "What size is it?", "Put it on 3.5!", "Ok"));
+  EXPECT_THAT(sentences_of(" . ?"), IsEmpty());
+  EXPECT_THAT(sentences_of(""), IsEmpty());
 }
