@@ -1,4 +1,4 @@
-#include "corpus.hpp"
+#include "castor/benchmarks/semeval/corpus.hpp"
 
 #include <fstream>
 #include <map>

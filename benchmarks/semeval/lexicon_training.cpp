@@ -1,4 +1,4 @@
-#include "lexicon_training.hpp"
+#include "castor/benchmarks/semeval/lexicon_training.hpp"
 
 #include "castor/communication/robot_commands/command_words.hpp"
 

@@ -1,9 +1,9 @@
 // How many commands of SemEval-2014 task 6 are understood: whole trees that equal the annotated
 // ones, with the board known and without.
 
-#include "corpus.hpp"
-#include "lexicon_training.hpp"
-#include "weight_training.hpp"
+#include "castor/benchmarks/semeval/corpus.hpp"
+#include "castor/benchmarks/semeval/lexicon_training.hpp"
+#include "castor/benchmarks/semeval/weight_training.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

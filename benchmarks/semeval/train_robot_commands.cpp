@@ -5,9 +5,9 @@
 //
 // writes communication/lexicon/robot_commands_words.ccg and robot_commands.weights.
 
-#include "corpus.hpp"
-#include "lexicon_training.hpp"
-#include "weight_training.hpp"
+#include "castor/benchmarks/semeval/corpus.hpp"
+#include "castor/benchmarks/semeval/lexicon_training.hpp"
+#include "castor/benchmarks/semeval/weight_training.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "weight_training.hpp"
+#include "castor/benchmarks/semeval/weight_training.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "corpus.hpp"
+#include "castor/benchmarks/semeval/corpus.hpp"
 
 #include "castor/communication/robot_commands/command_interpreter.hpp"
 

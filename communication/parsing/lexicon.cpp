@@ -4,8 +4,25 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tuple>
 
 namespace castor::communication {
+
+namespace {
+
+/// So many letters are in both words, wherever they stand.
+std::size_t common_letters(std::string_view a, std::string_view b) {
+  std::size_t count = 0;
+  std::string rest(b);
+  for (const char letter : a)
+    if (const auto place = rest.find(letter); place != std::string::npos) {
+      rest.erase(place, 1);
+      ++count;
+    }
+  return count;
+}
+
+} // namespace
 
 bool is_quoted(std::string_view word) {
   return word.size() > 2 && word.front() == '\'' && word.back() == '\'';
@@ -42,6 +59,7 @@ bool Lexicon::knows(const std::string& word) const {
 std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t most) const {
   struct Candidate {
     std::size_t distance;
+    std::size_t common;
     std::uint32_t entries;
     const std::string* word;
   };
@@ -50,10 +68,11 @@ std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t
   for (const auto& [known, entries] : words_) {
     const auto distance = cast::edit_distance(word, known, limit);
     if (distance <= limit && known.size() > 1)
-      candidates.push_back({distance, entries, &known});
+      candidates.push_back({distance, common_letters(word, known), entries, &known});
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.distance, b.entries, *a.word) < std::tie(b.distance, a.entries, *b.word);
+    return std::tie(a.distance, b.common, b.entries, *a.word) <
+           std::tie(b.distance, a.common, a.entries, *b.word);
   });
   std::vector<std::string> nearest;
   for (std::size_t i = 0; i < std::min(most, candidates.size()); ++i)

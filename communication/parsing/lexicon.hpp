@@ -64,6 +64,8 @@ public:
   bool knows(const std::string& word) const;
 
   /// The known words that `word` was probably meant to be, the nearest first; no more than `most`.
+  /// Of words that are equally near, those with more of its letters come first, so that one that was
+  /// left out is likelier than one that was mistaken.
   std::vector<std::string> suggestions(std::string_view word, std::size_t most = 3) const;
 
   /// In words.

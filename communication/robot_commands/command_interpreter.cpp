@@ -22,7 +22,8 @@ namespace {
 /// Commands are more ambiguous than other utterances, because every chain of relations is.
 ParserOptions parser_options() {
   ParserOptions options;
-  options.chart.meanings_per_edge = 64;
+  options.chart.edges_per_span = 16;
+  options.chart.meanings_per_edge = 48;
   options.readings = 128;
   return options;
 }
@@ -40,7 +41,7 @@ double score(const std::vector<CommandFeature>& features,
 constexpr double skipping_weight = -5;
 
 /// The smallest weight that is worth a line.
-constexpr double negligible = 0.005;
+constexpr double negligible = 0.02;
 
 } // namespace
 
