@@ -75,10 +75,14 @@ std::optional<std::vector<TargetIndex>> unite(const std::vector<TargetIndex>& fu
   return result;
 }
 
+/// Most sentences need application only, which makes far fewer partial ones.
+enum class Combining { application, all };
+
 class Realisation {
 public:
-  Realisation(const RealisationTarget& target, Grammar& grammar, std::size_t limit)
-    : target_(target), grammar_(grammar), limit_(limit) {
+  Realisation(const RealisationTarget& target, Grammar& grammar, std::size_t limit,
+              Combining combining)
+    : target_(target), grammar_(grammar), limit_(limit), combining_(combining) {
     // nop
   }
 
@@ -91,7 +95,8 @@ public:
         return sentence.text;
       if (!seen_.insert({sentence.category, sentence.indices, sentence.coverage}).second)
         continue;
-      raise(sentence);
+      if (combining_ == Combining::all)
+        raise(sentence);
       done_.push_back(std::move(sentence));
       for (std::size_t i = 0; i < done_.size(); ++i) {
         combine(done_[i], done_.back());
@@ -152,6 +157,8 @@ private:
     if ((left.coverage & right.coverage) != 0)
       return;
     for (const auto& how : grammar_.combinators.combine(left.category, right.category)) {
+      if (combining_ == Combining::application && is_composition(how.combinator))
+        continue;
       const auto& function = is_forward(how.combinator) ? left : right;
       const auto& argument = is_forward(how.combinator) ? right : left;
       auto indices = unite(function.indices, argument.indices, how.result_atoms);
@@ -182,6 +189,7 @@ private:
   const RealisationTarget& target_;
   Grammar& grammar_;
   std::size_t limit_;
+  Combining combining_;
   std::priority_queue<PartialSentence, std::vector<PartialSentence>, CostsMore> agenda_;
   std::vector<PartialSentence> done_;
   std::set<std::tuple<CategoryId, std::vector<TargetIndex>, std::uint64_t>> seen_;
@@ -230,10 +238,10 @@ std::optional<std::string> Realiser::realise(const LogicalForm& form) {
   const RealisationTarget target(form, *lexicon_);
   if (!target.is_sayable())
     return std::nullopt;
-  const auto words = Realisation(target, grammar_, limits_.edges).find();
-  if (!words)
-    return std::nullopt;
-  return written(*words, dialogue_move_type(form));
+  for (const auto combining : {Combining::application, Combining::all})
+    if (const auto words = Realisation(target, grammar_, limits_.edges, combining).find())
+      return written(*words, dialogue_move_type(form));
+  return std::nullopt;
 }
 
 } // namespace castor::communication

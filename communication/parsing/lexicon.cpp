@@ -51,6 +51,13 @@ const double* Lexicon::filler(const std::string& word) const {
   return known == fillers_.end() ? nullptr : &known->second;
 }
 
+std::string Lexicon::name_of(const Category& category) const {
+  for (const auto& known : names_)
+    if (FeatureSubstitution().unify(known.category, category))
+      return known.name;
+  return to_string(category, symbols_);
+}
+
 bool Lexicon::knows(const std::string& word) const {
   return words_.contains(word) || fillers_.contains(word) ||
          (is_quoted(word) && phrases_.contains(std::string(quoted_word)));

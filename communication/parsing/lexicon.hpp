@@ -36,6 +36,12 @@ struct RaisingRule {
   AtomicCategory result;
 };
 
+/// What people call something of a category: "a place" for pp[loc].
+struct CategoryName {
+  Category category;
+  std::string name;
+};
+
 /// Words and what they may be, and which categories utterances are. Read from a file by
 /// read_lexicon().
 class Lexicon {
@@ -47,6 +53,7 @@ public:
 
   void add(LexicalEntry entry);
   void add_root(Category category) { roots_.push_back(std::move(category)); }
+  void add_name(CategoryName name) { names_.push_back(std::move(name)); }
   void add_raising(RaisingRule rule) { raising_.push_back(std::move(rule)); }
   /// A word that may stand anywhere, and says nothing.
   void add_filler(std::string word, double weight) { fillers_[std::move(word)] = weight; }
@@ -64,9 +71,12 @@ public:
   bool knows(const std::string& word) const;
 
   /// The known words that `word` was probably meant to be, the nearest first; no more than `most`.
-  /// Of words that are equally near, those with more of its letters come first, so that one that was
-  /// left out is likelier than one that was mistaken.
+  /// Of words that are equally near, those with more of its letters come first, so that one that
+  /// was left out is likelier than one that was mistaken.
   std::vector<std::string> suggestions(std::string_view word, std::size_t most = 3) const;
+
+  /// What people call something of a category; the category itself if it has no name.
+  std::string name_of(const Category& category) const;
 
   /// In words.
   std::size_t longest_phrase() const { return longest_phrase_; }
@@ -85,6 +95,7 @@ private:
   std::size_t longest_phrase_ = 1;
   std::vector<Category> roots_;
   std::vector<RaisingRule> raising_;
+  std::vector<CategoryName> names_;
 };
 
 /// What all quoted words are found under.

@@ -19,8 +19,8 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 /// Variables of an entry are numbered in a byte.
 constexpr std::size_t max_variables = 60;
 
-const std::vector<std::string_view> keywords = {"feature", "root",  "raise", "filler",
-                                                "family",  "words", "nouns"};
+const std::vector<std::string_view> keywords = {"feature", "root",   "raise", "call",
+                                                "filler",  "family", "words", "nouns"};
 
 /// A part of a line, and where it begins.
 struct Piece {
@@ -177,14 +177,16 @@ private:
         lexicon_->add_root(category(piece).category);
     else if (keyword.text == "raise")
       read_raising(rest);
+    else if (keyword.text == "call")
+      read_name(rest);
     else
       read_fillers(rest);
   }
 
   static std::string unknown_keyword_remedy(const std::string& word) {
     const auto meant = cast::did_you_mean(word, keywords);
-    return meant.empty() ? "Lines begin with feature, root, raise, filler, family, words or nouns; "
-                           "what belongs to them is indented."
+    return meant.empty() ? "Lines begin with feature, root, raise, call, filler, family, words or "
+                           "nouns; what belongs to them is indented."
                          : meant;
   }
 
@@ -213,6 +215,15 @@ private:
         fail(pieces[i], "this is no atomic category", "Name one without slashes.");
       lexicon_->add_raising({category(pieces.front()).category, result.result});
     }
+  }
+
+  void read_name(const std::vector<Piece>& pieces) {
+    if (pieces.size() < 2)
+      fail(pieces.front(), "it does not say what this is called", "Write: call CATEGORY NAME");
+    CategoryName name{category(pieces.front()).category, pieces[1].text};
+    for (std::size_t i = 2; i < pieces.size(); ++i)
+      name.name += " " + pieces[i].text;
+    lexicon_->add_name(std::move(name));
   }
 
   void read_fillers(const std::vector<Piece>& pieces) {

@@ -187,12 +187,12 @@ Unparsable IncrementalParse::incomplete(const Edge& edge) const {
   const auto& category = parser_.grammar().categories[edge.category];
   std::string missing;
   for (const auto& argument : category.arguments)
-    missing = to_string(argument.category, parser_.lexicon().symbols());
+    missing = parser_.lexicon().name_of(argument.category);
   return {static_cast<std::int32_t>(words),
           0,
           "",
           "\"" + text(0, words) + "\" is incomplete" +
-            (missing.empty() ? "" : ": it needs a further " + missing),
+            (missing.empty() ? "" : ": " + missing + " is missing"),
           {}};
 }
 

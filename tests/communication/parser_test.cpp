@@ -48,8 +48,7 @@ TEST(Parser, SaysWhatIsMissing) {
   const auto packed = parse("put the ball");
   ASSERT_THAT(packed.unparsable, SizeIs(1));
   EXPECT_EQ(packed.unparsable[0].first_word, 3);
-  EXPECT_EQ(packed.unparsable[0].reason,
-            "\"put the ball\" is incomplete: it needs a further pp[loc]");
+  EXPECT_EQ(packed.unparsable[0].reason, "\"put the ball\" is incomplete: a place is missing");
 }
 
 TEST(Parser, RefusesWhatDoesNotAgree) {
