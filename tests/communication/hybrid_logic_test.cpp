@@ -46,3 +46,8 @@ TEST(HybridLogic, MeansTheSameUnderOtherNames) {
     equivalent(form, parse_logical_form("@u:thing(ball ^ <B>y ^ <A>x ^ <S>(v:box) ^ <R>(w))")));
   EXPECT_FALSE(equivalent(form, parse_logical_form("@u:thing(ball ^ <B>y ^ <S>(v:box) ^ <R>(v))")));
 }
+
+TEST(HybridLogic, ComparesWhatTheRootDoesNotLeadToAsWell) {
+  EXPECT_FALSE(equivalent(parse_logical_form("@a:thing & @b:thing(ball)"),
+                          parse_logical_form("@a:thing & @b:thing(box)")));
+}

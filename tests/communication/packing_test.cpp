@@ -47,6 +47,18 @@ TEST(Packing, LosesNoReading) {
   EXPECT_THAT(unpack(packed, 2), SizeIs(0));
 }
 
+TEST(Packing, ForgetsAllOfAReadingThatIsRemoved) {
+  const std::vector<ReadingForms> readings = {
+    {parse_logical_form("@a:thing(ball ^ <Owner>(o:person ^ you))")},
+    {parse_logical_form("@b:colour(red)")}};
+  auto packed = pack(readings);
+  remove_readings(packed, std::vector<std::int32_t>{0});
+  EXPECT_EQ(packed.readings, (std::vector<Reading>{{1, 0}}));
+  EXPECT_EQ(packed.roots, (std::vector<PackedValue>{{"b", {1}}}));
+  ASSERT_THAT(packed.nominals, SizeIs(1));
+  EXPECT_EQ(packed.nominals[0].name, "b");
+}
+
 TEST(Pruning, RemovesTheReadingThatNothingSupports) {
   auto packed = ambiguous();
   // The box is not on the table.

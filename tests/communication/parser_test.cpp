@@ -1,5 +1,6 @@
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/lexicon_reader.hpp"
 #include "castor/communication/parsing/parser.hpp"
 
 #include <gmock/gmock.h>
@@ -73,4 +74,33 @@ TEST(Parser, StopsListeningAtItsLimit) {
   ASSERT_THAT(packed.unparsable, testing::Not(IsEmpty()));
   EXPECT_EQ(packed.string_position, 48);
   EXPECT_THAT(packed.unparsable.back().reason, HasSubstr("at most 48 words"));
+}
+
+TEST(Parser, UnitesNoMeaningsThatContradictEachOther) {
+  const auto read = read_lexicon("root n\n"
+                                 "family Noun\n  n<x> : @x:thing(*)\n"
+                                 "family Of\n  n<x>/n<x> : @x:*\n"
+                                 "words Noun\n  ball\n"
+                                 "words Of\n  solid=thing liquid=stuff\n",
+                                 "test.ccg");
+  ASSERT_NE(read.lexicon, nullptr);
+  Parser parser(read.lexicon);
+  EXPECT_THAT(parser.readings("solid ball"), SizeIs(1));
+  EXPECT_THAT(parser.readings("liquid ball"), IsEmpty());
+}
+
+TEST(Parser, KeepsThePreferredEdgesWhereThereAreTooMany) {
+  const auto read = read_lexicon("root a b c\n"
+                                 "family A\n  a<x> : @x:a {-1}\n"
+                                 "family B\n  b<x> : @x:b\n"
+                                 "family C\n  c<x> : @x:c {-2}\n"
+                                 "words A\n  word\nwords B\n  word\nwords C\n  word\n",
+                                 "test.ccg");
+  ASSERT_NE(read.lexicon, nullptr);
+  ParserOptions options;
+  EXPECT_THAT(Parser(read.lexicon, options).readings("word"), SizeIs(3));
+  options.chart.edges_per_span = 1;
+  const auto readings = Parser(read.lexicon, options).readings("word");
+  ASSERT_THAT(readings, SizeIs(1));
+  EXPECT_EQ(to_string(readings[0]), "@x1a:b");
 }

@@ -24,6 +24,11 @@ TEST(Words, InQuotesStayTogether) {
               ElementsAre("the", "word", "'zorg'", "and", "'Big Ben'"));
 }
 
+TEST(Words, OfAContractionBeginNoQuotation) {
+  EXPECT_THAT(words_of("what 's the word 'zorg'"),
+              ElementsAre("what", "'s", "the", "word", "'zorg'"));
+}
+
 TEST(Words, SurviveStrayQuotesAndForeignLetters) {
   EXPECT_THAT(words_of("' the '' b\xc3\xa4ll '"), ElementsAre("the", "b\xc3\xa4ll"));
 }
