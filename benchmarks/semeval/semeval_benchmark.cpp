@@ -125,11 +125,16 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     Examination examination(failures);
+    if (is_shipped) {
+      auto interpreter = communication::robot_command_interpreter();
+      const auto corpus = semeval::read_corpus(test_folder.empty() ? train_folder : test_folder);
+      print("test", examination.examine(interpreter, all_of(corpus)));
+      return 0;
+    }
     const auto corpus = semeval::read_corpus(train_folder);
-    if (!test_folder.empty() || is_shipped) {
-      auto interpreter =
-        is_shipped ? communication::robot_command_interpreter() : train(all_of(corpus));
-      const auto held_out = test_folder.empty() ? corpus : semeval::read_corpus(test_folder);
+    if (!test_folder.empty()) {
+      auto interpreter = train(all_of(corpus));
+      const auto held_out = semeval::read_corpus(test_folder);
       print("test", examination.examine(interpreter, all_of(held_out)));
       return 0;
     }

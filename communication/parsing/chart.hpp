@@ -36,6 +36,8 @@ struct Edge {
 /// A parser's knowledge of categories, which grows while it parses.
 struct Grammar {
   explicit Grammar(const Lexicon& words);
+  Grammar(const Grammar&) = delete;
+  Grammar& operator=(const Grammar&) = delete;
 
   const Lexicon& lexicon;
   CategoryTable categories;

@@ -32,15 +32,15 @@ void append_word(std::string word, std::vector<std::string>& words) {
   }
 }
 
-/// Where the quotation that begins at `begin` ends; `begin` itself if none does. Marks stand close
-/// to what they enclose, and "'s" is no beginning of one.
+/// Where the quotation that begins at `begin` ends; `begin` itself if none does. Its mark stands
+/// close to a letter; "'s" is no beginning of one.
 std::size_t end_of_quotation(std::string_view text, std::size_t begin) {
   const auto letter_at = [text](std::size_t i) { return i < text.size() && is_letter(text[i]); };
   const auto rest = text.substr(begin);
   if (!letter_at(begin + 1) || rest.starts_with("'s "))
     return begin;
   for (auto end = begin + 2; end < text.size(); ++end)
-    if (text[end] == text[begin] && text[end - 1] != ' ' && !letter_at(end + 1))
+    if (text[end] == text[begin] && !letter_at(end + 1))
       return end;
   return begin;
 }
