@@ -21,7 +21,9 @@ ReadingForms unpack(const PackedLogicalForm& packed, std::int32_t reading);
 void remove_readings(PackedLogicalForm& packed, std::span<const std::int32_t> readings);
 
 /// Removes the readings that have a relation which other knowledge does not support, unless that
-/// are all: then the form stays as it is. A form that has been pruned says so.
+/// are all: then the form stays as it is. A finished form that has been pruned says so. The next
+/// word of an utterance makes a new form, but its nominals keep their names: what is known of them
+/// can be applied again.
 /// \returns whether readings were removed
 bool prune(PackedLogicalForm& packed, std::span<const InterpretationSupport> supports);
 
