@@ -1,0 +1,26 @@
+#pragma once
+
+#include "castor/communication/robot_commands/board.hpp"
+#include "castor/communication/robot_commands/rcl_tree.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace castor::semeval {
+
+/// A command of SemEval-2014 task 6, what it means, and the board as it was said.
+struct Command {
+  std::string id;
+  std::string text;
+  communication::RclTree tree;
+  communication::Board board;
+  /// The layout that its scene is one of: eight scenes share the same blocks.
+  int layout = 0;
+};
+
+/// Reads commands.txt, annotation.txt and configuration.txt of a folder.
+/// \throws std::runtime_error that names the file and the line
+std::vector<Command> read_corpus(const std::filesystem::path& folder);
+
+} // namespace castor::semeval

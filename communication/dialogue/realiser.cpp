@@ -1,0 +1,247 @@
+#include "castor/communication/dialogue/realiser.hpp"
+
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/realisation_target.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <sstream>
+
+namespace castor::communication {
+
+namespace {
+
+/// So that nothing is raised that need not be.
+constexpr double raising_cost = 0.01;
+
+/// Words that are put together, and what they say of the target.
+struct PartialSentence {
+  CategoryId category = 0;
+  std::vector<TargetIndex> indices;
+  std::uint64_t coverage = 0;
+  std::string text;
+  /// Words, less the weights of their entries.
+  double cost = 0;
+  /// Of equal costs, words are said in the lexicon's order.
+  std::vector<std::uint32_t> entries;
+};
+
+std::size_t word_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
+}
+
+/// Gives every free index the number that it has in order, so that equal sentences look equal.
+void canonicalise(std::vector<TargetIndex>& indices) {
+  std::map<TargetIndex, TargetIndex> numbers;
+  for (auto& index : indices)
+    if (index < 0)
+      index = numbers.emplace(index, -1 - static_cast<TargetIndex>(numbers.size())).first->second;
+}
+
+/// The indices of a combination; nothing if two that meet are different nominals.
+std::optional<std::vector<TargetIndex>> unite(const std::vector<TargetIndex>& function,
+                                              std::vector<TargetIndex> argument,
+                                              std::size_t result_atoms) {
+  constexpr TargetIndex apart = 1000;
+  for (auto& index : argument)
+    if (index < 0)
+      index -= apart;
+  std::map<TargetIndex, TargetIndex> bound;
+  const auto resolve = [&bound](TargetIndex index) {
+    for (auto known = bound.find(index); known != bound.end(); known = bound.find(index))
+      index = known->second;
+    return index;
+  };
+  const auto shared = function.size() - result_atoms;
+  for (std::size_t i = 0; i < shared; ++i) {
+    const auto a = resolve(function[result_atoms + i]);
+    const auto b = resolve(argument[i]);
+    if (a == b)
+      continue;
+    if (a >= 0 && b >= 0)
+      return std::nullopt;
+    bound[a < 0 ? a : b] = a < 0 ? b : a;
+  }
+  std::vector<TargetIndex> result;
+  for (std::size_t i = 0; i < result_atoms; ++i)
+    result.push_back(resolve(function[i]));
+  for (std::size_t i = shared; i < argument.size(); ++i)
+    result.push_back(resolve(argument[i]));
+  canonicalise(result);
+  return result;
+}
+
+/// Most sentences need application only, which makes far fewer partial ones.
+enum class Combining { application, all };
+
+class Realisation {
+public:
+  Realisation(const RealisationTarget& target, Grammar& grammar, std::size_t limit,
+              Combining combining)
+    : target_(target), grammar_(grammar), limit_(limit), combining_(combining) {
+    // nop
+  }
+
+  std::optional<std::string> find() {
+    add_words();
+    while (!agenda_.empty() && done_.size() < limit_) {
+      auto sentence = agenda_.top();
+      agenda_.pop();
+      if (is_complete(sentence))
+        return sentence.text;
+      if (!seen_.insert({sentence.category, sentence.indices, sentence.coverage}).second)
+        continue;
+      if (combining_ == Combining::all)
+        raise(sentence);
+      done_.push_back(std::move(sentence));
+      for (std::size_t i = 0; i < done_.size(); ++i) {
+        combine(done_[i], done_.back());
+        if (i + 1 < done_.size())
+          combine(done_.back(), done_[i]);
+      }
+    }
+    return std::nullopt;
+  }
+
+private:
+  struct CostsMore {
+    bool operator()(const PartialSentence& a, const PartialSentence& b) const {
+      return std::tie(a.cost, a.entries) > std::tie(b.cost, b.entries);
+    }
+  };
+
+  /// Of entries that say the same, the first.
+  void add_words() {
+    std::set<std::tuple<std::string, CategoryId, std::vector<Predication>>> said;
+    for (std::uint32_t number = 0; number < grammar_.lexicon.entries().size(); ++number) {
+      const auto& entry = grammar_.lexicon.entry(number);
+      auto uses = target_.uses(entry);
+      if (uses.empty() || !said.emplace(entry.family, entry.category, entry.predications).second)
+        continue;
+      for (auto& use : uses) {
+        canonicalise(use.indices);
+        const auto cost = static_cast<double>(word_count(use.text)) - entry.weight;
+        agenda_.push({entry.category,
+                      std::move(use.indices),
+                      use.coverage,
+                      std::move(use.text),
+                      cost,
+                      {number}});
+      }
+    }
+  }
+
+  bool is_complete(const PartialSentence& sentence) const {
+    if (sentence.coverage != target_.all() || sentence.indices.front() != target_.root())
+      return false;
+    const auto& roots = grammar_.lexicon.roots();
+    return std::any_of(roots.begin(), roots.end(), [&](const Category& root) {
+      return FeatureSubstitution().unify(root, grammar_.categories[sentence.category]);
+    });
+  }
+
+  /// Whether something remains to be said of a nominal that nothing more can be said of.
+  bool is_left_behind(const std::vector<TargetIndex>& before, const std::vector<TargetIndex>& after,
+                      std::uint64_t coverage) const {
+    return std::any_of(before.begin(), before.end(), [&](TargetIndex index) {
+      return index >= 0 && (target_.about(index) & ~coverage) != 0 &&
+             std::find(after.begin(), after.end(), index) == after.end();
+    });
+  }
+
+  void combine(const PartialSentence& left, const PartialSentence& right) {
+    if ((left.coverage & right.coverage) != 0)
+      return;
+    for (const auto& how : grammar_.combinators.combine(left.category, right.category)) {
+      if (combining_ == Combining::application && is_composition(how.combinator))
+        continue;
+      const auto& function = is_forward(how.combinator) ? left : right;
+      const auto& argument = is_forward(how.combinator) ? right : left;
+      auto indices = unite(function.indices, argument.indices, how.result_atoms);
+      const auto coverage = left.coverage | right.coverage;
+      if (!indices || is_left_behind(function.indices, *indices, coverage) ||
+          is_left_behind(argument.indices, *indices, coverage))
+        continue;
+      auto entries = left.entries;
+      entries.insert(entries.end(), right.entries.begin(), right.entries.end());
+      agenda_.push({how.result, std::move(*indices), coverage, left.text + " " + right.text,
+                    left.cost + right.cost, std::move(entries)});
+    }
+  }
+
+  void raise(PartialSentence sentence) {
+    const auto category = sentence.category;
+    sentence.cost += raising_cost;
+    constexpr TargetIndex free_result = std::numeric_limits<TargetIndex>::min() / 2;
+    sentence.indices.insert(sentence.indices.begin(), {free_result, free_result});
+    canonicalise(sentence.indices);
+    for (const auto& rule : grammar_.lexicon.raising())
+      if (FeatureSubstitution().unify(rule.category, grammar_.categories[category])) {
+        sentence.category = grammar_.combinators.raised(category, rule.result);
+        agenda_.push(sentence);
+      }
+  }
+
+  const RealisationTarget& target_;
+  Grammar& grammar_;
+  std::size_t limit_;
+  Combining combining_;
+  std::priority_queue<PartialSentence, std::vector<PartialSentence>, CostsMore> agenda_;
+  std::vector<PartialSentence> done_;
+  std::set<std::tuple<CategoryId, std::vector<TargetIndex>, std::uint64_t>> seen_;
+};
+
+bool begins_with_vowel(const std::string& word) {
+  return !word.empty() && std::string_view("aeiou").find(word.front()) != std::string_view::npos;
+}
+
+/// Writes words as people do: a capital at the beginning, "an" before vowels, no blank before what
+/// is written together with the word before it.
+std::string written(const std::string& words, DialogueMoveType move) {
+  std::istringstream in(words);
+  std::vector<std::string> parts;
+  for (std::string word; in >> word;)
+    parts.push_back(word);
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto word = parts[i];
+    if (word == "a" && i + 1 < parts.size() && begins_with_vowel(parts[i + 1]))
+      word = "an";
+    if (word == "i")
+      word = "I";
+    const bool is_joined = word == "n't" || (word.front() == '\'' && word.back() != '\'');
+    text += (text.empty() || is_joined ? "" : " ") + word;
+    const bool is_marker = i == 0 && parts.size() > 1 &&
+                           (word == "yes" || word == "no" || word == "ok" || word == "hello") &&
+                           move != DialogueMoveType::none;
+    if (is_marker)
+      text += ",";
+  }
+  if (!text.empty())
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  const bool asks = move == DialogueMoveType::question_w || move == DialogueMoveType::question_yn;
+  return text + (asks ? "?" : ".");
+}
+
+} // namespace
+
+Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits)
+  : lexicon_(std::move(lexicon)), limits_(limits), grammar_(*lexicon_) {
+  // nop
+}
+
+std::optional<std::string> Realiser::realise(const LogicalForm& form) {
+  const RealisationTarget target(form, *lexicon_);
+  if (!target.is_sayable())
+    return std::nullopt;
+  for (const auto combining : {Combining::application, Combining::all})
+    if (const auto words = Realisation(target, grammar_, limits_.edges, combining).find())
+      return written(*words, dialogue_move_type(form));
+  return std::nullopt;
+}
+
+} // namespace castor::communication

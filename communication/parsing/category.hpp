@@ -1,0 +1,105 @@
+#pragma once
+
+#include "castor/communication/parsing/symbols.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace castor::communication {
+
+/// So many features an atomic category can have; each is declared in the lexicon.
+inline constexpr std::size_t max_features = 4;
+
+/// The value of a feature: 0 if anything will do, a symbol if positive, a variable if negative.
+/// Variables of one number within one category have one value.
+using FeatureValue = std::int32_t;
+
+struct AtomicCategory {
+  Symbol name = 0;
+  std::array<FeatureValue, max_features> features{};
+
+  friend bool operator==(const AtomicCategory&, const AtomicCategory&) = default;
+};
+
+enum class SlashDirection : std::uint8_t { forward, backward };
+
+/// What may be done with an argument besides application.
+enum class SlashMode : std::uint8_t {
+  /// Nothing: `/*`.
+  application,
+  /// Harmonic composition: `/`.
+  composition,
+  /// Crossed composition too: `/+`.
+  crossed
+};
+
+struct Argument;
+
+/// A category of combinatory categorial grammar: an atomic result and what has to be found for it,
+/// the outermost argument last: (s\np)/np is s with the arguments \np and /np.
+struct Category {
+  AtomicCategory result;
+  std::vector<Argument> arguments;
+
+  friend bool operator==(const Category&, const Category&) = default;
+
+  /// How many atomic categories it is made of; each has an index in the semantics.
+  std::size_t atoms() const;
+};
+
+struct Argument {
+  SlashDirection direction = SlashDirection::forward;
+  SlashMode mode = SlashMode::composition;
+  Category category;
+
+  friend bool operator==(const Argument&, const Argument&) = default;
+};
+
+/// The category without its outermost argument.
+Category without_last_argument(const Category& category, std::size_t count = 1);
+
+/// What the variables of features stand for.
+class FeatureSubstitution {
+public:
+  /// Makes both equal; false if they cannot be. The variables of the two are distinct.
+  bool unify(const Category& a, const Category& b);
+
+  Category apply(const Category& category) const;
+
+private:
+  bool unify(const AtomicCategory& a, const AtomicCategory& b);
+  FeatureValue resolve(FeatureValue value) const;
+
+  std::unordered_map<FeatureValue, FeatureValue> values_;
+};
+
+/// The same category with other variables: `offset` is added to their numbers.
+Category with_variables_apart(const Category& category, FeatureValue offset);
+
+/// The same category with variables numbered in order, from 1.
+Category with_canonical_variables(const Category& category);
+
+/// As the lexicon's file has it: (s[dcl]\np[?1])/np.
+std::string to_string(const Category& category, const SymbolTable& symbols);
+
+using CategoryId = std::uint32_t;
+
+/// Categories that are equal up to the names of their variables have one number.
+class CategoryTable {
+public:
+  CategoryId intern(const Category& category);
+
+  const Category& operator[](CategoryId id) const { return *categories_[id]; }
+
+  std::size_t size() const { return categories_.size(); }
+
+private:
+  std::unordered_map<std::string, std::pair<CategoryId, Category>> ids_;
+  std::vector<const Category*> categories_;
+};
+
+} // namespace castor::communication

@@ -1,0 +1,244 @@
+#include "castor/communication/parsing/chart.hpp"
+
+#include <algorithm>
+
+namespace castor::communication {
+
+namespace {
+
+/// Each composition makes a derivation a little less preferred, so that plain ones come first.
+constexpr double composition_weight = -0.01;
+
+/// So does each word of what a modifier modifies: "left of the thing in front of the box" speaks of
+/// the thing in front of the box, and "red cubes or balls" of any balls.
+constexpr double modified_word_weight = -0.001;
+
+/// More arguments than this no category of a language takes.
+constexpr std::size_t max_arguments = 5;
+
+/// So many words in a row may say nothing.
+constexpr std::size_t max_fillers = 6;
+
+/// The variable of the result of a raised category.
+constexpr std::size_t raised_variable = 200;
+
+/// Derivations of one category that take part in different combinations.
+enum class NormalForm : std::uint8_t { any, forward_composed, backward_composed, raised };
+
+NormalForm normal_form(Combinator combinator) {
+  if (combinator == Combinator::type_raising)
+    return NormalForm::raised;
+  if (!is_composition(combinator))
+    return NormalForm::any;
+  return is_forward(combinator) ? NormalForm::forward_composed : NormalForm::backward_composed;
+}
+
+bool is_normal(const Edge& left, const Edge& right, Combinator how) {
+  const auto& function = is_forward(how) ? left : right;
+  const auto form = normal_form(function.combinator);
+  if (form == NormalForm::raised)
+    return is_composition(how);
+  return form != (is_forward(how) ? NormalForm::forward_composed : NormalForm::backward_composed);
+}
+
+} // namespace
+
+Grammar::Grammar(const Lexicon& words) : lexicon(words), combinators(categories) {
+  for (std::size_t i = 0; i < words.categories().size(); ++i)
+    categories.intern(words.categories()[static_cast<CategoryId>(i)]);
+}
+
+Chart::Chart(Grammar& grammar, const ChartLimits& limits) : grammar_(grammar), limits_(limits) {
+  // nop
+}
+
+bool Chart::add(std::string word) {
+  if (words_.size() >= limits_.words)
+    return false;
+  words_.push_back(std::move(word));
+  cells_.emplace_back(words_.size());
+  for (std::size_t begin = words_.size(); begin-- > 0;)
+    fill(begin, words_.size());
+  return true;
+}
+
+const std::vector<Edge>& Chart::edges(std::size_t begin, std::size_t end) const {
+  return cells_[end - 1][begin];
+}
+
+Chart::Cell& Chart::cell(std::size_t begin, std::size_t end) {
+  return cells_[end - 1][begin];
+}
+
+std::size_t Chart::size() const {
+  std::size_t count = 0;
+  for (const auto& column : cells_)
+    for (const auto& found : column)
+      count += found.size();
+  return count;
+}
+
+std::string Chart::text(Symbol symbol) const {
+  const auto& symbols = grammar_.lexicon.symbols();
+  return symbol < symbols.size() ? symbols.text(symbol) : quotations_[symbol - symbols.size()];
+}
+
+void Chart::fill(std::size_t begin, std::size_t end) {
+  auto& found = cell(begin, end);
+  add_phrases(begin, end, found);
+  for (std::size_t middle = end - 1; middle > begin; --middle)
+    add_combinations(cell(begin, middle), cell(middle, end), found);
+  add_raised(begin, found);
+  prune(found);
+}
+
+const double* Chart::filler_weight(std::size_t position) const {
+  const auto* weight = grammar_.lexicon.filler(words_[position]);
+  return weight != nullptr || !limits_.skipping_weight ? weight : &*limits_.skipping_weight;
+}
+
+/// Fillers belong to the phrase before them, at the beginning of an utterance to the one after.
+void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
+  double before = 0;
+  for (std::size_t first = begin; first < end && first - begin <= max_fillers; ++first) {
+    if (first > begin) {
+      const auto* weight = begin == 0 ? filler_weight(first - 1) : nullptr;
+      if (weight == nullptr)
+        return;
+      before += *weight;
+    }
+    double after = 0;
+    for (std::size_t last = end; last > first && end - last <= max_fillers; --last) {
+      if (last < end) {
+        const auto* weight = filler_weight(last);
+        if (weight == nullptr)
+          break;
+        after += *weight;
+      }
+      if (last - first > grammar_.lexicon.longest_phrase())
+        continue;
+      std::string phrase = words_[first];
+      for (std::size_t i = first + 1; i < last; ++i)
+        phrase += ' ' + words_[i];
+      for (const auto entry : grammar_.lexicon.find(phrase)) {
+        auto meaning = meaning_of(entry, first, last);
+        meaning.weight += before + after;
+        insert(grammar_.lexicon.entry(entry).category, Combinator::lexical, std::move(meaning),
+               found);
+      }
+    }
+  }
+}
+
+Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t end) {
+  const auto& entry = grammar_.lexicon.entry(number);
+  const auto nominal = [&](NominalId variable) {
+    return nominal_of_word(begin, variable, variable == 0 && entry.anchored);
+  };
+  Meaning meaning;
+  meaning.weight = entry.weight;
+  meaning.predications = entry.predications;
+  const bool is_quotation = entry.phrase == quoted_word;
+  const auto placeholder = is_quotation ? grammar_.lexicon.symbols().find(entry.predicate) : 0;
+  for (auto& predication : meaning.predications) {
+    predication.nominal = nominal(predication.nominal);
+    if (predication.kind == Predication::Kind::relation)
+      predication.dependent = nominal(predication.dependent);
+    if (is_quotation && predication.value == placeholder)
+      predication.value = quoted(words_[begin]);
+  }
+  std::sort(meaning.predications.begin(), meaning.predications.end());
+  for (const auto variable : entry.indices)
+    meaning.indices.push_back(nominal(variable));
+  meaning.choices.push_back(
+    {static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end), number});
+  return meaning;
+}
+
+Symbol Chart::quoted(const std::string& word) {
+  const auto content = word.substr(1, word.size() - 2);
+  const auto known = std::find(quotations_.begin(), quotations_.end(), content);
+  const auto index = known - quotations_.begin();
+  if (known == quotations_.end())
+    quotations_.push_back(content);
+  return grammar_.lexicon.symbols().size() + static_cast<Symbol>(index);
+}
+
+void Chart::add_combinations(const Cell& left, const Cell& right, Cell& found) {
+  for (const auto& a : left)
+    for (const auto& b : right)
+      for (const auto& how : grammar_.combinators.combine(a.category, b.category))
+        if (is_normal(a, b, how.combinator) &&
+            grammar_.categories[how.result].arguments.size() <= max_arguments)
+          combine(a, b, how, found);
+}
+
+/// Of all pairs of meanings, those that can be among the preferred ones.
+void Chart::combine(const Edge& left, const Edge& right, const Combination& how, Cell& found) {
+  const auto& function = is_forward(how.combinator) ? left : right;
+  const auto& argument = is_forward(how.combinator) ? right : left;
+  const auto most = limits_.meanings_per_edge;
+  for (std::size_t i = 0; i < function.meanings.size(); ++i)
+    for (std::size_t k = 0; k < argument.meanings.size() && (i + 1) * (k + 1) <= most; ++k)
+      if (auto meaning = unite(function.meanings[i], argument.meanings[k], how.result_atoms)) {
+        if (is_composition(how.combinator))
+          meaning->weight += composition_weight;
+        if (how.modifies)
+          meaning->weight +=
+            modified_word_weight * static_cast<double>(argument.meanings[k].choices.size());
+        insert(how.result, how.combinator, std::move(*meaning), found);
+      }
+}
+
+void Chart::add_raised(std::size_t begin, Cell& found) {
+  const auto count = found.size();
+  for (const auto& rule : grammar_.lexicon.raising())
+    for (std::size_t i = 0; i < count; ++i) {
+      FeatureSubstitution substitution;
+      if (!substitution.unify(rule.category, grammar_.categories[found[i].category]))
+        continue;
+      const auto category = grammar_.combinators.raised(found[i].category, rule.result);
+      const auto result = nominal_of_word(begin, raised_variable, false);
+      for (std::size_t k = 0; k < found[i].meanings.size(); ++k) {
+        auto meaning = found[i].meanings[k];
+        meaning.indices.insert(meaning.indices.begin(), {result, result});
+        insert(category, Combinator::type_raising, std::move(meaning), found);
+      }
+    }
+}
+
+void Chart::insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found) {
+  const auto form = normal_form(combinator);
+  auto place = std::find_if(found.begin(), found.end(), [&](const Edge& edge) {
+    return edge.category == category && normal_form(edge.combinator) == form;
+  });
+  if (place == found.end()) {
+    found.push_back({category, combinator, {}});
+    place = found.end() - 1;
+  }
+  auto& meanings = place->meanings;
+  const auto same = std::find_if(meanings.begin(), meanings.end(), [&](const Meaning& known) {
+    return known.predications == meaning.predications && known.indices == meaning.indices;
+  });
+  if (same != meanings.end()) {
+    if (same->weight >= meaning.weight)
+      return;
+    meanings.erase(same);
+  }
+  const auto position =
+    std::upper_bound(meanings.begin(), meanings.end(), meaning.weight,
+                     [](double weight, const Meaning& other) { return weight > other.weight; });
+  meanings.insert(position, std::move(meaning));
+  if (meanings.size() > limits_.meanings_per_edge)
+    meanings.pop_back();
+}
+
+void Chart::prune(Cell& found) const {
+  std::stable_sort(found.begin(), found.end(), [](const Edge& a, const Edge& b) {
+    return a.meanings.front().weight > b.meanings.front().weight;
+  });
+  if (found.size() > limits_.edges_per_span)
+    found.resize(limits_.edges_per_span);
+}
+
+} // namespace castor::communication

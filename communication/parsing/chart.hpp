@@ -1,0 +1,93 @@
+#pragma once
+
+#include "castor/communication/parsing/combinators.hpp"
+#include "castor/communication/parsing/lexicon.hpp"
+#include "castor/communication/parsing/meaning.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// What bounds the cost of parsing: an utterance of n words makes at most n (n + 1) / 2 *
+/// edges_per_span edges, of meanings_per_edge meanings each.
+struct ChartLimits {
+  /// Further words of an utterance are not looked at.
+  std::size_t words = 48;
+  /// Of more edges over the same words, the preferred ones are kept.
+  std::size_t edges_per_span = 40;
+  /// Of more meanings of one category over the same words, the preferred ones are kept.
+  std::size_t meanings_per_edge = 16;
+  /// What any word weighs as one that says nothing; if there is no such weight, only fillers say
+  /// nothing.
+  std::optional<double> skipping_weight;
+};
+
+/// A category that some neighbouring words make, with all that they may mean as one.
+struct Edge {
+  CategoryId category = 0;
+  Combinator combinator = Combinator::lexical;
+  /// The preferred first; never empty.
+  std::vector<Meaning> meanings;
+};
+
+/// A parser's knowledge of categories, which grows while it parses.
+struct Grammar {
+  explicit Grammar(const Lexicon& words);
+  Grammar(const Grammar&) = delete;
+  Grammar& operator=(const Grammar&) = delete;
+
+  const Lexicon& lexicon;
+  CategoryTable categories;
+  Combinators combinators;
+};
+
+/// All that the words of an utterance make, packed: derivations that differ only in what they mean
+/// share an edge. Words are added one by one, so that there is a chart of each beginning of the
+/// utterance. Of derivations that mean the same for sure, only the normal form is made (Eisner
+/// 1996; Hockenmaier and Bisk 2010).
+class Chart {
+public:
+  Chart(Grammar& grammar, const ChartLimits& limits);
+
+  /// \returns false if there are too many words already
+  bool add(std::string word);
+
+  const std::vector<std::string>& words() const { return words_; }
+
+  /// What words [begin, end) make, the preferred first.
+  const std::vector<Edge>& edges(std::size_t begin, std::size_t end) const;
+
+  /// How many edges there are.
+  std::size_t size() const;
+
+  /// The text of a symbol: of the lexicon's or of a quoted word's.
+  std::string text(Symbol symbol) const;
+
+private:
+  using Cell = std::vector<Edge>;
+
+  Cell& cell(std::size_t begin, std::size_t end);
+  void fill(std::size_t begin, std::size_t end);
+  const double* filler_weight(std::size_t position) const;
+  void add_phrases(std::size_t begin, std::size_t end, Cell& found);
+  void add_combinations(const Cell& left, const Cell& right, Cell& found);
+  void combine(const Edge& left, const Edge& right, const Combination& how, Cell& found);
+  void add_raised(std::size_t begin, Cell& found);
+  void insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found);
+  void prune(Cell& found) const;
+  Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end);
+  Symbol quoted(const std::string& word);
+
+  Grammar& grammar_;
+  ChartLimits limits_;
+  std::vector<std::string> words_;
+  /// By end, then by begin.
+  std::vector<std::vector<Cell>> cells_;
+  /// What quoted words are, with symbols beyond the lexicon's.
+  std::vector<std::string> quotations_;
+};
+
+} // namespace castor::communication

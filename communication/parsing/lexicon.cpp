@@ -1,0 +1,90 @@
+#include "castor/communication/parsing/lexicon.hpp"
+
+#include "castor/actors/cast/suggestion.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <tuple>
+
+namespace castor::communication {
+
+namespace {
+
+/// So many letters are in both words, wherever they stand.
+std::size_t common_letters(std::string_view a, std::string_view b) {
+  std::size_t count = 0;
+  std::string rest(b);
+  for (const char letter : a)
+    if (const auto place = rest.find(letter); place != std::string::npos) {
+      rest.erase(place, 1);
+      ++count;
+    }
+  return count;
+}
+
+} // namespace
+
+bool is_quoted(std::string_view word) {
+  return word.size() > 2 && word.front() == '\'' && word.back() == '\'';
+}
+
+void Lexicon::add(LexicalEntry entry) {
+  const auto number = static_cast<std::uint32_t>(entries_.size());
+  std::istringstream phrase(entry.phrase);
+  std::size_t length = 0;
+  for (std::string word; phrase >> word; ++length)
+    ++words_[word];
+  longest_phrase_ = std::max(longest_phrase_, length);
+  phrases_[entry.phrase].push_back(number);
+  entries_.push_back(std::move(entry));
+}
+
+std::span<const std::uint32_t> Lexicon::find(const std::string& phrase) const {
+  const auto known = phrases_.find(is_quoted(phrase) ? std::string(quoted_word) : phrase);
+  if (known == phrases_.end())
+    return {};
+  return known->second;
+}
+
+const double* Lexicon::filler(const std::string& word) const {
+  const auto known = fillers_.find(word);
+  return known == fillers_.end() ? nullptr : &known->second;
+}
+
+std::string Lexicon::name_of(const Category& category) const {
+  for (const auto& known : names_)
+    if (FeatureSubstitution().unify(known.category, category))
+      return known.name;
+  return to_string(category, symbols_);
+}
+
+bool Lexicon::knows(const std::string& word) const {
+  return words_.contains(word) || fillers_.contains(word) ||
+         (is_quoted(word) && phrases_.contains(std::string(quoted_word)));
+}
+
+std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t most) const {
+  struct Candidate {
+    std::size_t distance;
+    std::size_t common;
+    std::uint32_t entries;
+    const std::string* word;
+  };
+  const std::size_t limit = word.size() < 3 ? 0 : word.size() < 6 ? 1 : 2;
+  std::vector<Candidate> candidates;
+  for (const auto& [known, entries] : words_) {
+    const auto distance = cast::edit_distance(word, known, limit);
+    if (distance <= limit && known.size() > 1)
+      candidates.push_back({distance, common_letters(word, known), entries, &known});
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.distance, b.common, b.entries, *a.word) <
+           std::tie(b.distance, a.common, a.entries, *b.word);
+  });
+  std::vector<std::string> nearest;
+  for (std::size_t i = 0; i < std::min(most, candidates.size()); ++i)
+    nearest.push_back(*candidates[i].word);
+  return nearest;
+}
+
+} // namespace castor::communication

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "castor/communication/parsing/category.hpp"
+#include "castor/communication/parsing/meaning.hpp"
+#include "castor/communication/parsing/symbols.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace castor::communication {
+
+/// What a word or phrase may be: a category, and what it says.
+struct LexicalEntry {
+  /// As words, separated by blanks.
+  std::string phrase;
+  std::string family;
+  std::string predicate;
+  CategoryId category = 0;
+  /// The numbers of nominals are those of the entry's variables; 0 is what the predicate is said
+  /// of.
+  std::vector<Predication> predications;
+  /// The variables of the category's atoms, in its order.
+  std::vector<std::uint8_t> indices;
+  /// Whether there is a predicate that variable 0 is described by.
+  bool anchored = false;
+  double weight = 0;
+};
+
+/// A category that may also look for the function that wants it.
+struct RaisingRule {
+  Category category;
+  AtomicCategory result;
+};
+
+/// What people call something of a category: "a place" for pp[loc].
+struct CategoryName {
+  Category category;
+  std::string name;
+};
+
+/// Words and what they may be, and which categories utterances are. Read from a file by
+/// read_lexicon().
+class Lexicon {
+public:
+  SymbolTable& symbols() { return symbols_; }
+  const SymbolTable& symbols() const { return symbols_; }
+  CategoryTable& categories() { return categories_; }
+  const CategoryTable& categories() const { return categories_; }
+
+  void add(LexicalEntry entry);
+  void add_root(Category category) { roots_.push_back(std::move(category)); }
+  void add_name(CategoryName name) { names_.push_back(std::move(name)); }
+  void add_raising(RaisingRule rule) { raising_.push_back(std::move(rule)); }
+  /// A word that may stand anywhere, and says nothing.
+  void add_filler(std::string word, double weight) { fillers_[std::move(word)] = weight; }
+
+  const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
+  std::span<const LexicalEntry> entries() const { return entries_; }
+
+  /// The entries of a phrase; those of any quoted word for a word in quotes.
+  std::span<const std::uint32_t> find(const std::string& phrase) const;
+
+  /// The weight of a word as a filler; null if it is none.
+  const double* filler(const std::string& word) const;
+
+  /// Whether the word is known, be it as part of a phrase.
+  bool knows(const std::string& word) const;
+
+  /// The known words that `word` was probably meant to be, the nearest first; no more than `most`.
+  /// Of words that are equally near, those with more of its letters come first, so that one that
+  /// was left out is likelier than one that was mistaken.
+  std::vector<std::string> suggestions(std::string_view word, std::size_t most = 3) const;
+
+  /// What people call something of a category; the category itself if it has no name.
+  std::string name_of(const Category& category) const;
+
+  /// In words.
+  std::size_t longest_phrase() const { return longest_phrase_; }
+
+  const std::vector<Category>& roots() const { return roots_; }
+  const std::vector<RaisingRule>& raising() const { return raising_; }
+
+private:
+  SymbolTable symbols_;
+  CategoryTable categories_;
+  std::vector<LexicalEntry> entries_;
+  std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
+  std::unordered_map<std::string, double> fillers_;
+  /// How many entries each word is part of.
+  std::unordered_map<std::string, std::uint32_t> words_;
+  std::size_t longest_phrase_ = 1;
+  std::vector<Category> roots_;
+  std::vector<RaisingRule> raising_;
+  std::vector<CategoryName> names_;
+};
+
+/// What all quoted words are found under.
+inline constexpr std::string_view quoted_word = "''";
+
+bool is_quoted(std::string_view word);
+
+} // namespace castor::communication

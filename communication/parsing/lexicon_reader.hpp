@@ -1,0 +1,70 @@
+#pragma once
+
+#include "castor/communication/parsing/lexicon.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The lexicon's language. `#` begins a comment. What a line is says its first word; lines that
+/// belong to it are indented.
+///
+///     feature number sg pl          # a feature of categories, and its values
+///     root s[dcl] np                # what an utterance may be
+///     raise np over s[dcl]          # np may also be s[dcl]/(s[dcl]\np)
+///     call n[sg] a noun             # how to speak of what is missing
+///     filler please                 # words that may stand anywhere and say nothing
+///
+///     family Noun                   # what a group of words may be: categories and meanings
+///       n[?number]<x> : @x:thing(* ^ <Number>?number)
+///     family Adjective
+///       n[?number]<x>/n[?number]<x> : @x(<Property>(p:property ^ *))
+///       adj<x> : @x:property(*) {-1}
+///
+///     nouns Noun                    # singular and plural: box and boxes, man and men
+///       ball box man/men
+///     words Adjective               # as they are; "grey" is what "gray" says
+///       red gray=grey dark_blue=blue
+///     words Noun[pl]                # with a feature's value
+///       things
+///
+/// Categories have slashes `/` and `\`, of which `/*` allows application only and `/+` also crossed
+/// composition; the letters in <> tie them to the meaning, which is hybrid logic as in
+/// hybrid_logic.hpp. `*` stands for the word's predicate and `?number` for the value of a feature.
+/// A meaning may go on in further lines that begin with `:`, `^` or `&`. A number in braces is a
+/// weight: the higher, the more is the entry preferred. A blank within a word is written `_`; the
+/// word '' stands for whatever is said in quotes.
+namespace castor::communication {
+
+/// Something to tell the author of a lexicon.
+struct LexiconProblem {
+  std::string file;
+  /// Both counted from 1.
+  int line = 0;
+  int column = 0;
+  /// The line as it was written.
+  std::string text;
+  std::string message;
+  /// What to do about it; never empty.
+  std::string remedy;
+
+  friend bool operator==(const LexiconProblem&, const LexiconProblem&) = default;
+};
+
+/// "FILE:LINE:COLUMN: error: MESSAGE", then the line, a mark below the place, and the remedy.
+std::string to_string(const LexiconProblem& problem);
+
+/// What came of reading a lexicon.
+struct LexiconText {
+  /// Null if there are problems.
+  std::shared_ptr<const Lexicon> lexicon;
+  /// By line.
+  std::vector<LexiconProblem> problems;
+};
+
+/// Reads `text`, the contents of the file that is called `file_name` in problems; finds all of its
+/// problems at once.
+LexiconText read_lexicon(std::string_view text, const std::string& file_name);
+
+} // namespace castor::communication

@@ -1,0 +1,90 @@
+#include "castor/communication/parsing/tokens.hpp"
+
+#include <cctype>
+
+namespace castor::communication {
+
+namespace {
+
+bool is_letter(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || std::isalnum(byte) != 0;
+}
+
+char lower(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x80 ? static_cast<char>(std::tolower(byte)) : c;
+}
+
+bool ends_with(const std::string& word, std::string_view end) {
+  return word.size() > end.size() && std::string_view(word).ends_with(end);
+}
+
+void append_word(std::string word, std::vector<std::string>& words) {
+  if (word == "cannot" || word == "can't") {
+    words.insert(words.end(), {"can", word == "cannot" ? "not" : "n't"});
+  } else if (ends_with(word, "n't")) {
+    words.insert(words.end(), {word.substr(0, word.size() - 3), "n't"});
+  } else if (const auto mark = word.find('\''); mark != std::string::npos && mark > 0) {
+    words.insert(words.end(), {word.substr(0, mark), word.substr(mark)});
+  } else {
+    words.push_back(std::move(word));
+  }
+}
+
+/// Where the quotation that begins at `begin` ends; `begin` itself if none does. Its mark stands
+/// close to a letter; "'s" is no beginning of one.
+std::size_t end_of_quotation(std::string_view text, std::size_t begin) {
+  const auto letter_at = [text](std::size_t i) { return i < text.size() && is_letter(text[i]); };
+  const auto rest = text.substr(begin);
+  if (!letter_at(begin + 1) || rest.starts_with("'s "))
+    return begin;
+  for (auto end = begin + 2; end < text.size(); ++end)
+    if (text[end] == text[begin] && !letter_at(end + 1))
+      return end;
+  return begin;
+}
+
+} // namespace
+
+std::vector<std::string> words_of(std::string_view utterance) {
+  std::vector<std::string> words;
+  std::size_t i = 0;
+  while (i < utterance.size()) {
+    const char c = utterance[i];
+    if (c == '\'' || c == '"')
+      if (const auto end = end_of_quotation(utterance, i); end != i) {
+        words.push_back("'" + std::string(utterance.substr(i + 1, end - i - 1)) + "'");
+        i = end + 1;
+        continue;
+      }
+    std::string word;
+    while (i < utterance.size() &&
+           (is_letter(utterance[i]) ||
+            (utterance[i] == '\'' && i + 1 < utterance.size() && is_letter(utterance[i + 1]))))
+      word += lower(utterance[i++]);
+    if (!word.empty())
+      append_word(std::move(word), words);
+    else
+      ++i;
+  }
+  return words;
+}
+
+std::vector<std::string> sentences_of(std::string_view text) {
+  std::vector<std::string> sentences;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_mark = text[i] == '.' || text[i] == '!' || text[i] == '?';
+    const bool is_last = i + 1 == text.size();
+    if (!is_last && !(is_mark && (text[i + 1] == ' ' || text[i + 1] == '\n')))
+      continue;
+    const auto sentence = text.substr(begin, i + 1 - begin);
+    begin = i + 1;
+    if (!words_of(sentence).empty())
+      sentences.emplace_back(sentence.substr(sentence.find_first_not_of(" \n")));
+  }
+  return sentences;
+}
+
+} // namespace castor::communication

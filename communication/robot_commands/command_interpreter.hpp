@@ -1,0 +1,71 @@
+#pragma once
+
+#include "castor/communication/parsing/parser.hpp"
+#include "castor/communication/robot_commands/command_features.hpp"
+#include "castor/communication/robot_commands/rcl_tree.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace castor::communication {
+
+/// How much features speak for a reading, with and without a board.
+struct CommandWeights {
+  std::unordered_map<std::string, double> with_board;
+  std::unordered_map<std::string, double> without_board;
+};
+
+/// Reads weights: lines of a name, a weight without and one with a board, separated by blanks; `#`
+/// begins a comment.
+/// \throws std::runtime_error that names the line
+CommandWeights parse_command_weights(std::string_view text);
+
+/// As parse_command_weights() reads them; by name.
+std::string to_string(const CommandWeights& weights);
+
+/// One way to understand a command.
+struct CommandReading {
+  RclTree tree;
+  /// The higher the likelier.
+  double score = 0;
+};
+
+/// A reading before it is judged.
+struct CommandCandidate {
+  RclTree tree;
+  std::vector<CommandFeature> features;
+};
+
+/// Understands commands to move blocks as trees of the Robot Commands Language: parses them, looks
+/// on the board which readings make sense there, and ranks them by learned weights. Not for several
+/// threads at once.
+class CommandInterpreter {
+public:
+  CommandInterpreter(std::shared_ptr<const Lexicon> lexicon, CommandWeights weights);
+
+  /// The readings, the likeliest first; empty if the command is not understood.
+  /// @param board null if it is not known
+  std::vector<CommandReading> interpret(std::string_view command, const Board* board);
+
+  /// All readings with their features, for learning weights.
+  std::vector<CommandCandidate> candidates(std::string_view command, const Board* board);
+
+private:
+  std::vector<CommandCandidate> candidates(const IncrementalParse& parse, const Board* board) const;
+
+  Parser parser_;
+  CommandWeights weights_;
+};
+
+/// What was learned from the training commands of SemEval-2014 task 6, which is part of the
+/// library.
+CommandInterpreter robot_command_interpreter();
+
+/// The lexicon of commands: its families, and then these words.
+/// @param words as in communication/lexicon/robot_commands_words.ccg
+std::shared_ptr<const Lexicon> robot_command_lexicon(std::string_view words);
+
+} // namespace castor::communication
