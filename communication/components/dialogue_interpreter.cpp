@@ -1,0 +1,73 @@
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/actors/registry.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/types.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <string>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+/// Says what is done by an utterance that is understood, and asks back about one that is not.
+class DialogueInterpreter final : public UnmanagedComponent {
+  void start() override {
+    on_change(changed<PackedLogicalForm>(), [this](const ChangeEvent& event) {
+      if (event.operation != Operation::remove)
+        look(event.address);
+    });
+    // What a predecessor did not get to.
+    for (auto& x : read_all<PackedLogicalForm>())
+      look(x.address);
+  }
+
+  void look(const Address& address) {
+    try {
+      if (auto form = read<PackedLogicalForm>(address);
+          form->state != InterpretationState::unfinished)
+        interpret(address, *form);
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    } catch (const AlreadyExistsOnWM&) {
+      trace("{} was interpreted before", address.id);
+    }
+  }
+
+  /// The entries are called after the form, so nothing is said twice.
+  void interpret(const Address& address, const PackedLogicalForm& form) {
+    if (!form.unparsable.empty() || form.readings.empty())
+      return ask_back(address, form);
+    auto said = unpack(form, form.readings.front().id);
+    DialogueMove move;
+    if (said.size() == 1) {
+      move.type = dialogue_move_type(said.front());
+      move.content = std::move(said.front());
+    }
+    if (move.type == DialogueMoveType::none)
+      debug("\"{}\" is no sentence", form.utterance);
+    add(here("move of " + address.id), std::move(move));
+  }
+
+  void ask_back(const Address& address, const PackedLogicalForm& form) {
+    std::string text = "I do not understand that";
+    if (!form.unparsable.empty()) {
+      auto& problem = form.unparsable.front();
+      text += ": " + problem.reason;
+      if (!problem.suggestions.empty())
+        text += "; do you mean '" + problem.suggestions.front() + "'?";
+    }
+    if (!text.ends_with('?'))
+      text += '.';
+    add(here("clarification of " + address.id), SpokenOutputItem{std::move(text)});
+  }
+};
+
+CASTOR_COMPONENT(DialogueInterpreter, "tells assertions, questions, requests and greetings apart, "
+                                      "and asks back about what is not understood")
+
+} // namespace
+
+} // namespace castor::communication

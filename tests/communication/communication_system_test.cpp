@@ -1,0 +1,102 @@
+// From what is said to packed logical forms, dialogue moves and clarification requests, on working
+// memory.
+#include "castor/actors/node/system.hpp"
+#include "castor/actors/testing/test_system.hpp"
+#include "castor/communication/types.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace castor::communication::test {
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string hearing(const std::string& text) {
+  return "HOST localhost\n"
+         "SUBARCHITECTURE communication\n"
+         "CPP WM SubarchitectureWorkingMemory\n"
+         "CPP TM AlwaysPositiveTaskManager\n"
+         "CPP UM utterances UtteranceSource --text \"" +
+         text +
+         "\"\n"
+         "CPP UM parser UtteranceParser\n"
+         "CPP UM interpreter DialogueInterpreter\n"
+         "CPP UM speech SpeechOutput\n"
+         "SUPERVISE communication RESTARTS 1000 IN 10s\n";
+}
+
+template <class T>
+std::vector<T> all(TestSystem& system) {
+  std::vector<T> result;
+  for (auto& entry : system.system().entries("communication"))
+    if (auto x = entry->value.as<T>())
+      result.push_back(*x);
+  return result;
+}
+
+TEST(CommunicationSystem, FormsGrowWordByWord) {
+  TestSystem system{hearing("This is a blue square.")};
+  auto entry = system.expect_entry("PackedLogicalForm in communication where state == finished");
+  // Added with the first of five words, overwritten with the others and at the end.
+  EXPECT_EQ(entry->version, 5u);
+  auto form = entry->value.as<PackedLogicalForm>();
+  EXPECT_EQ(form->string_position, 5);
+  EXPECT_TRUE(form->unparsable.empty());
+  system.expect_entry("DialogueMove in communication where type == assertion");
+}
+
+TEST(CommunicationSystem, TellsWhatIsDoneBySayingSomething) {
+  const std::map<std::string, std::string> moves{{"Put the cup near the box.", "action_directive"},
+                                                 {"What colour is the square?", "question_w"},
+                                                 {"Is the ball red?", "question_yn"},
+                                                 {"Hello.", "opening"},
+                                                 {"Good bye.", "closing"},
+                                                 {"Yes.", "accept"},
+                                                 {"No.", "reject"}};
+  for (auto& [text, type] : moves) {
+    SCOPED_TRACE(text);
+    TestSystem system{hearing(text)};
+    system.expect_entry("DialogueMove in communication where type == " + type);
+  }
+}
+
+TEST(CommunicationSystem, AsksBackAboutWhatIsNotUnderstood) {
+  TestSystem system{hearing("Put the zorg near the box.")};
+  auto said =
+    system.expect_entry("SpokenOutputItem in communication")->value.as<SpokenOutputItem>();
+  EXPECT_THAT(said->text, AllOf(HasSubstr("I do not understand that"), HasSubstr("zorg")));
+  system.expect_no_entry("DialogueMove in communication");
+}
+
+TEST(CommunicationSystem, UnderstandsEverythingOnceWhoeverFails) {
+  std::string text;
+  for (int i = 0; i < 40; ++i)
+    text += "Put the ball near the box on the table. ";
+  TestSystem system{hearing(text)};
+  for (std::uint64_t life = 2; life < 5; ++life)
+    for (auto* name : {"parser", "interpreter", "utterances"}) {
+      system.inject(std::string{"crash "} + name);
+      system.expect_back(name, life);
+    }
+  auto heard = all<PhonString>(system).size();
+  EXPECT_GE(heard, 1u);
+  system.wait_until("every utterance is understood",
+                    [&] { return all<DialogueMove>(system).size() == heard; });
+  for (auto& form : all<PackedLogicalForm>(system)) {
+    EXPECT_EQ(form.state, InterpretationState::finished);
+    EXPECT_EQ(form.string_position, 9);
+  }
+  EXPECT_EQ(all<PackedLogicalForm>(system).size(), 40u);
+  EXPECT_EQ(all<PhonString>(system).size(), 40u);
+}
+
+} // namespace
+
+} // namespace castor::communication::test
