@@ -1,6 +1,7 @@
 #include "castor/actors/registry.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/failure.hpp"
 
@@ -26,20 +27,22 @@ class Recogniser final : public ManagedComponent {
 
   void recognise(const Address& address) {
     try {
-      auto roi = read<ROI>(address);
-      if (!roi->has_features)
-        return;
       // Others refine the object too, and what they wrote meanwhile must not be lost.
-      while (!name(here(roi->object_id), roi->features))
-        debug("{} was changed meanwhile; once more", roi->object_id);
+      while (!name(here(read<ROI>(address)->object_id), address))
+        debug("{} was changed meanwhile; once more", address.id);
     } catch (const DoesNotExistOnWM&) {
       debug("{} is gone before it was recognised", address.id);
     }
   }
 
   /// False if somebody else wrote the object at the same time.
-  bool name(const Address& address, const RegionFeatures& features) {
+  bool name(const Address& address, const Address& roi_address) {
     auto before = read<SceneObject>(address);
+    // In this order: a tracker moves both at once, and the object not back to where it was.
+    auto roi = read<ROI>(roi_address);
+    if (!roi->has_features)
+      return true;
+    auto& features = roi->features;
     auto after = *before;
     after.color = best_of(features.colours);
     after.shape = best_of(features.shapes);
@@ -52,14 +55,8 @@ class Recogniser final : public ManagedComponent {
       after.box = features.extent;
       after.pose.position = features.extent.centroid;
     }
-    SceneObjectUpdate update;
-    update.object_id = address.id;
-    update.color = after.color != before->color;
-    update.shape = after.shape != before->shape;
-    update.size = after.size != before->size;
-    update.label = after.label != before->label;
-    update.position = after.pose != before->pose || after.box != before->box;
-    if (!update.color && !update.shape && !update.size && !update.label && !update.position)
+    auto update = changes(address.id, *before, after);
+    if (!is_change(update))
       return true;
     WriteBatch batch;
     batch.overwrite(address, std::move(after));
