@@ -57,8 +57,8 @@ TEST(WordLearner, SeveralExamplesSayHowWideAWordIs) {
     narrow.learn("colour", "teal", {50 + x, 0, 0});
     wide.learn("colour", "teal", {50 + 20 * x, 0, 0});
   }
-  EXPECT_EQ(best(narrow, "colour", {50, 15, 0}), "unknown");
-  EXPECT_EQ(best(wide, "colour", {50, 15, 0}), "teal");
+  EXPECT_EQ(best(narrow, "colour", {50, 20, 0}), "unknown");
+  EXPECT_EQ(best(wide, "colour", {50, 20, 0}), "teal");
 }
 
 TEST(WordLearner, TheNearerOfTwoWordsIsTheLikelier) {

@@ -1,4 +1,5 @@
 #include "castor/actors/registry.hpp"
+#include "castor/perception/vision/learning/word_learner.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
@@ -7,6 +8,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::vision {
 
@@ -16,7 +18,16 @@ namespace {
 class Recogniser final : public ManagedComponent {
   void start() override {
     on_change(overwritten<ROI>(), [this](const ChangeEvent& event) { look(event.address); });
+    on_change(changed<LearnedWords>(), [this](const ChangeEvent&) { look_at_all(); });
     // What a predecessor may not have got to.
+    look_at_all();
+  }
+
+  /// With the words that are known by now.
+  void look_at_all() {
+    words_ = WordLearner{};
+    for (auto& x : read_all<LearnedWords>())
+      words_ = WordLearner{x->words};
     for (auto& roi : read_all<ROI>())
       look(roi.address);
   }
@@ -44,8 +55,8 @@ class Recogniser final : public ManagedComponent {
       return true;
     auto& features = roi->features;
     auto after = *before;
-    after.color = best_of(features.colours);
-    after.shape = best_of(features.shapes);
+    after.color = judge("colour", features.colours, features);
+    after.shape = judge("shape", features.shapes, features);
     SizeOptions size;
     size.large_from = large_from_;
     after.size = best_of(judge_size(features.extent, size));
@@ -69,8 +80,17 @@ class Recogniser final : public ManagedComponent {
     return true;
   }
 
+  /// What was learned comes before what was known beforehand.
+  Hypothesis judge(const std::string& kind, const std::vector<Hypothesis>& beforehand,
+                   const RegionFeatures& features) const {
+    auto learned = best_of(words_.name(kind, WordLearner::evidence(kind, features)));
+    return learned.value != Hypothesis{}.value ? learned : best_of(beforehand);
+  }
+
   Option<double> large_from_{this, "large-from", SizeOptions{}.large_from,
                              "longest side of a thing from which on it is called large, metres"};
+
+  WordLearner words_;
 };
 
 CASTOR_COMPONENT(Recogniser, "names the colour, shape and size of scene objects")

@@ -11,7 +11,7 @@ struct LearningOptions {
   /// How far the evidence of things that are called the same spreads about its mean, as long as
   /// examples say nothing else: the standard deviation along each axis. Of colours in L*a*b* units,
   /// of shapes in hidden values of the shape network.
-  double colour_spread = 4;
+  double colour_spread = 6;
   double shape_spread = 0.3;
   /// This counts as much as so many examples.
   double prior_examples = 3;
