@@ -110,6 +110,48 @@ TEST_F(ObjectTrackerSystem, ChangesNothingInAStillScene) {
   }
 }
 
+/// Takes over every object, and never looks at one again.
+class Keeper final : public UnmanagedComponent {
+  void start() override {
+    on_change(added<SceneObject>(), [this](const ChangeEvent& event) {
+      for (;;) {
+        auto object = *read<SceneObject>(event.address);
+        object.managing_process = component_name();
+        try {
+          overwrite(event.address, object);
+          return;
+        } catch (const ConsistencyException&) {
+          debug("once more");
+        }
+      }
+    });
+  }
+};
+
+CASTOR_COMPONENT(Keeper, "for tests: takes over every object")
+
+TEST_F(ObjectTrackerSystem, NobodyElseDeletesWhatSomebodyHasTakenOver) {
+  std::vector<std::string> told;
+  SystemOptions options;
+  options.on_change = [&](const ChangeEvent& event) {
+    if (event.type_name() == "SceneObject" && event.operation != Operation::overwrite)
+      told.push_back(std::string{to_string(event.operation)});
+  };
+  auto system = watch(vision_cast() + "\nCPP UM keeper Keeper\n",
+                      {{"source", scene("red cube at -0.15 0.05 size 0.07\n"
+                                        "blue sphere at 0 -0.1 size 0.07\n"
+                                        "after 2s move red cube to 0.2 0.05\n"
+                                        "after 2s remove blue sphere\n")}},
+                      options, 2500ms);
+  EXPECT_EQ(told, (std::vector<std::string>{"ADD", "ADD"}));
+  std::map<std::string, Point3> places;
+  for (auto& x : all<SceneObject>(*system))
+    places[x.label.value] = x.pose.position;
+  ASSERT_EQ(places.count("red cube"), 1u);
+  EXPECT_NEAR(places["red cube"].x, 0.2, 0.03) << "the segmentor knows it by its looks";
+  EXPECT_EQ(places.count("blue sphere"), 1u);
+}
+
 /// Keeps the recogniser busy while something moves to the right: each round it gives the region
 /// another colour. Fails if anything of what it, the recogniser or the tracker wrote is lost.
 class ColourChanger final : public UnmanagedComponent {
