@@ -1,7 +1,6 @@
 #include "castor/perception/vision/tracking/appearance.hpp"
 
 #include "castor/perception/vision/opencv_bridge.hpp"
-#include "castor/perception/vision/tracking/pixel_box.hpp"
 
 #include <algorithm>
 #include <array>
