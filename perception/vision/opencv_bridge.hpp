@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
@@ -45,6 +46,21 @@ inline Image to_image(const cv::Mat& mat) {
   image.bytes.resize(mat.total() * mat.elemSize());
   mat.copyTo(as_mat(image));
   return image;
+}
+
+/// The pixels that the box covers, one at least; they may be beyond the picture.
+inline cv::Rect pixels_of(const ImageBox& box) {
+  cv::Size size(std::max(1, cvRound(box.width)), std::max(1, cvRound(box.height)));
+  return {{cvRound(box.center.x - (size.width - 1) / 2.0),
+           cvRound(box.center.y - (size.height - 1) / 2.0)},
+          size};
+}
+
+/// The box that covers these pixels.
+inline ImageBox box_of(const cv::Rect& rect) {
+  return {{rect.x + (rect.width - 1) / 2.0, rect.y + (rect.height - 1) / 2.0},
+          static_cast<double>(rect.width),
+          static_cast<double>(rect.height)};
 }
 
 } // namespace castor::vision

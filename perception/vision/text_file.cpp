@@ -139,6 +139,25 @@ std::string load_text(const std::filesystem::path& path) {
   return text;
 }
 
+void save_text(const std::filesystem::path& path, std::string_view text) {
+  // Who reads it meanwhile, or after this process has died, finds the old text or the new one.
+  auto beside = path;
+  beside += ".new";
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  std::error_code error;
+  if (file)
+    std::filesystem::rename(beside, path, error);
+  if (!file || error) {
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    throw unreadable(path, "the file cannot be written",
+                     "Check that its folder exists, that you may write there, and that the disk is "
+                     "not full.");
+  }
+}
+
 std::vector<TextLine> text_lines(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark))

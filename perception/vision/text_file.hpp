@@ -53,6 +53,10 @@ private:
 /// MiB.
 std::string load_text(const std::filesystem::path& path);
 
+/// Writes a text file: all of it, or, if that fails, nothing.
+/// \throws TextFileError if it cannot be written.
+void save_text(const std::filesystem::path& path, std::string_view text);
+
 /// One line that says something: its words, without the comment that `#` begins. A `#` within a
 /// word begins no comment, nor does a colour code such as #ff8000.
 struct TextLine {

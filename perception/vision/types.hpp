@@ -126,6 +126,8 @@ struct RegionFeatures {
   std::vector<Hypothesis> colours;
   /// Shape names, the likeliest first.
   std::vector<Hypothesis> shapes;
+  /// The measurement that learned colours are judged by: L*, a* and b* of the paint.
+  std::vector<double> colour_evidence;
   /// The measurements that the shapes were judged by; the order is the shape classifier's.
   std::vector<double> shape_evidence;
   /// Where the region meets the table and how large it is there; all zero without a calibration.
@@ -175,6 +177,41 @@ struct SceneObjectUpdate {
   bool label = false;
 };
 
+/// Something that a thing is said to be: a word for its "colour" or its "shape".
+struct Attribute {
+  std::string kind;
+  Hypothesis value;
+};
+
+/// Added by whoever knows, or has been told, what a thing is called; deleted by the learner that
+/// has seen to it.
+struct LearnInstruction {
+  /// A tutor has said so; otherwise the robot has concluded it.
+  bool tutor_initiated = true;
+  /// The SceneObject or the ROI that this is about.
+  std::string target_id;
+  std::vector<Attribute> attributes;
+};
+
+/// A word and what it was learned from.
+struct LearnedWord {
+  std::string kind;
+  std::string word;
+  /// How many there were; one of which the tutor was not sure counts less.
+  double examples = 0;
+  /// Of their evidence.
+  std::vector<double> mean;
+  /// The sum of their squared distances from the mean.
+  double scatter = 0;
+
+  friend bool operator==(const LearnedWord&, const LearnedWord&) = default;
+};
+
+/// One entry: all that the learner knows, for those who name things.
+struct LearnedWords {
+  std::vector<LearnedWord> words;
+};
+
 CASTOR_REFLECT(Point2, x, y)
 CASTOR_REFLECT(Point3, x, y, z)
 CASTOR_REFLECT(Rotation, w, x, y, z)
@@ -186,9 +223,13 @@ CASTOR_REFLECT(Hypothesis, value, confidence)
 CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, t1, t2)
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
-CASTOR_REFLECT(RegionFeatures, colours, shapes, shape_evidence, extent)
+CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent)
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
 CASTOR_REFLECT(SceneObject, time, box, pose, label, color, shape, size, roi_ids, managing_process)
 CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, color, label)
+CASTOR_REFLECT(Attribute, kind, value)
+CASTOR_REFLECT(LearnInstruction, tutor_initiated, target_id, attributes)
+CASTOR_REFLECT(LearnedWord, kind, word, examples, mean, scatter)
+CASTOR_REFLECT(LearnedWords, words)
 
 } // namespace castor::vision

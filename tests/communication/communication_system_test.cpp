@@ -43,13 +43,14 @@ std::vector<T> all(TestSystem& system) {
 
 TEST(CommunicationSystem, FormsGrowWordByWord) {
   TestSystem system{hearing("This is a blue square.")};
-  auto entry = system.expect_entry("PackedLogicalForm in communication where state == finished");
+  auto entry =
+    system.expect_entry("PackedLogicalForm in communication where state == \"finished\"");
   // Added with the first of five words, overwritten with the others and at the end.
   EXPECT_EQ(entry->version, 5u);
   auto form = entry->value.as<PackedLogicalForm>();
   EXPECT_EQ(form->string_position, 5);
   EXPECT_TRUE(form->unparsable.empty());
-  system.expect_entry("DialogueMove in communication where type == assertion");
+  system.expect_entry("DialogueMove in communication where type == \"assertion\"");
 }
 
 TEST(CommunicationSystem, TellsWhatIsDoneBySayingSomething) {
@@ -63,7 +64,7 @@ TEST(CommunicationSystem, TellsWhatIsDoneBySayingSomething) {
   for (auto& [text, type] : moves) {
     SCOPED_TRACE(text);
     TestSystem system{hearing(text)};
-    system.expect_entry("DialogueMove in communication where type == " + type);
+    system.expect_entry("DialogueMove in communication where type == \"" + type + '"');
   }
 }
 

@@ -49,6 +49,26 @@ TEST(RegionMatching, ColoursAreComparedWithinTheMask) {
   EXPECT_DOUBLE_EQ(colour_distance(a, a), 0);
 }
 
+TEST(RegionMatching, LooksAreColourAndSizeWhereverTheyAre) {
+  ROI red;
+  red.box = box(0, 0, 1, 1);
+  red.region = {1, 1, 3, {0, 0, 200}};
+  red.mask = {1, 1, 1, {255}};
+  auto elsewhere = red;
+  elsewhere.box.center = {100, 50};
+  elsewhere.region.bytes = {0, 0, 205};
+  auto larger = red;
+  larger.box = box(0, 0, 2, 2);
+  auto blue = red;
+  blue.region.bytes = {200, 0, 0};
+  std::vector<const ROI*> old{&blue, &larger, &red};
+  std::vector<const ROI*> fresh{&elsewhere};
+  EXPECT_EQ(match_looks(fresh, old, 10), Matches{2});
+  EXPECT_EQ(match_looks(fresh, old, 5), Matches{std::nullopt});
+  std::vector<const ROI*> two{&elsewhere, &red};
+  EXPECT_EQ(match_looks(two, old, 10), (Matches{std::nullopt, 2}));
+}
+
 } // namespace
 
 } // namespace castor::vision

@@ -1,85 +1,13 @@
-#include "castor/actors/cast/parser.hpp"
-#include "castor/actors/node/system.hpp"
-#include "castor/perception/vision/camera/image_source_file.hpp"
-#include "castor/perception/vision/types.hpp"
+#include "vision_system.hpp"
 
-#include <gtest/gtest.h>
+#include "castor/perception/vision/camera/image_source_file.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <unistd.h>
 
 namespace castor::vision {
 
 namespace {
-
-using namespace std::chrono_literals;
-
-/// The vision subarchitecture as configs/vision.cast has it, on rendered tables.
-class VisionSystem : public testing::Test {
-protected:
-  void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("castor-vision-" + std::to_string(getpid()) + "-" +
-              testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder);
-  }
-
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
-  std::string scene(const std::string& things) const {
-    auto file = folder / "test.scene";
-    std::ofstream{file} << "table cloth\ncamera 0 -0.62 0.55 looking-at 0 0 0 fov 42\n"
-                           "light 1 -0.8 2\nnoise 2\nseed 5\n"
-                        << things;
-    return "scene:" + file.string();
-  }
-
-  static std::string vision_cast() {
-    std::ifstream in{CASTOR_CONFIGS "/vision.cast"};
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-  }
-
-  /// Runs the system in `text` until nothing happens any more.
-  std::unique_ptr<System> watch(const std::string& text,
-                                std::map<std::string, std::string> variables,
-                                SystemOptions options = {},
-                                std::chrono::milliseconds quiet = 1500ms) const {
-    cast::ParseOptions parse_options;
-    parse_options.variables = std::move(variables);
-    auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
-    EXPECT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
-    auto system = std::make_unique<System>(parsed.architecture.value(), options);
-    EXPECT_TRUE(system->start());
-    EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);
-    system->stop();
-    for (auto& x : system->summary().components)
-      EXPECT_EQ(x.failure, "") << x.identity.name;
-    return system;
-  }
-
-  template <class T>
-  static std::vector<T> all(System& system) {
-    std::vector<T> result;
-    for (auto& entry : system.entries("vision"))
-      if (auto x = entry->value.as<T>())
-        result.push_back(*x);
-    return result;
-  }
-
-  std::filesystem::path folder;
-};
 
 TEST_F(VisionSystem, SeesWhatIsOnTheTable) {
   auto system = watch(vision_cast(), {{"source", scene("red cube at -0.15 0 size 0.07 turned 20\n"
@@ -106,10 +34,7 @@ TEST_F(VisionSystem, SeesWhatIsOnTheTable) {
 }
 
 TEST_F(VisionSystem, ObjectsStayUnknownWithoutTheRecogniser) {
-  auto text = vision_cast();
-  auto line = text.find("CPP MG recogniser");
-  ASSERT_NE(line, text.npos);
-  text.erase(line, text.find('\n', line) - line);
+  auto text = with(vision_cast(), "CPP MG recogniser", "");
   auto system = watch(text, {{"source", scene("red cube at 0 0 size 0.07\n")}});
   auto objects = all<SceneObject>(*system);
   ASSERT_EQ(objects.size(), 1u);

@@ -8,6 +8,7 @@
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/failure.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,14 +34,35 @@ class Segmentor final : public ManagedComponent {
     on_change(overwritten<SceneChanged>(), [this](const ChangeEvent& event) {
       consider(event.address, *read<SceneChanged>(event.address));
     });
+    on_change(changed(&SceneObject::managing_process), [this](const ChangeEvent& event) {
+      if (event.source != component_name())
+        look_for_what_was_handed_back(event.address);
+    });
     // What a predecessor did not get to.
     for (auto& x : read_all<SceneChanged>())
       consider(x.address, *x);
   }
 
   void consider(const Address& address, const SceneChanged& scene) {
-    if (scene.camera != number_ || !scene.changed || scene.processed)
+    if (scene.camera == number_ && scene.changed && !scene.processed)
+      propose_look(address);
+  }
+
+  /// Somebody who has lost an object, such as a tracker, leaves it to this component to say what
+  /// has become of it: now, unless a look at the scene is due anyway.
+  void look_for_what_was_handed_back(const Address& object) {
+    try {
+      if (read<SceneObject>(object)->managing_process != component_name())
+        return;
+    } catch (const DoesNotExistOnWM&) {
       return;
+    }
+    for (auto& x : read_all<SceneChanged>())
+      if (x->camera == number_ && x->changed && x->processed)
+        propose_look(x.address);
+  }
+
+  void propose_look(const Address& address) {
     // Only the latest still scene is worth the effort.
     retract_task(task_);
     task_ = propose_task("segment the scene", [this, address] { look(address); });
@@ -75,6 +97,7 @@ class Segmentor final : public ManagedComponent {
     for (auto& x : known)
       known_boxes.push_back(x->box);
     auto matches = match_boxes(fresh_boxes, known_boxes, same_overlap_);
+    match_what_others_follow(fresh, known, matches);
     // Removed before new ones are added: working memory stays small.
     std::vector<bool> seen(known.size());
     for (auto& match : matches)
@@ -91,6 +114,40 @@ class Segmentor final : public ManagedComponent {
     }
     info("{} regions in the scene", fresh.size());
     mark_processed(scene);
+  }
+
+  /// A tracker may not have got to where its objects have come to rest: these are told by their
+  /// looks.
+  void match_what_others_follow(const std::vector<ROI>& fresh,
+                                const std::vector<EntryOf<ROI>>& known,
+                                std::vector<std::optional<std::size_t>>& matches) {
+    std::vector<const ROI*> unmatched;
+    std::vector<std::size_t> unmatched_at;
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+      if (!matches[i]) {
+        unmatched.push_back(&fresh[i]);
+        unmatched_at.push_back(i);
+      }
+    std::vector<const ROI*> followed;
+    std::vector<std::size_t> followed_at;
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (std::find(matches.begin(), matches.end(), i) == matches.end() && !is_mine(*known[i])) {
+        followed.push_back(known[i].object.get());
+        followed_at.push_back(i);
+      }
+    auto pairs = match_looks(unmatched, followed, unchanged_colour_);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (pairs[i])
+        matches[unmatched_at[i]] = followed_at[*pairs[i]];
+  }
+
+  /// Whether the object of the region is this component's to delete, as long as there is one.
+  bool is_mine(const ROI& roi) {
+    try {
+      return read<SceneObject>(here(roi.object_id))->managing_process == component_name();
+    } catch (const DoesNotExistOnWM&) {
+      return true;
+    }
   }
 
   // An object and its region come, change and go together, whenever this component may fail.
@@ -152,7 +209,8 @@ class Segmentor final : public ManagedComponent {
       SceneObjectUpdate update;
       update.object_id = fresh.object_id;
       update.position = true;
-      read<ROI>(known.address);
+      if (read<ROI>(known.address)->time > fresh.time)
+        return; // somebody has seen it in a later picture
       WriteBatch batch;
       batch.overwrite(here(fresh.object_id), std::move(object));
       batch.add(here(new_id()), std::move(update));

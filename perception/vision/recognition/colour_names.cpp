@@ -139,6 +139,42 @@ cv::Mat_<std::uint8_t> inner(const cv::Mat_<std::uint8_t>& mask, int rim) {
   return result;
 }
 
+/// The paint of the pixels that count; nothing for an empty mask.
+std::vector<cv::Vec3d> paints(const Image& region, const Image& mask,
+                              const ColourOptions& options) {
+  if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
+    throw std::invalid_argument("the mask must have 1 channel and the region's size");
+  cv::Mat_<cv::Vec3b> pixels;
+  if (region.channels == 1)
+    cv::cvtColor(as_mat(region), pixels, cv::COLOR_GRAY2BGR);
+  else
+    pixels = as_mat(region);
+  const cv::Mat_<std::uint8_t> belongs = as_mat(mask);
+  if (pixels.empty() || cv::countNonZero(belongs) == 0)
+    return {};
+  const cv::Mat_<std::uint8_t> counts = inner(belongs, options.rim);
+  std::vector<cv::Vec3b> surface;
+  std::vector<double> levels;
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      if (counts(y, x) != 0) {
+        surface.push_back(pixels(y, x));
+        levels.push_back(brightness(pixels(y, x)));
+      }
+    }
+  }
+  const double darkest = quantile(levels, options.darkest);
+  const double brightest = quantile(levels, options.brightest);
+  const double white = white_brightness(pixels, belongs, options);
+  std::vector<cv::Vec3d> result;
+  for (const auto& pixel : surface) {
+    const double level = brightness(pixel);
+    if (level >= darkest && level <= brightest)
+      result.push_back(paint(pixel, white, options));
+  }
+  return result;
+}
+
 } // namespace
 
 const std::vector<std::string>& colour_vocabulary() {
@@ -163,36 +199,11 @@ std::vector<double> colour_shares(const std::vector<double>& bgr) {
 
 std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
                                     const ColourOptions& options) {
-  if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
-    throw std::invalid_argument("name_colour: the mask must have 1 channel and the region's size");
-  cv::Mat_<cv::Vec3b> pixels;
-  if (region.channels == 1)
-    cv::cvtColor(as_mat(region), pixels, cv::COLOR_GRAY2BGR);
-  else
-    pixels = as_mat(region);
-  const cv::Mat_<std::uint8_t> belongs = as_mat(mask);
-  if (pixels.empty() || cv::countNonZero(belongs) == 0)
-    return {};
-  const cv::Mat_<std::uint8_t> counts = inner(belongs, options.rim);
-  std::vector<cv::Vec3b> surface;
-  std::vector<double> levels;
-  for (int y = 0; y < pixels.rows; ++y) {
-    for (int x = 0; x < pixels.cols; ++x) {
-      if (counts(y, x) != 0) {
-        surface.push_back(pixels(y, x));
-        levels.push_back(brightness(pixels(y, x)));
-      }
-    }
-  }
-  const double darkest = quantile(levels, options.darkest);
-  const double brightest = quantile(levels, options.brightest);
-  const double white = white_brightness(pixels, belongs, options);
   Shares votes{};
-  for (const auto& pixel : surface) {
-    const double level = brightness(pixel);
-    if (level < darkest || level > brightest)
-      continue;
-    const cv::Vec3d colour = paint(pixel, white, options);
+  const auto colours = paints(region, mask, options);
+  if (colours.empty())
+    return {};
+  for (const auto& colour : colours) {
     const Shares shares = shares_of(colour[0], colour[1], colour[2]);
     for (std::size_t name = 0; name < names; ++name)
       votes[name] += shares[name];
@@ -209,6 +220,19 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
     return a.confidence > b.confidence;
   });
   return result;
+}
+
+std::vector<double> measure_colour(const Image& region, const Image& mask,
+                                   const ColourOptions& options) {
+  const auto colours = paints(region, mask, options);
+  if (colours.empty())
+    return {};
+  cv::Mat bgr;
+  cv::Mat(colours).convertTo(bgr, CV_32F);
+  cv::Mat lab;
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  const auto mean = cv::mean(lab);
+  return {mean[0], mean[1], mean[2]};
 }
 
 } // namespace castor::vision

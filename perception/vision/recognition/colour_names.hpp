@@ -46,4 +46,12 @@ std::vector<double> colour_shares(const std::vector<double>& bgr);
 std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
                                     const ColourOptions& options = {});
 
+/// What its paint measures: the mean L*, a* and b* of the pixels by which name_colour() judges, for
+/// those who have names of their own.
+///
+/// \returns nothing for an empty mask.
+/// \throws std::invalid_argument as name_colour() does.
+std::vector<double> measure_colour(const Image& region, const Image& mask,
+                                   const ColourOptions& options = {});
+
 } // namespace castor::vision

@@ -33,6 +33,7 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
                               const ShapeNetwork& network) {
   RegionFeatures features;
   features.colours = name_colour(roi.region, roi.mask, options.colour);
+  features.colour_evidence = measure_colour(roi.region, roi.mask, options.colour);
   features.shape_evidence = measure_shape(roi.region, roi.mask);
   features.shapes = classify_shape(features.shape_evidence, options.shape, network);
   if (camera != nullptr) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace castor::vision {
 
@@ -25,6 +26,23 @@ std::array<double, 3> mean_colour(const ROI& x) {
   return sum;
 }
 
+/// How little speaks for it, the new one, the old one.
+using Pair = std::tuple<double, std::size_t, std::size_t>;
+
+std::vector<std::optional<std::size_t>> best_pairs(std::vector<Pair> pairs, std::size_t fresh,
+                                                   std::size_t old) {
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<std::optional<std::size_t>> result(fresh);
+  std::vector<bool> taken(old);
+  for (auto& [score, i, k] : pairs) {
+    if (result[i] || taken[k])
+      continue;
+    result[i] = k;
+    taken[k] = true;
+  }
+  return result;
+}
+
 } // namespace
 
 double overlap(const ImageBox& a, const ImageBox& b) {
@@ -41,21 +59,27 @@ double overlap(const ImageBox& a, const ImageBox& b) {
 
 std::vector<std::optional<std::size_t>> match_boxes(std::span<const ImageBox> fresh,
                                                     std::span<const ImageBox> old, double least) {
-  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  std::vector<Pair> pairs;
   for (std::size_t i = 0; i < fresh.size(); ++i)
     for (std::size_t k = 0; k < old.size(); ++k)
       if (auto x = overlap(fresh[i], old[k]); x > least)
         pairs.emplace_back(-x, i, k);
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<std::optional<std::size_t>> result(fresh.size());
-  std::vector<bool> taken(old.size());
-  for (auto& [score, i, k] : pairs) {
-    if (result[i] || taken[k])
-      continue;
-    result[i] = k;
-    taken[k] = true;
-  }
-  return result;
+  return best_pairs(std::move(pairs), fresh.size(), old.size());
+}
+
+std::vector<std::optional<std::size_t>> match_looks(std::span<const ROI* const> fresh,
+                                                    std::span<const ROI* const> old, double most) {
+  constexpr double most_growth = 2;
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      auto growth =
+        fresh[i]->box.width * fresh[i]->box.height / (old[k]->box.width * old[k]->box.height);
+      auto distance = colour_distance(*fresh[i], *old[k]);
+      if (distance < most && growth < most_growth && growth > 1 / most_growth)
+        pairs.emplace_back(distance, i, k);
+    }
+  return best_pairs(std::move(pairs), fresh.size(), old.size());
 }
 
 double colour_distance(const ROI& a, const ROI& b) {

@@ -21,4 +21,10 @@ std::vector<std::optional<std::size_t>> match_boxes(std::span<const ImageBox> fr
 /// of 255.
 double colour_distance(const ROI& a, const ROI& b);
 
+/// For each new region the old one that it looks like, wherever that was, if there is one: of about
+/// its size and less than `most` in colour_distance(). The pairs with the least distance first,
+/// each region in one pair at most.
+std::vector<std::optional<std::size_t>> match_looks(std::span<const ROI* const> fresh,
+                                                    std::span<const ROI* const> old, double most);
+
 } // namespace castor::vision

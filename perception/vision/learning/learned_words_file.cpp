@@ -1,0 +1,81 @@
+#include "castor/perception/vision/learning/learned_words_file.hpp"
+
+#include "castor/perception/vision/learning/word_learner.hpp"
+#include "castor/perception/vision/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace castor::vision {
+
+namespace {
+
+/// Where the mean begins in a line's words.
+constexpr std::size_t mean_at = 7;
+
+/// Throws std::invalid_argument, for people.
+LearnedWord parse(const std::vector<std::string>& words) {
+  if (words.size() < mean_at || words[2] != "examples" || words[4] != "scatter" ||
+      words[6] != "mean")
+    throw std::invalid_argument("this is not a word with what it was learned from");
+  auto number = [&](std::size_t i) {
+    auto x = parse_number(words[i]);
+    if (!x)
+      throw std::invalid_argument("'" + words[i] + "' is not a number");
+    return *x;
+  };
+  LearnedWord result{words[0], words[1], number(3), {}, number(5)};
+  for (auto i = mean_at; i < words.size(); ++i)
+    result.mean.push_back(number(i));
+  if (auto problem = WordLearner::problem_of(result); !problem.empty())
+    throw std::invalid_argument(problem);
+  return result;
+}
+
+} // namespace
+
+std::string to_text(const std::vector<LearnedWord>& words) {
+  std::string result = "# Words that were learned, and from what.\n";
+  for (auto& x : words)
+    result += fmt::format("{} {}  examples {}  scatter {}  mean {}\n", x.kind, x.word, x.examples,
+                          x.scatter, fmt::join(x.mean, " "));
+  return result;
+}
+
+std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::string& file_name) {
+  std::vector<LearnedWord> result;
+  std::vector<TextProblem> problems;
+  for (auto& line : text_lines(text)) {
+    try {
+      auto word = parse(line.words);
+      if (std::any_of(result.begin(), result.end(),
+                      [&](auto& x) { return x.kind == word.kind && x.word == word.word; }))
+        throw std::invalid_argument("there is a line for this word already");
+      result.push_back(std::move(word));
+    } catch (const std::invalid_argument& e) {
+      problems.push_back({TextProblem::Severity::error, file_name, line.number, line.text, e.what(),
+                          "Lines are: KIND WORD examples N scatter S mean NUMBER... Mend this one, "
+                          "or take it out."});
+    }
+  }
+  if (!problems.empty())
+    throw TextFileError(std::move(problems));
+  return result;
+}
+
+std::vector<LearnedWord> load_learned_words(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+    return {};
+  return parse_learned_words(load_text(path), path.string());
+}
+
+void save_learned_words(const std::filesystem::path& path, const std::vector<LearnedWord>& words) {
+  save_text(path, to_text(words));
+}
+
+} // namespace castor::vision

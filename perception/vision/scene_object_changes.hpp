@@ -1,0 +1,16 @@
+#pragma once
+
+#include "castor/perception/vision/types.hpp"
+
+#include <string>
+
+namespace castor::vision {
+
+/// What to add beside the overwrite of the object `id`: what of it changes.
+SceneObjectUpdate changes(const std::string& id, const SceneObject& before,
+                          const SceneObject& after);
+
+/// Whether anything at all changes that such an update tells of.
+bool is_change(const SceneObjectUpdate& update);
+
+} // namespace castor::vision
