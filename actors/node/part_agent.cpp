@@ -186,7 +186,10 @@ caf::behavior part_agent(Self self, PartAgentParts parts) {
     [self](const PartPlan& x) { return make(self, x); },
     [self](const RestartComponent& x) { return restart(self, x); },
     [self](const JoinParts& x) { return join(self, x); },
-    [self](const BefallComponent& x) { befall(self, x); },
+    [self](const BefallComponent& x) {
+      befall(self, x);
+      return Acknowledged{};
+    },
     [self](const BefallLink& x) {
       if (auto& mesh = self->state.parts.mesh)
         mesh->befall(x.peer, x.fault);

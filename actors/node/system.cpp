@@ -170,7 +170,15 @@ public:
     auto i = known->placement.find(component);
     if (i == known->placement.end() || !processes_.is_up(i->second))
       return false;
-    caf::anon_send(processes_.agent(i->second), BefallComponent{component, x});
+    auto agent = processes_.agent(i->second);
+    BefallComponent order{component, x};
+    if (i->second != 0) {
+      caf::anon_send(agent, order);
+      return true;
+    }
+    // Whatever is done next comes after the fault.
+    caf::scoped_actor self{system_};
+    self->request(agent, 1s, order).receive([](Acknowledged) {}, [](const caf::error&) {});
     return true;
   }
 

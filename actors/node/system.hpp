@@ -184,7 +184,8 @@ public:
   void abandon();
 
   /// Lets something befall a component or a working memory; false if there is none of that name in
-  /// reach. A working memory crashes, whatever it is.
+  /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards comes
+  /// after the fault.
   bool befall(const std::string& component, const ComponentFault& x);
 
   /// Lets something befall the link between two processes, by their numbers.
