@@ -36,16 +36,13 @@ class Binder final : public BindingComponent {
     }
   }
 
-  void work(const Changes& changes) override {
-    for (auto& id : changes.proxies)
-      if (!view().proxy(id))
-        best_.erase(id);
+  void work(const Changes&) override {
     for (auto& id : std::exchange(judged_, {}))
       try {
         auto x = read<BestUnionsForProxy>(here(id));
         best_[x->proxy] = x->unions.empty() ? std::string{} : x->unions.front();
       } catch (const DoesNotExistOnWM&) {
-        trace("{} is gone", id);
+        best_.erase(id.substr(best_prefix.size()));
       }
     try {
       bind();

@@ -7,9 +7,14 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace castor::binding {
+
+/// Followed by the proxy, the ids of the entries that say how well it fits, and where best.
+inline constexpr std::string_view scores_prefix = "scores of ";
+inline constexpr std::string_view best_prefix = "best unions for ";
 
 /// What the components of the binding subarchitecture have in common: each sees the proxies and the
 /// unions, and works whenever something has changed, on all that has changed since. So one that is

@@ -14,7 +14,8 @@ namespace castor::binding::components {
 
 namespace {
 
-/// Says which unions are the best for a proxy, once it has been scored against all of them.
+/// Says which unions are the best for a proxy, once it has been scored against all of them. What it
+/// says stands as long as the scores do.
 class BindingJudge final : public BindingComponent {
   void start() override {
     BindingComponent::start();
@@ -22,8 +23,9 @@ class BindingJudge final : public BindingComponent {
               [this](const ChangeEvent& event) { scored_.insert(event.address.id); });
     for (auto& x : read_all<ProxyUnionScores>())
       scored_.insert(x.address.id);
+    // What a predecessor has judged may be gone by now.
     for (auto& x : read_all<BestUnionsForProxy>())
-      judged_before_.insert(x->proxy);
+      scored_.insert(std::string{scores_prefix} + x->proxy);
   }
 
   void work(const Changes& changes) override {
@@ -32,12 +34,6 @@ class BindingJudge final : public BindingComponent {
         judge_.add_union(id);
       else
         judge_.remove_union(id);
-    for (auto& id : changes.proxies)
-      if (!view().proxy(id))
-        forget(id);
-    for (auto& id : std::exchange(judged_before_, {}))
-      if (!view().proxy(id))
-        forget(id);
     for (auto& id : std::exchange(scored_, {}))
       try {
         auto scores = read<ProxyUnionScores>(here(id)).object;
@@ -45,23 +41,25 @@ class BindingJudge final : public BindingComponent {
           judge_.add(x);
         scores_[scores->proxy] = std::move(scores);
       } catch (const DoesNotExistOnWM&) {
-        trace("{} is gone", id);
+        forget(id.substr(scores_prefix.size()));
       }
+    // They may have been judged before they were seen.
+    for (auto& id : changes.proxies)
+      if (auto judgement = judge_.judgement(id))
+        tell(id, *judgement);
     for (auto& [proxy, judgement] : judge_.take_new())
       tell(proxy, judgement);
   }
 
   void tell(const std::string& id, const Judgement& judgement) {
-    auto* proxy = view().proxy(id);
-    if (!proxy)
-      return forget(id);
     put(best_id(id), judgement.best);
     put(non_matching_id(id), judgement.non_matching);
     std::vector<const BindingUnion*> unions;
     for (auto& x : judgement.best.unions)
       if (auto found = view().unions().find(x); found != view().unions().end())
         unions.push_back(found->second.get());
-    if (is_ambiguous(judgement.best, scores_.at(id)->scores))
+    auto* proxy = view().proxy(id);
+    if (proxy && is_ambiguous(judgement.best, scores_.at(id)->scores))
       put(ambiguity_id(id), describe_ambiguity(judgement.best, *proxy, unions, comparator_));
     else
       drop(ambiguity_id(id));
@@ -74,7 +72,7 @@ class BindingJudge final : public BindingComponent {
       drop(x);
   }
 
-  static std::string best_id(const std::string& proxy) { return "best unions for " + proxy; }
+  static std::string best_id(const std::string& proxy) { return std::string{best_prefix} + proxy; }
   static std::string non_matching_id(const std::string& proxy) {
     return "non-matching unions for " + proxy;
   }
@@ -83,8 +81,6 @@ class BindingJudge final : public BindingComponent {
   binding::BindingJudge judge_;
   /// Knows which kinds of features say something about each other.
   FeatureComparator comparator_;
-  /// Proxies that a predecessor has judged.
-  std::set<std::string> judged_before_;
   /// Entries with new scores.
   std::set<std::string> scored_;
   std::map<std::string, std::shared_ptr<const ProxyUnionScores>> scores_;

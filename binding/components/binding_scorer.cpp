@@ -127,7 +127,9 @@ class BindingScorer final : public BindingComponent {
     put(entry_id(known.proxy), std::move(x));
   }
 
-  static std::string entry_id(const std::string& proxy) { return "scores of " + proxy; }
+  static std::string entry_id(const std::string& proxy) {
+    return std::string{scores_prefix} + proxy;
+  }
 
   Option<double> same_place_{this, "same-place", ComparatorOptions{}.same_place,
                              "up to here two locations are the same, metres"};

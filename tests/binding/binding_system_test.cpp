@@ -130,12 +130,34 @@ Unions canonical(const Proxies& proxies) {
   return without_counters(core.unions());
 }
 
+std::string members(const Unions& unions, const std::string& id) {
+  auto found = unions.find(id);
+  if (found == unions.end())
+    return "nothing";
+  std::string result;
+  for (auto& proxy : found->second.proxy_ids)
+    result += (result.empty() ? "" : ", ") + proxy;
+  return result;
+}
+
+std::string difference(const Unions& there, const Unions& wanted) {
+  std::set<std::string> ids;
+  for (auto* unions : {&there, &wanted})
+    for (auto& [id, x] : *unions)
+      ids.insert(id);
+  std::string result;
+  for (auto& id : ids)
+    if (members(there, id) != members(wanted, id))
+      result += "\n" + id + " is " + members(there, id) + " and not " + members(wanted, id);
+  return result.empty() ? "the same members say something else" : result;
+}
+
 /// Empty if binding is through with what it was told.
 std::string what_is_wrong(const Content& x) {
   if (x.deletions > 0)
     return "something is still to be deleted";
-  if (without_counters(x.unions) != canonical(x.proxies))
-    return "the unions are not what they have to be";
+  if (auto wanted = canonical(x.proxies); without_counters(x.unions) != wanted)
+    return "the unions are not what they have to be: " + difference(x.unions, wanted);
   for (auto& [id, proxy] : x.proxies) {
     auto in = x.unions.find(proxy.union_id);
     if (in == x.unions.end() || proxy.proxy_ids != in->second.proxy_ids)
