@@ -156,8 +156,9 @@ public:
     processes_.be_silent();
     refuse_orders();
     if (started_) {
+      auto known = roster();
       std::vector<std::string> all;
-      for (auto& x : roster()->components)
+      for (auto& x : known->components)
         all.push_back(x.identity.name);
       stop_components(all);
     }
