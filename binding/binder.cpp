@@ -10,9 +10,8 @@ namespace castor::binding {
 
 BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& surroundings) {
   std::vector<ProxyRef> ordered(members.begin(), members.end());
-  std::sort(ordered.begin(), ordered.end(), [](const ProxyRef& a, const ProxyRef& b) {
-    return rank_of(*a.id, *a.proxy) < rank_of(*b.id, *b.proxy);
-  });
+  std::sort(ordered.begin(), ordered.end(),
+            [](const ProxyRef& a, const ProxyRef& b) { return precedes(a, b); });
   BindingUnion result;
   result.type = ordered.front().proxy->type;
   for (const auto& member : ordered) {

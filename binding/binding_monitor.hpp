@@ -66,9 +66,9 @@ protected:
   std::map<std::string, EntryOf<BindingProxy>> own_proxies() {
     std::map<std::string, EntryOf<BindingProxy>> result;
     try {
-      for (auto& x : read_all_in<BindingProxy>(binding_))
-        if (x->source == subarchitecture())
-          result.emplace(x.address.id, x);
+      for (auto& x :
+           read_where_in<BindingProxy>(binding_, field(&BindingProxy::source) == subarchitecture()))
+        result.emplace(x.address.id, x);
     } catch (const UnknownSubarchitectureException&) {
       debug("there is no binding in this system");
     }

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 namespace castor::binding {
 
@@ -22,6 +23,15 @@ struct BindingRank {
 
 inline BindingRank rank_of(const std::string& id, const BindingProxy& proxy) {
   return {proxy.type == ProxyType::relation, proxy.precedence, id};
+}
+
+/// The same order, of proxies where they are.
+inline bool precedes(const std::string& id, const BindingProxy& proxy, const std::string& other_id,
+                     const BindingProxy& other) {
+  const bool relates = proxy.type == ProxyType::relation;
+  const bool other_relates = other.type == ProxyType::relation;
+  return std::tie(relates, proxy.precedence, id) <
+         std::tie(other_relates, other.precedence, other_id);
 }
 
 /// The id of the union whose first member this is.

@@ -12,16 +12,6 @@ namespace castor::binding {
 
 namespace {
 
-bool precedes(const ProxyRef& a, const ProxyRef& b) {
-  const bool a_relates = a.proxy->type == ProxyType::relation;
-  const bool b_relates = b.proxy->type == ProxyType::relation;
-  if (a_relates != b_relates)
-    return b_relates;
-  if (a.proxy->precedence != b.proxy->precedence)
-    return a.proxy->precedence < b.proxy->precedence;
-  return *a.id < *b.id;
-}
-
 /// Whether one of them says that it is not to be bound to anything from the other's source.
 bool sources_exclude_each_other(const BindingProxy& a, const BindingProxy& b) {
   const auto refuses = [](const BindingProxy& x, const BindingProxy& y) {

@@ -16,6 +16,11 @@ struct ProxyRef {
   const BindingProxy* proxy = nullptr;
 };
 
+/// Whether the one is bound before the other.
+inline bool precedes(const ProxyRef& a, const ProxyRef& b) {
+  return precedes(*a.id, *a.proxy, *b.id, *b.proxy);
+}
+
 /// What the scorer has to know of a proxy's relations: what is on working memory besides the proxy
 /// and the union in question.
 class Surroundings {

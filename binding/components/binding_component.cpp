@@ -29,6 +29,9 @@ BindingComponent::Changes BindingComponent::catch_up() {
 }
 
 void BindingComponent::drop(const std::string& id) {
+  // Mostly it is not there, and to look is cheap.
+  if (!exists(here(id)))
+    return;
   try {
     delete_entry(here(id));
   } catch (const DoesNotExistOnWM&) {

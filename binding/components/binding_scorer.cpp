@@ -80,7 +80,7 @@ class BindingScorer final : public BindingComponent {
   void score(const std::string& id) {
     ProxyUnionScores result{id, {{id, {}, nil_score()}}};
     for (auto& [union_id, x] : view().unions())
-      result.scores.push_back({id, union_id, score_in(id, union_id, *x)});
+      result.scores.push_back({id, union_id, score_in(id, *x)});
     tell(std::move(result));
   }
 
@@ -90,11 +90,11 @@ class BindingScorer final : public BindingComponent {
     std::erase_if(result.scores, [&](auto& x) { return changes.unions.contains(x.union_id); });
     for (auto& union_id : changes.unions)
       if (auto x = view().unions().find(union_id); x != view().unions().end())
-        result.scores.push_back({id, union_id, score_in(id, union_id, *x->second)});
+        result.scores.push_back({id, union_id, score_in(id, *x->second)});
     tell(std::move(result));
   }
 
-  BindingScore score_in(const std::string& id, const std::string&, const BindingUnion& in) {
+  BindingScore score_in(const std::string& id, const BindingUnion& in) {
     auto members = view().refs(in.proxy_ids);
     for (auto& member : members)
       if (*member.id != id)

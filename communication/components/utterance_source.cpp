@@ -50,7 +50,7 @@ class UtteranceSource final : public UnmanagedComponent {
       pollfd input{STDIN_FILENO, POLLIN, 0};
       if (poll(&input, 1, 0) <= 0)
         continue;
-      auto size = read_input(chunk);
+      auto size = ::read(STDIN_FILENO, chunk.data(), chunk.size());
       if (size <= 0) {
         say(line);
         return;
@@ -61,10 +61,6 @@ class UtteranceSource final : public UnmanagedComponent {
         line.erase(0, end + 1);
       }
     }
-  }
-
-  static ssize_t read_input(std::array<char, 1024>& chunk) {
-    return ::read(STDIN_FILENO, chunk.data(), chunk.size());
   }
 
   void say(std::string_view text) {

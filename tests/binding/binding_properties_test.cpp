@@ -21,70 +21,37 @@ namespace {
 constexpr int runs = 150;
 
 /// From scratch, in binding order, by the scorer and the judge alone.
-class Naive final : private Surroundings {
+class Naive {
 public:
-  Naive(const Proxies& proxies, const FeatureComparator& comparator) : proxies_(proxies) {
-    for (auto& [id, x] : proxies_) {
-      for (auto& port : x.out_ports) {
-        port.owner = id;
-        ports_[port.proxy].push_back(port);
-      }
-    }
+  Naive(const Proxies& proxies, const FeatureComparator& comparator) {
+    BindingView view;
     std::vector<std::string> order;
-    for (const auto& [id, x] : proxies_)
+    for (const auto& [id, x] : proxies) {
+      tell(view, id, x);
       order.push_back(id);
-    std::sort(order.begin(), order.end(), [this](const auto& a, const auto& b) {
-      return rank_of(a, proxies_.at(a)) < rank_of(b, proxies_.at(b));
+    }
+    std::sort(order.begin(), order.end(), [&proxies](const auto& a, const auto& b) {
+      return rank_of(a, proxies.at(a)) < rank_of(b, proxies.at(b));
     });
     const BindingScorer scorer(comparator);
+    std::map<std::string, std::vector<std::string>> all_members;
     for (const auto& id : order) {
       std::vector<ProxyUnionScore> scores;
-      for (const auto& [union_id, members] : members_)
-        scores.push_back({id, union_id, scorer.score(ref(id), refs(members), *this)});
+      for (const auto& [union_id, members] : all_members)
+        scores.push_back({id, union_id, scorer.score(view.ref(id), view.refs(members), view)});
       const auto best = judge(id, scores).best.unions;
       best_unions[id] = best;
-      union_of_[id] = best.empty() ? union_id_of(id) : best.front();
-      members_[union_of_[id]].push_back(id);
+      const auto union_id = best.empty() ? union_id_of(id) : best.front();
+      auto& members = all_members[union_id];
+      members.push_back(id);
+      bind_together(view, union_id, members);
     }
-    for (const auto& [union_id, members] : members_)
-      unions.emplace(union_id, make_union(refs(members), *this));
+    for (const auto& [union_id, members] : all_members)
+      unions.emplace(union_id, make_union(view.refs(members), view));
   }
 
   std::map<std::string, BindingUnion> unions;
   std::map<std::string, std::vector<std::string>> best_unions;
-
-private:
-  ProxyRef ref(const std::string& id) const {
-    const auto found = proxies_.find(id);
-    return {&found->first, &found->second};
-  }
-
-  std::vector<ProxyRef> refs(const std::vector<std::string>& ids) const {
-    std::vector<ProxyRef> result;
-    for (const auto& id : ids)
-      result.push_back(ref(id));
-    return result;
-  }
-
-  const BindingProxy* proxy(const std::string& id) const override {
-    const auto found = proxies_.find(id);
-    return found == proxies_.end() ? nullptr : &found->second;
-  }
-
-  std::span<const Port> in_ports(const std::string& id) const override {
-    const auto found = ports_.find(id);
-    return found == ports_.end() ? std::span<const Port>{} : found->second;
-  }
-
-  std::vector<ProxyRef> bound_with(const std::string& id) const override {
-    const auto found = union_of_.find(id);
-    return found == union_of_.end() ? std::vector{ref(id)} : refs(members_.at(found->second));
-  }
-
-  Proxies proxies_;
-  std::map<std::string, std::vector<Port>> ports_;
-  std::map<std::string, std::string> union_of_;
-  std::map<std::string, std::vector<std::string>> members_;
 };
 
 void expect_as_from_scratch(const BindingCore& core, const Proxies& proxies) {

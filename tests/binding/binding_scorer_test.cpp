@@ -23,55 +23,6 @@ BindingScore score_of(std::uint32_t matches, std::uint32_t relation_matches = 0,
   return result;
 }
 
-/// What is on working memory.
-class Memory final : public Surroundings {
-public:
-  void add(const std::string& id, BindingProxy x) {
-    for (auto& port : x.out_ports) {
-      port.owner = id;
-      ports_[port.proxy].push_back(port);
-    }
-    proxies_[id] = std::move(x);
-  }
-
-  void bind(const std::vector<std::string>& together) {
-    for (const auto& id : together)
-      together_[id] = together;
-  }
-
-  ProxyRef ref(const std::string& id) const {
-    const auto found = proxies_.find(id);
-    return {&found->first, &found->second};
-  }
-
-  std::vector<ProxyRef> refs(const std::vector<std::string>& ids) const {
-    std::vector<ProxyRef> result;
-    for (const auto& id : ids)
-      result.push_back(ref(id));
-    return result;
-  }
-
-  const BindingProxy* proxy(const std::string& id) const override {
-    const auto found = proxies_.find(id);
-    return found == proxies_.end() ? nullptr : &found->second;
-  }
-
-  std::span<const Port> in_ports(const std::string& id) const override {
-    const auto found = ports_.find(id);
-    return found == ports_.end() ? std::span<const Port>{} : found->second;
-  }
-
-  std::vector<ProxyRef> bound_with(const std::string& id) const override {
-    const auto found = together_.find(id);
-    return found == together_.end() ? refs({id}) : refs(found->second);
-  }
-
-private:
-  std::map<std::string, BindingProxy> proxies_;
-  std::map<std::string, std::vector<Port>> ports_;
-  std::map<std::string, std::vector<std::string>> together_;
-};
-
 class Scorer : public ::testing::Test {
 protected:
   BindingScore score(const std::string& id, const std::vector<std::string>& members,
@@ -82,11 +33,11 @@ protected:
 
   void add(const std::string& id, std::vector<Feature> features,
            const std::string& source = "vision") {
-    memory.add(id, proxy_from(source, std::move(features)));
+    tell(memory, id, proxy_from(source, std::move(features)));
   }
 
   FeatureComparator comparator;
-  Memory memory;
+  BindingView memory;
 };
 
 TEST(BindingScore, IsOrderedLexicographically) {
@@ -150,7 +101,7 @@ TEST_F(Scorer, DoesNotCompareWhatIsOfAnotherType) {
   add("b", {concept_of("thing")});
   auto group = proxy_from("vision", {concept_of("thing")});
   group.type = ProxyType::group;
-  memory.add("c", group);
+  tell(memory, "c", group);
   EXPECT_FALSE(score("c", {"a"}).comparable);
   add("d", {location_at(0, 0, 0)});
   EXPECT_FALSE(score("d", {"a"}).comparable);
@@ -161,7 +112,7 @@ TEST_F(Scorer, LooksOnlyAtThoseBefore) {
   add("b", {concept_of("thing")});
   EXPECT_FALSE(score("a", {"b"}).comparable);
   EXPECT_EQ(score("b", {"a"}), score_of(1));
-  memory.add("a", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
+  tell(memory, "a", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
   EXPECT_EQ(score("a", {"b"}), score_of(1));
 }
 
@@ -192,10 +143,10 @@ protected:
     add("v1", {concept_of("thing")});
     add("v2", {concept_of("ball")});
     add("v3", {concept_of("thing")});
-    memory.add("vr", relation_from("vision", "left", "v1", "v2"));
-    memory.add("x1", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
-    memory.add("x2", with_precedence(proxy_from("comsys", {concept_of("ball")}), 1));
-    memory.add("xr", with_precedence(relation_from("comsys", "left", "x1", "x2"), 1));
+    tell(memory, "vr", relation_from("vision", "left", "v1", "v2"));
+    tell(memory, "x1", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
+    tell(memory, "x2", with_precedence(proxy_from("comsys", {concept_of("ball")}), 1));
+    tell(memory, "xr", with_precedence(relation_from("comsys", "left", "x1", "x2"), 1));
   }
 };
 
@@ -209,46 +160,46 @@ TEST_F(RelationScorer, PrefersWhatIsRelatedAlike) {
 TEST_F(RelationScorer, GoesByWhatBecameOfThoseBefore) {
   // x1 comes before x2.
   EXPECT_EQ(score("x2", {"v2"}), score_of(1, 0));
-  memory.bind({"v1", "x1"});
+  bind_together(memory, union_id_of("v1"), {"v1", "x1"});
   EXPECT_EQ(score("x2", {"v2"}), score_of(1, 1));
 }
 
 TEST_F(RelationScorer, DoesNotCountAnotherRelation) {
-  memory.add("vr", relation_from("vision", "right", "v1", "v2"));
+  tell(memory, "vr", relation_from("vision", "right", "v1", "v2"));
   EXPECT_EQ(score("x1", {"v1"}), score_of(1, 0));
 }
 
 TEST_F(RelationScorer, ComparesRelationsByTheirEnds) {
   EXPECT_EQ(score("xr", {"vr"}), score_of(1, 0));
-  memory.bind({"v1", "x1"});
+  bind_together(memory, union_id_of("v1"), {"v1", "x1"});
   EXPECT_EQ(score("xr", {"vr"}), score_of(1, 1));
-  memory.bind({"v2", "x2"});
+  bind_together(memory, union_id_of("v2"), {"v2", "x2"});
   EXPECT_EQ(score("xr", {"vr"}), score_of(1, 2));
 }
 
 TEST_F(RelationScorer, SeparatesRelationsWhoseEndsExcludeEachOther) {
-  memory.add("x2", with_precedence(proxy_from("comsys", {concept_of("box")}), 1));
+  tell(memory, "x2", with_precedence(proxy_from("comsys", {concept_of("box")}), 1));
   EXPECT_TRUE(score("xr", {"vr"}).relation_mismatch);
   // Not by what they say themselves, but by what they are bound with.
-  memory.add("x2", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
+  tell(memory, "x2", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
   EXPECT_FALSE(score("xr", {"vr"}).relation_mismatch);
   add("v4", {concept_of("box")});
-  memory.bind({"v4", "x2"});
+  bind_together(memory, union_id_of("v4"), {"v4", "x2"});
   EXPECT_TRUE(score("xr", {"vr"}).relation_mismatch);
 }
 
 TEST_F(RelationScorer, SeparatesRelationsWithOtherEnds) {
   auto other = relation_from("comsys", "left", "x1", "x2");
   other.out_ports[1].label = "beside";
-  memory.add("xr", with_precedence(other, 1));
+  tell(memory, "xr", with_precedence(other, 1));
   EXPECT_TRUE(score("xr", {"vr"}).relation_mismatch);
   other.out_ports.pop_back();
-  memory.add("xr", with_precedence(other, 1));
+  tell(memory, "xr", with_precedence(other, 1));
   EXPECT_TRUE(score("xr", {"vr"}).relation_mismatch);
 }
 
 TEST_F(RelationScorer, DoesNotMindWhatIsNotThereYet) {
-  memory.add("xr", with_precedence(relation_from("comsys", "left", "nobody", "nowhere"), 1));
+  tell(memory, "xr", with_precedence(relation_from("comsys", "left", "nobody", "nowhere"), 1));
   EXPECT_EQ(score("xr", {"vr"}), score_of(1, 0));
 }
 

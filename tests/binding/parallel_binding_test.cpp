@@ -26,13 +26,7 @@ namespace {
 class Components {
 public:
   void set(const std::string& id, BindingProxy x) {
-    for (auto& port : x.out_ports)
-      port.owner = id;
-    if (const auto* known = view_.proxy(id)) {
-      x.union_id = known->union_id;
-      x.proxy_ids = known->proxy_ids;
-    }
-    view_.set(id, std::make_shared<const BindingProxy>(std::move(x)));
+    tell(view_, id, std::move(x));
     rescore_all();
   }
 

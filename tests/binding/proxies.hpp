@@ -1,9 +1,11 @@
 #pragma once
 
+#include "castor/binding/binding_view.hpp"
 #include "castor/binding/features.hpp"
 #include "castor/binding/types.hpp"
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -46,6 +48,31 @@ inline BindingProxy relation_from(std::string source, std::string label, std::st
 inline BindingProxy with_precedence(BindingProxy proxy, std::int32_t precedence) {
   proxy.precedence = precedence;
   return proxy;
+}
+
+/// Puts a proxy into a view, or another in its place; where it is bound stays as it was.
+inline void tell(BindingView& view, const std::string& id, BindingProxy x) {
+  for (auto& port : x.out_ports)
+    port.owner = id;
+  if (const auto* known = view.proxy(id)) {
+    x.union_id = known->union_id;
+    x.proxy_ids = known->proxy_ids;
+  }
+  view.set(id, std::make_shared<const BindingProxy>(std::move(x)));
+}
+
+/// Binds proxies of a view together.
+inline void bind_together(BindingView& view, const std::string& union_id,
+                          const std::vector<std::string>& together) {
+  BindingUnion in;
+  in.proxy_ids = together;
+  for (const auto& id : together) {
+    auto x = *view.proxy(id);
+    x.union_id = union_id;
+    x.proxy_ids = together;
+    view.set(id, std::make_shared<const BindingProxy>(std::move(x)));
+  }
+  view.set(union_id, std::make_shared<const BindingUnion>(std::move(in)));
 }
 
 /// Who is bound with whom, and as what; without the counters, which tell what happened before.
