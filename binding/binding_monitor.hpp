@@ -21,15 +21,27 @@ namespace castor::binding {
 class BindingMonitor : public UnmanagedComponent {
 protected:
   void start() override {
-    on_change(changed<BinderStatus>().in(binding_), [this](const ChangeEvent& event) {
+    on_binding_change(changed<BinderStatus>(), [this](const ChangeEvent& event) {
       if (event.operation == Operation::add)
         tell_again();
     });
   }
 
-  /// The proxy is to be like this; what binding writes into it does not count.
+  /// The same as `on_change`, for what happens in binding; nothing in a system without it.
+  void on_binding_change(ChangeFilter filter, ChangeCallback callback) {
+    try {
+      on_change(std::move(filter).in(binding_), std::move(callback));
+    } catch (const UnknownSubarchitectureException&) {
+      debug("there is no binding in this system");
+    }
+  }
+
+  /// The proxy is to be like this; what binding writes into it does not count. Others can say that
+  /// they mean this very thing, by its id.
   void tell(const std::string& id, BindingProxy proxy) {
     proxy.source = subarchitecture();
+    if (proxy.type == ProxyType::basic)
+      proxy.features.push_back(feature(FeatureKind::this_proxy_id, id));
     for (auto& port : proxy.out_ports)
       port.owner = id;
     wanted_[id] = std::move(proxy);

@@ -50,6 +50,9 @@ Truth compare_words(const Feature& a, const Feature& b, const ComparatorOptions&
     return Truth::unknown;
   if (a.kind == concept_name)
     return truth(subsumes(a.text, b.text, options) || subsumes(b.text, a.text, options));
+  if (a.kind == shape &&
+      (options.alike.contains({a.text, b.text}) || options.alike.contains({b.text, a.text})))
+    return Truth::unknown;
   return truth(a.text == b.text);
 }
 

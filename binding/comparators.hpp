@@ -4,7 +4,9 @@
 #include "castor/binding/types.hpp"
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace castor::binding {
 
@@ -19,6 +21,11 @@ struct ComparatorOptions {
   /// empty text stands for nothing above, as for a room.
   std::map<std::string, std::string> is_a = {
     {"location", ""}, {"place", ""}, {"room", ""}, {"area", ""}, {"person", ""}};
+  /// Shapes that one thing may be called by, as seen from this side or that: nobody knows whether
+  /// they agree.
+  std::set<std::pair<std::string, std::string>> alike = {
+    {"cube", "square"},      {"cube", "rectangle"}, {"cylinder", "circle"},
+    {"square", "rectangle"}, {"sphere", "circle"},  {"cylinder", "rectangle"}};
 };
 
 /// Whether two features of these kinds say something about each other at all, besides that they may
@@ -32,8 +39,9 @@ bool may_compare(FeatureKind a, FeatureKind b);
 /// each other. The order does not matter.
 ///
 /// Words are compared as such; "unknown" and empty ones are no statement. A concept is what it is a
-/// kind of. Of time frames, ids of sources, groups and singulars, different ones exclude each other
-/// and equal ones prove nothing. What is not red excludes what is red, and includes what is blue.
+/// kind of. Of shapes that look alike, nobody knows. Of time frames, ids of sources, groups and
+/// singulars, different ones exclude each other and equal ones prove nothing. What is not red
+/// excludes what is red, and includes what is blue.
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
 
 /// Whether `a` is a concept that `b` is only a kind of: what is known to be a thing may be a ball,

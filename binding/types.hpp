@@ -104,6 +104,9 @@ enum class ProxyType { basic, group, relation };
 inline constexpr const char* perceived_frame = "perceived";
 inline constexpr const char* desired_frame = "desired";
 
+/// The label of the relation from a location to what is there.
+inline constexpr const char* position_label = "pos";
+
 /// The names of a relation's two ends: `from` is left of `to`.
 inline constexpr const char* from_port = "from";
 inline constexpr const char* to_port = "to";
@@ -281,6 +284,8 @@ struct DeletedBindingProxy {
 /// What somebody says of a thing that is meant to be known already.
 struct DescribedThing {
   std::vector<Feature> features;
+
+  friend bool operator==(const DescribedThing&, const DescribedThing&) = default;
 };
 
 /// Two described things, by their numbers: `from` is `label` of `to`.
@@ -288,6 +293,8 @@ struct DescribedRelation {
   std::string label;
   std::uint32_t from = 0;
   std::uint32_t to = 0;
+
+  friend bool operator==(const DescribedRelation&, const DescribedRelation&) = default;
 };
 
 /// "the red thing left of the ball": two things, one relation. The first thing is the one that is
@@ -295,6 +302,8 @@ struct DescribedRelation {
 struct Description {
   std::vector<DescribedThing> things;
   std::vector<DescribedRelation> relations;
+
+  friend bool operator==(const Description&, const Description&) = default;
 };
 
 /// Which unions a description may be about.
@@ -324,6 +333,8 @@ struct ReferenceRequest {
 /// What is known of a union.
 struct KnownUnion {
   std::string id;
+  /// Of its members, the one that everybody can keep hold of it by.
+  std::string proxy;
   std::vector<Feature> features;
 };
 
@@ -333,8 +344,8 @@ struct DescriptionReferents {
 };
 
 struct ReferenceReply {
-  /// For each description, the readings, the most certain first. No relation or feature of them is
-  /// denied.
+  /// For each description the unions that it may be about, the most certain first, each with the
+  /// most certain of its readings. No relation or feature of them is denied.
   std::vector<DescriptionReferents> referents;
   /// Everything that is perceived, and how it lies to each other.
   std::vector<KnownUnion> unions;
@@ -373,7 +384,7 @@ CASTOR_REFLECT(Description, things, relations)
 CASTOR_REFLECT(Referents, unions, unknown)
 CASTOR_REFLECT(UnionRelation, label, from, to)
 CASTOR_REFLECT(ReferenceRequest, descriptions)
-CASTOR_REFLECT(KnownUnion, id, features)
+CASTOR_REFLECT(KnownUnion, id, proxy, features)
 CASTOR_REFLECT(DescriptionReferents, readings)
 CASTOR_REFLECT(ReferenceReply, referents, unions, relations)
 

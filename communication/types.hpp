@@ -19,6 +19,8 @@ struct PhonString {
   double confidence = 1;
   /// The place among the hypotheses of one utterance, from 0 for the likeliest.
   std::int32_t rank = 0;
+  /// How many utterances came before it.
+  std::int32_t turn = 0;
 };
 
 /// <name>value of a nominal, such as <Number>sg.
@@ -129,11 +131,13 @@ enum class InterpretationState {
   pruned
 };
 
-/// All readings of an utterance in one form, overwritten after each word. What is common to readings
-/// is there once; every alternative carries the readings that it belongs to, so pruning is removing
-/// readings.
+/// All readings of an utterance in one form, overwritten after each word. What is common to
+/// readings is there once; every alternative carries the readings that it belongs to, so pruning is
+/// removing readings.
 struct PackedLogicalForm {
   std::string utterance;
+  /// How many utterances came before it.
+  std::int32_t turn = 0;
   /// So many words of it have been heard.
   std::int32_t string_position = 0;
   InterpretationState state = InterpretationState::unfinished;
@@ -147,8 +151,8 @@ struct PackedLogicalForm {
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
 
-/// What other knowledge says of one relation of a packed logical form, as of the attachment of "near
-/// the box" to something that is seen near a box, or not.
+/// What other knowledge says of one relation of a packed logical form, as of the attachment of
+/// "near the box" to something that is seen near a box, or not.
 struct InterpretationSupport {
   std::string head;
   std::string mode;
@@ -156,6 +160,18 @@ struct InterpretationSupport {
   bool supported = true;
 
   friend bool operator==(const InterpretationSupport&, const InterpretationSupport&) = default;
+};
+
+/// There is a component that says which readings the rest of the system supports. Goes with it.
+struct ContextSource {
+  std::string component;
+};
+
+/// What such a component says of a finished form that has several readings.
+struct ContextInfo {
+  /// The id of the form.
+  std::string form;
+  std::vector<InterpretationSupport> supports;
 };
 
 enum class DialogueMoveType {
@@ -174,28 +190,77 @@ enum class DialogueMoveType {
 struct DialogueMove {
   DialogueMoveType type = DialogueMoveType::none;
   LogicalForm content;
+  /// How many utterances came before it.
+  std::int32_t turn = 0;
 };
 
-/// What was spoken of, and may be spoken of again.
+/// Something that a dialogue move speaks of, and that may be spoken of again.
 struct DiscourseReferent {
-  /// The nominal that brought it up, and in which utterance.
+  /// The nominal that brought it up.
   std::string nominal;
-  std::string utterance_id;
-  std::string sort;
   std::string proposition;
+  bool is_plural = false;
+  /// What it may be: proxies of what is perceived, one if it is certain.
+  std::vector<std::string> proxies;
+
+  friend bool operator==(const DiscourseReferent&, const DiscourseReferent&) = default;
+};
+
+/// What a dialogue move speaks of. It is there when everything said before is known to binding.
+struct MoveReferents {
+  /// The id of the move.
+  std::string move;
+  std::int32_t turn = 0;
+  /// The one that the move is about first.
+  std::vector<DiscourseReferent> referents;
+};
+
+/// How a turn of a dialogue is connected with one before it.
+enum class RhetoricalRelation {
+  /// Something new.
+  narration,
+  answer,
+  acceptance,
+  correction,
+  clarification_question,
+  clarification,
+  greeting,
+};
+
+struct DialogueTurn {
+  /// "human" or "robot".
+  std::string speaker;
+  /// The id of a DialogueMove, a ContentPlanningGoal or a SpokenOutputItem.
+  std::string contribution;
+  DialogueMoveType type = DialogueMoveType::none;
+  RhetoricalRelation relation = RhetoricalRelation::narration;
+  /// The contribution that it is connected with; empty for something new.
+  std::string to;
+
+  friend bool operator==(const DialogueTurn&, const DialogueTurn&) = default;
+};
+
+/// One entry: who said what, and in reply to what.
+struct DialogueStructure {
+  std::vector<DialogueTurn> turns;
 };
 
 /// What is to be said: a logical form for the realiser.
 struct ContentPlanningGoal {
   LogicalForm content;
+  /// The dialogue move that this is a reply to, if it is one.
+  std::string reply_to;
+  RhetoricalRelation relation = RhetoricalRelation::narration;
 };
 
 /// What is said, or was.
 struct SpokenOutputItem {
   std::string text;
+  std::string reply_to;
+  RhetoricalRelation relation = RhetoricalRelation::narration;
 };
 
-CASTOR_REFLECT(PhonString, word_sequence, length, confidence, rank)
+CASTOR_REFLECT(PhonString, word_sequence, length, confidence, rank, turn)
 CASTOR_REFLECT(NominalFeature, name, value)
 CASTOR_REFLECT(NominalRelation, mode, dependent)
 CASTOR_REFLECT(Nominal, name, sort, proposition, features, relations)
@@ -207,14 +272,21 @@ CASTOR_REFLECT(PackedRelation, mode, dependent, readings)
 CASTOR_REFLECT(PackedNominal, name, sorts, propositions, features, relations)
 CASTOR_REFLECT(Unparsable, first_word, words, text, reason, suggestions)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
-CASTOR_REFLECT(PackedLogicalForm, utterance, string_position, state, readings, roots, nominals,
-               unparsable)
+CASTOR_REFLECT(PackedLogicalForm, utterance, turn, string_position, state, readings, roots,
+               nominals, unparsable)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
                     opening, closing, accept, reject)
-CASTOR_REFLECT(DialogueMove, type, content)
-CASTOR_REFLECT(DiscourseReferent, nominal, utterance_id, sort, proposition)
-CASTOR_REFLECT(ContentPlanningGoal, content)
-CASTOR_REFLECT(SpokenOutputItem, text)
+CASTOR_REFLECT(ContextSource, component)
+CASTOR_REFLECT(ContextInfo, form, supports)
+CASTOR_REFLECT(DialogueMove, type, content, turn)
+CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
+CASTOR_REFLECT(MoveReferents, move, turn, referents)
+CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
+                    clarification_question, clarification, greeting)
+CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)
+CASTOR_REFLECT(DialogueStructure, turns)
+CASTOR_REFLECT(ContentPlanningGoal, content, reply_to, relation)
+CASTOR_REFLECT(SpokenOutputItem, text, reply_to, relation)
 
 } // namespace castor::communication

@@ -24,10 +24,12 @@ class ReferenceResolver final : public BindingComponent {
     catch_up();
     auto unions = perceived();
     ReferenceReply reply;
-    for (auto& x : request.descriptions)
-      reply.referents.push_back({find_referents(x, unions, comparator_, limit_)});
+    for (auto& x : request.descriptions) {
+      auto all = find_referents(x, unions, comparator_, limit_);
+      reply.referents.push_back({distinct_referents(all)});
+    }
     for (auto& [id, x] : unions)
-      reply.unions.push_back({id, x.features});
+      reply.unions.push_back({id, x.proxy_ids.front(), x.features});
     reply.relations = relations_between(unions);
     return reply;
   }
@@ -44,7 +46,7 @@ class ReferenceResolver final : public BindingComponent {
     return result;
   }
 
-  Option<std::uint32_t> limit_{this, "limit", 100, "how many readings of a description are told"};
+  Option<std::uint32_t> limit_{this, "limit", 100000, "how many readings of a description are looked at"};
 
   FeatureComparator comparator_;
 };

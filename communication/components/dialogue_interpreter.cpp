@@ -26,8 +26,7 @@ class DialogueInterpreter final : public UnmanagedComponent {
 
   void look(const Address& address) {
     try {
-      if (auto form = read<PackedLogicalForm>(address);
-          form->state != InterpretationState::unfinished)
+      if (auto form = read<PackedLogicalForm>(address); form->state == InterpretationState::pruned)
         interpret(address, *form);
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
@@ -42,12 +41,11 @@ class DialogueInterpreter final : public UnmanagedComponent {
       return ask_back(address, form);
     auto said = unpack(form, form.readings.front().id);
     DialogueMove move;
+    move.turn = form.turn;
     if (said.size() == 1) {
       move.type = dialogue_move_type(said.front());
       move.content = std::move(said.front());
     }
-    if (move.type == DialogueMoveType::none)
-      debug("\"{}\" is no sentence", form.utterance);
     add(here("move of " + address.id), std::move(move));
   }
 
@@ -61,7 +59,8 @@ class DialogueInterpreter final : public UnmanagedComponent {
     }
     if (!text.ends_with('?'))
       text += '.';
-    add(here("clarification of " + address.id), SpokenOutputItem{std::move(text)});
+    add(here("clarification of " + address.id),
+        SpokenOutputItem{std::move(text), address.id, RhetoricalRelation::clarification_question});
   }
 };
 

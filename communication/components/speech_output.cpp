@@ -24,7 +24,8 @@ class SpeechOutput final : public UnmanagedComponent {
     try {
       auto goal = read<ContentPlanningGoal>(address);
       if (auto text = realiser_.realise(goal->content))
-        add(here("words for " + address.id), SpokenOutputItem{*text});
+        add(here("words for " + address.id),
+            SpokenOutputItem{*text, goal->reply_to, goal->relation});
       else
         warning("there are no words for {}", address.id);
     } catch (const DoesNotExistOnWM& e) {

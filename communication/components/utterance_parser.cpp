@@ -6,6 +6,9 @@
 #include "castor/communication/types.hpp"
 #include "castor/wm/failure.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,8 +18,10 @@ namespace castor::communication {
 
 namespace {
 
-/// Parses each utterance word by word. After every word its packed logical form is overwritten, so
-/// that others can use what has been understood so far, and say which readings they support.
+/// Parses each utterance word by word, one utterance after the other. After every word its packed
+/// logical form is overwritten, so that others can use what has been understood so far. If there is
+/// somebody who knows which readings the rest of the system supports, a finished form waits for
+/// that.
 class UtteranceParser final : public UnmanagedComponent {
   void configure() override {
     ParserOptions options;
@@ -25,11 +30,26 @@ class UtteranceParser final : public UnmanagedComponent {
   }
 
   void start() override {
-    on_change(added<PhonString>(), [this](const ChangeEvent& event) { parse(event.address); });
+    on_change(added<PhonString>(),
+              [this](const ChangeEvent& event) { utterances_.push_back(event.address); });
+    on_change(added<ContextInfo>(), [](const ChangeEvent&) {});
+    on_change(deleted<ContextSource>(), [](const ChangeEvent&) {});
+  }
+
+  void run() override {
     // What a predecessor did not get to.
-    for (auto& x : read_all<PhonString>())
-      if (!is_finished(form_of(x.address)))
-        parse(x.address);
+    auto said = read_all<PhonString>();
+    std::ranges::sort(said, {}, [](auto& x) { return x->turn; });
+    for (auto& x : said)
+      if (std::ranges::find(utterances_, x.address) == utterances_.end())
+        utterances_.push_back(x.address);
+    do
+      while (!utterances_.empty()) {
+        auto next = utterances_.front();
+        utterances_.pop_front();
+        interpret(next);
+      }
+    while (wait_for_changes() || is_running());
   }
 
   static std::string form_id(const Address& utterance) { return "form of " + utterance.id; }
@@ -42,34 +62,74 @@ class UtteranceParser final : public UnmanagedComponent {
     }
   }
 
-  static bool is_finished(const std::optional<PackedLogicalForm>& x) {
-    return x && x->state != InterpretationState::unfinished;
+  void interpret(const Address& address) {
+    try {
+      auto form = form_of(address);
+      if (!form || form->state == InterpretationState::unfinished)
+        form = parse(address);
+      if (form->state == InterpretationState::finished)
+        prune_by_context(address, std::move(*form));
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    }
   }
 
-  void parse(const Address& address) {
+  PackedLogicalForm parse(const Address& address) {
     auto utterance = read<PhonString>(address);
     IncrementalParse parse{*parser_};
     for (auto& word : words_of(utterance->word_sequence)) {
       parse.add(word);
-      tell(address, parse.form(), utterance->word_sequence);
+      tell(address, parse.form(), *utterance);
     }
     parse.finish();
-    tell(address, parse.form(), utterance->word_sequence);
+    return tell(address, parse.form(), *utterance);
   }
 
-  void tell(const Address& utterance, PackedLogicalForm form, const std::string& text) {
-    form.utterance = text;
+  PackedLogicalForm tell(const Address& address, PackedLogicalForm form,
+                         const PhonString& utterance) {
+    form.utterance = utterance.word_sequence;
+    form.turn = utterance.turn;
+    put(address, form);
+    return form;
+  }
+
+  void put(const Address& utterance, const PackedLogicalForm& form) {
     auto address = here(form_id(utterance));
     if (form_of(utterance))
-      overwrite(address, std::move(form));
+      overwrite(address, form);
     else
-      add(address, std::move(form));
+      add(address, form);
+  }
+
+  void prune_by_context(const Address& utterance, PackedLogicalForm form) {
+    auto supports = context_of(form_id(utterance));
+    if (prune(form, supports))
+      debug("\"{}\": {} readings are supported", form.utterance, form.readings.size());
+    form.state = InterpretationState::pruned;
+    put(utterance, form);
+  }
+
+  /// What others know of a form; nothing if there is nobody to ask, or no answer in time.
+  std::vector<InterpretationSupport> context_of(const std::string& form) {
+    const auto deadline = now() + patience_.get();
+    while (!read_all<ContextSource>(1).empty() && now() < deadline && is_running()) {
+      try {
+        return read<ContextInfo>(here("context of " + form))->supports;
+      } catch (const DoesNotExistOnWM&) {
+        wait_for_changes(deadline - now());
+      }
+    }
+    return {};
   }
 
   Option<std::uint32_t> readings_{this, "readings", 16,
                                   "how many readings of an utterance are kept"};
+  Option<std::chrono::milliseconds> patience_{
+    this, "patience", std::chrono::seconds{5},
+    "how long to wait for those who know which readings are supported"};
 
   std::optional<Parser> parser_;
+  std::deque<Address> utterances_;
 };
 
 CASTOR_COMPONENT(UtteranceParser, "parses utterances word by word into packed logical forms")

@@ -1,5 +1,6 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/registry.hpp"
+#include "castor/binding/types.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/failure.hpp"
@@ -10,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -23,14 +25,38 @@ using namespace std::chrono_literals;
 
 /// Where utterances come from: the command line, a file, or whatever is typed or piped in.
 class UtteranceSource final : public UnmanagedComponent {
+  void start() override {
+    if (settled_.get() == 0ms)
+      return;
+    try {
+      on_change(changed<binding::BindingUnion>().in(binding_),
+                [this](const ChangeEvent&) { last_change_ = now(); });
+    } catch (const UnknownSubarchitectureException&) {
+      debug("there is no binding to wait for");
+      is_waiting_ = false;
+    }
+  }
+
   void run() override {
-    if (!sleep_for(delay_.get()))
+    if (!sleep_for(delay_.get()) || !wait_until_settled())
       return;
     say(text_.get());
     if (!file_->empty())
       say(content_of(file_));
     if (typed_)
       listen();
+  }
+
+  /// Until something is bound and nothing has been bound anew for a while. Talking about a table
+  /// makes sense once it has been seen.
+  bool wait_until_settled() {
+    const auto deadline = now() + patience_.get();
+    while (settled_.get() > 0ms && is_waiting_ && now() < deadline)
+      if (last_change_ && now() - *last_change_ >= settled_.get())
+        return true;
+      else if (!sleep_for(20ms))
+        return false;
+    return true;
   }
 
   static std::string content_of(const std::string& path) {
@@ -68,6 +94,7 @@ class UtteranceSource final : public UnmanagedComponent {
       PhonString utterance;
       utterance.length = static_cast<std::int32_t>(words_of(sentence).size());
       utterance.word_sequence = sentence;
+      utterance.turn = said_;
       if (utterance.length == 0)
         continue;
       // One that is started again does not repeat itself.
@@ -85,7 +112,16 @@ class UtteranceSource final : public UnmanagedComponent {
   Option<std::chrono::milliseconds> delay_{this, "delay", 0ms,
                                            "how long to wait before the first is said"};
 
+  Option<std::chrono::milliseconds> settled_{
+    this, "settled", 0ms,
+    "wait before the first until something was bound and then nothing for so long; 0: do not wait"};
+  Option<std::chrono::milliseconds> patience_{this, "patience", 20s,
+                                              "how long to wait for that at most"};
+  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+
   int said_ = 0;
+  bool is_waiting_ = true;
+  std::optional<Timestamp> last_change_;
 };
 
 CASTOR_COMPONENT(UtteranceSource, "says what is typed, or stands in a file")

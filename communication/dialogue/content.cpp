@@ -1,6 +1,11 @@
 #include "castor/communication/dialogue/content.hpp"
 
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
 #include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
 
 namespace castor::communication {
 
@@ -26,6 +31,24 @@ void attach(LogicalForm& form, const std::string& mode, const LogicalForm& part)
 
 LogicalForm single(const std::string& sort, const std::string& proposition) {
   return {"x", {{"x", sort, proposition, {}, {}}}, 0};
+}
+
+/// Without what says how many, and which.
+LogicalForm without_determiner(LogicalForm form) {
+  auto& root = root_of(form);
+  std::erase_if(root.features, [](const NominalFeature& x) {
+    return x.name == "Number" || x.name == "Delimitation" || x.name == "Specifier" ||
+           x.name == "Proximity";
+  });
+  std::erase_if(root.relations, [](const NominalRelation& x) { return x.mode == "Quantity"; });
+  return part_of(form, form.root);
+}
+
+LogicalForm perception(const std::string& verb) {
+  auto form = single("perception", verb);
+  root_of(form).features.push_back({"Mood", "ind"});
+  attach(form, "Actor", single("person", "i"));
+  return form;
 }
 
 } // namespace
@@ -57,6 +80,31 @@ LogicalForm definite(const std::string& noun) {
   return form;
 }
 
+LogicalForm indefinite(const std::string& noun) {
+  auto form = single("thing", noun);
+  root_of(form).features = {{"Number", "sg"}, {"Delimitation", "existential"}};
+  return form;
+}
+
+LogicalForm counted(std::size_t count, LogicalForm thing) {
+  static constexpr std::array words{"zero", "one",   "two",   "three", "four", "five",
+                                    "six",  "seven", "eight", "nine",  "ten"};
+  auto form = without_determiner(std::move(thing));
+  root_of(form).features.push_back({"Number", count == 1 ? "sg" : "pl"});
+  if (count == 0)
+    root_of(form).features.push_back({"Delimitation", "none"});
+  else
+    attach(form, "Quantity", single("number", count < words.size() ? words[count] : "many"));
+  return form;
+}
+
+LogicalForm none_of(LogicalForm thing) {
+  auto form = without_determiner(std::move(thing));
+  root_of(form).features.push_back({"Number", "sg"});
+  root_of(form).features.push_back({"Delimitation", "none"});
+  return form;
+}
+
 LogicalForm with(LogicalForm thing, const std::string& mode, const LogicalForm& dependent) {
   attach(thing, mode, dependent);
   return thing;
@@ -85,10 +133,9 @@ LogicalForm with_marker(const std::string& word, LogicalForm form) {
 }
 
 LogicalForm which(LogicalForm what) {
-  auto& described = root_of(what);
-  std::erase_if(described.features,
-                [](const NominalFeature& feature) { return feature.name == "Delimitation"; });
-  described.features.push_back({"Specifier", "which"});
+  what = without_determiner(std::move(what));
+  root_of(what).features.push_back({"Number", "sg"});
+  root_of(what).features.push_back({"Specifier", "which"});
   auto form = single("perception", "mean");
   root_of(form).features.push_back({"Mood", "int"});
   attach(form, "Wh-Restr", what);
@@ -96,6 +143,68 @@ LogicalForm which(LogicalForm what) {
   attach(form, "Actor", single("person", "you"));
   root_of(form).relations.push_back({"Patient", asked_for});
   return form;
+}
+
+LogicalForm part_of(const LogicalForm& form, const std::string& nominal) {
+  LogicalForm result;
+  result.root = nominal;
+  std::vector<std::string> waiting{nominal};
+  std::set<std::string> seen{nominal};
+  while (!waiting.empty()) {
+    const auto* next = find_nominal(form, waiting.back());
+    waiting.pop_back();
+    if (next == nullptr)
+      continue;
+    result.nominals.push_back(*next);
+    for (auto& relation : next->relations)
+      if (seen.insert(relation.dependent).second)
+        waiting.push_back(relation.dependent);
+  }
+  return result;
+}
+
+LogicalForm both(const LogicalForm& first, const LogicalForm& next) {
+  auto form = single("conjunction", "and");
+  attach(form, "First", first);
+  attach(form, "Next", next);
+  return form;
+}
+
+LogicalForm i_see(const LogicalForm& what) {
+  auto form = perception("see");
+  attach(form, "Patient", what);
+  return form;
+}
+
+LogicalForm i_do_not_see(const LogicalForm& what) {
+  auto thing = without_determiner(what);
+  root_of(thing).features.push_back({"Number", "sg"});
+  root_of(thing).features.push_back({"Delimitation", "existential"});
+  auto form = i_see(thing);
+  root_of(form).features.push_back({"Polarity", "neg"});
+  return form;
+}
+
+LogicalForm i_do_not_know() {
+  auto form = perception("know");
+  root_of(form).features.push_back({"Polarity", "neg"});
+  return form;
+}
+
+LogicalForm i_cannot_do_that() {
+  auto form = perception("do");
+  root_of(form).features.push_back({"Polarity", "neg"});
+  root_of(form).features.push_back({"Modality", "can"});
+  attach(form, "Patient", pronoun("that"));
+  return form;
+}
+
+LogicalForm greeting(const std::string& word) {
+  return single("greeting", word);
+}
+
+LogicalForm closing(const std::string& word) {
+  return single("closing", word);
 }
 
 LogicalForm unknown_word(const std::string& word) {

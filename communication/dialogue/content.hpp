@@ -2,6 +2,7 @@
 
 #include "castor/communication/types.hpp"
 
+#include <cstddef>
 #include <string>
 
 /// Logical forms of what robots often say, for the realiser. Forms are made of forms:
@@ -29,6 +30,15 @@ LogicalForm region(const std::string& relation, const LogicalForm& anchor);
 /// A thing of a kind, such as the ball, with its definite article.
 LogicalForm definite(const std::string& noun);
 
+/// A ball.
+LogicalForm indefinite(const std::string& noun);
+
+/// So many balls; "no balls" for 0.
+LogicalForm counted(std::size_t count, LogicalForm thing);
+
+/// "No ball".
+LogicalForm none_of(LogicalForm thing);
+
 /// The same thing, with a property or a region: definite("ball") <Colour> red.
 LogicalForm with(LogicalForm thing, const std::string& mode, const LogicalForm& dependent);
 
@@ -43,6 +53,28 @@ LogicalForm with_marker(const std::string& word, LogicalForm form);
 
 /// Which of the things that `what` describes does the other mean?
 LogicalForm which(LogicalForm what);
+
+/// What a form says of one of its nominals: that and all it leads to.
+LogicalForm part_of(const LogicalForm& form, const std::string& nominal);
+
+/// Both.
+LogicalForm both(const LogicalForm& first, const LogicalForm& next);
+
+/// "I see ...".
+LogicalForm i_see(const LogicalForm& what);
+
+/// "I do not see a ball."
+LogicalForm i_do_not_see(const LogicalForm& what);
+
+/// "I do not know."
+LogicalForm i_do_not_know();
+
+/// "I cannot do that."
+LogicalForm i_cannot_do_that();
+
+/// "Hello", "bye".
+LogicalForm greeting(const std::string& word);
+LogicalForm closing(const std::string& word);
 
 /// "I do not know the word ...".
 LogicalForm unknown_word(const std::string& word);

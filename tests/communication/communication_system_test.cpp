@@ -44,9 +44,10 @@ std::vector<T> all(TestSystem& system) {
 TEST(CommunicationSystem, FormsGrowWordByWord) {
   TestSystem system{hearing("This is a blue square.")};
   auto entry =
-    system.expect_entry("PackedLogicalForm in communication where state == \"finished\"");
-  // Added with the first of five words, overwritten with the others and at the end.
-  EXPECT_EQ(entry->version, 5u);
+    system.expect_entry("PackedLogicalForm in communication where state == \"pruned\"");
+  // Added with the first of five words, overwritten with the others, at the end, and when there was
+  // nobody to say which readings are supported.
+  EXPECT_EQ(entry->version, 6u);
   auto form = entry->value.as<PackedLogicalForm>();
   EXPECT_EQ(form->string_position, 5);
   EXPECT_TRUE(form->unparsable.empty());
@@ -91,7 +92,7 @@ TEST(CommunicationSystem, UnderstandsEverythingOnceWhoeverFails) {
   system.wait_until("every utterance is understood",
                     [&] { return all<DialogueMove>(system).size() == heard; });
   for (auto& form : all<PackedLogicalForm>(system)) {
-    EXPECT_EQ(form.state, InterpretationState::finished);
+    EXPECT_EQ(form.state, InterpretationState::pruned);
     EXPECT_EQ(form.string_position, 9);
   }
   EXPECT_EQ(all<PackedLogicalForm>(system).size(), 40u);

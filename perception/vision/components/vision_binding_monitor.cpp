@@ -2,26 +2,35 @@
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/perception/vision/types.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace castor::vision {
 
 namespace {
 
 using binding::BindingProxy;
+using binding::BindingUnion;
 using binding::Feature;
 using binding::FeatureKind;
 
-/// Tells binding of each object on the table: the thing, where it is, and that it is there.
+/// Tells binding of each object on the table: the thing, where it is, and that it is there. What
+/// others say of the same thing vision is to learn.
 class VisionBindingMonitor final : public binding::BindingMonitor {
   void start() override {
     BindingMonitor::start();
     on_change(changed<SceneObject>(), [this](const ChangeEvent& event) {
       look(event.address);
       publish();
+    });
+    on_binding_change(changed<BindingUnion>(), [this](const ChangeEvent& event) {
+      if (event.operation != Operation::remove)
+        learn_from(event.address);
     });
     for (auto& [id, proxy] : own_proxies())
       if (id.starts_with(object_prefix))
@@ -59,7 +68,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     location.features.push_back(binding::location_at(centre.x, centre.y, centre.z));
     auto position = from_here();
     position.type = binding::ProxyType::relation;
-    position.features.push_back(feature(FeatureKind::relation_label, "pos"));
+    position.features.push_back(feature(FeatureKind::relation_label, binding::position_label));
     position.out_ports = {{binding::from_port, location_id(id), {}},
                           {binding::to_port, object_id(id), {}}};
     tell(object_id(id), std::move(thing));
@@ -72,6 +81,41 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     withdraw(position_id(id));
     withdraw(object_id(id));
     withdraw(location_id(id));
+  }
+
+  // -- what others say
+
+  void learn_from(const Address& address) {
+    try {
+      auto bound = read<BindingUnion>(address);
+      for (auto& proxy : bound->proxy_ids)
+        if (proxy.starts_with(object_prefix) && bound->proxy_ids.size() > 1)
+          learn(proxy.substr(object_prefix.size()),
+                read<BindingProxy>({binding(), proxy})->features, bound->features);
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  /// The words for colours and shapes that somebody else has said and vision has not.
+  void learn(const std::string& id, const std::vector<Feature>& own,
+             const std::vector<Feature>& all) {
+    LearnInstruction instruction{true, id, {}};
+    std::string words;
+    for (auto& x : all)
+      if (x.holds && (x.kind == FeatureKind::colour || x.kind == FeatureKind::shape) &&
+          std::ranges::find(own, x) == own.end()) {
+        instruction.attributes.push_back(
+          {x.kind == FeatureKind::colour ? "colour" : "shape", {x.text, 1}});
+        words += ' ' + x.text;
+      }
+    if (instruction.attributes.empty())
+      return;
+    try {
+      add(here("learn" + words + " from " + id), std::move(instruction), {.only_once = true});
+    } catch (const AlreadyExistsOnWM&) {
+      trace("{} has taught{} before", id, words);
+    }
   }
 
   BindingProxy from_here() const {

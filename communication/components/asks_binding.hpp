@@ -1,0 +1,63 @@
+#pragma once
+
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/binding/types.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/wm/failure.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::communication {
+
+/// A component, made of `Base`, that asks binding what descriptions may be about.
+template <class Base>
+class AsksBinding : public Base {
+protected:
+  /// Nothing if there is no binding, or no answer in time.
+  std::optional<binding::ReferenceReply> ask(const std::string& binding_subarchitecture,
+                                             std::vector<binding::Description> descriptions) {
+    try {
+      return this->template call<binding::ReferenceRequest, binding::ReferenceReply>(
+        binding_subarchitecture, {std::move(descriptions)},
+        {.timeout = std::chrono::seconds{3}, .retries = 5});
+    } catch (const UnknownSubarchitectureException&) {
+      this->debug("there is no binding in this system");
+    } catch (const PermissionException& e) {
+      this->warning("binding cannot be asked: {}", e.what());
+    } catch (const DeadlineException&) {
+      this->warning("binding does not answer");
+    } catch (const CallException& e) {
+      this->warning("binding does not answer: {}", e.what());
+    } catch (const WorkingMemoryLostException& e) {
+      this->warning("binding does not answer: {}", e.what());
+    }
+    return std::nullopt;
+  }
+
+  /// What `f` makes of what is known of the scene, asking binding for all that it asks for.
+  template <class F>
+  auto with_scene(const std::string& binding_subarchitecture, F f) {
+    SceneKnowledge scene;
+    auto result = f(scene);
+    while (!scene.open_questions().empty()) {
+      auto asked = scene.open_questions();
+      auto reply = ask(binding_subarchitecture, asked);
+      scene.learn(asked, reply ? std::move(*reply) : nobody_knows(asked.size()));
+      result = f(scene);
+    }
+    return result;
+  }
+
+private:
+  static binding::ReferenceReply nobody_knows(std::size_t questions) {
+    binding::ReferenceReply reply;
+    reply.referents.resize(questions);
+    return reply;
+  }
+};
+
+} // namespace castor::communication

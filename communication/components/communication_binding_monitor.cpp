@@ -1,0 +1,179 @@
+#include "castor/actors/registry.hpp"
+#include "castor/binding/binding_monitor.hpp"
+#include "castor/communication/components/asks_binding.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/types.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::BindingProxy;
+using binding::FeatureKind;
+
+/// Binds what is said to what is there, move after move: finds what each move is about, and tells
+/// binding of everything that is asserted.
+class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMonitor> {
+  void start() override {
+    BindingMonitor::start();
+    on_change(added<DialogueMove>(),
+              [this](const ChangeEvent& event) { moves_.insert(event.address.id); });
+    on_binding_change(changed<BindingProxy>(), [](const ChangeEvent&) {});
+    for (auto& x : read_all<DialogueMove>())
+      moves_.insert(x.address.id);
+    for (auto& x : read_all<MoveReferents>())
+      history_.push_back(*x);
+    std::ranges::sort(history_, {}, &MoveReferents::turn);
+  }
+
+  void run() override {
+    do
+      for (auto next = next_move(); next && is_running(); next = next_move())
+        look(next->address.id, *next->object);
+    while (wait_for_changes() || is_running());
+  }
+
+  /// The one that was said first.
+  std::optional<EntryOf<DialogueMove>> next_move() {
+    std::optional<EntryOf<DialogueMove>> result;
+    for (auto id = moves_.begin(); id != moves_.end();)
+      try {
+        auto move = read<DialogueMove>(here(*id++));
+        if (!result || move->turn < result->object->turn)
+          result = std::move(move);
+      } catch (const DoesNotExistOnWM&) {
+        moves_.erase(std::prev(id));
+      }
+    if (result)
+      moves_.erase(result->address.id);
+    return result;
+  }
+
+  void look(const std::string& id, const DialogueMove& move) {
+    auto address = here("referents of " + id);
+    const bool is_known = exists(address);
+    auto antecedents = is_known ? Antecedents{} : antecedents_in(move.content);
+    auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, move, antecedents);
+    if (move.type == DialogueMoveType::assertion) {
+      tell_of(id, move, referents);
+      publish();
+      wait_until_bound(proxy_id(id));
+    }
+    if (is_known)
+      return;
+    history_.push_back(referents);
+    if (history_.size() > remembered_)
+      history_.erase(history_.begin());
+    add(address, std::move(referents));
+  }
+
+  // -- what is spoken of
+
+  Antecedents antecedents_in(const LogicalForm& form) const {
+    Antecedents result;
+    for (const auto* thing : things_spoken_of(form))
+      if (is_pronoun(*thing))
+        if (auto proxy = antecedent_of(*thing, history_); !proxy.empty())
+          result.emplace(thing->name, proxy);
+    return result;
+  }
+
+  MoveReferents referents_of(const std::string& id, const DialogueMove& move,
+                             const Antecedents& antecedents) {
+    return with_scene(binding(), [&](SceneKnowledge& scene) {
+      MoveReferents result{id, move.turn, {}};
+      for (const auto* thing : things_spoken_of(move.content)) {
+        DiscourseReferent referent{
+          thing->name, thing->proposition, feature(*thing, "Number") == "pl", {}};
+        auto meaning = describe(move.content, *thing, antecedents);
+        if (auto known = antecedents.find(thing->name); known != antecedents.end())
+          referent.proxies = {known->second};
+        else if (meaning.not_understood.empty())
+          for (auto& x : scene.candidates(move.content, meaning, antecedents).best())
+            referent.proxies.push_back(scene.proxy_of(x));
+        result.referents.push_back(std::move(referent));
+      }
+      return result;
+    });
+  }
+
+  // -- what is asserted
+
+  void tell_of(const std::string& id, const DialogueMove& move, const MoveReferents& referents) {
+    const auto& form = move.content;
+    const auto* root = find_nominal(form, form.root);
+    if (root == nullptr || (root->sort == "existence" && feature(*root, "Polarity") == "neg"))
+      return;
+    const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
+    const auto* scope = dependent(form, *root, "Cop-Scope");
+    if (thing == nullptr || thing->sort != "thing" || feature(*thing, "Number") == "pl")
+      return;
+    BindingProxy proxy;
+    // What is said is judged when what is seen has been.
+    proxy.precedence = 1;
+    proxy.features = features_of(form, *thing);
+    if (scope != nullptr)
+      for (auto& x : features_of(form, *scope))
+        add_feature(proxy, feature(*root, "Polarity") == "neg" && x.text != "thing"
+                             ? binding::negated(x)
+                             : x);
+    if (!is_deictic(*thing))
+      for (auto& x : referents.referents)
+        if (x.nominal == thing->name && x.proxies.size() == 1)
+          add_feature(proxy, feature(FeatureKind::existing_proxy_id, x.proxies.front()));
+    proxy.features.push_back(
+      binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
+    tell(proxy_id(id), std::move(proxy));
+  }
+
+  static void add_feature(BindingProxy& to, const binding::Feature& x) {
+    if (std::ranges::find(to.features, x) == to.features.end())
+      to.features.push_back(x);
+  }
+
+  /// So that what is said next can be about it.
+  void wait_until_bound(const std::string& proxy) {
+    const auto deadline = now() + patience_.get();
+    while (is_running() && now() < deadline)
+      try {
+        if (read<BindingProxy>({binding(), proxy})->state == binding::ProxyState::bound)
+          return;
+        wait_for_changes(deadline - now());
+      } catch (const DoesNotExistOnWM&) {
+        return;
+      } catch (const UnknownSubarchitectureException&) {
+        return;
+      }
+  }
+
+  static std::string proxy_id(const std::string& move) { return "communication/" + move; }
+
+  Option<std::uint32_t> remembered_{this, "remembered", 100,
+                                    "how many moves back something may be referred to"};
+  Option<std::chrono::milliseconds> patience_{
+    this, "patience", std::chrono::seconds{2},
+    "how long what is said next waits for binding to know of what was said before"};
+
+  std::set<std::string> moves_;
+  std::vector<MoveReferents> history_;
+};
+
+CASTOR_COMPONENT(CommunicationBindingMonitor,
+                 "finds what is spoken of, and tells binding of what is asserted")
+
+} // namespace
+
+} // namespace castor::communication

@@ -1,0 +1,69 @@
+#include "castor/actors/registry.hpp"
+#include "castor/communication/components/asks_binding.hpp"
+#include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+
+namespace castor::communication {
+
+namespace {
+
+/// Decides what to say in reply to each dialogue move whose referents are known.
+class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
+  void start() override {
+    on_change(added<MoveReferents>(), [this](const ChangeEvent& event) { look(event.address); });
+    for (auto& x : read_all<MoveReferents>())
+      look(x.address);
+  }
+
+  void look(const Address& address) {
+    try {
+      auto referents = read<MoveReferents>(address);
+      if (!exists(reply_to(referents->move, 0)))
+        reply(*referents, *read<DialogueMove>(here(referents->move)));
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    } catch (const AlreadyExistsOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  /// All sentences at once, so nothing is said twice.
+  void reply(const MoveReferents& referents, const DialogueMove& move) {
+    auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
+      return respond(move, pronouns_of(referents), scene);
+    });
+    WriteBatch batch;
+    for (auto& content : response.contents)
+      batch.add(reply_to(referents.move, batch.items().size()),
+                ContentPlanningGoal{content, referents.move, response.relation});
+    if (!response.text.empty())
+      batch.add(reply_to(referents.move, batch.items().size()),
+                SpokenOutputItem{response.text, referents.move, response.relation});
+    if (!batch.items().empty())
+      write(batch);
+  }
+
+  Address reply_to(const std::string& move, std::size_t sentence) const {
+    return here("reply to " + move +
+                (sentence == 0 ? std::string{} : ", " + std::to_string(sentence + 1)));
+  }
+
+  /// What was found for "it" and the like.
+  static Antecedents pronouns_of(const MoveReferents& referents) {
+    Antecedents result;
+    for (auto& x : referents.referents)
+      if (x.proxies.size() == 1 && is_pronoun({x.nominal, "thing", x.proposition, {}, {}}))
+        result.emplace(x.nominal, x.proxies.front());
+    return result;
+  }
+
+  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+};
+
+CASTOR_COMPONENT(ContentPlanner, "decides what to say in reply")
+
+} // namespace
+
+} // namespace castor::communication

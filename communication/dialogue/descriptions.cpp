@@ -1,0 +1,308 @@
+#include "castor/communication/dialogue/descriptions.hpp"
+
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::Feature;
+using binding::FeatureKind;
+
+constexpr std::array pronouns{"it", "this", "that", "they", "these", "those"};
+
+/// Nouns that say nothing but that there is something.
+const std::set<std::string, std::less<>>& general_nouns() {
+  static const std::set<std::string, std::less<>> nouns{"thing", "object", "item", "one", "what"};
+  return nouns;
+}
+
+/// Nouns that say how something looks, and the shapes that vision has words for.
+const std::map<std::string, std::string, std::less<>>& shapes_of_nouns() {
+  static const std::map<std::string, std::string, std::less<>> shapes{
+    {"ball", "sphere"},   {"sphere", "sphere"},       {"cube", "cube"},
+    {"box", "cube"},      {"block", "cube"},          {"cylinder", "cylinder"},
+    {"square", "square"}, {"triangle", "triangle"},   {"circle", "circle"},
+    {"disc", "circle"},   {"rectangle", "rectangle"}, {"pyramid", "pyramid"},
+    {"prism", "prism"}};
+  return shapes;
+}
+
+/// Adjectives of shape.
+const std::map<std::string, std::string, std::less<>>& shapes_of_adjectives() {
+  static const std::map<std::string, std::string, std::less<>> shapes{{"square", "square"},
+                                                                      {"cubical", "cube"},
+                                                                      {"rectangular", "rectangle"},
+                                                                      {"triangular", "triangle"}};
+  return shapes;
+}
+
+const std::map<std::string, std::string, std::less<>>& relations_of_words() {
+  static const std::map<std::string, std::string, std::less<>> relations{
+    {"near", "near"},   {"next_to", "near"}, {"left", "left"},
+    {"right", "right"}, {"front", "front"},  {"back", "back"}};
+  return relations;
+}
+
+/// Where everything is that the robot sees.
+bool is_the_table(const Nominal& nominal) {
+  return nominal.proposition == "table";
+}
+
+/// Makes one description, thing after thing.
+class Describer {
+public:
+  Describer(const LogicalForm& form, const Antecedents& antecedents)
+    : form_(form), antecedents_(antecedents) {}
+
+  /// What is described by the nominal, and its number.
+  std::uint32_t thing(const Nominal& nominal) {
+    auto known = numbers_.find(nominal.name);
+    if (known != numbers_.end())
+      return known->second;
+    auto number = new_thing();
+    numbers_.emplace(nominal.name, number);
+    say(number, feature(FeatureKind::concept_name, "thing"));
+    call(number, nominal);
+    modify(number, nominal);
+    return number;
+  }
+
+  /// The thing with that number is like this, too.
+  void ascribe(std::uint32_t number, const Nominal& scope) {
+    if (scope.sort == "conjunction")
+      conjoin(number, scope);
+    else if (scope.sort == "region")
+      locate(number, scope);
+    else if (scope.sort == "comparison")
+      compare(scope);
+    else if (scope.sort == "thing" || scope.sort == "entity") {
+      call(number, scope);
+      modify(number, scope);
+    } else if (scope.sort == "composition")
+      follow(number, scope, "Material");
+    else
+      property(number, scope);
+  }
+
+  PhraseMeaning result() && { return std::move(result_); }
+
+private:
+  std::uint32_t new_thing() {
+    result_.description.things.emplace_back();
+    return static_cast<std::uint32_t>(result_.description.things.size() - 1);
+  }
+
+  void say(std::uint32_t number, Feature x) {
+    auto& features = result_.description.things[number].features;
+    if (std::find(features.begin(), features.end(), x) == features.end())
+      features.push_back(std::move(x));
+  }
+
+  void relate(const std::string& label, std::uint32_t from, std::uint32_t to) {
+    result_.description.relations.push_back({label, from, to});
+  }
+
+  /// What its noun says.
+  void call(std::uint32_t number, const Nominal& nominal) {
+    auto& noun = nominal.proposition;
+    if (is_pronoun(nominal)) {
+      if (auto found = antecedents_.find(nominal.name); found != antecedents_.end())
+        say(number, feature(FeatureKind::existing_proxy_id, found->second));
+    } else if (auto shape = shapes_of_nouns().find(noun); shape != shapes_of_nouns().end())
+      say(number, feature(FeatureKind::shape, shape->second));
+    else if (!general_nouns().contains(noun))
+      say(number, feature(FeatureKind::concept_name, noun));
+  }
+
+  /// What its adjectives and its relative clauses say.
+  void modify(std::uint32_t number, const Nominal& nominal) {
+    for (auto& [mode, name] : nominal.relations) {
+      const auto* dependent = find_nominal(form_, name);
+      if (dependent == nullptr || mode == "Quantity")
+        continue;
+      if (mode == "GenRelation") {
+        // "That you see" says nothing new.
+        if (dependent->proposition != "see")
+          result_.not_understood.push_back(dependent->proposition);
+      } else if (mode == "Selection" || mode == "Owner" || mode == "Accompaniment")
+        result_.not_understood.push_back(dependent->proposition);
+      else
+        ascribe(number, *dependent);
+    }
+  }
+
+  void follow(std::uint32_t number, const Nominal& from, std::string_view mode) {
+    if (const auto* dependent = communication::dependent(form_, from, mode))
+      ascribe(number, *dependent);
+  }
+
+  void conjoin(std::uint32_t number, const Nominal& scope) {
+    if (scope.proposition != "and") {
+      result_.not_understood.push_back(scope.proposition);
+      return;
+    }
+    follow(number, scope, "First");
+    follow(number, scope, "Next");
+  }
+
+  void property(std::uint32_t number, const Nominal& x) {
+    auto kind = kind_of_quality(x.sort);
+    auto word = x.proposition;
+    if (kind == FeatureKind::shape) {
+      auto known = shapes_of_adjectives().find(word);
+      word = known == shapes_of_adjectives().end() ? "" : known->second;
+    }
+    if (kind != FeatureKind::debug_string && !word.empty())
+      say(number, feature(kind, word));
+    else if (x.proposition != "other")
+      result_.not_understood.push_back(x.proposition);
+  }
+
+  void compare(const Nominal& scope) {
+    const auto* quality = dependent(form_, scope, "Quality");
+    const auto* than = dependent(form_, scope, "Than");
+    auto kind =
+      quality == nullptr ? FeatureKind::debug_string : kind_of_quality(quality->proposition);
+    if (scope.proposition == "same" && than != nullptr && kind != FeatureKind::debug_string)
+      result_.shared.push_back({kind, than->name});
+    else
+      result_.not_understood.push_back(scope.proposition);
+  }
+
+  /// Objects are related by the places where they are.
+  void locate(std::uint32_t number, const Nominal& region) {
+    const auto* anchor = dependent(form_, region, "Anchor");
+    if (anchor != nullptr && anchor->sort == "conjunction") {
+      for (const auto* mode : {"First", "Next"})
+        if (const auto* one = dependent(form_, *anchor, mode))
+          locate(number, region, *one);
+    } else if (anchor != nullptr)
+      locate(number, region, *anchor);
+    else
+      result_.not_understood.push_back(region.proposition);
+  }
+
+  void locate(std::uint32_t number, const Nominal& region, const Nominal& anchor) {
+    auto relation = relations_of_words().find(region.proposition);
+    if (is_the_table(anchor) && (region.proposition == "on" || region.proposition == "at"))
+      return;
+    if (relation == relations_of_words().end() || is_the_table(anchor)) {
+      result_.not_understood.push_back(region.proposition);
+      return;
+    }
+    auto place = place_of(number);
+    auto other = numbers_.find(anchor.name);
+    auto other_place = other == numbers_.end() ? new_thing() : place_of(other->second);
+    relate(relation->second, place, other_place);
+    if (other == numbers_.end()) {
+      auto landmark = thing(anchor);
+      places_.emplace(landmark, other_place);
+      relate(binding::position_label, other_place, landmark);
+    }
+  }
+
+  std::uint32_t place_of(std::uint32_t number) {
+    auto known = places_.find(number);
+    if (known != places_.end())
+      return known->second;
+    auto place = new_thing();
+    places_.emplace(number, place);
+    relate(binding::position_label, place, number);
+    return place;
+  }
+
+  const LogicalForm& form_;
+  const Antecedents& antecedents_;
+  std::map<std::string, std::uint32_t> numbers_;
+  std::map<std::uint32_t, std::uint32_t> places_;
+  PhraseMeaning result_;
+};
+
+/// Collects things, those first that are spoken of first.
+class ThingCollector {
+public:
+  explicit ThingCollector(const LogicalForm& form) : form_(form) {}
+
+  void visit(const std::string& name) {
+    const auto* nominal = find_nominal(form_, name);
+    if (nominal == nullptr || !seen_.insert(name).second)
+      return;
+    if (nominal->sort == "thing" && !is_the_table(*nominal))
+      things.push_back(nominal);
+    // What "this is a ball" says of "this" is no other thing.
+    if (nominal->sort == "ascription") {
+      if (const auto* scope = dependent(form_, *nominal, "Cop-Scope");
+          scope != nullptr && scope->sort == "thing") {
+        seen_.insert(scope->name);
+        for (auto& relation : scope->relations)
+          later_.push_back(relation.dependent);
+      }
+    }
+    for (auto& relation : nominal->relations)
+      visit(relation.dependent);
+    for (auto& left : std::exchange(later_, {}))
+      visit(left);
+  }
+
+  std::vector<const Nominal*> things;
+
+private:
+  const LogicalForm& form_;
+  std::set<std::string> seen_;
+  std::vector<std::string> later_;
+};
+
+} // namespace
+
+bool is_pronoun(const Nominal& nominal) {
+  return nominal.sort == "thing" &&
+         std::find(pronouns.begin(), pronouns.end(), nominal.proposition) != pronouns.end();
+}
+
+bool is_deictic(const Nominal& nominal) {
+  return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
+}
+
+FeatureKind kind_of_quality(const std::string& name) {
+  static const std::map<std::string, FeatureKind> kinds{{"colour", FeatureKind::colour},
+                                                        {"size", FeatureKind::size},
+                                                        {"shape", FeatureKind::shape},
+                                                        {"material", FeatureKind::material}};
+  auto found = kinds.find(name);
+  return found == kinds.end() ? FeatureKind::debug_string : found->second;
+}
+
+PhraseMeaning describe(const LogicalForm& form, const Nominal& phrase,
+                       const Antecedents& antecedents) {
+  Describer describer{form, antecedents};
+  describer.thing(phrase);
+  return std::move(describer).result();
+}
+
+PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope,
+                          const Antecedents& antecedents) {
+  Describer describer{form, antecedents};
+  describer.ascribe(describer.thing(phrase), scope);
+  return std::move(describer).result();
+}
+
+std::vector<Feature> features_of(const LogicalForm& form, const Nominal& scope) {
+  const Nominal anything{"", "thing", "thing", {}, {}};
+  auto meaning = describe_as(form, anything, scope);
+  return meaning.description.things.front().features;
+}
+
+std::vector<const Nominal*> things_spoken_of(const LogicalForm& form) {
+  ThingCollector collector{form};
+  collector.visit(form.root);
+  return std::move(collector.things);
+}
+
+} // namespace castor::communication

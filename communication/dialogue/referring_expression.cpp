@@ -1,0 +1,73 @@
+#include "castor/communication/dialogue/referring_expression.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::FeatureKind;
+
+struct Property {
+  FeatureKind kind;
+  const char* mode;
+  const char* sort;
+};
+
+constexpr std::array properties{Property{FeatureKind::colour, "Colour", "colour"},
+                                Property{FeatureKind::size, "Size", "size"},
+                                Property{FeatureKind::material, "Material", "material"}};
+
+std::string first_word(const SceneKnowledge& scene, const std::string& id, FeatureKind kind) {
+  auto words = scene.words(id, kind);
+  return words.empty() ? std::string{} : words.front();
+}
+
+std::string noun_of(const SceneKnowledge& scene, const std::string& id) {
+  auto shape = first_word(scene, id, FeatureKind::shape);
+  if (!shape.empty())
+    return shape == "sphere" ? "ball" : shape;
+  for (auto& word : scene.words(id, FeatureKind::concept_name))
+    if (word != "thing")
+      return word;
+  return "thing";
+}
+
+LogicalForm with_property(LogicalForm thing, const Property& property, const std::string& word) {
+  return with(std::move(thing), property.mode, communication::property(property.sort, word));
+}
+
+} // namespace
+
+LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
+  auto result = indefinite(noun_of(scene, union_id));
+  for (auto& x : properties)
+    if (auto word = first_word(scene, union_id, x.kind); !word.empty())
+      result = with_property(std::move(result), x, word);
+  return result;
+}
+
+LogicalForm referring_expression(const SceneKnowledge& scene, const std::string& union_id) {
+  auto noun = noun_of(scene, union_id);
+  auto others = scene.things();
+  std::erase(others, union_id);
+  if (noun != "thing")
+    std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
+  auto result = definite(noun);
+  for (auto& x : properties) {
+    auto word = first_word(scene, union_id, x.kind);
+    if (others.empty() || word.empty())
+      continue;
+    const auto excluded =
+      std::erase_if(others, [&](auto& other) { return first_word(scene, other, x.kind) != word; });
+    if (excluded > 0)
+      result = with_property(std::move(result), x, word);
+  }
+  return others.empty() ? result : indefinite_description(scene, union_id);
+}
+
+} // namespace castor::communication

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+
+namespace castor::communication {
+
+/// "A large red ball": what is known of a thing.
+LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id);
+
+/// "The ball", "the red ball", "the large red ball": as little of what is known of a thing as tells
+/// it from all others, in this order (Dale and Reiter 1995). Indefinite, if that is not enough.
+LogicalForm referring_expression(const SceneKnowledge& scene, const std::string& union_id);
+
+} // namespace castor::communication

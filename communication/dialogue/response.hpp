@@ -1,0 +1,27 @@
+#pragma once
+
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// What is to be said in reply to a dialogue move.
+struct Response {
+  RhetoricalRelation relation = RhetoricalRelation::narration;
+  /// One sentence each.
+  std::vector<LogicalForm> contents;
+  /// Instead of them, what the lexicon has no words for.
+  std::string text;
+
+  bool is_empty() const { return contents.empty() && text.empty(); }
+};
+
+/// The reply to a question, an assertion, a request, or a greeting, by what is known of the scene.
+/// It counts only if `scene` has no open questions afterwards; else ask binding and call it again.
+/// What cannot be answered is said so: unknown, ambiguous, or not understood.
+Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene);
+
+} // namespace castor::communication

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "castor/binding/binding_core.hpp"
+#include "castor/binding/references.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/tests/binding/proxies.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::communication::test {
+
+/// Things on a table, bound; answers what ReferenceResolver would answer.
+class TableScene {
+public:
+  void put(const std::string& id, std::vector<binding::Feature> features, double x, double y) {
+    features.push_back(feature(binding::FeatureKind::concept_name, "thing"));
+    features.push_back(feature(binding::FeatureKind::this_proxy_id, id));
+    features.push_back(binding::not_from("vision"));
+    core_.set(id, binding::test::proxy_from("vision", std::move(features)));
+    core_.set("at " + id, binding::test::proxy_from("vision", {binding::location_at(x, y, 0),
+                                                               binding::not_from("vision")}));
+    core_.set("pos " + id, binding::test::relation_from("vision", "pos", "at " + id, id));
+  }
+
+  /// `target` is so of `landmark`.
+  void relate(const std::string& relation, const std::string& target, const std::string& landmark) {
+    core_.set(relation + ' ' + target + ' ' + landmark,
+              binding::test::relation_from("spatial", relation, "at " + target, "at " + landmark));
+  }
+
+  binding::ReferenceReply reply(const std::vector<binding::Description>& descriptions) const {
+    binding::ReferenceReply result;
+    for (auto& x : descriptions) {
+      auto all = find_referents(x, core_.unions(), core_.comparator());
+      result.referents.push_back({binding::distinct_referents(all)});
+    }
+    for (auto& [id, x] : core_.unions())
+      result.unions.push_back({id, x.proxy_ids.front(), x.features});
+    result.relations = relations_between(core_.unions());
+    return result;
+  }
+
+  /// What `f` makes of what is known, asked for as long as it asks.
+  template <class F>
+  auto known_to(F f) const {
+    SceneKnowledge scene;
+    auto result = f(scene);
+    while (!scene.open_questions().empty()) {
+      auto asked = scene.open_questions();
+      scene.learn(asked, reply(asked));
+      result = f(scene);
+    }
+    return result;
+  }
+
+private:
+  binding::BindingCore core_;
+};
+
+} // namespace castor::communication::test
