@@ -28,8 +28,10 @@ constexpr Milliseconds glance{2};
 constexpr std::size_t most_shown = 10;
 
 /// Everything runs here, where no component can take its process with it.
-ArchitectureDescription in_this_process(std::string_view text) {
-  auto result = cast::parse_string(text, "test.cast");
+ArchitectureDescription in_this_process(std::string_view text, const TestSystemOptions& options) {
+  cast::ParseOptions parse_options;
+  parse_options.variables = options.variables;
+  auto result = cast::parse_string(text, options.file, parse_options);
   if (!result.architecture)
     throw std::invalid_argument(cast::render(result.diagnostics));
   for_each_component(*result.architecture, [](ComponentDescription& x) {
@@ -175,7 +177,7 @@ std::string line(const Entry& x) {
 class TestSystem::Implementation {
 public:
   Implementation(std::string_view text, TestSystemOptions options)
-    : options_(options), architecture_(in_this_process(text)),
+    : options_(options), architecture_(in_this_process(text, options)),
       targets_(faults::targets_of(architecture_, {})), system_(architecture_, system_options()),
       injector_({&system_, {}}, faults::FaultSchedule{{}, targets_, options.seed, Timestamp{0}}) {
     system_.start();

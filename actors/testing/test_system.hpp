@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +33,10 @@ struct TestSystemOptions {
   bool open_access = false;
   /// Draws what a fault leaves open, such as `any component`.
   std::uint64_t seed = 1;
+  /// What the text is taken for the content of: files that it names are looked for beside it.
+  std::string file = "test.cast";
+  /// Defined before the text is read, as by `castor run --set`.
+  std::map<std::string, std::string> variables = {};
 };
 
 /// A running system, to test what becomes of it when something fails:

@@ -4,6 +4,7 @@
 #include "castor/wm/failure.hpp"
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace castor::vision {
@@ -36,11 +37,26 @@ class ChangeDetector final : public UnmanagedComponent {
     SceneWatch watch{options};
     do {
       auto frame = pull<CameraFrame>(camera_);
+      tell_of(frame->camera);
       if (auto changed = watch.observe(frame->image)) {
         changed->camera = number_;
         write(*changed);
       }
     } while (sleep_for(period_.get()));
+  }
+
+  /// Where the camera stands and how it sees, for those who only look at working memory.
+  void tell_of(const Camera& camera) {
+    if (camera == told_)
+      return;
+    told_ = camera;
+    auto address = here("camera " + std::to_string(number_));
+    try {
+      add(address, camera);
+    } catch (const AlreadyExistsOnWM&) {
+      read<Camera>(address);
+      overwrite(address, camera);
+    }
   }
 
   /// Others overwrite the entry too, when they have seen to the change: the newest news counts.
@@ -68,6 +84,7 @@ class ChangeDetector final : public UnmanagedComponent {
   Option<bool> first_frame_{this, "first-frame", SceneWatchOptions{}.first_frame_counts,
                             "whether the first picture counts as a change"};
 
+  std::optional<Camera> told_;
   Address scene_;
   bool has_predecessor_ = false;
 };

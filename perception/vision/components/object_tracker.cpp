@@ -156,7 +156,7 @@ class ObjectTracker final : public UnmanagedComponent {
 
   /// Overwrites the object, along with what is in `batch`.
   bool write(const EntryOf<SceneObject>& before, SceneObject after, WriteBatch batch) {
-    batch.add(here(new_id()), changes(before.address.id, *before, after));
+    batch.add(here(new_id()), changes(before.address.id, *before, after), update_life);
     batch.overwrite(before.address, std::move(after));
     try {
       SubarchitectureComponent::write(batch);

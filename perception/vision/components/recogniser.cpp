@@ -71,7 +71,7 @@ class Recogniser final : public ManagedComponent {
       return true;
     WriteBatch batch;
     batch.overwrite(address, std::move(after));
-    batch.add(here(new_id()), std::move(update));
+    batch.add(here(new_id()), std::move(update), update_life);
     try {
       write(batch);
     } catch (const ConsistencyException&) {

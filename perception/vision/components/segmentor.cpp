@@ -2,6 +2,7 @@
 #include "castor/perception/vision/camera/image_source.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
+#include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/segmentation/background_model.hpp"
 #include "castor/perception/vision/segmentation/region_matching.hpp"
 #include "castor/perception/vision/segmentation/segmentation.hpp"
@@ -187,7 +188,7 @@ class Segmentor final : public ManagedComponent {
     roi.object_id = object_id;
     WriteBatch batch;
     batch.add(here(object_id), std::move(object));
-    batch.add(here(new_id()), std::move(update));
+    batch.add(here(new_id()), std::move(update), update_life);
     batch.add(here(roi_id), std::move(roi));
     write(batch);
   }
@@ -213,7 +214,7 @@ class Segmentor final : public ManagedComponent {
         return; // somebody has seen it in a later picture
       WriteBatch batch;
       batch.overwrite(here(fresh.object_id), std::move(object));
-      batch.add(here(new_id()), std::move(update));
+      batch.add(here(new_id()), std::move(update), update_life);
       batch.overwrite(known.address, std::move(fresh));
       write(batch);
     } catch (const ConsistencyException& e) {

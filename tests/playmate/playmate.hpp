@@ -1,0 +1,56 @@
+#pragma once
+
+#include "castor/actors/node/system.hpp"
+#include "castor/actors/testing/test_system.hpp"
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// configs/playmate.cast in tests.
+namespace castor::test {
+
+inline std::string playmate_cast() {
+  std::ifstream in{CASTOR_CONFIGS "/playmate.cast"};
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+inline TestSystemOptions playmate_options(std::map<std::string, std::string> variables) {
+  TestSystemOptions options;
+  options.file = CASTOR_CONFIGS "/playmate.cast";
+  options.variables = std::move(variables);
+  return options;
+}
+
+/// Without working memories and task managers.
+inline std::vector<std::string> playmate_components(TestSystem& system) {
+  std::vector<std::string> result;
+  for (auto& x : system.system().summary().components)
+    if (!x.identity.name.ends_with("_tm"))
+      result.push_back(x.identity.name);
+  return result;
+}
+
+/// The file without the lines from `first` up to, but without, `end`.
+inline std::string without_lines(const std::string& text, const std::string& first,
+                                 const std::string& end) {
+  std::istringstream in{text};
+  std::string result;
+  bool is_left_out = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(first))
+      is_left_out = true;
+    else if (is_left_out && line.starts_with(end))
+      is_left_out = false;
+    if (!is_left_out)
+      result += line + '\n';
+  }
+  return result;
+}
+
+} // namespace castor::test
