@@ -3,7 +3,9 @@
 #include "castor/communication/dialogue/response.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace castor::communication {
 
@@ -31,9 +33,17 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
 
   /// All sentences at once, so nothing is said twice.
   void reply(const MoveReferents& referents, const DialogueMove& move) {
-    auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
-      return respond(move, pronouns_of(referents), scene);
-    });
+    auto antecedents = pronouns_of(referents);
+    auto meant = move;
+    if (unclear_ && move.type == DialogueMoveType::none) {
+      meant = clarified(unclear_->move, unclear_->nominal, move.content);
+      antecedents.insert(unclear_->antecedents.begin(), unclear_->antecedents.end());
+    }
+    auto response = with_scene(
+      binding_.get(), [&](SceneKnowledge& scene) { return respond(meant, antecedents, scene); });
+    unclear_.reset();
+    if (!response.asked_about.empty())
+      unclear_ = Unclear{std::move(meant), response.asked_about, std::move(antecedents)};
     WriteBatch batch;
     for (auto& content : response.contents)
       batch.add(reply_to(referents.move, batch.items().size()),
@@ -59,7 +69,16 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     return result;
   }
 
+  /// What the other was asked back about.
+  struct Unclear {
+    DialogueMove move;
+    std::string nominal;
+    Antecedents antecedents;
+  };
+
   Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+
+  std::optional<Unclear> unclear_;
 };
 
 CASTOR_COMPONENT(ContentPlanner, "decides what to say in reply")

@@ -25,7 +25,7 @@ struct Objection {
 };
 
 Response say(RhetoricalRelation relation, LogicalForm content) {
-  return {relation, {std::move(content)}, {}};
+  return {relation, {std::move(content)}, {}, {}};
 }
 
 bool is_negated(const Nominal& x) {
@@ -171,9 +171,12 @@ private:
       return {};
     if (found.certain.empty() && found.possible.size() != 1)
       throw Objection{say(RhetoricalRelation::correction, nothing_like(phrase))};
-    if (found.certain.size() > 1)
-      throw Objection{
-        say(RhetoricalRelation::clarification_question, which(part_of(form_, name_of(phrase))))};
+    if (found.certain.size() > 1) {
+      auto question =
+        say(RhetoricalRelation::clarification_question, which(part_of(form_, name_of(phrase))));
+      question.asked_about = phrase.name;
+      throw Objection{std::move(question)};
+    }
     return found.best().front();
   }
 
@@ -196,7 +199,8 @@ private:
   static Response not_understood(const std::string& word) {
     return {RhetoricalRelation::clarification_question,
             {},
-            "I do not know what '" + word + "' means here."};
+            "I do not know what '" + word + "' means here.",
+            {}};
   }
 
   static Response answer(LogicalForm content) {
@@ -268,7 +272,7 @@ private:
     auto& things = found.best();
     if (things.empty())
       return answer(exists(none_of(indefinite("thing"))));
-    Response result{RhetoricalRelation::answer, {}, {}};
+    Response result{RhetoricalRelation::answer, {}, {}, {}};
     for (auto& id : things)
       result.contents.push_back(exists(indefinite_description(scene_, id)));
     return result;
@@ -385,6 +389,27 @@ private:
 };
 
 } // namespace
+
+DialogueMove clarified(DialogueMove move, const std::string& nominal, const LogicalForm& fragment) {
+  const std::string prefix = "clarified-";
+  auto asked = std::find_if(move.content.nominals.begin(), move.content.nominals.end(),
+                            [&nominal](auto& x) { return x.name == nominal; });
+  const auto* said = find_nominal(fragment, fragment.root);
+  if (asked == move.content.nominals.end() || said == nullptr)
+    return move;
+  // "The red one" is about what was asked about; "the ball" says that it is a ball.
+  if (said->proposition != "one" && said->proposition != "thing")
+    asked->proposition = said->proposition;
+  for (auto& relation : said->relations)
+    asked->relations.push_back({relation.mode, prefix + relation.dependent});
+  for (auto x : fragment.nominals) {
+    x.name = prefix + x.name;
+    for (auto& relation : x.relations)
+      relation.dependent = prefix + relation.dependent;
+    move.content.nominals.push_back(std::move(x));
+  }
+  return move;
+}
 
 Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene) {
   Responder responder{move, antecedents, scene};

@@ -15,9 +15,16 @@ struct Response {
   std::vector<LogicalForm> contents;
   /// Instead of them, what the lexicon has no words for.
   std::string text;
+  /// The nominal that is asked back about, if one is.
+  std::string asked_about;
 
   bool is_empty() const { return contents.empty() && text.empty(); }
 };
+
+/// What was meant, once somebody has said "the red one" to "which ball do you mean?".
+///
+/// \param move what was not clear, of which `nominal` was asked back about
+DialogueMove clarified(DialogueMove move, const std::string& nominal, const LogicalForm& fragment);
 
 /// The reply to a question, an assertion, a request, or a greeting, by what is known of the scene.
 /// It counts only if `scene` has no open questions afterwards; else ask binding and call it again.

@@ -43,8 +43,7 @@ std::vector<T> all(TestSystem& system) {
 
 TEST(CommunicationSystem, FormsGrowWordByWord) {
   TestSystem system{hearing("This is a blue square.")};
-  auto entry =
-    system.expect_entry("PackedLogicalForm in communication where state == \"pruned\"");
+  auto entry = system.expect_entry("PackedLogicalForm in communication where state == \"pruned\"");
   // Added with the first of five words, overwritten with the others, at the end, and when there was
   // nobody to say which readings are supported.
   EXPECT_EQ(entry->version, 6u);

@@ -63,11 +63,15 @@ protected:
   }
 
   std::string say(const std::string& text, const Antecedents& antecedents = {}) {
+    return reply_to(move_of(text), antecedents);
+  }
+
+  std::string reply_to(const DialogueMove& move, const Antecedents& antecedents = {}) {
     static Realiser realiser{english_lexicon()};
-    auto move = move_of(text);
     auto response =
       table.known_to([&](SceneKnowledge& scene) { return respond(move, antecedents, scene); });
     relation = response.relation;
+    asked_about = response.asked_about;
     auto result = response.text;
     for (auto& content : response.contents)
       result += (result.empty() ? "" : " ") + realiser.realise(content).value_or("<no words>");
@@ -76,6 +80,7 @@ protected:
 
   TableScene table;
   RhetoricalRelation relation = RhetoricalRelation::narration;
+  std::string asked_about;
 };
 
 TEST_F(Responses, TellWhatSomethingIsLike) {
@@ -165,6 +170,24 @@ TEST_F(Responses, KnowWhatPronounsStandFor) {
   EXPECT_EQ(say("Is it left of the large box?", {{"w2", "ball"}}), "Yes.");
   EXPECT_EQ(say("What is left of it?", {{"w5", "box"}}), "There is a small red ball.");
   EXPECT_EQ(say("What colour is it?"), "Which thing do you mean?");
+}
+
+TEST_F(Responses, UnderstandWhatClarifiesThem) {
+  const auto question = move_of("What size is the box?");
+  ASSERT_EQ(reply_to(question), "Which box do you mean?");
+  auto reply = [&](const std::string& text) {
+    return reply_to(clarified(question, asked_about, move_of(text).content));
+  };
+  const auto asked = asked_about;
+  EXPECT_EQ(reply("The large one."), "It is large.");
+  asked_about = asked;
+  EXPECT_EQ(reply("The one behind the ball."), "It is small.");
+  asked_about = asked;
+  EXPECT_EQ(reply("The ball."), "It is small.");
+  asked_about = asked;
+  EXPECT_EQ(reply("The blue one."), "Which blue box do you mean?");
+  asked_about = asked;
+  EXPECT_EQ(reply("The red one."), "I do not see a red box.");
 }
 
 TEST_F(Responses, ArePolite) {
