@@ -1,6 +1,7 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/registry.hpp"
 #include "castor/binding/types.hpp"
+#include "castor/communication/components/program.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/failure.hpp"
@@ -8,6 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <fstream>
@@ -43,8 +45,20 @@ class UtteranceSource final : public UnmanagedComponent {
     say(text_.get());
     if (!file_->empty())
       say(content_of(file_));
-    if (typed_)
-      listen();
+    said_ = std::max(said_, static_cast<int>(read_all<PhonString>().size()));
+    if (!program_->empty())
+      hear();
+    else if (typed_)
+      listen(STDIN_FILENO);
+  }
+
+  /// What a speech recogniser hears, line by line.
+  void hear() {
+    Program recogniser{program_.get()};
+    listen(recogniser.output());
+    if (is_running() && recogniser.has_ended() && recogniser.status() != 0)
+      warning("--program {} ended with status {}; is it installed?", program_.get(),
+              recogniser.status());
   }
 
   /// Until something is bound and nothing has been bound anew for a while. Talking about a table
@@ -68,15 +82,14 @@ class UtteranceSource final : public UnmanagedComponent {
     return result.str();
   }
 
-  void listen() {
-    said_ = static_cast<int>(read_all<PhonString>().size());
+  void listen(int descriptor) {
     std::string line;
     std::array<char, 1024> chunk{};
     while (sleep_for(20ms)) {
-      pollfd input{STDIN_FILENO, POLLIN, 0};
+      pollfd input{descriptor, POLLIN, 0};
       if (poll(&input, 1, 0) <= 0)
         continue;
-      auto size = ::read(STDIN_FILENO, chunk.data(), chunk.size());
+      auto size = ::read(descriptor, chunk.data(), chunk.size());
       if (size <= 0) {
         say(line);
         return;
@@ -109,6 +122,9 @@ class UtteranceSource final : public UnmanagedComponent {
   Option<std::string> text_{this, "text", "", "sentences that are said when the system begins"};
   Option<std::string> file_{this, "file", "", "a file of more of them"};
   Option<bool> typed_{this, "typed", false, "listen to what is typed, or piped into the process"};
+  Option<std::string> program_{
+    this, "program", "",
+    "a program that prints what it hears, line by line, such as pocketsphinx_continuous"};
   Option<std::chrono::milliseconds> delay_{this, "delay", 0ms,
                                            "how long to wait before the first is said"};
 

@@ -3,10 +3,13 @@
 #include "castor/actors/node/system.hpp"
 #include "castor/actors/testing/test_system.hpp"
 #include "castor/communication/types.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -66,6 +69,25 @@ TEST(CommunicationSystem, TellsWhatIsDoneBySayingSomething) {
     TestSystem system{hearing(text)};
     system.expect_entry("DialogueMove in communication where type == \"" + type + '"');
   }
+}
+
+TEST(CommunicationSystem, HearsAndSpeaksByOtherPrograms) {
+  castor::test::TemporaryFolder folder;
+  const auto file = (folder.path() / "spoken").string();
+  auto text = hearing("");
+  auto replace = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("--text \"\"", "--program \"echo Hello. Put the zorg there.\"");
+  replace("SpeechOutput", "SpeechOutput --voice \"printf %s>>" + file + "\"");
+  TestSystem system{text};
+  system.expect_entry("DialogueMove in communication where type == \"opening\"");
+  system.wait_until("the robot has asked back aloud", [&] {
+    std::ifstream in{file};
+    const std::string spoken{std::istreambuf_iterator<char>{in}, {}};
+    return spoken.find("zorg") != spoken.npos;
+  });
+  system.expect_nobody_else_down();
 }
 
 TEST(CommunicationSystem, AsksBackAboutWhatIsNotUnderstood) {
