@@ -3,13 +3,21 @@
 // features' words for every proxy.
 //
 //   binding_benchmark [MOST_PROXIES]
+//
+// Then the same through working memory: from a monitor's writing of a proxy to its being bound, by
+// the scorer, the judge and the binder of configs/playmate.cast. As a yardstick: writing an entry
+// there and reading it back.
+#include "castor/actors/registry.hpp"
+#include "castor/actors/testing/test_system.hpp"
 #include "castor/binding/binding_core.hpp"
+#include "castor/binding/binding_monitor.hpp"
 #include "castor/binding/features.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -127,6 +135,82 @@ void measure(std::size_t proxies) {
   fmt::print("\n");
 }
 
+/// Tells of many things, and then of one more, again and again.
+class Crowd final : public BindingMonitor {
+  void start() override {
+    BindingMonitor::start();
+    on_change(changed(&BindingProxy::state).in(binding()), [](const ChangeEvent&) {});
+  }
+
+  void run() override {
+    while (!exists({binding(), binder_status}))
+      sleep_for(std::chrono::milliseconds{1});
+    for (std::size_t i = 0; i < proxies_; ++i) {
+      tell("seen " + std::to_string(i), seen(i));
+      if (i % 100 == 99 || i + 1 == proxies_) {
+        publish();
+        wait_for("seen " + std::to_string(i));
+      }
+    }
+    std::vector<double> costs;
+    for (std::size_t i = 0; i < 40; ++i) {
+      const auto id = "more " + std::to_string(i);
+      const auto begin = Clock::now();
+      tell(id, described(i * 37));
+      publish();
+      wait_for(id);
+      costs.push_back(milliseconds(Clock::now() - begin));
+      withdraw(id);
+      publish();
+      while (exists({binding(), id}) && wait_for_changes(std::chrono::milliseconds{5}))
+        continue;
+    }
+    std::sort(costs.begin(), costs.end());
+    const double unit = round_trip();
+    fmt::print("{:>8} {:>10.2f} ({:>4.0f}) {:>9.2f}\n", proxies_.get(), costs[costs.size() / 2],
+               costs[costs.size() / 2] / unit, costs.back());
+    end_system(0, "measured");
+  }
+
+  void wait_for(const std::string& id) {
+    while (read<BindingProxy>({binding(), id})->state != ProxyState::bound)
+      wait_for_changes(std::chrono::milliseconds{100});
+  }
+
+  double round_trip() {
+    std::vector<double> costs;
+    for (std::size_t i = 0; i < 100; ++i) {
+      const auto begin = Clock::now();
+      const Address address{binding(), new_id()};
+      add(address, BinderStatus{});
+      read<BinderStatus>(address);
+      costs.push_back(milliseconds(Clock::now() - begin));
+    }
+    std::sort(costs.begin(), costs.end());
+    return costs[costs.size() / 2];
+  }
+
+  Option<std::uint32_t> proxies_{this, "proxies", 100, "how many there are before one more comes"};
+};
+
+CASTOR_COMPONENT(Crowd, "tells binding of many things")
+
+void measure_components(std::size_t proxies) {
+  TestSystem system{"HOST localhost\n"
+                    "SUBARCHITECTURE binding\n"
+                    "CPP WM SubarchitectureWorkingMemory\n"
+                    "CPP TM AlwaysPositiveTaskManager\n"
+                    "CPP UM scorer BindingScorer\n"
+                    "CPP UM judge BindingJudge\n"
+                    "CPP UM binder Binder\n"
+                    "SUBARCHITECTURE crowd\n"
+                    "CPP WM SubarchitectureWorkingMemory\n"
+                    "CPP TM AlwaysPositiveTaskManager\n"
+                    "CPP UM crowd Crowd --proxies " +
+                    std::to_string(proxies) + "\nACCESS crowd WRITES binding\n"};
+  system.expect_end(0, "measured", std::chrono::minutes{5});
+}
+
 } // namespace
 
 } // namespace castor::binding
@@ -142,5 +226,13 @@ int main(int argc, char** argv) {
   for (const std::size_t proxies : {10, 30, 100, 300, 1000, 3000}) {
     if (proxies <= most)
       measure(proxies);
+  }
+  fmt::print(
+    "\nms, with components: of one more, as a median, its ratio to writing and reading one "
+    "entry, and the highest\n{:>8} {:>17} {:>9}\n",
+    "proxies", "one more", "highest");
+  for (const std::size_t proxies : {10, 100, 1000}) {
+    if (proxies <= most)
+      measure_components(proxies);
   }
 }

@@ -197,6 +197,27 @@ Pending<Version> SubarchitectureComponent::write_async(Operation operation, cons
   }};
 }
 
+void SubarchitectureComponent::put_value(const Address& address, const Value& value) {
+  for (;;)
+    try {
+      write_async(Operation::overwrite, address, value).get();
+      return;
+    } catch (const DoesNotExistOnWM&) {
+      try {
+        write_async(Operation::add, address, value).get();
+        return;
+      } catch (const AlreadyExistsOnWM&) {
+        continue; // somebody was faster
+      }
+    } catch (const ConsistencyException&) {
+      try {
+        read_entry(address);
+      } catch (const DoesNotExistOnWM&) {
+        continue; // or has deleted it since
+      }
+    }
+}
+
 std::vector<Version> SubarchitectureComponent::write(const WriteBatch& batch) {
   auto& items = batch.items();
   if (items.empty())

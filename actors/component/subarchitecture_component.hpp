@@ -101,6 +101,12 @@ protected:
     return overwrite_async(address, std::move(object)).get();
   }
 
+  /// Adds the entry, or overwrites it, whatever it says and whoever wrote it.
+  template <ReflectedRecord T>
+  void put(const Address& address, T object) {
+    put_value(address, Value::of(std::move(object)));
+  }
+
   void delete_entry(const Address& address) { delete_entry_async(address).get(); }
 
   /// Makes all the writes of the batch, or none of them; nobody sees some without the others.
@@ -286,6 +292,7 @@ private:
 
   Pending<Version> write_async(Operation operation, const Address& address, Value value,
                                std::optional<EntryLife> life = {});
+  void put_value(const Address& address, const Value& value);
   LockGuard guard(const Address& address) const;
   /// The level of somebody else's lease, if there is one.
   std::optional<LockLevel> foreign_lease(const Address& address);

@@ -41,26 +41,16 @@ protected:
   /// Looks at all that has changed since this was last called.
   Changes catch_up();
 
-  /// Overwrites an entry of the own working memory, or adds it, if it is to say something else than
-  /// it does. What a predecessor has left is taken over.
+  /// Puts an entry into the own working memory, if it is to say something else than it does.
   template <class T>
   void put(const std::string& id, T x) {
-    auto address = here(id);
-    while (is_running()) {
-      try {
-        if (*read<T>(address) != x)
-          overwrite(address, x);
+    try {
+      if (*read<T>(here(id)) == x)
         return;
-      } catch (const ConsistencyException&) {
-        continue;
-      } catch (const DoesNotExistOnWM&) {
-        try {
-          return add(address, x);
-        } catch (const AlreadyExistsOnWM&) {
-          continue;
-        }
-      }
+    } catch (const DoesNotExistOnWM&) {
+      trace("{} is new", id);
     }
+    UnmanagedComponent::put(here(id), std::move(x));
   }
 
   /// Deletes an entry of the own working memory, if it is there.

@@ -64,8 +64,7 @@ class DialogueHistorian final : public UnmanagedComponent {
     dialogue_.turns.push_back(std::move(turn));
     if (dialogue_.turns.size() > remembered_)
       dialogue_.turns.erase(dialogue_.turns.begin());
-    read<DialogueStructure>(address());
-    overwrite(address(), dialogue_);
+    put(address(), dialogue_);
   }
 
   Option<std::uint32_t> remembered_{this, "remembered", 200, "how many turns are kept"};

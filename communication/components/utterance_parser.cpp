@@ -89,16 +89,8 @@ class UtteranceParser final : public UnmanagedComponent {
                          const PhonString& utterance) {
     form.utterance = utterance.word_sequence;
     form.turn = utterance.turn;
-    put(address, form);
+    put(here(form_id(address)), form);
     return form;
-  }
-
-  void put(const Address& utterance, const PackedLogicalForm& form) {
-    auto address = here(form_id(utterance));
-    if (form_of(utterance))
-      overwrite(address, form);
-    else
-      add(address, form);
   }
 
   void prune_by_context(const Address& utterance, PackedLogicalForm form) {
@@ -106,7 +98,7 @@ class UtteranceParser final : public UnmanagedComponent {
     if (prune(form, supports))
       debug("\"{}\": {} readings are supported", form.utterance, form.readings.size());
     form.state = InterpretationState::pruned;
-    put(utterance, form);
+    put(here(form_id(utterance)), std::move(form));
   }
 
   /// What others know of a form; nothing if there is nobody to ask, or no answer in time.

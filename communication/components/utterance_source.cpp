@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -48,8 +49,12 @@ class UtteranceSource final : public UnmanagedComponent {
     said_ = std::max(said_, static_cast<int>(read_all<PhonString>().size()));
     if (!program_->empty())
       hear();
-    else if (typed_)
+    else if (typed_) {
+      if (isatty(STDIN_FILENO) != 0)
+        std::puts("Type sentences, such as: where is the ball? Ctrl-D ends the conversation, "
+                  "Ctrl-C the system.");
       listen(STDIN_FILENO);
+    }
   }
 
   /// What a speech recogniser hears, line by line.

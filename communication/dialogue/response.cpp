@@ -427,6 +427,8 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
         return say(RhetoricalRelation::greeting, greeting("hello"));
       case DialogueMoveType::closing:
         return say(RhetoricalRelation::greeting, closing("bye"));
+      case DialogueMoveType::none:
+        return {RhetoricalRelation::clarification_question, {}, "What about it?", {}};
       default:
         return {};
     }

@@ -207,6 +207,27 @@ TEST_F(Operations, AWriteThatCountsOnAFailedOneFailsToo) {
   EXPECT_EQ(run(system), 0);
 }
 
+TEST_F(Operations, PuttingAddsOrOverwritesWhateverIsThere) {
+  UnmanagedScript::scripts()["writer"].start = [](auto& self) {
+    self.add(self.here("theirs"), Note{1, "theirs"});
+    self.add(self.here("locked"), Note{1, "theirs"});
+    self.lock_entry(self.here("locked"), LockLevel::o);
+  };
+  UnmanagedScript::scripts()["c"].run = [](auto& self) {
+    self.put(self.here("mine"), Note{2, "mine"});
+    EXPECT_EQ(*self.template read<Note>(self.here("mine")), (Note{2, "mine"}));
+    self.put(self.here("theirs"), Note{2, "mine"});
+    EXPECT_EQ(*self.template read<Note>(self.here("theirs")), (Note{2, "mine"}));
+    self.put(self.here("theirs"), Note{3, "mine"});
+    EXPECT_EQ(self.version(self.here("theirs")), 2u);
+    EXPECT_THROW(self.put(self.here("locked"), Note{2, "mine"}), PermissionException);
+    self.end_system(0, "done");
+  };
+  System system{
+    architecture(subarchitecture("a") + "CPP UM writer Unmanaged\nCPP UM c Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+}
+
 TEST_F(Operations, AnEmptyHandedOverwriteIsRefused) {
   UnmanagedScript::scripts()["writer"].start = [](auto& self) { self.add(self.here("x"), Note{}); };
   UnmanagedScript::scripts()["c"].run = [](auto& self) {

@@ -104,6 +104,10 @@ public:
     return Base::add_async(std::forward<Ts>(xs)...);
   }
   template <class... Ts>
+  void put(Ts&&... xs) {
+    Base::put(std::forward<Ts>(xs)...);
+  }
+  template <class... Ts>
   auto overwrite(Ts&&... xs) {
     return Base::overwrite(std::forward<Ts>(xs)...);
   }

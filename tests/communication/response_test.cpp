@@ -152,6 +152,7 @@ TEST_F(Responses, DoNotGuess) {
   EXPECT_EQ(relation, RhetoricalRelation::clarification_question);
   EXPECT_EQ(say("Where is the green ball?"), "I do not see a green ball.");
   EXPECT_EQ(say("Is the old box blue?"), "I do not know what 'old' means here.");
+  EXPECT_EQ(say("The red ball."), "What about it?");
   EXPECT_EQ(say("What is on the left?"), "I do not know what 'left' means here.");
 }
 

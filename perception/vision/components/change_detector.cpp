@@ -40,7 +40,9 @@ class ChangeDetector final : public UnmanagedComponent {
       tell_of(frame->camera);
       if (auto changed = watch.observe(frame->image)) {
         changed->camera = number_;
-        write(*changed);
+        // Others overwrite the entry too, when they have seen to the change: the newest news
+        // counts.
+        put(scene_, *changed);
       }
     } while (sleep_for(period_.get()));
   }
@@ -50,26 +52,7 @@ class ChangeDetector final : public UnmanagedComponent {
     if (camera == told_)
       return;
     told_ = camera;
-    auto address = here("camera " + std::to_string(number_));
-    try {
-      add(address, camera);
-    } catch (const AlreadyExistsOnWM&) {
-      read<Camera>(address);
-      overwrite(address, camera);
-    }
-  }
-
-  /// Others overwrite the entry too, when they have seen to the change: the newest news counts.
-  void write(const SceneChanged& news) {
-    for (;;) {
-      read<SceneChanged>(scene_);
-      try {
-        overwrite(scene_, news);
-        return;
-      } catch (const ConsistencyException&) {
-        debug("somebody was faster; reading again");
-      }
-    }
+    put(here("camera " + std::to_string(number_)), camera);
   }
 
   Option<std::string> camera_{this, "camera", "camera", "the camera component to watch"};
