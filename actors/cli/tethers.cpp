@@ -233,7 +233,7 @@ private:
 /// What proxies and unions say of the thing itself, each once.
 std::string features_in_words(const Json& features) {
   constexpr std::string_view of_binding[] = {"source_data", "source_id", "other_source_id",
-                                             "creation_time"};
+                                             "this_proxy_id", "creation_time"};
   std::vector<std::string> result;
   for (auto& x : features) {
     auto kind = x.at("kind").get<std::string>();
