@@ -2,6 +2,7 @@
 #include "castor/actors/cli/inspection_text.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/running_system.hpp"
+#include "castor/actors/cli/tethers.hpp"
 #include "castor/actors/cli/timeline.hpp"
 
 #include <CLI/App.hpp>
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -114,6 +116,64 @@ int get_entries(const Arguments& arguments) {
   auto system = choose_system(arguments.system);
   for (auto& x : ask_for_all(system, request_for(arguments, true)))
     print((arguments.json ? x.dump() : x["value"].dump(2)) + '\n');
+  return success;
+}
+
+/// What binding has, and what that is tethered to.
+std::vector<Json> tethered_entries(const RunningSystem& system) {
+  auto report = ask_for_one(system, {{"do", "ps"}});
+  auto& working_memories = report["working_memories"];
+  std::vector<Json> result;
+  bool there_is_binding = false;
+  auto read = [&](const Json& subarchitecture, const std::string& what) {
+    for (auto& x : ask_for_all(
+           system,
+           {{"do", "wm"}, {"subarchitecture", subarchitecture}, {"what", what}, {"values", true}}))
+      result.push_back(x);
+  };
+  for (auto& wm : working_memories)
+    for (auto& [type, count] : wm["entries_by_type"].items())
+      if (is_of_binding(type)) {
+        there_is_binding = true;
+        read(wm["subarchitecture"], type);
+      }
+  if (!there_is_binding)
+    throw std::runtime_error("there is no binding in this system: no working memory has an entry "
+                             "of the type BindingProxy, BindingUnion or BinderStatus");
+  auto wanted = tethered_subarchitectures(result);
+  for (auto& wm : working_memories)
+    if (wanted.contains(wm["subarchitecture"]))
+      read(wm["subarchitecture"], "");
+  return result;
+}
+
+std::string why_nothing_is_tethered(const std::string& where, const std::vector<Json>& entries) {
+  if (where.empty())
+    return "binding has no unions yet";
+  auto types = tethered_types(entries);
+  if (types.empty())
+    return "no proxy is tethered to anything";
+  return fmt::format("no proxy is tethered to {}; proxies are tethered to entries of {}", where,
+                     fmt::join(types, ", "));
+}
+
+int show_tethers(const Arguments& arguments) {
+  auto system = choose_system(arguments.system);
+  auto entries = tethered_entries(system);
+  std::vector<Json> roots;
+  if (arguments.where.empty())
+    roots = unions_among(entries);
+  else
+    roots = ask_for_all(system, request_for(arguments, true));
+  auto trees = follow_tethers(roots, entries);
+  if (trees.empty())
+    throw std::runtime_error(why_nothing_is_tethered(arguments.where, entries));
+  if (!arguments.json) {
+    print(tethers_as_text(trees));
+    return success;
+  }
+  for (auto& x : trees)
+    print(x.dump() + '\n');
   return success;
 }
 
@@ -221,9 +281,17 @@ void add_wm(CLI::App& app, Action& chosen) {
   watch->get_option("WHERE")->required();
   add_full_flag(*watch, arguments);
   on_call(*watch, chosen, arguments, watch_entries);
+  auto* tether = entry_command(
+    *wm, "tether", "show what binding's unions are made of, or what binding makes of entries",
+    arguments);
+  on_call(*tether, chosen, arguments, show_tethers);
+  tether->footer("From a union over its proxies to the entries that they stand for, and from such "
+                 "an entry to its proxies and\nto the unions that they are in; from every union "
+                 "if WHERE is left out.");
   wm->footer("Examples: castor wm ls\n"
              "          castor wm get vision/SceneObject\n"
-             "          castor wm watch vision/0:3 --json");
+             "          castor wm watch vision/0:3 --json\n"
+             "          castor wm tether vision/0:3");
 }
 
 } // namespace

@@ -1,16 +1,19 @@
 // What the vision core makes of CLEVR images.
 //
 //     clevr_benchmark DIR [--output DIR] [--leave-one-out]
+//     clevr_benchmark DIR --calibrations DIR
 //
 // DIR holds images and scene graphs in any of CLEVR's layouts. An object is found if a region
 // covers the part of it that is visible with an overlap (intersection by union) of at least 0.5,
 // one to one; what is visible is computed from the scene graph. Colour, shape and size are counted
 // over the objects found. With --leave-one-out, the shape classifier and the camera for each image
-// are estimated anew without that image.
+// are estimated anew without that image. --calibrations only writes that camera for each image, as
+// a file for the component Camera: DIR/NAME.camera for NAME.png.
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +33,7 @@ using namespace castor::clevr;
 struct Arguments {
   std::filesystem::path folder;
   std::optional<std::filesystem::path> output;
+  std::optional<std::filesystem::path> calibrations;
   bool leave_one_out = false;
 };
 
@@ -41,13 +45,16 @@ Arguments parse(int argc, char** argv) {
       arguments.leave_one_out = true;
     else if (argument == "--output" && i + 1 < argc)
       arguments.output = argv[++i];
+    else if (argument == "--calibrations" && i + 1 < argc)
+      arguments.calibrations = argv[++i];
     else if (!argument.starts_with("--") && arguments.folder.empty())
       arguments.folder = argument;
     else
       throw std::invalid_argument("cannot use the argument " + argument);
   }
   if (arguments.folder.empty())
-    throw std::invalid_argument("usage: clevr_benchmark DIR [--output DIR] [--leave-one-out]");
+    throw std::invalid_argument(
+      "usage: clevr_benchmark DIR [--output DIR] [--leave-one-out] | --calibrations DIR");
   return arguments;
 }
 
@@ -68,6 +75,19 @@ CameraGuess usual_camera(const std::vector<Scene>& scenes, const Scene* left_out
   if (others.empty())
     return {};
   return fit_camera(others, {}, 1.0, size.width, size.height);
+}
+
+/// For each image, the camera that explains the others best.
+void write_calibrations(const std::vector<Scene>& scenes, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const auto& scene : scenes) {
+    const cv::Size size = cv::imread(scene.image.string()).size();
+    const auto path = folder / (scene.image.stem().string() + ".camera");
+    std::ofstream file{path};
+    file << camera_file(usual_camera(scenes, &scene), size.width, size.height, metres_per_unit);
+    if (!file.flush())
+      throw std::runtime_error("cannot write " + path.string());
+  }
 }
 
 /// Evaluates each image with what was learned from the others.
@@ -198,6 +218,10 @@ void run(const Arguments& arguments) {
   const auto scenes = load_scenes(arguments.folder);
   if (scenes.empty())
     throw std::runtime_error("no scene with an image below " + arguments.folder.string());
+  if (arguments.calibrations) {
+    write_calibrations(scenes, *arguments.calibrations);
+    return;
+  }
   vision::RegionOptions options;
   options.shape.candidates = {"cube", "cylinder", "sphere"};
   // The first call of some OpenCV functions builds tables; that is not the time of any image.

@@ -1,7 +1,9 @@
 #include "clevr_camera.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <sstream>
 
 #include <opencv2/core.hpp>
 
@@ -41,6 +43,22 @@ vision::Camera make_camera(const CameraGuess& guess, int width, int height,
   return vision::look_at(metres_per_unit * vision::Point3{x, y, z},
                          metres_per_unit * vision::Point3{guess.target[0], guess.target[1], 0},
                          angle, width, height);
+}
+
+std::string camera_file(const CameraGuess& guess, int width, int height, double metres_per_unit) {
+  const vision::Camera camera = make_camera(guess, width, height, metres_per_unit);
+  std::ostringstream file;
+  file.precision(std::numeric_limits<double>::max_digits10);
+  file << "size " << width << ' ' << height << '\n'
+       << "focal " << camera.fx << ' ' << camera.fy << '\n'
+       << "eye";
+  for (const double x : guess.position)
+    file << ' ' << metres_per_unit * x;
+  file << "\ntarget";
+  for (const double x : guess.target)
+    file << ' ' << metres_per_unit * x;
+  file << " 0\n";
+  return file.str();
 }
 
 CameraGuess fit_camera(std::span<const Scene* const> scenes, const CameraGuess& start,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "castor/perception/vision/types.hpp"
@@ -20,6 +21,9 @@ struct CameraGuess {
 /// The camera for images of this size, with `metres_per_unit` metres for a CLEVR unit. CLEVR's lens
 /// of 35 mm before a sensor 32 mm wide gives the angle of view.
 vision::Camera make_camera(const CameraGuess& guess, int width, int height, double metres_per_unit);
+
+/// The same camera in a file for the component Camera (`--calibration`).
+std::string camera_file(const CameraGuess& guess, int width, int height, double metres_per_unit);
 
 /// The one camera that explains all objects of the scenes best, in the sense of least squares.
 ///
