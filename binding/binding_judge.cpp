@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace castor::binding {
@@ -21,16 +21,13 @@ std::vector<FeatureKind> kinds_in(KindSet kinds) {
 
 } // namespace
 
-Judgement judge(const std::string& proxy, std::span<const ProxyUnionScore> scores) {
-  Judgement result;
-  result.best.proxy = result.non_matching.proxy = proxy;
+BestUnionsForProxy judge(const std::string& proxy, std::span<const ProxyUnionScore> scores) {
+  BestUnionsForProxy result{proxy, {}};
   std::vector<const ProxyUnionScore*> best;
   auto highest = nil_score();
   for (const auto& x : scores) {
     if (x.union_id.empty())
       continue;
-    if (does_not_match(x.score))
-      result.non_matching.unions.push_back(x.union_id);
     const auto order = compare(x.score, highest);
     if (order > 0) {
       best.clear();
@@ -44,8 +41,7 @@ Judgement judge(const std::string& proxy, std::span<const ProxyUnionScore> score
            std::tie(b->score.salience_gap, b->union_id);
   });
   for (const auto* x : best)
-    result.best.unions.push_back(x->union_id);
-  std::sort(result.non_matching.unions.begin(), result.non_matching.unions.end());
+    result.unions.push_back(x->union_id);
   return result;
 }
 
@@ -58,60 +54,6 @@ bool is_ambiguous(const BestUnionsForProxy& best, std::span<const ProxyUnionScor
     return found == scores.end() ? BindingScore{}.salience_gap : found->score.salience_gap;
   };
   return gap_of(best.unions[0]) >= gap_of(best.unions[1]);
-}
-
-void BindingJudge::add_union(const std::string& union_id) {
-  unions_.insert(union_id);
-  for (const auto& [proxy, scores] : scores_)
-    looked_at_anew_.insert(proxy);
-}
-
-void BindingJudge::remove_union(const std::string& union_id) {
-  unions_.erase(union_id);
-  for (auto& [proxy, scores] : scores_) {
-    scores.erase(union_id);
-    looked_at_anew_.insert(proxy);
-  }
-}
-
-void BindingJudge::add(const ProxyUnionScore& score) {
-  scores_[score.proxy][score.union_id] = score.score;
-  looked_at_anew_.insert(score.proxy);
-}
-
-void BindingJudge::forget(const std::string& proxy) {
-  scores_.erase(proxy);
-  told_.erase(proxy);
-  looked_at_anew_.erase(proxy);
-}
-
-std::optional<Judgement> BindingJudge::judgement(const std::string& proxy) const {
-  const auto found = scores_.find(proxy);
-  if (found == scores_.end() || !found->second.contains({}))
-    return std::nullopt;
-  std::vector<ProxyUnionScore> scores;
-  for (const auto& union_id : unions_) {
-    const auto score = found->second.find(union_id);
-    if (score == found->second.end())
-      return std::nullopt;
-    scores.push_back({proxy, union_id, score->second});
-  }
-  return judge(proxy, scores);
-}
-
-std::map<std::string, Judgement> BindingJudge::take_new() {
-  std::map<std::string, Judgement> result;
-  for (const auto& proxy : std::exchange(looked_at_anew_, {})) {
-    auto now = judgement(proxy);
-    if (!now)
-      continue;
-    const auto told = told_.find(proxy);
-    if (told != told_.end() && told->second == *now)
-      continue;
-    told_.insert_or_assign(proxy, *now);
-    result.emplace(proxy, std::move(*now));
-  }
-  return result;
 }
 
 Ambiguity describe_ambiguity(const BestUnionsForProxy& best, const BindingProxy& proxy,

@@ -187,7 +187,8 @@ struct ProxyUnionScore {
   friend bool operator==(const ProxyUnionScore&, const ProxyUnionScore&) = default;
 };
 
-/// From the scorer to the judge: how well a proxy fits into every union.
+/// From the scorer to the judge: how well a proxy fits into NIL, and into every union that its
+/// features do not rule out.
 struct ProxyUnionScores {
   std::string proxy;
   std::vector<ProxyUnionScore> scores;
@@ -202,13 +203,6 @@ struct BestUnionsForProxy {
   std::vector<std::string> unions;
 
   friend bool operator==(const BestUnionsForProxy&, const BestUnionsForProxy&) = default;
-};
-
-struct NonMatchingUnions {
-  std::string proxy;
-  std::vector<std::string> unions;
-
-  friend bool operator==(const NonMatchingUnions&, const NonMatchingUnions&) = default;
 };
 
 /// The id of the one BinderStatus.
@@ -368,7 +362,6 @@ CASTOR_REFLECT(BindingScore, comparable, mismatch, matches, relation_mismatch, r
 CASTOR_REFLECT(ProxyUnionScore, proxy, union_id, score)
 CASTOR_REFLECT(ProxyUnionScores, proxy, scores)
 CASTOR_REFLECT(BestUnionsForProxy, proxy, unions)
-CASTOR_REFLECT(NonMatchingUnions, proxy, unions)
 CASTOR_REFLECT(BinderStatus, stable, proxies, unions)
 CASTOR_REFLECT_ENUM(Truth, unknown, yes, no)
 CASTOR_REFLECT(FeatureComparison, proxy_feature, union_feature, equivalent, answered)

@@ -4,7 +4,6 @@
 #include "castor/binding/components/binding_component.hpp"
 #include "castor/binding/feature_comparator.hpp"
 
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,8 +13,8 @@ namespace castor::binding::components {
 
 namespace {
 
-/// Says which unions are the best for a proxy, once it has been scored against all of them. What it
-/// says stands as long as the scores do.
+/// Says which unions are the best for a proxy, once it has been scored. What it says stands as long
+/// as the scores do.
 class BindingJudge final : public BindingComponent {
   void start() override {
     BindingComponent::start();
@@ -29,61 +28,43 @@ class BindingJudge final : public BindingComponent {
   }
 
   void work(const Changes& changes) override {
-    for (auto& id : changes.unions)
-      if (view().unions().contains(id))
-        judge_.add_union(id);
-      else
-        judge_.remove_union(id);
+    // They may have been scored before they were seen.
+    for (auto& id : changes.proxies)
+      scored_.insert(std::string{scores_prefix} + id);
     for (auto& id : std::exchange(scored_, {}))
       try {
-        auto scores = read<ProxyUnionScores>(here(id)).object;
-        for (auto& x : scores->scores)
-          judge_.add(x);
-        scores_[scores->proxy] = std::move(scores);
+        auto scores = read<ProxyUnionScores>(here(id));
+        tell(judge(scores->proxy, scores->scores), scores->scores);
       } catch (const DoesNotExistOnWM&) {
         forget(id.substr(scores_prefix.size()));
       }
-    // They may have been judged before they were seen.
-    for (auto& id : changes.proxies)
-      if (auto judgement = judge_.judgement(id))
-        tell(id, *judgement);
-    for (auto& [proxy, judgement] : judge_.take_new())
-      tell(proxy, judgement);
   }
 
-  void tell(const std::string& id, const Judgement& judgement) {
-    put(best_id(id), judgement.best);
-    put(non_matching_id(id), judgement.non_matching);
+  void tell(const BestUnionsForProxy& best, const std::vector<ProxyUnionScore>& scores) {
+    put(best_id(best.proxy), best);
     std::vector<const BindingUnion*> unions;
-    for (auto& x : judgement.best.unions)
+    for (auto& x : best.unions)
       if (auto found = view().unions().find(x); found != view().unions().end())
         unions.push_back(found->second.get());
-    auto* proxy = view().proxy(id);
-    if (proxy && is_ambiguous(judgement.best, scores_.at(id)->scores))
-      put(ambiguity_id(id), describe_ambiguity(judgement.best, *proxy, unions, comparator_));
+    auto* proxy = view().proxy(best.proxy);
+    if (proxy && is_ambiguous(best, scores))
+      put(ambiguity_id(best.proxy), describe_ambiguity(best, *proxy, unions, comparator_));
     else
-      drop(ambiguity_id(id));
+      drop(ambiguity_id(best.proxy));
   }
 
-  void forget(const std::string& id) {
-    judge_.forget(id);
-    scores_.erase(id);
-    for (auto& x : {best_id(id), non_matching_id(id), ambiguity_id(id)})
-      drop(x);
+  void forget(const std::string& proxy) {
+    drop(best_id(proxy));
+    drop(ambiguity_id(proxy));
   }
 
   static std::string best_id(const std::string& proxy) { return std::string{best_prefix} + proxy; }
-  static std::string non_matching_id(const std::string& proxy) {
-    return "non-matching unions for " + proxy;
-  }
   static std::string ambiguity_id(const std::string& proxy) { return "ambiguity of " + proxy; }
 
-  binding::BindingJudge judge_;
   /// Knows which kinds of features say something about each other.
   FeatureComparator comparator_;
   /// Entries with new scores.
   std::set<std::string> scored_;
-  std::map<std::string, std::shared_ptr<const ProxyUnionScores>> scores_;
 };
 
 CASTOR_COMPONENT(BindingJudge, "decides which unions are best for a binding proxy")

@@ -46,7 +46,7 @@ class BindingScorer final : public BindingComponent {
       return true;
     });
     for (auto& [id, proxy] : view().proxies())
-      if (all || changes.proxies.contains(id) || view().has_ports(id) || !scores_.contains(id))
+      if (all || changes.proxies.contains(id) || !scores_.contains(id))
         score(id);
       else
         score(id, changes);
@@ -80,18 +80,32 @@ class BindingScorer final : public BindingComponent {
   void score(const std::string& id) {
     ProxyUnionScores result{id, {{id, {}, nil_score()}}};
     for (auto& [union_id, x] : view().unions())
-      result.scores.push_back({id, union_id, score_in(id, *x)});
+      add_score(result, union_id, *x);
     tell(std::move(result));
   }
 
-  /// Against those that have changed.
+  /// Against those that have changed, and, as relations depend on what becomes of others, against
+  /// those that the proxy may belong to.
   void score(const std::string& id, const Changes& changes) {
-    auto result = scores_.at(id);
-    std::erase_if(result.scores, [&](auto& x) { return changes.unions.contains(x.union_id); });
+    auto& known = scores_.at(id);
+    ProxyUnionScores result{id, {}};
+    for (auto& x : known.scores)
+      if (x.union_id.empty() || (!view().has_ports(id) && !changes.unions.contains(x.union_id)))
+        result.scores.push_back(x);
+      else if (auto found = view().unions().find(x.union_id);
+               found != view().unions().end() && !changes.unions.contains(x.union_id))
+        add_score(result, x.union_id, *found->second);
     for (auto& union_id : changes.unions)
       if (auto x = view().unions().find(union_id); x != view().unions().end())
-        result.scores.push_back({id, union_id, score_in(id, *x->second)});
+        add_score(result, union_id, *x->second);
     tell(std::move(result));
+  }
+
+  /// What features rule out, nothing brings back: most unions are not worth an entry's space.
+  void add_score(ProxyUnionScores& to, const std::string& union_id, const BindingUnion& in) {
+    auto x = score_in(to.proxy, in);
+    if (x.comparable && !x.mismatch)
+      to.scores.push_back({to.proxy, union_id, x});
   }
 
   BindingScore score_in(const std::string& id, const BindingUnion& in) {

@@ -46,7 +46,8 @@ class ReferenceResolver final : public BindingComponent {
     return result;
   }
 
-  Option<std::uint32_t> limit_{this, "limit", 100000, "how many readings of a description are looked at"};
+  Option<std::uint32_t> limit_{this, "limit", 100000,
+                               "how many readings of a description are looked at"};
 
   FeatureComparator comparator_;
 };

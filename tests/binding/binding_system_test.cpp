@@ -113,8 +113,6 @@ Content content_of(TestSystem& system) {
       result.described.insert(scores->proxy);
     else if (auto best = entry->value.as<BestUnionsForProxy>())
       result.described.insert(best->proxy);
-    else if (auto others = entry->value.as<NonMatchingUnions>())
-      result.described.insert(others->proxy);
     else if (auto ambiguity = entry->value.as<Ambiguity>())
       result.described.insert(ambiguity->proxy);
     else if (entry->value.as<BindingProxyDeletionTask>())

@@ -37,7 +37,6 @@ public:
     view_.remove_proxy(id);
     to_score_.erase(id);
     best_.erase(id);
-    judge_.forget(id);
     std::erase_if(scored_, [&](const auto& x) { return x.proxy == id; });
     rescore_all();
   }
@@ -66,24 +65,23 @@ private:
     const auto id = *std::next(to_score_.begin(), chance.below(static_cast<int>(to_score_.size())));
     to_score_.erase(id);
     const FeatureComparator comparator;
+    ProxyUnionScores scores{id, {{id, "", nil_score()}}};
     for (const auto& [union_id, x] : view_.unions())
-      scored_.push_back(
+      scores.scores.push_back(
         {id, union_id,
          BindingScorer{comparator}.score(view_.ref(id), view_.refs(x->proxy_ids), view_)});
-    scored_.push_back({id, "", nil_score()});
+    scored_.push_back(std::move(scores));
     return true;
   }
 
   bool judge() {
     if (scored_.empty())
       return false;
-    // One score at a time: what it has may be old or incomplete.
-    const auto score = scored_.front();
+    // One proxy at a time: its scores may be old by now.
+    const auto scores = scored_.front();
     scored_.erase(scored_.begin());
-    if (score.union_id.empty() || view_.unions().contains(score.union_id))
-      judge_.add(score);
-    for (auto& [id, judgement] : judge_.take_new())
-      best_[id] = judgement.best.unions.empty() ? std::string{} : judgement.best.unions.front();
+    const auto best = binding::judge(scores.proxy, scores.scores);
+    best_[scores.proxy] = best.unions.empty() ? std::string{} : best.unions.front();
     return true;
   }
 
@@ -104,15 +102,10 @@ private:
   }
 
   void carry_out(const BindingPlan& plan) {
-    for (const auto& [id, x] : plan.unions) {
-      if (!view_.unions().contains(id))
-        judge_.add_union(id);
+    for (const auto& [id, x] : plan.unions)
       view_.set(id, std::make_shared<const BindingUnion>(x));
-    }
-    for (const auto& id : plan.deleted_unions) {
-      judge_.remove_union(id);
+    for (const auto& id : plan.deleted_unions)
       view_.remove_union(id);
-    }
     for (const auto& [id, x] : plan.proxies)
       view_.set(id, std::make_shared<const BindingProxy>(x));
   }
@@ -124,8 +117,7 @@ private:
 
   BindingView view_;
   std::set<std::string> to_score_;
-  std::vector<ProxyUnionScore> scored_;
-  BindingJudge judge_;
+  std::vector<ProxyUnionScores> scored_;
   std::map<std::string, std::string> best_;
 };
 
