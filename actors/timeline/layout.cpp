@@ -112,7 +112,11 @@ private:
   }
 
   double place_label(std::size_t row, const Group& group, double x, double y) {
-    auto count = group.shown.size() + group.hidden.size();
+    auto is_there = [](const CellEntry& z) {
+      return z.fate != Fate::gone && z.fate != Fate::passed;
+    };
+    auto count =
+      std::ranges::count_if(group.shown, is_there) + std::ranges::count_if(group.hidden, is_there);
     auto text = count > 1 ? fmt::format("{} \u00d7 {}", count, group.type) : group.type;
     result_.labels.push_back({{x, y, card_width, label_height - 3},
                               row,

@@ -19,6 +19,7 @@ constexpr std::string_view page_styles = R"(
 body { margin: 0; background: #fff; color: #1c2430;
   font: 14px/1.45 "Liberation Sans", Arial, Helvetica, sans-serif; }
 main { overflow-x: auto; }
+body.reading main { margin-right: min(460px, 100vw); }
 svg { display: block; }
 .card, .chip { cursor: pointer; }
 .card:hover rect.back, .chip:hover rect { stroke: #4a5563; }
@@ -39,6 +40,7 @@ aside a { color: #2f6db3; cursor: pointer; }
 aside button { position: absolute; top: .6em; right: .8em; border: 0; background: none;
   font-size: 1.4em; cursor: pointer; }
 @media print { @page { size: landscape; } aside { display: none; }
+  body.reading main { margin-right: 0; }
   svg { width: 100%; height: auto; } }
 )";
 
@@ -62,13 +64,14 @@ function light(card) {
   svg.classList.add('looking');
 }
 function clear(heading) {
-  aside.replaceChildren(); aside.hidden = false;
+  aside.replaceChildren(); aside.hidden = false; document.body.classList.add('reading');
   const close = element('button', '\u00d7', aside);
   close.title = 'close'; close.onclick = leave;
   element('h2', heading, aside);
 }
 function leave() {
-  aside.hidden = true; cards.forEach(x => x.classList.remove('chosen')); }
+  aside.hidden = true; document.body.classList.remove('reading');
+  cards.forEach(x => x.classList.remove('chosen')); }
 function link(text, v, parent) {
   element('a', text, element('li', '', parent)).onclick = () => show(v); }
 function latest(e, time) {
