@@ -91,11 +91,14 @@ private:
     std::vector<std::pair<std::string, std::vector<CellEntry>>> counted;
     for (auto& group : cells_[row * figure_.columns.size() + column]) {
       std::vector<CellEntry> passed;
+      std::vector<CellEntry> gone;
       std::vector<CellEntry> more;
       for (auto& z : group.hidden)
-        (z.fate == Fate::passed ? passed : more).push_back(z);
+        (z.fate == Fate::passed ? passed : z.fate == Fate::gone ? gone : more).push_back(z);
       if (!passed.empty())
         counted.emplace_back(fmt::format("{} {} came and went", passed.size(), group.type), passed);
+      if (!gone.empty())
+        counted.emplace_back(fmt::format("{} {} gone", gone.size(), group.type), gone);
       if (group.shown.empty()) {
         if (!more.empty())
           counted.emplace_back(fmt::format("{} {}", more.size(), group.type), more);
