@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ cmake ninja-build pkg-config
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev libssl-dev
-  libsqlite3-dev zlib1g-dev
+  librsvg2-dev libsqlite3-dev zlib1g-dev
 )
 test_packages=(
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl

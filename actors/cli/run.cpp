@@ -6,6 +6,7 @@
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/timeline.hpp"
+#include "castor/actors/cli/timeline_files.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/link/dial.hpp"
@@ -18,6 +19,7 @@
 #include <CLI/Validators.hpp>
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <unistd.h>
 
@@ -43,6 +45,9 @@ struct Arguments {
   std::string at_most;
   std::string quiet;
   std::filesystem::path output;
+  std::vector<std::string> timelines;
+  std::string timeline_gap;
+  timeline::StageOptions stages;
   bool trace = false;
   bool open_access = false;
   bool broadcast = false;
@@ -130,6 +135,13 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
     options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
   }
+  std::optional<TimelineFiles> picture;
+  if (!arguments.timelines.empty()) {
+    if (auto gap = duration(arguments.timeline_gap))
+      arguments.stages.gap = std::chrono::duration_cast<Timestamp>(*gap);
+    picture.emplace(arguments.stages);
+    picture->watch(options);
+  }
   options.interrupted = [&] { return signals.count() > 0; };
   options.nodes = node_addresses(arguments);
   options.insecure = arguments.insecure;
@@ -147,6 +159,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   } catch (const std::runtime_error& e) {
     note(LogLevel::warning, std::string{"`castor ps` will not find the system: "} + e.what());
   }
+  auto title = std::filesystem::path{architecture->file}.filename().string();
   std::unique_ptr<System> system;
   try {
     system = std::make_unique<System>(std::move(*architecture), options);
@@ -154,6 +167,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     print(e.diagnostics());
     return bad_input;
   }
+  if (picture)
+    picture->look_at_beginning(*system);
   int status = success;
   auto reason = EndReason::interrupted;
   if (system->start())
@@ -164,6 +179,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     status = ended->first;
     note(LogLevel::info, "ended by " + ended->second);
   }
+  if (picture)
+    picture->end(*system);
   system->stop();
   timeline.close();
   auto summary = system->summary();
@@ -171,6 +188,10 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (!arguments.output.empty()) {
     create(arguments.output / "entries.json") << entries_as_json(*system);
     fmt::print("\nwrote {}\n", arguments.output.string());
+  }
+  if (picture) {
+    picture->write(arguments.timelines, title, system->subarchitectures());
+    fmt::print("\nwrote {}\n", fmt::join(arguments.timelines, ", "));
   }
   if (status == success && any_failed(summary))
     status = a_component_failed;
@@ -204,6 +225,26 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
                  "write the timeline, the entries and what components write into this folder; "
                  "in the .cast file it is %(output)")
     ->type_name("DIR");
+  command
+    ->add_option(
+      "--timeline", arguments->timelines,
+      "draw what was in the working memories, stage by stage, when the run is over: as a "
+      "page (.html) or as a picture (.svg, .png) (repeatable)")
+    ->type_name("FILE")
+    ->take_all()
+    ->check(check_timeline_file);
+  command
+    ->add_option("--timeline-gap", arguments->timeline_gap,
+                 "a stage of the timeline ends when nothing new has happened for so long; by "
+                 "default 250ms")
+    ->type_name("DURATION")
+    ->check(check_duration);
+  command
+    ->add_option("--timeline-stages", arguments->stages.most,
+                 "so many stages at most: those with the shortest pauses between them become one")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100))
+    ->capture_default_str();
   command->add_flag("--trace", arguments->trace,
                     "print every change of every working memory, and what becomes of every task");
   command->add_flag("--open-access", arguments->open_access,

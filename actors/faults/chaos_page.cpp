@@ -1,3 +1,4 @@
+#include "castor/actors/cast/markup.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
 #include "castor/actors/faults/chart.hpp"
 #include "castor/actors/faults/rounded.hpp"
@@ -9,6 +10,8 @@
 namespace castor::faults {
 
 namespace {
+
+using cast::escaped;
 
 constexpr std::string_view styles = R"(
 :root { color-scheme: light dark; --back: #fff; --text: #1c2430; --quiet: #66707d; --edge: #d9dee5;

@@ -1,5 +1,6 @@
 #include "castor/actors/faults/chart.hpp"
 
+#include "castor/actors/cast/markup.hpp"
 #include "castor/actors/cast/text.hpp"
 #include "castor/actors/faults/recovery_times.hpp"
 #include "castor/actors/faults/rounded.hpp"
@@ -14,6 +15,8 @@
 namespace castor::faults {
 
 namespace {
+
+using cast::escaped;
 
 constexpr double width = 960;
 constexpr double row_height = 26;
@@ -158,35 +161,6 @@ std::string limit_line(const Scale& x, Timestamp at, double top, double bottom,
 }
 
 } // namespace
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      case '\n':
-        result += '\n';
-        break;
-      default:
-        result += cast::printable({&c, 1});
-    }
-  }
-  return result;
-}
 
 std::vector<double> round_ticks(double most, int count) {
   if (!(most > 0))

@@ -8,9 +8,6 @@
 
 namespace castor::faults {
 
-/// For HTML and SVG, in text and in attributes; control characters become visible.
-std::string escaped(std::string_view text);
-
 /// 0 and its multiples of 1, 2 or 5 times a power of ten, up to `most`: about so many.
 std::vector<double> round_ticks(double most, int count);
 

@@ -5,10 +5,15 @@
 #include "castor/wm/caf.hpp"
 
 #include <caf/stateful_actor.hpp>
+#include <caf/typed_response_promise.hpp>
 
+#include <cstdint>
+#include <deque>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace castor {
 
@@ -22,16 +27,35 @@ struct ObservedSystem {
 /// To an observer, which answers with true: has it told all that it was sent before?
 struct FlushObserver {};
 
+/// A change whose entry is being read.
+struct AwaitedEntry {
+  /// Counts them.
+  std::uint64_t number = 0;
+  ChangeEventPtr event;
+  EntryPtr entry;
+  bool is_read = false;
+};
+
+struct AwaitedFlush {
+  /// Of the last change that is to be told before.
+  std::uint64_t number = 0;
+  caf::typed_response_promise<bool> promise;
+};
+
 struct ObserverState {
   static constexpr const char* name = "observer";
 
   ObservedSystem system;
   std::map<std::string, Receipts> receipts;
+  /// Those of a working memory in the order in which they are to be told.
+  std::map<std::string, std::deque<std::shared_ptr<AwaitedEntry>>> awaited;
+  std::uint64_t last_awaited = 0;
+  std::vector<AwaitedFlush> flushes;
 };
 
-/// Calls `SystemOptions::on_change`, `on_watched` and `on_task`, one at a time, and logs changes.
-/// It has to be sent ObservedSystem when something is added or removed. The options have to outlive
-/// it.
+/// Calls `SystemOptions::on_change`, `on_entry`, `on_watched` and `on_task`, one at a time, and
+/// logs changes. It has to be sent ObservedSystem when something is added or removed. The options
+/// have to outlive it.
 caf::behavior observer(caf::stateful_actor<ObserverState>* self, const SystemOptions& options);
 
 } // namespace castor

@@ -151,6 +151,14 @@ public:
     return {};
   }
 
+  void catch_up() {
+    if (!observer_)
+      return;
+    // They have sent by then what they had to tell.
+    ask_working_memories();
+    ask_observer();
+  }
+
   void stop() {
     stopped_ = true;
     processes_.be_silent();
@@ -400,7 +408,7 @@ private:
       if (wm_class.log || wm_class.debug)
         logged[x.name] = wm_class.debug ? LogLevel::trace : LogLevel::debug;
     }
-    if (!options_.on_change && options_.watched.empty() && logged.empty())
+    if (!options_.on_change && !options_.on_entry && options_.watched.empty() && logged.empty())
       return;
     make_observer();
     {
@@ -604,6 +612,10 @@ EndReason System::wait(const Until& until) {
 
 std::optional<std::pair<int, std::string>> System::ended() const {
   return implementation_->ended();
+}
+
+void System::catch_up() {
+  implementation_->catch_up();
 }
 
 void System::stop() {

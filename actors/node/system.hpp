@@ -87,6 +87,10 @@ struct SystemOptions {
   /// in their order; not on any component's thread.
   std::function<void(const ChangeEvent&)> on_change;
 
+  /// Called like `on_change`, and with the entry as it was read after the change: it may be newer,
+  /// and is null if it was gone by then.
+  std::function<void(const ChangeEvent&, const EntryPtr&)> on_entry;
+
   /// Called like `on_change`, with the changes that one of these filters wants, and with its place
   /// among them. Filters without a subarchitecture are for all of them.
   std::vector<ChangeFilter> watched;
@@ -177,6 +181,10 @@ public:
   /// system. Returns why that cannot be done; empty if it was.
   std::string remove(const std::string& name);
 
+  /// Waits until everything that has changed by now has been told, as far as nobody is too slow for
+  /// it.
+  void catch_up();
+
   /// Stops the components in the reverse order of their start. Working memories stay readable.
   void stop();
 
@@ -184,8 +192,8 @@ public:
   void abandon();
 
   /// Lets something befall a component or a working memory; false if there is none of that name in
-  /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards comes
-  /// after the fault.
+  /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards
+  /// comes after the fault.
   bool befall(const std::string& component, const ComponentFault& x);
 
   /// Lets something befall the link between two processes, by their numbers.

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "castor/perception/vision/annotate_layout.hpp"
+#include "castor/perception/vision/opencv_bridge.hpp"
 
 namespace castor::vision {
 
@@ -280,6 +281,17 @@ Image annotate(const Image& image, std::span<const Annotation> annotations,
   for (std::size_t i = 0; i < items.size(); ++i)
     canvas.draw_label(places[i], *items[i].annotation, items[i].colour);
   return canvas.finished();
+}
+
+Image shrunk(const Image& image, std::uint32_t width) {
+  if (image.width <= width)
+    return image;
+  const auto& given = as_mat(image);
+  const double factor = static_cast<double>(width) / image.width;
+  const cv::Size size(static_cast<int>(width), std::max(1, cvRound(given.rows * factor)));
+  cv::Mat result;
+  cv::resize(given, result, size, 0, 0, cv::INTER_AREA);
+  return to_image(result);
 }
 
 } // namespace castor::vision

@@ -64,4 +64,8 @@ BgrColour annotation_colour(std::size_t index);
 Image annotate(const Image& image, std::span<const Annotation> annotations,
                const AnnotateOptions& options = {});
 
+/// The image, so much smaller that it is no wider than `width`. \throws std::invalid_argument as
+/// `annotate`.
+Image shrunk(const Image& image, std::uint32_t width);
+
 } // namespace castor::vision

@@ -134,6 +134,15 @@ struct RegionFeatures {
   ObjectBox extent;
 };
 
+/// One entry per camera that has pictures kept of it, only ever overwritten: what the scene looked
+/// like when it was last seen to, small and with names on the things in it, for people.
+struct ScenePicture {
+  Image image;
+  std::int32_t camera = 0;
+  /// When the image was taken, microseconds since the system began.
+  std::int64_t time = 0;
+};
+
 /// A region of interest: a part of an image in which something stands out from the background.
 struct ROI {
   ImageBox box;
@@ -223,6 +232,7 @@ CASTOR_REFLECT(Hypothesis, value, confidence)
 CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, t1, t2)
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
+CASTOR_REFLECT(ScenePicture, image, camera, time)
 CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent)
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
 CASTOR_REFLECT(SceneObject, time, box, pose, label, color, shape, size, roi_ids, managing_process)

@@ -59,6 +59,31 @@ TEST_F(ChangeEvents, AnAtomicWriteIsObservedFromOutsideInAllItsParts) {
   EXPECT_EQ(seen, (std::vector<std::string>{"1", "2"}));
 }
 
+TEST_F(ChangeEvents, AreToldWithTheirEntriesInOrderToWhoeverLooksOn) {
+  std::vector<std::string> seen;
+  SystemOptions options;
+  options.on_entry = [&](const ChangeEvent& e, const EntryPtr& entry) {
+    seen.push_back(std::string{to_string(e.operation)} + ' ' + e.address.id +
+                   (entry ? ' ' + std::to_string(entry->value.as<Note>()->number) : ""));
+  };
+  UnmanagedScript::scripts()["c"].run = [](auto& self) {
+    self.add(self.here("1"), Note{1, ""});
+    self.add(self.here("2"), Note{2, ""});
+    self.add(self.here("3"), Note{3, ""});
+    self.delete_entry(self.here("3"));
+    self.add(self.here("4"), Note{4, ""});
+    self.end_system(0, "done");
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM c Unmanaged\n"), options};
+  EXPECT_EQ(run(system), 0);
+  ASSERT_EQ(seen.size(), 5u);
+  EXPECT_EQ(seen[0], "ADD 1 1");
+  EXPECT_EQ(seen[1], "ADD 2 2");
+  EXPECT_EQ(seen[2].substr(0, 5), "ADD 3") << "it may be gone before it is read";
+  EXPECT_EQ(seen[3], "DELETE 3");
+  EXPECT_EQ(seen[4], "ADD 4 4");
+}
+
 TEST_F(ChangeEvents, AnEventThatCameBeforeTheWaitIsNotMissed) {
   run_component([](auto& self) {
     int calls = 0;

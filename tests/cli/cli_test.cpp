@@ -133,6 +133,69 @@ TEST_F(Castor, WritesItsOutputFolder) {
     << read(output / "entries.json");
 }
 
+TEST_F(Castor, DrawsWhatWasInTheWorkingMemories) {
+  auto scene = write("one.scene", "table cloth\ncamera 0 -0.62 0.55 looking-at 0 0 0 fov 42\n"
+                                  "light 1 -0.8 2\nnoise 2\nseed 5\nred cube at 0 0 size 0.07\n");
+  std::vector<std::string> arguments{"run",           CASTOR_CONFIGS "/vision.cast",
+                                     "--set",         "source=scene:" + scene,
+                                     "--until-quiet", "500ms"};
+  for (auto name : {"page.html", "picture.svg", "picture.png"})
+    arguments.insert(arguments.end(), {"--timeline", folder / name});
+  Process castor{command(arguments)};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  auto page = read(folder / "page.html");
+  const std::string begin = "id=\"data\">";
+  auto at = page.find(begin) + begin.size();
+  auto data = nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+  // What the object was in the end, and that it leads to its region.
+  std::string label;
+  std::vector<std::string> linked;
+  for (auto& x : data["versions"])
+    if (data["entries"][x["entry"].get<std::size_t>()][2] == "SceneObject") {
+      label = x["content"]["label"]["value"];
+      for (auto& link : x["links"])
+        linked.push_back(data["entries"][link.get<std::size_t>()][2]);
+    }
+  EXPECT_EQ(label, "red cube");
+  EXPECT_EQ(std::count(linked.begin(), linked.end(), "ROI"), 1);
+  for (auto& text : {page, read(folder / "picture.svg")}) {
+    for (auto part : {">vision</text>", ">SceneObject</text>", ">ScenePicture</text>", "t = 0",
+                      "data:image/png;base64,iVBORw0KGgo", "class=\"arrow\""})
+      EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(text.find("class=\"card gone\" data-v"), std::string::npos)
+      << "what ends with the system does not count";
+  }
+  // Signature, length and name of the header, width, height.
+  auto png = read(folder / "picture.png");
+  ASSERT_EQ(png.substr(1, 3), "PNG");
+  auto number = [&](std::size_t place) {
+    return static_cast<unsigned char>(png.at(place)) << 8 |
+           static_cast<unsigned char>(png[place + 1]);
+  };
+  EXPECT_GT(number(18), 800);
+  EXPECT_GT(number(22), 400);
+}
+
+TEST_F(Castor, DrawsARunThatIsInterrupted) {
+  auto file = folder / "page.html";
+  Process castor{command({"run", system("CPP UM clock Clock\n"), "--trace", "--timeline", file})};
+  ASSERT_TRUE(castor.wait_for_output("OVERWRITE"));
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0);
+  EXPECT_NE(read(file).find(">Tick</text>"), std::string::npos);
+}
+
+TEST_F(Castor, ATimelineThatCannotBeWrittenIsRefusedBeforeTheRun) {
+  auto file = system("CPP UM clock Clock\n");
+  auto unknown = ask({"run", file, "--timeline", folder / "page.pdf"});
+  EXPECT_NE(unknown.status, 0);
+  EXPECT_NE(unknown.errors.find("(.html) or as a picture (.svg, .png)"), std::string::npos)
+    << unknown.errors;
+  auto nowhere = ask({"run", file, "--timeline", folder / "none" / "page.html"});
+  EXPECT_NE(nowhere.status, 0);
+  EXPECT_NE(nowhere.errors.find("there is no folder"), std::string::npos) << nowhere.errors;
+}
+
 TEST_F(Castor, SetsVariablesBeforeTheFileIsRead) {
   auto file = system("VARDEFAULT status=1\nCPP UM clock Clock --status %(status)\n");
   Process castor{command({"run", file, "--set", "status=5"})};

@@ -68,6 +68,21 @@ TEST_F(VisionSystem, WritesAnnotatedPictures) {
   EXPECT_EQ(picture.height, 480u);
 }
 
+TEST_F(VisionSystem, KeepsASmallPictureOfTheScene) {
+  std::vector<ScenePicture> pictures;
+  SystemOptions options;
+  options.on_entry = [&](const ChangeEvent&, const EntryPtr& entry) {
+    if (auto x = entry ? entry->value.as<ScenePicture>() : nullptr)
+      pictures.push_back(*x);
+  };
+  auto system = watch(vision_cast(), {{"source", scene("red cube at 0 0 size 0.07\n")}}, options);
+  ASSERT_FALSE(pictures.empty());
+  EXPECT_EQ(pictures.back().image.width, 320u);
+  EXPECT_EQ(pictures.back().image.height, 240u);
+  EXPECT_EQ(pictures.back().image.bytes.size(), 320u * 240u * 3u);
+  EXPECT_TRUE(all<ScenePicture>(*system).empty()) << "it ends with the component";
+}
+
 TEST_F(VisionSystem, AMissingPictureIsAClearFailureOfTheCamera) {
   cast::ParseOptions parse_options;
   parse_options.variables = {{"source", (folder / "none.png").string()}};

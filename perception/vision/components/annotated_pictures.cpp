@@ -7,8 +7,10 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::vision {
@@ -17,12 +19,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Draws what vision working memory says of the scene on a picture of it, for people to look at.
+/// Draws what vision working memory says of the scene on a picture of it, for people to look at: in
+/// files, and in an entry.
 class AnnotatedPictures final : public UnmanagedComponent {
   void start() override {
-    if (output_->empty())
+    if (!is_wanted())
       return;
-    std::filesystem::create_directories(output_.get());
+    if (!output_->empty())
+      std::filesystem::create_directories(output_.get());
     auto note = [this](const ChangeEvent&) { is_due_ = true; };
     on_change(changed<ROI>(), note);
     on_change(changed<SceneObject>(), note);
@@ -33,7 +37,7 @@ class AnnotatedPictures final : public UnmanagedComponent {
   }
 
   void run() override {
-    if (output_->empty())
+    if (!is_wanted())
       return;
     while (is_running()) {
       // A picture is worth making once what belongs to it has arrived.
@@ -44,24 +48,67 @@ class AnnotatedPictures final : public UnmanagedComponent {
   }
 
   void stop() override {
-    if (is_due_)
+    // Nobody will be there to look at an entry.
+    if (is_due_ && !output_->empty())
       draw();
   }
+
+  bool is_wanted() const { return !output_->empty() || entry_width_ > 0; }
 
   void draw() {
     is_due_ = false;
     auto frame = pull<CameraFrame>(camera_);
-    std::vector<Annotation> annotations;
-    for (auto& roi : read_all<ROI>()) {
-      auto& annotation = annotations.emplace_back();
-      annotation.box = roi->box;
-      annotation.contour = roi->contour;
-      annotation.lines = describe(*roi);
-    }
+    auto rois = read_all<ROI>();
+    if (!output_->empty())
+      write_file(*frame, rois);
+    if (entry_width_ > 0)
+      write_entry(*frame, rois);
+  }
+
+  void write_file(const CameraFrame& frame, const std::vector<EntryOf<ROI>>& rois) {
     auto file = std::filesystem::path{output_.get()} /
                 fmt::format("{}-{:03}.png", component_name(), ++pictures_);
-    write_png(file, annotate(frame->image, annotations));
+    write_png(file, annotate(frame.image, annotations(rois, &AnnotatedPictures::describe)));
     info("wrote {}", file.string());
+  }
+
+  void write_entry(const CameraFrame& frame, const std::vector<EntryOf<ROI>>& rois) {
+    auto width = static_cast<std::uint32_t>(entry_width_.get());
+    AnnotateOptions options;
+    // Letters that can still be read when the picture is small.
+    options.text_scale = 2;
+    ScenePicture picture;
+    picture.image =
+      shrunk(annotate(frame.image, annotations(rois, &AnnotatedPictures::name), options), width);
+    picture.camera = frame.camera.number;
+    picture.time = frame.time;
+    if (entry_.id.empty())
+      entry_ = add(std::move(picture), EntryLife{.ephemeral = true});
+    else
+      overwrite(entry_, std::move(picture));
+  }
+
+  /// @param label what is said of each
+  std::vector<Annotation>
+  annotations(const std::vector<EntryOf<ROI>>& rois,
+              std::vector<AnnotationLine> (AnnotatedPictures::*label)(const ROI&)) {
+    std::vector<Annotation> result;
+    for (auto& roi : rois) {
+      auto& annotation = result.emplace_back();
+      annotation.box = roi->box;
+      annotation.contour = roi->contour;
+      annotation.lines = (this->*label)(*roi);
+    }
+    return result;
+  }
+
+  std::vector<AnnotationLine> name(const ROI& roi) {
+    try {
+      auto object = read<SceneObject>(here(roi.object_id));
+      return {{object->label.confidence > 0 ? object->label.value : roi.object_id, {}}};
+    } catch (const DoesNotExistOnWM&) {
+      return {};
+    }
   }
 
   std::vector<AnnotationLine> describe(const ROI& roi) {
@@ -78,14 +125,18 @@ class AnnotatedPictures final : public UnmanagedComponent {
 
   Option<std::string> camera_{this, "camera", "camera", "the camera whose pictures are drawn on"};
   Option<std::string> output_{this, "output", "", "folder to write pictures to; none if empty"};
-  Option<std::chrono::milliseconds> settle_{this, "settle", 300ms,
+  Option<int> entry_width_{this, "entry-width", 0,
+                           "pixels across of the picture that an entry keeps of the scene; none if "
+                           "0"};
+  Option<std::chrono::milliseconds> settle_{this, "settle", 100ms,
                                             "how long nothing may change before a picture is made"};
 
+  Address entry_;
   bool is_due_ = false;
   int pictures_ = 0;
 };
 
-CASTOR_COMPONENT(AnnotatedPictures, "writes pictures of the scene with what is known of it")
+CASTOR_COMPONENT(AnnotatedPictures, "makes pictures of the scene with what is known of it")
 
 } // namespace
 

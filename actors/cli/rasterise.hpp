@@ -1,0 +1,19 @@
+#pragma once
+
+#include "castor/actors/timeline/contents.hpp"
+#include "castor/actors/timeline/figure.hpp"
+
+#include <optional>
+#include <string>
+
+namespace castor::cli {
+
+/// A picture, made smaller to fit, as a PNG in a data URI. Nothing if it has no pixels.
+std::optional<timeline::EmbeddedPicture> embedded(const timeline::PictureView& x, double width,
+                                                  double height);
+
+/// An SVG picture as a PNG file's content, `scale` times as large, or less if that is too large.
+/// Throws std::runtime_error.
+std::string as_png(const std::string& svg, double scale);
+
+} // namespace castor::cli
