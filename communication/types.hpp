@@ -192,6 +192,8 @@ struct DialogueMove {
   LogicalForm content;
   /// How many utterances came before it.
   std::int32_t turn = 0;
+  /// What to say of what was not understood; else empty.
+  std::string problem;
 };
 
 /// Something that a dialogue move speaks of, and that may be spoken of again.
@@ -279,7 +281,7 @@ CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, questio
                     opening, closing, accept, reject)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
-CASTOR_REFLECT(DialogueMove, type, content, turn)
+CASTOR_REFLECT(DialogueMove, type, content, turn, problem)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
 CASTOR_REFLECT(MoveReferents, move, turn, referents)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,

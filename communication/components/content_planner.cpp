@@ -35,7 +35,7 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   void reply(const MoveReferents& referents, const DialogueMove& move) {
     auto antecedents = pronouns_of(referents);
     auto meant = move;
-    if (unclear_ && move.type == DialogueMoveType::none) {
+    if (unclear_ && move.type == DialogueMoveType::none && move.problem.empty()) {
       meant = clarified(unclear_->move, unclear_->nominal, move.content);
       antecedents.insert(unclear_->antecedents.begin(), unclear_->antecedents.end());
     }

@@ -12,7 +12,7 @@ namespace castor::communication {
 
 namespace {
 
-/// Says what is done by an utterance that is understood, and asks back about one that is not.
+/// Says what is done by an utterance, and what is wrong with one that is not understood.
 class DialogueInterpreter final : public UnmanagedComponent {
   void start() override {
     on_change(changed<PackedLogicalForm>(), [this](const ChangeEvent& event) {
@@ -35,21 +35,20 @@ class DialogueInterpreter final : public UnmanagedComponent {
     }
   }
 
-  /// The entries are called after the form, so nothing is said twice.
+  /// The entry is called after the form, so nothing is interpreted twice.
   void interpret(const Address& address, const PackedLogicalForm& form) {
-    if (!form.unparsable.empty() || form.readings.empty())
-      return ask_back(address, form);
-    auto said = unpack(form, form.readings.front().id);
     DialogueMove move;
     move.turn = form.turn;
-    if (said.size() == 1) {
+    if (!form.unparsable.empty() || form.readings.empty())
+      move.problem = problem_of(form);
+    else if (auto said = unpack(form, form.readings.front().id); said.size() == 1) {
       move.type = dialogue_move_type(said.front());
       move.content = std::move(said.front());
     }
     add(here("move of " + address.id), std::move(move));
   }
 
-  void ask_back(const Address& address, const PackedLogicalForm& form) {
+  static std::string problem_of(const PackedLogicalForm& form) {
     std::string text = "I do not understand that";
     if (!form.unparsable.empty()) {
       auto& problem = form.unparsable.front();
@@ -57,15 +56,11 @@ class DialogueInterpreter final : public UnmanagedComponent {
       if (!problem.suggestions.empty())
         text += "; do you mean '" + problem.suggestions.front() + "'?";
     }
-    if (!text.ends_with('?'))
-      text += '.';
-    add(here("clarification of " + address.id),
-        SpokenOutputItem{std::move(text), address.id, RhetoricalRelation::clarification_question});
+    return text.ends_with('?') ? text : text + '.';
   }
 };
 
-CASTOR_COMPONENT(DialogueInterpreter, "tells assertions, questions, requests and greetings apart, "
-                                      "and asks back about what is not understood")
+CASTOR_COMPONENT(DialogueInterpreter, "tells assertions, questions, requests and greetings apart")
 
 } // namespace
 

@@ -71,11 +71,19 @@ class UtteranceSource final : public UnmanagedComponent {
   bool wait_until_settled() {
     const auto deadline = now() + patience_.get();
     while (settled_.get() > 0ms && is_waiting_ && now() < deadline)
-      if (last_change_ && now() - *last_change_ >= settled_.get())
+      if (last_change_ && now() - *last_change_ >= settled_.get() && everything_is_bound())
         return true;
       else if (!sleep_for(20ms))
         return false;
     return true;
+  }
+
+  bool everything_is_bound() {
+    try {
+      return read<binding::BinderStatus>({binding_, binding::binder_status})->stable;
+    } catch (const DoesNotExistOnWM&) {
+      return false;
+    }
   }
 
   static std::string content_of(const std::string& path) {

@@ -412,6 +412,8 @@ DialogueMove clarified(DialogueMove move, const std::string& nominal, const Logi
 }
 
 Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene) {
+  if (!move.problem.empty())
+    return {RhetoricalRelation::clarification_question, {}, move.problem, {}};
   Responder responder{move, antecedents, scene};
   try {
     switch (move.type) {

@@ -39,7 +39,7 @@ public:
       std::vector<ProxyUnionScore> scores;
       for (const auto& [union_id, members] : all_members)
         scores.push_back({id, union_id, scorer.score(view.ref(id), view.refs(members), view)});
-      const auto best = judge(id, scores).best.unions;
+      const auto best = judge(id, scores).unions;
       best_unions[id] = best;
       const auto union_id = best.empty() ? union_id_of(id) : best.front();
       auto& members = all_members[union_id];

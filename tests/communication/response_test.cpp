@@ -93,6 +93,19 @@ TEST_F(Responses, TellWhatSomethingIsLike) {
   EXPECT_EQ(relation, RhetoricalRelation::answer);
 }
 
+TEST_F(Responses, FollowSeveralRelations) {
+  EXPECT_EQ(say("What colour is the thing left of the box that is right of the ball?"),
+            "It is red.");
+  EXPECT_EQ(say("What shape is the thing in front of the small box behind the large box?"),
+            "It is a sphere.");
+  EXPECT_EQ(say("How many boxes are behind the thing left of the large box?"),
+            "There is one box behind the thing to the left of the large box.");
+  EXPECT_EQ(say("How many things are there behind the ball?"),
+            "There is one thing behind the ball.");
+  EXPECT_EQ(say("Is there a box behind the thing left of the small box?"),
+            "I do not see a thing to the left of the small box.");
+}
+
 TEST_F(Responses, SayWhereSomethingIs) {
   EXPECT_EQ(say("Where is the ball?"), "It is to the left of the large cube.");
   EXPECT_EQ(say("Where is the small box?"), "It is behind the large cube.");
