@@ -23,6 +23,11 @@ std::optional<std::uint32_t> unknown_of(const DescribedThing& thing, const Bindi
                                         const FeatureComparator& comparator) {
   std::uint32_t unknown = 0;
   for (const auto& described : thing.features) {
+    if (described.kind == FeatureKind::existing_proxy_id && described.holds) {
+      if (std::find(of.proxy_ids.begin(), of.proxy_ids.end(), described.text) == of.proxy_ids.end())
+        return std::nullopt;
+      continue;
+    }
     bool confirmed = false;
     for (const auto& known : of.features) {
       if (comparator.compare(described, known) == Truth::no)

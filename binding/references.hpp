@@ -16,8 +16,9 @@ std::vector<UnionRelation> relations_between(const std::map<std::string, Binding
 
 /// All ways to understand a description, the most certain first, then by the ids of the unions; at
 /// most `limit`. Features that a union does not have may be true of it, those that it denies are
-/// not. A relation holds only if a relation proxy says so: spatial relations are computed for all
-/// that is seen.
+/// not. What is described by one of its proxies (`existing_proxy_id`) is that very union. A
+/// relation holds only if a relation proxy says so: spatial relations are computed for all that is
+/// seen.
 ///
 /// \throws std::out_of_range if a relation is about a thing that is not described.
 std::vector<Referents> find_referents(const Description& description,

@@ -95,14 +95,15 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
                              const Antecedents& antecedents) {
     return with_scene(binding(), [&](SceneKnowledge& scene) {
       MoveReferents result{id, move.turn, {}};
+      auto known = with_landmarks(move.content, antecedents, scene);
       for (const auto* thing : things_spoken_of(move.content)) {
         DiscourseReferent referent{
           thing->name, thing->proposition, feature(*thing, "Number") == "pl", {}};
-        auto meaning = describe(move.content, *thing, antecedents);
-        if (auto known = antecedents.find(thing->name); known != antecedents.end())
-          referent.proxies = {known->second};
+        auto meaning = describe(move.content, *thing, known);
+        if (auto found = known.find(thing->name); found != known.end())
+          referent.proxies = {found->second};
         else if (meaning.not_understood.empty())
-          for (auto& x : scene.candidates(move.content, meaning, antecedents).best())
+          for (auto& x : scene.candidates(move.content, meaning, known).best())
             referent.proxies.push_back(scene.proxy_of(x));
         result.referents.push_back(std::move(referent));
       }

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -29,6 +30,13 @@ using namespace std::chrono_literals;
 /// Where utterances come from: the command line, a file, or whatever is typed or piped in.
 class UtteranceSource final : public UnmanagedComponent {
   void start() override {
+    on_change(added<SpokenOutputItem>(), [this](const ChangeEvent& event) {
+      try {
+        answered_.insert(read<SpokenOutputItem>(event.address)->reply_to);
+      } catch (const DoesNotExistOnWM& e) {
+        debug("{}", e.what());
+      }
+    });
     if (settled_.get() == 0ms)
       return;
     try {
@@ -124,12 +132,26 @@ class UtteranceSource final : public UnmanagedComponent {
       if (utterance.length == 0)
         continue;
       // One that is started again does not repeat itself.
+      auto id = "utterance " + std::to_string(++said_);
       try {
-        add(here("utterance " + std::to_string(++said_)), std::move(utterance));
+        add(here(id), std::move(utterance));
       } catch (const AlreadyExistsOnWM&) {
         trace("\"{}\" was said before", sentence);
+        continue;
       }
+      await_reply_to(id);
     }
+  }
+
+  /// People wait for an answer, though not for ever.
+  void await_reply_to(const std::string& utterance) {
+    const auto deadline = now() + turn_.get();
+    auto is_answered = [&] {
+      return std::ranges::any_of(answered_, [&](auto& x) { return x.ends_with(utterance); });
+    };
+    while (is_running() && now() < deadline && !is_answered())
+      wait_for_changes(deadline - now());
+    answered_.clear();
   }
 
   Option<std::string> text_{this, "text", "", "sentences that are said when the system begins"};
@@ -146,9 +168,13 @@ class UtteranceSource final : public UnmanagedComponent {
     "wait before the first until something was bound and then nothing for so long; 0: do not wait"};
   Option<std::chrono::milliseconds> patience_{this, "patience", 20s,
                                               "how long to wait for that at most"};
+  Option<std::chrono::milliseconds> turn_{
+    this, "turn", 0ms, "wait so long for an answer before the next sentence is said"};
   Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
   int said_ = 0;
+  /// Since something was said.
+  std::set<std::string> answered_;
   bool is_waiting_ = true;
   std::optional<Timestamp> last_change_;
 };

@@ -67,10 +67,7 @@ public:
     if (known != numbers_.end())
       return known->second;
     auto number = new_thing();
-    numbers_.emplace(nominal.name, number);
-    say(number, feature(FeatureKind::concept_name, "thing"));
-    call(number, nominal);
-    modify(number, nominal);
+    fill(number, nominal);
     return number;
   }
 
@@ -99,6 +96,17 @@ private:
     return static_cast<std::uint32_t>(result_.description.things.size() - 1);
   }
 
+  void fill(std::uint32_t number, const Nominal& nominal) {
+    numbers_.emplace(nominal.name, number);
+    if (auto known = antecedents_.find(nominal.name); known != antecedents_.end()) {
+      say(number, feature(FeatureKind::existing_proxy_id, known->second));
+      return;
+    }
+    say(number, feature(FeatureKind::concept_name, "thing"));
+    call(number, nominal);
+    modify(number, nominal);
+  }
+
   void say(std::uint32_t number, Feature x) {
     auto& features = result_.description.things[number].features;
     if (std::find(features.begin(), features.end(), x) == features.end())
@@ -112,10 +120,9 @@ private:
   /// What its noun says.
   void call(std::uint32_t number, const Nominal& nominal) {
     auto& noun = nominal.proposition;
-    if (is_pronoun(nominal)) {
-      if (auto found = antecedents_.find(nominal.name); found != antecedents_.end())
-        say(number, feature(FeatureKind::existing_proxy_id, found->second));
-    } else if (auto shape = shapes_of_nouns().find(noun); shape != shapes_of_nouns().end())
+    if (is_pronoun(nominal))
+      return;
+    if (auto shape = shapes_of_nouns().find(noun); shape != shapes_of_nouns().end())
       say(number, feature(FeatureKind::shape, shape->second));
     else if (!general_nouns().contains(noun))
       say(number, feature(FeatureKind::concept_name, noun));
@@ -202,9 +209,10 @@ private:
     auto other_place = other == numbers_.end() ? new_thing() : place_of(other->second);
     relate(relation->second, place, other_place);
     if (other == numbers_.end()) {
-      auto landmark = thing(anchor);
+      auto landmark = new_thing();
       places_.emplace(landmark, other_place);
       relate(binding::position_label, other_place, landmark);
+      fill(landmark, anchor);
     }
   }
 
@@ -264,6 +272,10 @@ private:
 bool is_pronoun(const Nominal& nominal) {
   return nominal.sort == "thing" &&
          std::find(pronouns.begin(), pronouns.end(), nominal.proposition) != pronouns.end();
+}
+
+bool is_definite(const Nominal& nominal) {
+  return is_pronoun(nominal) || feature(nominal, "Delimitation") == "unique";
 }
 
 bool is_deictic(const Nominal& nominal) {

@@ -11,7 +11,7 @@
 /// it lies to other things.
 namespace castor::communication {
 
-/// Proxies of what pronouns stand for, by the names of their nominals.
+/// Proxies of what is known to be meant, such as by a pronoun, by the names of their nominals.
 using Antecedents = std::map<std::string, std::string>;
 
 /// "The same colour as the ball": what the thing described has in common with another.
@@ -42,6 +42,9 @@ PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const 
 
 /// What `scope` alone says of a thing, as far as that are features.
 std::vector<binding::Feature> features_of(const LogicalForm& form, const Nominal& scope);
+
+/// Whether one thing is meant that both know: "it", "the ball".
+bool is_definite(const Nominal& nominal);
 
 /// "It", "this", "they"...
 bool is_pronoun(const Nominal& nominal);

@@ -32,11 +32,6 @@ bool is_negated(const Nominal& x) {
   return feature(x, "Polarity") == "neg";
 }
 
-/// Whether one thing is meant that both know.
-bool is_definite(const Nominal& x) {
-  return is_pronoun(x) || feature(x, "Delimitation") == "unique";
-}
-
 bool is_plural(const Nominal& x) {
   return feature(x, "Number") == "pl";
 }
@@ -45,7 +40,8 @@ bool is_plural(const Nominal& x) {
 class Responder {
 public:
   Responder(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene)
-    : form_(move.content), antecedents_(antecedents), scene_(scene) {}
+    : form_(move.content), antecedents_(with_landmarks(move.content, antecedents, scene)),
+      scene_(scene) {}
 
   Response to_question_w() {
     const auto* asked = dependent(form_, root(), "Wh-Restr");
@@ -384,7 +380,7 @@ private:
   }
 
   LogicalForm form_;
-  const Antecedents& antecedents_;
+  const Antecedents antecedents_;
   SceneKnowledge& scene_;
 };
 

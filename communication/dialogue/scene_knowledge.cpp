@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace castor::communication {
 
@@ -26,7 +28,49 @@ bool share_a_word(const std::vector<std::string>& a, const std::vector<std::stri
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
+/// Finds landmarks, those first that others are described by.
+class LandmarkFinder {
+public:
+  LandmarkFinder(const LogicalForm& form, Antecedents antecedents, SceneKnowledge& scene)
+    : form_(form), antecedents_(std::move(antecedents)), scene_(scene) {}
+
+  void visit(const std::string& name, bool is_landmark) {
+    const auto* nominal = find_nominal(form_, name);
+    if (nominal == nullptr || !seen_.insert(name).second)
+      return;
+    for (auto& [mode, dependent] : nominal->relations)
+      visit(dependent, mode == "Anchor" || mode == "Than");
+    if (is_landmark && nominal->sort == "thing" && is_definite(*nominal) &&
+        feature(*nominal, "Number") != "pl" && !antecedents_.contains(name))
+      look_for(*nominal);
+  }
+
+  Antecedents result() && { return std::move(antecedents_); }
+
+private:
+  void look_for(const Nominal& landmark) {
+    auto meaning = describe(form_, landmark, antecedents_);
+    if (!meaning.not_understood.empty())
+      return;
+    auto found = scene_.candidates(form_, meaning, antecedents_).best();
+    if (found.size() == 1)
+      antecedents_.emplace(landmark.name, scene_.proxy_of(found.front()));
+  }
+
+  const LogicalForm& form_;
+  Antecedents antecedents_;
+  SceneKnowledge& scene_;
+  std::set<std::string> seen_;
+};
+
 } // namespace
+
+Antecedents with_landmarks(const LogicalForm& form, Antecedents antecedents,
+                           SceneKnowledge& scene) {
+  LandmarkFinder finder{form, std::move(antecedents), scene};
+  finder.visit(form.root, false);
+  return std::move(finder).result();
+}
 
 Candidates SceneKnowledge::candidates(const LogicalForm& form, const PhraseMeaning& meaning,
                                       const Antecedents& antecedents) {

@@ -70,4 +70,8 @@ private:
   std::vector<std::string> things_;
 };
 
+/// The antecedents, and what is meant by each landmark of which there is only one: in "left of the
+/// box behind the ball" the ball, and then the box.
+Antecedents with_landmarks(const LogicalForm& form, Antecedents antecedents, SceneKnowledge& scene);
+
 } // namespace castor::communication

@@ -72,7 +72,7 @@ TEST_F(ObjectTrackerSystem, LeavesItToTheSegmentorToDeleteWhatIsLost) {
   std::vector<std::string> deleted_by;
   SystemOptions options;
   options.on_change = [&](const ChangeEvent& event) {
-    if (event.operation == Operation::remove)
+    if (event.operation == Operation::remove && event.type_name() != type_name<ScenePicture>())
       deleted_by.push_back(event.type_name() + " by " + event.source);
   };
   auto system = watch(vision_cast(),
