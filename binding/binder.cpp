@@ -3,15 +3,65 @@
 #include "castor/binding/binding_order.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace castor::binding {
 
+namespace {
+
+void put_in_order(std::vector<ProxyRef>& members) {
+  std::sort(members.begin(), members.end(),
+            [](const ProxyRef& a, const ProxyRef& b) { return precedes(a, b); });
+}
+
+/// Reads a list part by part.
+template <class T>
+class Parts {
+public:
+  explicit Parts(const std::vector<T>& all) : all_(all) {}
+
+  bool next_is(std::span<const T> part) {
+    const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(read_);
+    if (all_.size() - read_ < part.size() || !std::equal(part.begin(), part.end(), begin))
+      return false;
+    read_ += part.size();
+    return true;
+  }
+
+  bool is_read() const { return read_ == all_.size(); }
+
+private:
+  const std::vector<T>& all_;
+  std::size_t read_ = 0;
+};
+
+/// Whether the union is what `make_union` would make, and its members know of it. Most are, so this
+/// is found out without making one.
+bool is_up_to_date(std::span<const ProxyRef> ordered, const std::string& id,
+                   const BindingUnion& known, const Surroundings& surroundings) {
+  if (known.proxy_ids.size() != ordered.size() || known.type != ordered.front().proxy->type)
+    return false;
+  Parts features{known.features};
+  Parts out_ports{known.out_ports};
+  Parts in_ports{known.in_ports};
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    const auto& proxy = *ordered[i].proxy;
+    if (*ordered[i].id != known.proxy_ids[i] || proxy.source != known.sources[i] ||
+        proxy.union_id != id || proxy.proxy_ids != known.proxy_ids ||
+        !features.next_is(proxy.features) || !out_ports.next_is(proxy.out_ports) ||
+        !in_ports.next_is(surroundings.in_ports(*ordered[i].id)))
+      return false;
+  }
+  return features.is_read() && out_ports.is_read() && in_ports.is_read();
+}
+
+} // namespace
+
 BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& surroundings) {
   std::vector<ProxyRef> ordered(members.begin(), members.end());
-  std::sort(ordered.begin(), ordered.end(),
-            [](const ProxyRef& a, const ProxyRef& b) { return precedes(a, b); });
+  put_in_order(ordered);
   BindingUnion result;
   result.type = ordered.front().proxy->type;
   for (const auto& member : ordered) {
@@ -64,8 +114,11 @@ BindingPlan plan_binding(const BindingView& view, const std::map<std::string, st
       members[place].push_back(view.ref(id));
   BindingPlan result;
   for (auto& [id, refs] : members) {
-    auto wanted = make_union(refs, view);
+    put_in_order(refs);
     auto known = view.unions().find(id);
+    if (known != view.unions().end() && is_up_to_date(refs, id, *known->second, view))
+      continue;
+    auto wanted = make_union(refs, view);
     if (known != view.unions().end())
       wanted.updates = known->second->updates + 1;
     for (auto& x : refs)

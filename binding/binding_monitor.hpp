@@ -5,6 +5,7 @@
 #include "castor/wm/failure.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -99,24 +100,32 @@ private:
 
   void write_wanted() {
     auto phase = lock({binding_, binder_status}, LockLevel::od);
-    auto known = own_proxies();
     std::map<std::string, Address> going;
     for (auto& x : read_all_in<BindingProxyDeletionTask>(binding_))
       going.emplace(x->proxy, x.address);
     WriteBatch batch;
     for (auto& [id, proxy] : wanted_) {
-      auto old = known.find(id);
-      if (old == known.end() && proxy)
+      auto old = known(id);
+      if (!old && proxy)
         batch.add({binding_, id}, *proxy);
-      else if (old != known.end() && !proxy && !going.contains(id))
+      else if (old && !proxy && !going.contains(id))
         batch.add({binding_, new_id()}, BindingProxyDeletionTask{id});
-      else if (old != known.end() && proxy && !says_the_same(*old->second, *proxy))
-        batch.overwrite({binding_, id}, updated(*old->second, *proxy));
+      else if (old && proxy && !says_the_same(*old, *proxy))
+        batch.overwrite({binding_, id}, updated(*old, *proxy));
       if (auto task = going.find(id); proxy && task != going.end())
         batch.delete_entry(task->second);
     }
     if (!batch.items().empty())
       write(batch);
+  }
+
+  /// The proxy as it stands there; null if it does not.
+  std::shared_ptr<const BindingProxy> known(const std::string& id) {
+    try {
+      return read<BindingProxy>({binding_, id}).object;
+    } catch (const DoesNotExistOnWM&) {
+      return nullptr;
+    }
   }
 
   static bool says_the_same(const BindingProxy& a, const BindingProxy& b) {

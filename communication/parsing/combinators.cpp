@@ -68,8 +68,8 @@ void Combinators::apply(const Category& function, const Category& argument,
     combined.arguments.insert(combined.arguments.end(),
                               fresh.arguments.end() - static_cast<std::ptrdiff_t>(degree),
                               fresh.arguments.end());
-    const bool modifies =
-      degree == 0 && wanted.mode != SlashMode::application && result == wanted.category;
+    const bool modifies = degree == 0 && wanted.mode != SlashMode::application &&
+                          wanted.category.arguments.empty() && result == wanted.category;
     found.push_back({combinator, categories_.intern(substitution.apply(combined)),
                      static_cast<std::uint16_t>(result.atoms()), modifies});
   }

@@ -29,7 +29,8 @@ struct Combination {
   /// Of the function's indices so many are those of its result; the others are those of the
   /// argument, and meet the first of the argument's indices.
   std::uint16_t result_atoms;
-  /// The function modifies the argument: what it makes is of the argument's category again.
+  /// The function modifies the argument, a noun or the like: what it makes is of the argument's
+  /// category again. "That is" before "left of the box" modifies nothing.
   bool modifies = false;
 };
 

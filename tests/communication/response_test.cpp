@@ -98,6 +98,8 @@ TEST_F(Responses, FollowSeveralRelations) {
             "It is red.");
   EXPECT_EQ(say("What shape is the thing in front of the small box behind the large box?"),
             "It is a sphere.");
+  EXPECT_EQ(say("What shape is the thing that is in front of the box that is behind the ball?"),
+            "It is a sphere.");
   EXPECT_EQ(say("How many boxes are behind the thing left of the large box?"),
             "There is one box behind the thing to the left of the large box.");
   EXPECT_EQ(say("How many things are there behind the ball?"),
