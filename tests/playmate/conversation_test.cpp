@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 namespace castor::test {
 
 namespace {
@@ -65,6 +67,47 @@ TEST(Conversation, DropsReadingsThatTheSceneDoesNotSupport) {
   auto context =
     system.expect_entry("ContextInfo in communication")->value.as<communication::ContextInfo>();
   EXPECT_TRUE(std::ranges::any_of(context->supports, [](auto& x) { return !x.supported; }));
+}
+
+TEST(Conversation, KnowsWhereThingsHaveGone) {
+  TemporaryFolder folder;
+  const auto scene = (folder / "moving.scene").string();
+  std::ofstream{scene} << "table wood\ncamera 0 -0.62 0.55 looking-at 0 0.03 0 fov 42\n"
+                          "light -1 -1 2\nnoise 2\nseed 1\n"
+                          "green cube at 0 0 size 0.07\n"
+                          "red sphere at -0.15 0 size 0.07\n"
+                          "after 1500ms move red sphere to 0 -0.15 over 300ms\n"
+                          "after 1800ms move red sphere to 0.15 0 over 200ms\n";
+  // Questions are asked when it is time.
+  const auto questions = (folder / "questions").string();
+  ASSERT_EQ(mkfifo(questions.c_str(), 0600), 0);
+  TestSystem system{playmate_cast(), playmate_options({{"source", "scene:" + scene},
+                                                       {"hear", "cat " + questions},
+                                                       {"settled", "0s"}})};
+  std::ofstream ask{questions};
+  system.wait_until("the ball is where it was moved to", [&] {
+    auto entries = system.system().entries("vision");
+    return std::ranges::any_of(entries, [](auto& entry) {
+      auto object = entry->value.template as<vision::SceneObject>();
+      return object && object->color.value == "red" && object->box.centroid.x > 0.12;
+    });
+  });
+  std::size_t asked = 0;
+  system.wait_until("the robot knows that the ball is right of the cube", [&] {
+    auto all = sayings(system);
+    if (!all.empty() && all.back() == "Yes.")
+      return true;
+    if (all.size() == asked) {
+      ask << "Is the ball right of the cube?" << std::endl;
+      ++asked;
+    }
+    return false;
+  });
+  ask << "Is the ball left of the cube?" << std::endl;
+  system.wait_until("the last question is answered",
+                    [&] { return sayings(system).size() == asked + 1; });
+  EXPECT_EQ(sayings(system).back(), "No.");
+  system.expect_nobody_else_down();
 }
 
 /// A table that gets one blue square, and later another.

@@ -122,11 +122,9 @@ TEST_F(Figure3, HasThemOverThreeNodes) {
 
 /// Everybody fails once, a little later each, so that all stages of the run are hit.
 TEST_F(Figure3, HasThemWhenEachComponentHasFailedOnce) {
-  TestSystem system{playmate_cast() + "\nSUPERVISE vision RESTARTS 100 IN 10s\n"
-                                      "SUPERVISE spatial RESTARTS 100 IN 10s\n"
-                                      "SUPERVISE communication RESTARTS 100 IN 10s\n"
-                                      "SUPERVISE binding RESTARTS 100 IN 10s\n",
-                    playmate_options(variables())};
+  auto with_restarts = variables();
+  with_restarts["restarts"] = "100";
+  TestSystem system{playmate_cast(), playmate_options(with_restarts)};
   for (auto& name : playmate_components(system)) {
     system.inject("crash " + name);
     system.expect_back(name);
