@@ -106,8 +106,10 @@ OperationRecorder::Open OperationRecorder::begin(const WriteRequest& x) {
 
 OperationRecorder::Open OperationRecorder::begin(const BatchRequest& x) {
   Open result;
-  for (auto& y : x.writes)
+  for (auto& y : x.writes) {
     result.numbers.push_back(write_begin(begin_write(y)));
+    result.where.push_back(y.address);
+  }
   return result;
 }
 
@@ -145,10 +147,14 @@ void OperationRecorder::end_all(std::uint64_t id, const Outcome<T>& outcome, F&&
     Line line;
     line["end"] = open.mapped().numbers[i];
     line["at"] = now;
-    if (outcome)
+    if (outcome) {
       describe(line, i);
-    else
+    } else {
+      auto& where = open.mapped().where;
       line["failure"] = static_cast<int>(outcome.failure().kind);
+      if (!where.empty() && where[i] != outcome.failure().address)
+        line["another"] = true;
+    }
     write(line);
   }
 }

@@ -48,7 +48,8 @@ private:
 ///     {"end": 7, "at": nanoseconds, "version": 5}
 ///
 /// Times are those of the machine's monotonic clock. An end has what the operation gave (version,
-/// content, token, exists), or `failure`, a FailureKind as a number.
+/// content, token, exists), or `failure`, a FailureKind as a number; with `another` if that was the
+/// failure of another write of the same batch.
 class OperationRecorder {
 public:
   using Clock = std::chrono::steady_clock;
@@ -59,6 +60,8 @@ public:
   struct Open {
     Clock::time_point since = Clock::now();
     std::vector<std::uint64_t> numbers = {};
+    /// Of the writes of a batch.
+    std::vector<Address> where = {};
   };
 
   // Before a request is sent.

@@ -43,7 +43,8 @@ void take_end(RecordedOperation& x, const Json& line) {
     if (!status || *status == Status::timed_out)
       record.returned = never;
     x.says_nothing =
-      !status && failure != FailureKind::working_memory_lost && failure != FailureKind::deadlock;
+      line.value("another", false) ||
+      (!status && failure != FailureKind::working_memory_lost && failure != FailureKind::deadlock);
     if (status)
       record.result.status = *status;
     return;

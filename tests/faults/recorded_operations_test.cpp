@@ -152,6 +152,19 @@ TEST(JudgementOfOperations, WhatWasRefusedForOtherReasonsSaysNothing) {
   EXPECT_EQ(judge(script).verdict, Kind::ok);
 }
 
+TEST(JudgementOfOperations, AWriteThatFailedWithAnotherOfItsBatchSaysNothing) {
+  const auto refused = [](const std::string& more) {
+    Script script;
+    script.add("p", 5);
+    script.end(script.begin("p", "overwrite", R"("content": 6, "seen": 0)"),
+               R"("failure": )" + std::to_string(static_cast<int>(FailureKind::inconsistent)) +
+                 more);
+    return judge(script).verdict;
+  };
+  EXPECT_EQ(refused(""), Kind::violation);
+  EXPECT_EQ(refused(R"(, "another": true)"), Kind::ok);
+}
+
 TEST(JudgementOfOperations, SeesTwoWhoHoldOneLease) {
   Script script;
   script.add("p", 5);
