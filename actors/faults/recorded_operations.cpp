@@ -3,6 +3,7 @@
 #include "castor/actors/faults/linearizability/answers.hpp"
 #include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/actors/faults/linearizability/lapses.hpp"
+#include "castor/wm/entry_store.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <fmt/core.h>
@@ -243,6 +244,15 @@ Judgement judge_operations(const Recording& recording, const MemoryConditions& c
   return result;
 }
 
+namespace {
+
+/// Nobody deletes it.
+bool goes_of_itself(const ChangeEvent& x) {
+  return x.source == expiry_source || x.source == owner_ended_source;
+}
+
+} // namespace
+
 Judgement judge_events(const Recording& recording, const MemoryConditions& conditions,
                        std::span<const ChangeEventPtr> told) {
   Judgement result{Kind::undecided, conditions.unknown, {}};
@@ -255,13 +265,12 @@ Judgement judge_events(const Recording& recording, const MemoryConditions& condi
     return result;
   }
   std::vector<ObservedWrite> writes;
+  std::set<Address> passing;
   for (auto& x : recording) {
     if (x.address.subarchitecture != conditions.subarchitecture || !is_write(x.record.kind))
       continue;
-    if (x.has_life) {
-      result.grounds = "some entries go of themselves";
-      return result;
-    }
+    if (x.has_life)
+      passing.insert(x.address);
     if (!x.record.pending() && x.record.result.status != Status::ok)
       continue;
     auto operation = x.record.kind == OperationKind::add         ? Operation::add
@@ -270,6 +279,11 @@ Judgement judge_events(const Recording& recording, const MemoryConditions& condi
     writes.push_back({operation, x.address, x.component, x.record.result.version, x.record.invoked,
                       x.record.returned});
   }
+  // Entries that go of themselves: nobody knows when, so any moment is right.
+  for (auto& event : told)
+    if (event->operation == Operation::remove && goes_of_itself(*event) &&
+        passing.contains(event->address))
+      writes.push_back({Operation::remove, event->address, event->source, 0, 0, never});
   result.verdict = Kind::ok;
   result.grounds = counted(told.size(), "change", "changes");
   for (auto& fault : faults_of(told, told.empty() ? 0 : told.back()->sequence, writes)) {

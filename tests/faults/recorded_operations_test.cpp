@@ -1,5 +1,6 @@
 #include "castor/actors/faults/recorded_operations.hpp"
 
+#include "castor/wm/entry_store.hpp"
 #include "castor/wm/failure.hpp"
 #include "castor/wm/reflect.hpp"
 #include "castor/wm/working_memory.hpp"
@@ -250,11 +251,11 @@ struct Thing {
 CASTOR_REFLECT(Thing, number)
 
 ChangeEventPtr told(std::uint64_t sequence, Operation operation, Version version,
-                    bool coalesced = false) {
+                    bool coalesced = false, const std::string& source = "p") {
   ChangeEvent result;
   result.operation = operation;
   result.address = {"a", "x"};
-  result.source = "p";
+  result.source = source;
   result.type = descriptor_of<Thing>();
   result.version = version;
   result.sequence = sequence;
@@ -294,6 +295,18 @@ TEST_F(JudgementOfEvents, SeesWhatWasToldTwice) {
                    told(2, Operation::overwrite, 1)})
               .verdict,
             Kind::violation);
+}
+
+TEST(JudgementOfChanges, AllowsThatEntriesGoOfThemselvesIfTheyDo) {
+  auto judged = [](const std::string& life) {
+    Script script;
+    script.end(script.begin("p", "add", R"("content": 5)" + life), R"("version": 0)");
+    const std::vector<ChangeEventPtr> all{told(1, Operation::add, 0),
+                                          told(2, Operation::remove, 0, false, expiry_source)};
+    return judge_events(script.recording(), {.subarchitecture = "a"}, all).verdict;
+  };
+  EXPECT_EQ(judged(R"(, "has_life": true)"), Kind::ok);
+  EXPECT_EQ(judged(""), Kind::violation);
 }
 
 TEST_F(JudgementOfEvents, IsNotPassedOnMergedOnesOrAfterALoss) {
