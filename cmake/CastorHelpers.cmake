@@ -32,12 +32,13 @@ if(CASTOR_SANITIZE)
   endif()
 endif()
 
-# castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...])
+# castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...]
+#   [UNITY])
 #
 # A shared library libcastor_<name>.so with the alias castor::<name>, installed and exported together
-# with the headers below the current folder.
+# with the headers below the current folder. UNITY: its sources get along in one translation unit.
 function(castor_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target castor_${name})
   add_library(${target} SHARED ${ARG_SOURCES})
   add_library(castor::${name} ALIAS ${target})
@@ -47,6 +48,9 @@ function(castor_library name)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     BUILD_RPATH "$ORIGIN"
     INSTALL_RPATH "$ORIGIN")
+  if(ARG_UNITY AND CASTOR_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   if(NOT CASTOR_SANITIZE)
     # A forgotten source file is noticed here, and not when the library is first loaded.
