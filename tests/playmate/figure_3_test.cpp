@@ -94,6 +94,10 @@ protected:
 
   static void add(Lines& to, const std::string& subarchitecture, const std::string& type,
                   const json& content) {
+    // Scenes of the past are remembered for a while; the first is the latest.
+    if (type == "SpatialScene" &&
+        std::ranges::any_of(to, [](auto& x) { return x.starts_with("spatial SpatialScene"); }))
+      return;
     if (auto line = figure_3_line(subarchitecture, type, content); !line.empty())
       to.insert(std::move(line));
   }
