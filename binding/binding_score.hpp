@@ -24,10 +24,4 @@ inline bool beats(const BindingScore& a, const BindingScore& b) {
   return compare(a, b) > 0;
 }
 
-/// Whether a union with this score is one that the proxy must not be bound to, or has nothing to do
-/// with.
-inline bool does_not_match(const BindingScore& x) {
-  return !x.comparable || x.mismatch || x.relation_mismatch;
-}
-
 } // namespace castor::binding

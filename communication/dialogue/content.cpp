@@ -163,25 +163,13 @@ LogicalForm part_of(const LogicalForm& form, const std::string& nominal) {
   return result;
 }
 
-LogicalForm both(const LogicalForm& first, const LogicalForm& next) {
-  auto form = single("conjunction", "and");
-  attach(form, "First", first);
-  attach(form, "Next", next);
-  return form;
-}
-
-LogicalForm i_see(const LogicalForm& what) {
-  auto form = perception("see");
-  attach(form, "Patient", what);
-  return form;
-}
-
 LogicalForm i_do_not_see(const LogicalForm& what) {
   auto thing = without_determiner(what);
   root_of(thing).features.push_back({"Number", "sg"});
   root_of(thing).features.push_back({"Delimitation", "existential"});
-  auto form = i_see(thing);
+  auto form = perception("see");
   root_of(form).features.push_back({"Polarity", "neg"});
+  attach(form, "Patient", thing);
   return form;
 }
 

@@ -57,12 +57,6 @@ LogicalForm which(LogicalForm what);
 /// What a form says of one of its nominals: that and all it leads to.
 LogicalForm part_of(const LogicalForm& form, const std::string& nominal);
 
-/// Both.
-LogicalForm both(const LogicalForm& first, const LogicalForm& next);
-
-/// "I see ...".
-LogicalForm i_see(const LogicalForm& what);
-
 /// "I do not see a ball."
 LogicalForm i_do_not_see(const LogicalForm& what);
 

@@ -16,8 +16,7 @@ namespace castor::communication {
 namespace {
 
 using binding::FeatureKind;
-
-enum class Truth { unknown, yes, no };
+using binding::Truth;
 
 /// Thrown where a question cannot be answered: this is to be said instead.
 struct Objection {

@@ -17,8 +17,6 @@ struct Response {
   std::string text;
   /// The nominal that is asked back about, if one is.
   std::string asked_about;
-
-  bool is_empty() const { return contents.empty() && text.empty(); }
 };
 
 /// What was meant, once somebody has said "the red one" to "which ball do you mean?".
