@@ -1,4 +1,5 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/plugin.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ int main(int argc, char** argv) {
   app.add_option("--plugin", plugins, "load component classes from a shared library (repeatable)")
     ->type_name("FILE")
     ->take_all();
+  guard_log_lines([]() -> std::shared_ptr<void> { return std::make_shared<cli::ProgressPause>(); });
   cli::Action action;
   cli::add_run(app, action, plugins);
   cli::add_node(app, action);

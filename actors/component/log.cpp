@@ -12,6 +12,8 @@ namespace {
 
 std::atomic<LogLevel> threshold{LogLevel::info};
 
+std::shared_ptr<void> (*make_guard)() = nullptr;
+
 /// Never destroyed: components may log until the very end of the process.
 spdlog::logger& logger() {
   static auto* result = [] {
@@ -55,6 +57,7 @@ LogLevel log_level() {
 void log(LogLevel level, std::string_view who, std::string_view what) {
   if (log_level() == LogLevel::off)
     return;
+  auto guard = make_guard ? make_guard() : nullptr;
   logger().log(to_spdlog(level), "[{}] {}", who, what);
 }
 
@@ -65,6 +68,10 @@ void note(LogLevel level, std::string_view who, std::string_view what) {
 
 void note(LogLevel level, std::string_view what) {
   note(level, "castor", what);
+}
+
+void guard_log_lines(std::shared_ptr<void> (*make)()) {
+  make_guard = make;
 }
 
 void flush_log() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 /// One log for the whole process, on standard error: time, level, who, what.
@@ -20,6 +21,10 @@ void log(LogLevel level, std::string_view who, std::string_view what);
 /// level.
 void note(LogLevel level, std::string_view who, std::string_view what);
 void note(LogLevel level, std::string_view what);
+
+/// What is made before each line and destroyed after it, such as something that keeps a line of
+/// progress off the terminal meanwhile. Before any thread logs.
+void guard_log_lines(std::shared_ptr<void> (*make)());
 
 /// Writes out what is still buffered; before a process leaves without its destructors.
 void flush_log();

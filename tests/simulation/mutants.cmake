@@ -8,7 +8,7 @@ function(castor_system_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
   castor_add_mutant(system_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
     SOURCES $<TARGET_OBJECTS:castor_system_simulation> $<TARGET_OBJECTS:castor_simulation_parts>
-    DEPENDS castor_system_simulation_parts CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
+    DEPENDS castor_progress castor_system_simulation_parts CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
 endfunction()
 
 # -- supervision

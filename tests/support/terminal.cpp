@@ -1,0 +1,139 @@
+#include "castor/tests/support/terminal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace castor::test {
+
+std::vector<std::string> screen(const std::string& written) {
+  std::vector<std::string> lines(1);
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    auto& line = lines.back();
+    switch (char c = written[i]) {
+      case '\r':
+        column = 0;
+        break;
+      case '\n':
+        lines.emplace_back();
+        column = 0;
+        break;
+      case '\x1b': {
+        auto end = written.find_first_of("ABCDEFGHJKSTfmnsu", i);
+        if (end == written.npos)
+          return lines;
+        if (written[end] == 'K')
+          line.resize(std::min(line.size(), column));
+        i = end;
+        break;
+      }
+      default:
+        if (column < line.size())
+          line[column] = c;
+        else
+          line += c;
+        ++column;
+    }
+  }
+  return lines;
+}
+
+Terminal::Terminal(unsigned short columns) {
+  winsize size{24, columns, 0, 0};
+  if (openpty(&master_, &slave_, nullptr, nullptr, &size) != 0)
+    throw std::runtime_error("no pseudo-terminal");
+  for (int x : {master_, slave_})
+    fcntl(x, F_SETFD, FD_CLOEXEC);
+  thread_ = std::thread{[this] { gather(); }};
+}
+
+Terminal::~Terminal() {
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    wait();
+  }
+  // The end of the last one who could write ends the reading.
+  close(slave_);
+  thread_.join();
+  close(master_);
+}
+
+void Terminal::start(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (auto& x : arguments)
+    argv.push_back(x.data());
+  argv.push_back(nullptr);
+  pid_ = fork();
+  if (pid_ < 0)
+    throw std::runtime_error("cannot fork");
+  if (pid_ == 0) {
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    setsid();
+    ioctl(slave_, TIOCSCTTY, 0);
+    for (int x : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+      dup2(slave_, x);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+}
+
+void Terminal::type(const std::string& text) const {
+  [[maybe_unused]] auto n = write(master_, text.data(), text.size());
+}
+
+int Terminal::wait() {
+  int state = 0;
+  while (waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
+    // Once more.
+  }
+  pid_ = -1;
+  // What the terminal still holds is read before anybody asks for it.
+  int held = 1;
+  while (ioctl(master_, FIONREAD, &held) == 0 && held > 0)
+    std::this_thread::yield();
+  return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+}
+
+bool Terminal::wait_for(const std::string& text, std::chrono::seconds patience) {
+  std::unique_lock guard{mutex_};
+  return changed_.wait_for(guard, patience, [&] { return written_.find(text) != written_.npos; });
+}
+
+std::string Terminal::written() {
+  std::lock_guard guard{mutex_};
+  return written_;
+}
+
+void Terminal::gather() {
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    // Under the mutex, so that who asks after `wait` gets what was read.
+    pollfd readable{master_, POLLIN, 0};
+    poll(&readable, 1, -1);
+    std::lock_guard guard{mutex_};
+    auto n = read(master_, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      return;
+    written_.append(buffer.data(), static_cast<std::size_t>(n));
+    changed_.notify_all();
+  }
+}
+
+} // namespace castor::test
