@@ -32,6 +32,18 @@ if(CASTOR_SANITIZE)
   endif()
 endif()
 
+# What users run and install, without tests and benchmarks.
+add_custom_target(castor_product)
+
+# castor_install_target(<target> <argument of install(TARGETS)>...)
+#
+# Installs a target, and makes it a part of castor_product: after that is built, `cmake --install`
+# misses nothing. install(TARGETS) is called nowhere else, which a test checks.
+function(castor_install_target target)
+  install(TARGETS ${target} ${ARGN})
+  add_dependencies(castor_product ${target})
+endfunction()
+
 # castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...]
 #   [UNITY])
 #
@@ -62,7 +74,7 @@ function(castor_library name)
   target_link_libraries(${target}
     PUBLIC ${ARG_PUBLIC_DEPENDS}
     PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:castor_build_options>)
-  install(TARGETS ${target} EXPORT castor LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  castor_install_target(${target} EXPORT castor LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor/${folder}"

@@ -13,3 +13,6 @@ install(FILES
   cmake/FindCAF.cmake
   DESTINATION "${package_dir}")
 install(DIRECTORY configs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/configs")
+# The command finds them in the build tree, too.
+file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share/castor")
+file(CREATE_LINK "${PROJECT_SOURCE_DIR}/configs" "${PROJECT_BINARY_DIR}/share/castor/configs" SYMBOLIC)

@@ -9,7 +9,7 @@ packages=(
   librsvg2-dev libsqlite3-dev zlib1g-dev
 )
 test_packages=(
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
 )
 
 # install_missing PACKAGE...
@@ -54,4 +54,15 @@ quietly() {
 # configure PRESET CMAKE-OPTION...
 configure() {
   quietly cmake --preset "$@"
+}
+
+# Builds what users run, as scripts/test does, so that neither compiles again what the other has. Keeps
+# the configuration of a build folder that is there.
+build_product() {
+  install_missing "${packages[@]}"
+  if [ ! -f build/release/build.ninja ]; then
+    echo "Building; the first time takes some minutes."
+    configure release -DCASTOR_TESTS=OFF -DCASTOR_BENCHMARKS=OFF -DCASTOR_UNITY=ON
+  fi
+  cmake --build --preset release --target castor_product
 }

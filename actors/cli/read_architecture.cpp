@@ -1,6 +1,7 @@
 #include "castor/actors/cli/read_architecture.hpp"
 
 #include "castor/actors/cast/parser.hpp"
+#include "castor/actors/cli/bundled_file.hpp"
 #include "castor/actors/cli/output.hpp"
 
 #include <CLI/App.hpp>
@@ -11,7 +12,10 @@
 namespace castor::cli {
 
 void add_architecture_arguments(CLI::App& command, ArchitectureArguments& arguments) {
-  command.add_option("FILE", arguments.file, "the .cast file of the system")->required();
+  command
+    .add_option("FILE", arguments.file,
+                "the .cast file of the system; configs/vision.cast and the like come with Castor")
+    ->required();
   command
     .add_option("--set", arguments.variables,
                 "define a variable before the file is read (repeatable)")
@@ -37,7 +41,7 @@ std::optional<ArchitectureDescription> read_architecture(const ArchitectureArgum
                                                          bool expand) {
   cast::ParseOptions options;
   options.variables = variables_of(arguments);
-  auto result = cast::parse_file(arguments.file, options);
+  auto result = cast::parse_file(file_or_bundled(arguments.file), options);
   print(result.diagnostics);
   if (expand)
     for (auto& line : result.expansions)
