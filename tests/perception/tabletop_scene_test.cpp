@@ -201,7 +201,7 @@ TEST(SceneFile, IsLoadedOrSaysWhy) {
 
 TEST(SceneFile, IsSoundInEachOfTheScenesThatComeWithTheSystem) {
   const auto scenes = std::filesystem::path(CASTOR_CONFIGS) / "scenes";
-  for (const std::string name : {"playmate", "blue-square", "changing"}) {
+  for (const std::string name : {"playmate", "table", "blue-square", "changing"}) {
     const auto [scene, problems] = load_tabletop_scene(scenes / (name + ".scene"));
     EXPECT_EQ(to_string(problems), "");
     EXPECT_FALSE(scene.actors.empty());
