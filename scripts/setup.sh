@@ -7,9 +7,11 @@ packages=(
   g++ cmake ninja-build pkg-config
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev libssl-dev
   librsvg2-dev libsqlite3-dev zlib1g-dev
+  # For the tests of what `castor new` makes.
+  libgtest-dev
 )
 test_packages=(
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
+  libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
 )
 
 # install_missing PACKAGE...

@@ -21,6 +21,7 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
 void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
+void add_new(CLI::App& app, Action& chosen);
 /// Those that look at a running system, and those that change it.
 void add_inspection(CLI::App& app, Action& chosen);
 /// Those that look at journals, whether a system runs or not.

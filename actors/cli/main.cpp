@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   cli::add_journal(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
+  cli::add_new(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
