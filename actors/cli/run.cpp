@@ -3,6 +3,7 @@
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
+#include "castor/actors/cli/record.hpp"
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/timeline.hpp"
@@ -42,6 +43,7 @@ namespace {
 
 struct Arguments {
   ArchitectureArguments architecture;
+  RecordArguments record;
   std::string at_most;
   std::string quiet;
   std::filesystem::path output;
@@ -151,6 +153,11 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
       arguments.local_nodes || arguments.spread > 0 ? arguments.tls + "/run" : arguments.tls);
   if (arguments.spread > 0)
     spread(*architecture, arguments.spread);
+  apply_journal_arguments(arguments.record, *architecture);
+  std::optional<RunRecording> recording;
+  if (!arguments.record.folder.empty())
+    recording.emplace(arguments.record, arguments.architecture, arguments.quiet, *architecture,
+                      options, arguments.local_nodes || arguments.spread > 0);
   // They outlive the system, which says goodbye to them.
   auto local_nodes = start_local_nodes(*architecture, arguments.local_nodes || arguments.spread > 0,
                                        plugins, arguments.tls, options);
@@ -203,6 +210,12 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     std::fflush(stdout);
     std::_Exit(status == success ? a_component_failed : status);
   }
+  if (recording) {
+    // What still waits to be written is written when they are gone.
+    system.reset();
+    local_nodes.reset();
+    fmt::print("\n{}", recording->finish(plugins));
+  }
   return status;
 }
 
@@ -245,6 +258,7 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->type_name("N")
     ->check(CLI::Range(1, 100))
     ->capture_default_str();
+  add_record_arguments(*command, arguments->record);
   command->add_flag("--trace", arguments->trace,
                     "print every change of every working memory, and what becomes of every task");
   command->add_flag("--open-access", arguments->open_access,
@@ -288,7 +302,8 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     "Ctrl-C stops the components in the reverse order of their start.\n"
     "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
     "failed; 2 if the system could not be started.\n"
-    "Example: castor run configs/vision.cast --trace --until-quiet 2s --output out");
+    "Examples: castor run configs/vision.cast --trace --until-quiet 2s --output out\n"
+    "          castor run configs/playmate.cast --set typed=true --record today");
   command->callback([&chosen, &plugins, arguments] {
     chosen = [&plugins, arguments] { return run(*arguments, plugins); };
   });

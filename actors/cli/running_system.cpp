@@ -2,6 +2,7 @@
 
 #include "castor/actors/node/local_endpoint.hpp"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 
@@ -17,6 +19,8 @@ namespace castor::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds time_between_looks{50};
 
 class Connection {
 public:
@@ -42,6 +46,13 @@ public:
         return;
       sent += static_cast<std::size_t>(n);
     }
+  }
+
+  /// Whether there is something to hear within this time.
+  bool wait(std::chrono::milliseconds time) const {
+    pollfd x{fd_, POLLIN, 0};
+    return received_.find('\n') != std::string::npos ||
+           poll(&x, 1, static_cast<int>(time.count())) > 0;
   }
 
   /// The next line; false at the end.
@@ -110,13 +121,25 @@ RunningSystem choose_system(const std::string& wanted) {
 
 void ask(const RunningSystem& system, const Json& request,
          const std::function<void(const Json&)>& hear) {
+  ask(system, request, hear, {});
+}
+
+void ask(const RunningSystem& system, const Json& request,
+         const std::function<void(const Json&)>& hear,
+         const std::function<std::vector<Json>()>& more) {
   Connection connection{system.socket};
   if (connection.error() != 0)
     throw std::runtime_error("cannot reach " + system.name + ": " +
                              std::strerror(connection.error()));
   connection.say(request.dump() + '\n');
   std::string line;
-  while (connection.hear(line)) {
+  auto next = [&] {
+    while (more && !connection.wait(time_between_looks))
+      for (auto& x : more())
+        connection.say(x.dump() + '\n');
+    return connection.hear(line);
+  };
+  while (next()) {
     auto x = Json::parse(line);
     if (x.contains("error"))
       throw std::runtime_error(x["error"].get<std::string>());

@@ -30,4 +30,10 @@ RunningSystem choose_system(const std::string& wanted);
 void ask(const RunningSystem& system, const Json& request,
          const std::function<void(const Json&)>& hear);
 
+/// The same, and says more meanwhile: `more` is called several times a second, and what it returns
+/// is sent.
+void ask(const RunningSystem& system, const Json& request,
+         const std::function<void(const Json&)>& hear,
+         const std::function<std::vector<Json>()>& more);
+
 } // namespace castor::cli

@@ -20,7 +20,11 @@ void Connections::provide(const TypeDescriptorPtr& type, std::function<Value()> 
 void Connections::push(const Value& x) {
   // What was taken meanwhile makes room, also for a component that never waits.
   shell_.file_arrived();
-  for (auto& to : provisions_[x.type_name()].subscribers) {
+  auto& subscribers = provisions_[x.type_name()].subscribers;
+  // What nobody gets to see is not recorded.
+  if (!subscribers.empty())
+    record(true, x);
+  for (auto& to : subscribers) {
     auto dropped = to.flow.dropped();
     if (auto now = to.flow.push(x)) {
       send(to, *std::move(now));
@@ -72,6 +76,7 @@ void Connections::work_off_pull(caf::mailbox_element& x, const PullRequest& requ
   } else {
     try {
       shell_.user_code("providing a " + i->first, [&] { outcome = i->second.make(); });
+      record(false, *outcome);
     } catch (const std::exception& e) {
       // Who pulls must learn of it too.
       outcome = Failure{FailureKind::no_answer, e.what(), {self, {}}};
@@ -80,6 +85,18 @@ void Connections::work_off_pull(caf::mailbox_element& x, const PullRequest& requ
     }
   }
   shell_.respond(x, caf::make_message(std::move(outcome)));
+}
+
+void Connections::record(bool pushed, const Value& x) {
+  if (auto& recorder = shell_.services().pushes)
+    recorder->record(shell_.identity().name, pushed, x);
+}
+
+void Connections::work_off_hand_out(caf::mailbox_element& x, const HandOut& order) {
+  provide(order.value.type_ptr(), [value = order.value] { return value; });
+  if (order.push)
+    push(order.value);
+  shell_.respond(x, caf::make_message(Acknowledged{}));
 }
 
 void Connections::work_off_push_request(caf::mailbox_element& x, const PushRequest& request) {
@@ -186,6 +203,8 @@ bool Connections::work_off(caf::mailbox_element& x) {
     work_off_push_request(x, content.get_as<PushRequest>(0));
   else if (content.match_elements<Pushed>())
     work_off_push(x, content.get_as<Pushed>(0));
+  else if (content.match_elements<HandOut>())
+    work_off_hand_out(x, content.get_as<HandOut>(0));
   else
     return false;
   return true;

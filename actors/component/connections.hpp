@@ -75,6 +75,9 @@ private:
     Receipts receipts;
   };
 
+  /// Somebody gets that value.
+  void record(bool pushed, const Value& x);
+  void work_off_hand_out(caf::mailbox_element& x, const HandOut& order);
   void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
   void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
   void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/caller_runs.hpp"
 #include "castor/actors/component/operation_log.hpp"
+#include "castor/actors/component/push_recorder.hpp"
 #include "castor/actors/component/record.hpp"
 #include "castor/actors/task_manager/task_event.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
@@ -36,6 +37,9 @@ struct ComponentServices {
 
   /// Where operations are written down; null where they are not.
   std::unique_ptr<OperationLog> operations;
+
+  /// Records what stand-alone components hand out; null where that is not recorded.
+  std::unique_ptr<PushRecorder> pushes;
 
   /// Called from any component's thread when it wants the system to end.
   std::function<void(int status, const std::string& reason)> end_system;

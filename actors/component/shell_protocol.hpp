@@ -83,6 +83,14 @@ struct Pushed {
   Value value;
 };
 
+/// To a stand-alone component that stands in for a recorded one: hand this out from now on.
+/// Answered with Acknowledged.
+struct HandOut {
+  Value value;
+  /// Also to those who asked for pushes; otherwise only to those who pull.
+  bool push = false;
+};
+
 /// To a stand-alone component: so many more pushes of the type were taken.
 struct PushesTaken {
   std::string type;
@@ -101,5 +109,6 @@ CASTOR_LOCAL_MESSAGE(castor::TaskDecided)
 CASTOR_LOCAL_MESSAGE(castor::PullRequest)
 CASTOR_LOCAL_MESSAGE(castor::PushRequest)
 CASTOR_LOCAL_MESSAGE(castor::Pushed)
+CASTOR_LOCAL_MESSAGE(castor::HandOut)
 CASTOR_LOCAL_MESSAGE(castor::PushesTaken)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Value>)

@@ -70,6 +70,8 @@ private:
         throw InspectionError("the system is not ready yet");
       auto request = Json::parse(text);
       auto what = request.value("do", "");
+      if (std::exchange(is_asked_, true))
+        return control(what);
       if (what == "ps")
         report();
       else if (what == "wm")
@@ -277,20 +279,39 @@ private:
 
   void replay_into_system(const Json& request) {
     auto parts = std::make_shared<ReplayParts>();
-    auto files = request.at("files").get<std::vector<std::string>>();
-    parts->recording =
-      std::make_unique<Recording>(std::vector<std::filesystem::path>(files.begin(), files.end()),
-                                  request.value("sources", std::set<std::string>{}));
-    parts->working_memories = parts_.roster->working_memories;
-    parts->speed = request.value("speed", 1.0);
-    parts->done = [to = parts_.endpoint, connection = parts_.connection](const ReplayOutcome& x) {
-      Json reply{{"writes", x.writes}, {"skipped", x.skipped}, {"refused", x.refused}};
-      if (!x.problem.empty())
-        reply["problem"] = x.problem;
-      caf::anon_send(to, InspectionReply{connection, reply.dump() + '\n', true});
+    auto files = [&](const char* name) {
+      auto names = request.value(name, std::vector<std::string>{});
+      return std::vector<std::filesystem::path>(names.begin(), names.end());
     };
+    auto time = [&](const char* name) { return UnixTime{request.value(name, std::int64_t{0})}; };
+    parts->selection.journals = files("files");
+    parts->selection.pushes = files("pushes");
+    if (request.contains("sources"))
+      parts->selection.sources = request["sources"].get<std::set<std::string>>();
+    parts->selection.from = time("from");
+    parts->to = time("to");
+    parts->end = time("end");
+    parts->working_memories = parts_.roster->working_memories;
+    parts->providers = parts_.roster->providers;
+    parts->speed = request.value("speed", 1.0);
+    parts->rounds = request.value("rounds", std::uint64_t{1});
+    auto reply = [to = parts_.endpoint, connection = parts_.connection](Json x, bool last) {
+      caf::anon_send(to, InspectionReply{connection, x.dump() + '\n', last});
+    };
+    if (request.value("progress", false))
+      parts->on_progress = [reply](const ReplayProgress& x) { reply(to_json(x), false); };
+    parts->done = [reply](const ReplayOutcome& x) { reply(to_json(x), true); };
     // Ends with whoever wants it, and has its own thread to read files.
-    self_->spawn<caf::linked + caf::detached>(castor::replay, std::move(parts));
+    replay_ = self_->spawn<caf::linked + caf::detached>(castor::replay, std::move(parts));
+  }
+
+  /// Something that was asked for is under way.
+  void control(const std::string& what) {
+    static const std::map<std::string, ReplayControl> controls{{"pause", ReplayControl::pause},
+                                                               {"go on", ReplayControl::go_on},
+                                                               {"end", ReplayControl::end}};
+    if (auto i = controls.find(what); i != controls.end() && replay_)
+      self_->send(replay_, i->second);
   }
 
   // -- changes of the system
@@ -339,6 +360,8 @@ private:
 
   caf::event_based_actor* self_;
   InspectionParts parts_;
+  bool is_asked_ = false;
+  caf::actor replay_;
   std::optional<ChangeFilter> filter_;
   /// Only entries of this id, or of this type.
   std::string what_;

@@ -196,4 +196,21 @@ std::string change_as_json(const ChangeEvent& x, const Value& value, std::size_t
   return with_value(to_json(x), castor::to_json(value, options));
 }
 
+Json to_json(const ReplayOutcome& x) {
+  Json result{{"writes", x.writes}, {"skipped", x.skipped}, {"refused", x.refused}};
+  if (x.values > 0)
+    result["values"] = x.values;
+  if (!x.problem.empty())
+    result["problem"] = x.problem;
+  return result;
+}
+
+Json to_json(const ReplayProgress& x) {
+  return {{"at", x.at.count()},
+          {"writes", x.outcome.writes},
+          {"values", x.outcome.values},
+          {"paused", x.paused},
+          {"round", x.round}};
+}
+
 } // namespace castor

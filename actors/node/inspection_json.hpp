@@ -2,6 +2,7 @@
 
 #include "castor/actors/node/component_statuses.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/node/replay.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,9 @@ struct SystemReport {
 Json to_json(const SystemReport& report, const SystemRoster& roster);
 Json to_json(const Access& x);
 Json to_json(const ChangeEvent& x);
+Json to_json(const ReplayOutcome& x);
+/// Where it is in the recording (`at`) is in microseconds since 1970.
+Json to_json(const ReplayProgress& x);
 
 /// An entry, with its value if that is wanted. Byte fields of more than `max_bytes` are shown as
 /// their size.

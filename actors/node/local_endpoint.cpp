@@ -116,26 +116,32 @@ void admit(Self* self, connection_handle handle) {
   self->ack_writes(handle, true);
 }
 
+/// The first line of a connection is what it is for.
+void ask(Self* self, connection_handle handle, EndpointState::Connection& connection,
+         std::string line) {
+  if (!connection.inspection) {
+    InspectionParts parts;
+    parts.connection = static_cast<std::uint64_t>(handle.id());
+    parts.endpoint = self;
+    parts.roster = self->state.roster;
+    parts.give_order = self->state.give_order;
+    connection.inspection = self->system().spawn(inspection, std::move(parts));
+  }
+  caf::anon_send(connection.inspection, InspectionRequest{std::move(line)});
+}
+
 void hear(Self* self, const caf::io::new_data_msg& x) {
   auto i = self->state.connections.find(x.handle);
-  // One request is enough for a connection.
-  if (i == self->state.connections.end() || i->second.inspection)
+  if (i == self->state.connections.end())
     return;
   auto& received = i->second.received;
   received.append(x.buf.data(), x.buf.size());
-  auto end = received.find('\n');
-  if (end == std::string::npos) {
-    if (received.size() > longest_line)
-      leave(self, x.handle);
-    return;
+  for (auto end = received.find('\n'); end != std::string::npos; end = received.find('\n')) {
+    ask(self, x.handle, i->second, received.substr(0, end));
+    received.erase(0, end + 1);
   }
-  InspectionParts parts;
-  parts.connection = static_cast<std::uint64_t>(x.handle.id());
-  parts.endpoint = self;
-  parts.roster = self->state.roster;
-  parts.give_order = self->state.give_order;
-  i->second.inspection = self->system().spawn(inspection, std::move(parts));
-  caf::anon_send(i->second.inspection, InspectionRequest{received.substr(0, end)});
+  if (received.size() > longest_line)
+    leave(self, x.handle);
 }
 
 void written(Self* self, const caf::io::data_transferred_msg& x) {

@@ -36,6 +36,8 @@ struct SystemRoster {
   std::vector<ProcessDescription> processes;
   std::vector<caf::actor> agents;
   std::map<std::string, WorkingMemoryActor> working_memories;
+  /// Stand-alone components.
+  std::map<std::string, caf::actor> providers;
   /// Of all components, working memories included.
   std::map<std::string, ProcessNumber> placement;
   /// In the order of their start, without working memories: who they are, and how often they were

@@ -11,6 +11,8 @@
 #include "castor/wm/working_memory.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace castor {
@@ -71,6 +73,34 @@ std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
   }
 }
 
+/// How many bytes a process may take to record what its stand-alone components hand out; 0 if there
+/// is nothing to record.
+std::uint64_t share_of_pushes(const PartPlan& plan, ProcessNumber self) {
+  if (plan.pushes.empty())
+    return 0;
+  auto& all = plan.architecture.standalone;
+  auto own =
+    std::ranges::count_if(all, [&](auto& x) { return process_of(plan.placement, x.name) == self; });
+  return own == 0 ? 0 : plan.pushes_limit / all.size() * static_cast<std::uint64_t>(own);
+}
+
+/// The folder for it is there, if this process needs one.
+void make_folder_for_pushes(const PartPlan& plan, ProcessNumber self,
+                            std::vector<cast::Diagnostic>& problems) {
+  if (share_of_pushes(plan, self) == 0)
+    return;
+  std::error_code error;
+  std::filesystem::create_directories(plan.pushes, error);
+  if (error)
+    problems.push_back(
+      {cast::Severity::error,
+       plan.architecture.standalone.front().where,
+       {},
+       {},
+       "cannot make the folder of the recording, " + plan.pushes + ": " + error.message(),
+       "record into a folder that can be made on every machine"});
+}
+
 } // namespace
 
 PartSpawn::PartSpawn()
@@ -104,6 +134,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
       journals[x->subarchitecture] = take_up_journal(*x, problems);
+  make_folder_for_pushes(plan, self_, problems);
   if (!problems.empty())
     return problems;
   begin(plan);
@@ -153,6 +184,8 @@ void SystemPart::begin(const PartPlan& plan) {
   services_->epoch = system_.clock().now() - plan.age;
   if (!plan.operations.empty())
     services_->operations = std::make_unique<OperationLog>(plan.operations);
+  if (auto own = share_of_pushes(plan, self_); own > 0)
+    services_->pushes = std::make_unique<PushRecorder>(plan.pushes, own);
   services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
     caf::anon_send(to, EndSystem{status, reason});
   };

@@ -57,6 +57,10 @@ struct PartPlan {
   bool broadcast = false;
   /// The folder in which operations are written down, on each machine; empty for none.
   std::string operations;
+  /// The folder in which is recorded what stand-alone components hand out, on each machine, and how
+  /// many bytes that may take in all; empty for none.
+  std::string pushes;
+  std::uint64_t pushes_limit = 0;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
   /// After so long without a connection, a process is lost.

@@ -73,7 +73,7 @@ void wire(A& a, WirePart<A, ProcessDescription>& x) {
 template <class A>
 void wire(A& a, WirePart<A, PartPlan>& x) {
   a(x.architecture, x.processes, x.placement, x.incarnations, x.open_access, x.broadcast,
-    x.operations, x.age, x.patience, x.coordinator, x.supervisor, x.task_observer);
+    x.operations, x.pushes, x.pushes_limit, x.age, x.patience, x.coordinator, x.supervisor, x.task_observer);
 }
 
 template <class A>

@@ -168,6 +168,8 @@ private:
     result.supervisor = caf::actor_cast<caf::actor>(self_);
     result.task_observer = parts_.task_observer;
     result.operations = options_.operations.string();
+    result.pushes = options_.pushes.string();
+    result.pushes_limit = options_.pushes_limit;
     result.age = now();
     result.patience = options_.link.patience;
     return result;
@@ -201,6 +203,9 @@ private:
     if (auto i = actors.find(working_memory_of(health_subarchitecture)); i != actors.end())
       roster.working_memories[health_subarchitecture] =
         caf::actor_cast<WorkingMemoryActor>(i->second);
+    for (auto& x : architecture_.standalone)
+      if (auto i = actors.find(x.name); i != actors.end())
+        roster.providers[x.name] = caf::actor_cast<caf::actor>(i->second);
     for (auto& [name, child] : children_)
       roster.placement[name] = process_of(name);
     for (auto& name : tree_.order())

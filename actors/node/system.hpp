@@ -77,6 +77,11 @@ struct SystemOptions {
   /// memories, and what they are answered (operation_log.hpp); empty for none.
   std::filesystem::path operations;
 
+  /// Every process records in this folder of its machine what its stand-alone components hand out
+  /// (push_log.hpp); empty for none. Of what takes more than the limit in all, the oldest is dropped.
+  std::filesystem::path pushes;
+  std::uint64_t pushes_limit = std::uint64_t{1} << 30;
+
   /// How a node that went out of reach is treated.
   LinkOptions link;
 

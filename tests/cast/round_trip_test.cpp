@@ -1,4 +1,5 @@
 #include "castor/actors/cast/duration.hpp"
+#include "castor/actors/cast/writer.hpp"
 #include "castor/tests/cast/support.hpp"
 
 #include <gtest/gtest.h>
@@ -94,58 +95,6 @@ void complete(ArchitectureDescription& architecture) {
   }
 }
 
-std::string arguments_text(const ComponentDescription& component) {
-  std::string text;
-  for (const auto& option : component.options)
-    text += " " + option.key + " \"" + option.value + "\"";
-  return text + " # -comment \"\n";
-}
-
-std::string component_text(const ComponentDescription& component) {
-  auto begin = component.host + "\tCPP ";
-  switch (component.kind) {
-    case ComponentKind::working_memory:
-      return begin + "WM " + component.class_name + arguments_text(component);
-    case ComponentKind::task_manager:
-      return begin + "TM " + component.class_name + arguments_text(component);
-    case ComponentKind::managed:
-      return begin + "MG " + component.name + " " + component.class_name +
-             arguments_text(component);
-    case ComponentKind::unmanaged:
-      return begin + "DD  " + component.name + " " + component.class_name +
-             arguments_text(component);
-    case ComponentKind::standalone:
-      break;
-  }
-  return "COMPONENT " + begin + component.name + " " + component.class_name +
-         arguments_text(component);
-}
-
-std::string text_of(const ArchitectureDescription& architecture) {
-  std::string text;
-  for (const auto& each : architecture.standalone)
-    text += component_text(each);
-  for (const auto& sa : architecture.subarchitectures) {
-    text += "SUBARCHITECTURE " + sa.name + " " + sa.host + "\n";
-    text += component_text(sa.working_memory) + component_text(sa.task_manager) + "\n";
-    for (const auto& each : sa.components)
-      text += "  " + component_text(each);
-  }
-  for (const auto& rule : architecture.access_rules)
-    text += "ACCESS " + rule.writer + " WRITES " + rule.owner + "\n";
-  for (const auto& [who, policy, where] : architecture.supervision)
-    text += "SUPERVISE " + who + " " + std::string(to_string(policy.strategy)) + " RESTARTS " +
-            std::to_string(policy.restarts) + " IN " + to_string(policy.period) + " DELAY " +
-            to_string(policy.first_delay) + " TO " + to_string(policy.longest_delay) + "\n";
-  for (const auto& rule : architecture.failover) {
-    text += "FAILOVER " + rule.who + " TO";
-    for (const auto& host : rule.hosts)
-      text += " " + host;
-    text += "\n";
-  }
-  return text;
-}
-
 /// Everything but the places in the file, line by line.
 std::string facts(const ArchitectureDescription& architecture) {
   std::string text;
@@ -207,7 +156,7 @@ RC_GTEST_PROP(RoundTrip, OfADescriptionThroughItsTextChangesNothing, ()) {
     architecture.supervision.push_back({sa.name, policy(), {}});
     architecture.failover.push_back({sa.name, {"h1", "h2"}, {}});
   }
-  auto result = test::parse(text_of(architecture));
+  auto result = test::parse(to_cast(architecture));
   RC_ASSERT(render(result.diagnostics) == "");
   RC_ASSERT(facts(*result.architecture) == facts(architecture));
 }
