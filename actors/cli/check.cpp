@@ -75,7 +75,9 @@ void add_check(CLI::App& app, Action& chosen) {
                     "print the file's #EXPAND comments with their variables replaced");
   command->add_flag("--json", arguments->json, "print the architecture as it was understood");
   command->footer(
-    "Exit status 1 if there is any error. Every error is printed, not only the first.");
+    "Every error is printed, not only the first.\n"
+    "Exit status: 0 if there is no error, 1 if there is any, 2 if the command line is wrong.\n"
+    "Example: castor check configs/vision.cast --set source=scene:scenes/blue-square.scene");
   command->callback([&chosen, arguments] { chosen = [arguments] { return check(*arguments); }; });
 }
 

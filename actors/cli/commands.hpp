@@ -26,6 +26,9 @@ void add_new(CLI::App& app, Action& chosen);
 void add_inspection(CLI::App& app, Action& chosen);
 /// Those that look at journals, whether a system runs or not.
 void add_journal(CLI::App& app, Action& chosen);
+/// Those that tell of all the others, which `app` has when they are called.
+void add_completion(CLI::App& app, Action& chosen);
+void add_man(CLI::App& app, Action& chosen);
 
 /// Exit statuses besides those that a component ends a system with.
 enum ExitStatus : int { success = 0, a_component_failed = 1, bad_input = 2 };

@@ -79,6 +79,7 @@ int components() {
 void add_components(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
     "components", "list every component class with its options and their defaults");
+  command->footer("Example: castor components --plugin ./libgreeter.so");
   command->callback([&chosen] { chosen = components; });
 }
 

@@ -304,7 +304,8 @@ void add_inspection(CLI::App& app, Action& chosen) {
   ps_command->add_flag("--stats", arguments->stats,
                        "count what became of change events, and what every link has carried");
   ps_command->footer("Load is the part of a processor that was used, on average since the start; "
-                     "busy is for how long a component has had something to do without a pause.");
+                     "busy is for how long a component has had something to do without a pause.\n"
+                     "Example: castor ps --stats");
   on_call(*ps_command, chosen, arguments, ps);
 
   add_wm(app, chosen);
@@ -337,7 +338,8 @@ void add_inspection(CLI::App& app, Action& chosen) {
   add_architecture_arguments(*add_command, arguments->architecture);
   add_command->footer(
     "The file has whole subarchitectures, or lines for subarchitectures that run: these have "
-    "neither a WM nor a TM line.\nIf anything stands in the way, the system stays as it was.");
+    "neither a WM nor a TM line.\nIf anything stands in the way, the system stays as it was.\n"
+    "Example: castor add touch.cast --system playmate");
   on_call(*add_command, chosen, arguments, add);
 
   arguments = std::make_shared<Arguments>();
@@ -345,6 +347,7 @@ void add_inspection(CLI::App& app, Action& chosen) {
     command(app, "remove", "stop a component or a subarchitecture of a running system", arguments);
   remove_command->add_option("NAME", arguments->name, "of the component or the subarchitecture")
     ->required();
+  remove_command->footer("Example: castor remove recogniser");
   on_call(*remove_command, chosen, arguments, remove);
 }
 

@@ -317,6 +317,7 @@ void add_journal(CLI::App& app, Action& chosen) {
   ls->add_option("PLACE", arguments->files, "journals, or folders with some; otherwise `journals`")
     ->type_name("FILE|DIR");
   ls->add_flag("--json", arguments->json, "print JSON, one object on a line");
+  ls->footer("Example: castor journal ls recordings");
 
   arguments = std::make_shared<Arguments>();
   auto* show_command =

@@ -37,6 +37,8 @@ int main(int argc, char** argv) {
   cli::add_check(app, action);
   cli::add_components(app, action);
   cli::add_new(app, action);
+  cli::add_completion(app, action);
+  cli::add_man(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
