@@ -20,6 +20,11 @@ bool is_path(const std::string& library) {
   return library.find('/') != library.npos || library.find(".so") != library.npos;
 }
 
+/// With the version, so that it is there without what only developers have.
+std::string bundled_file_name(std::string_view library) {
+  return "lib" + std::string{library} + ".so." CASTOR_SOVERSION;
+}
+
 std::string file_name(const std::string& library) {
   return is_path(library) ? library : "lib" + library + ".so";
 }
@@ -40,7 +45,7 @@ void load_bundled_plugins() {
     return;
   for (std::size_t at = 0; at < bundled.size();) {
     auto end = std::min(bundled.find(',', at), bundled.size());
-    if (auto problem = load_plugin(std::string{bundled.substr(at, end - at)}))
+    if (auto problem = load_plugin(bundled_file_name(bundled.substr(at, end - at))))
       note(LogLevel::warning, *problem);
     at = end + 1;
   }

@@ -1,6 +1,15 @@
 # How every Castor target is made: one warning level, one place for sanitizers, one include root.
 include(GNUInstallDirs)
 
+# The libraries are Castor's own: programs find them through their RPATH, or through CMake, and the loader's
+# folders hold none of them. As Debian has it, they are below a folder for the processor that they are for.
+set(CASTOR_INSTALL_LIBDIR "${CMAKE_INSTALL_LIBDIR}/castor")
+if(CMAKE_LIBRARY_ARCHITECTURE AND CMAKE_INSTALL_LIBDIR STREQUAL "lib")
+  set(CASTOR_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}/castor")
+endif()
+# What only developers need says COMPONENT dev; it is a package of its own.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
+
 # Sources say #include "castor/wm/value.hpp", in the tree and installed alike: a link named `castor`
 # in the build tree points at the source root.
 set(CASTOR_INCLUDE_ROOT "${PROJECT_BINARY_DIR}/include")
@@ -45,12 +54,13 @@ function(castor_install_target target)
 endfunction()
 
 # castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...]
-#   [UNITY])
+#   [UNITY] [DEVELOPMENT])
 #
 # A shared library libcastor_<name>.so with the alias castor::<name>, installed and exported together
 # with the headers below the current folder. UNITY: its sources get along in one translation unit.
+# DEVELOPMENT: who only runs systems does not need it.
 function(castor_library name)
-  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;DEVELOPMENT" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target castor_${name})
   add_library(${target} SHARED ${ARG_SOURCES})
   add_library(castor::${name} ALIAS ${target})
@@ -74,10 +84,15 @@ function(castor_library name)
   target_link_libraries(${target}
     PUBLIC ${ARG_PUBLIC_DEPENDS}
     PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:castor_build_options>)
-  castor_install_target(${target} EXPORT castor LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(component runtime)
+  if(ARG_DEVELOPMENT)
+    set(component dev)
+  endif()
+  castor_install_target(${target} EXPORT castor
+    LIBRARY DESTINATION ${CASTOR_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT dev)
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor/${folder}"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor/${folder}" COMPONENT dev
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 

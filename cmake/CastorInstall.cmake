@@ -6,12 +6,13 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/castor")
 configure_package_config_file(cmake/castorConfig.cmake.in castorConfig.cmake
   INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file(castorConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(EXPORT castor NAMESPACE castor:: FILE castorTargets.cmake DESTINATION "${package_dir}")
+install(EXPORT castor NAMESPACE castor:: FILE castorTargets.cmake DESTINATION "${package_dir}"
+  COMPONENT dev)
 install(FILES
   "${PROJECT_BINARY_DIR}/castorConfig.cmake"
   "${PROJECT_BINARY_DIR}/castorConfigVersion.cmake"
   cmake/FindCAF.cmake
-  DESTINATION "${package_dir}")
+  DESTINATION "${package_dir}" COMPONENT dev)
 install(DIRECTORY configs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/configs")
 # The command finds them in the build tree, too.
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share/castor")

@@ -14,6 +14,9 @@ test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
 )
 
+# What builds and checks Debian packages.
+package_packages=(debootstrap dpkg-dev fakeroot file lintian man-db)
+
 # install_missing PACKAGE...
 install_missing() {
   local missing=()
