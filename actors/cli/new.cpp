@@ -135,7 +135,9 @@ void add_new(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
     "new", "make a folder with a component, a subarchitecture or a robot to begin with");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("KIND", arguments->kind, "component, subarchitecture or robot")->required();
+  command->add_option("KIND", arguments->kind, "what to make")
+    ->required()
+    ->type_name("component|subarchitecture|robot");
   command
     ->add_option("NAME", arguments->name,
                  "what it is called, and the folder too: letters, digits, - and _")
