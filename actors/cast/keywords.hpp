@@ -65,9 +65,11 @@ std::optional<ComponentKind> match_kind(std::string_view word) noexcept;
 /// Every word that may begin a line: for suggestions.
 const std::vector<std::string_view>& all_line_keywords();
 
-/// The variables that the parser itself sets for every file.
+/// The variables that the parser itself sets for every file: its directory, by two names, and itself.
+inline constexpr std::string_view config_dir_variable = "CONFIG_DIR";
 inline constexpr std::string_view current_dir_variable = "CURRENT_DIR";
 inline constexpr std::string_view current_file_variable = "CURRENT_FILE";
-inline constexpr std::string_view config_dir_variable = "CONFIG_DIR";
+/// The directory of the main file.
+inline constexpr std::string_view main_dir_variable = "MAIN_DIR";
 
 } // namespace castor::cast

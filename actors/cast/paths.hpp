@@ -17,7 +17,7 @@ std::string include_target(std::string_view including_file, std::string_view pat
 /// only the file system knows where they lead past a symbolic link.
 std::string path_for_users(std::string_view path, std::string_view working_directory);
 
-/// `path_for_users` of a file's directory: the form of CURRENT_DIR and CONFIG_DIR.
+/// `path_for_users` of a file's directory: the form of CONFIG_DIR and MAIN_DIR.
 std::string directory_for_users(std::string_view file, std::string_view working_directory);
 
 } // namespace castor::cast

@@ -37,10 +37,10 @@ public:
         last_multiline_end_ = i;
   }
 
-  Preprocessed run(const std::string& config_dir) {
+  Preprocessed run(const std::string& main_dir) {
     for (const auto& [name, value] : options_.variables)
       preset(name, value);
-    scope_.variables().define(config_dir_variable, config_dir);
+    scope_.variables().define(main_dir_variable, main_dir);
     for (next_ = 0; next_ < lines_.size() && !scope_.exhausted();) {
       const auto& line = lines_[next_++];
       if (line.kind == SourceLine::Kind::enter_file)
@@ -71,7 +71,9 @@ private:
     current_unit_ = line.unit.get();
     current_dir_changed_ = false;
     const auto& file = line.unit->file;
-    scope_.variables().define(current_dir_variable, directory_for_users(file, working_directory_));
+    auto directory = directory_for_users(file, working_directory_);
+    scope_.variables().define(config_dir_variable, directory);
+    scope_.variables().define(current_dir_variable, std::move(directory));
     scope_.variables().define(current_file_variable, path_for_users(file, working_directory_));
   }
 
@@ -265,7 +267,8 @@ private:
                   "this overwrites the value of " + in_quotes(name) + " from the command line",
                   "write VARDEFAULT instead of SETVAR to let the command line win");
     }
-    if (name == current_dir_variable || name == current_file_variable)
+    if (name == config_dir_variable || name == current_dir_variable ||
+        name == current_file_variable)
       overwrite_current(line, name);
     scope_.variables().define(name, std::move(*value));
   }
@@ -367,9 +370,9 @@ private:
 } // namespace
 
 Preprocessed preprocess(const Source& source, const ParseOptions& options,
-                        const std::string& config_dir, const std::string& working_directory,
+                        const std::string& main_dir, const std::string& working_directory,
                         DiagnosticLog& log) {
-  return Preprocessor(source, options, working_directory, log).run(config_dir);
+  return Preprocessor(source, options, working_directory, log).run(main_dir);
 }
 
 } // namespace castor::cast

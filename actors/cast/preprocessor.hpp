@@ -35,10 +35,10 @@ struct Preprocessed {
 
 /// Second pass: executes variable commands, HOSTNAME lines and conditionals, and replaces variables
 /// in all other lines.
-/// @param config_dir value of CONFIG_DIR
+/// @param main_dir value of MAIN_DIR
 /// @param working_directory what CURRENT_DIR and CURRENT_FILE are relative to
 Preprocessed preprocess(const Source& source, const ParseOptions& options,
-                        const std::string& config_dir, const std::string& working_directory,
+                        const std::string& main_dir, const std::string& working_directory,
                         DiagnosticLog& log);
 
 } // namespace castor::cast

@@ -1,6 +1,9 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/component/crash_report.hpp"
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/node/system.hpp"
 #include "castor/actors/plugin.hpp"
 
 #include <CLI/App.hpp>
@@ -28,6 +31,7 @@ int main(int argc, char** argv) {
     ->type_name("FILE")
     ->take_all();
   guard_log_lines([]() -> std::shared_ptr<void> { return std::make_shared<cli::ProgressPause>(); });
+  report_crashes();
   cli::Action action;
   cli::add_run(app, action, plugins);
   cli::add_node(app, action);
@@ -53,6 +57,9 @@ int main(int argc, char** argv) {
   }
   try {
     return action();
+  } catch (const SystemError& e) {
+    cli::print(e.diagnostics());
+    return cli::bad_input;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "castor: %s\n", e.what());
     return cli::bad_input;

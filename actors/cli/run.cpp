@@ -168,17 +168,20 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   }
   auto title = std::filesystem::path{architecture->file}.filename().string();
   std::unique_ptr<System> system;
+  bool was_started = false;
   try {
     system = std::make_unique<System>(std::move(*architecture), options);
+    if (picture)
+      picture->look_at_beginning(*system);
+    was_started = system->start();
   } catch (const SystemError& e) {
+    system.reset();
     print(e.diagnostics());
     return bad_input;
   }
-  if (picture)
-    picture->look_at_beginning(*system);
   int status = success;
   auto reason = EndReason::interrupted;
-  if (system->start())
+  if (was_started)
     reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
   if (reason == EndReason::interrupted)
     note(LogLevel::info, "interrupted: stopping (once more to leave at once)");

@@ -63,6 +63,8 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
     component_receipts_ = Receipts{queue_limit_};
   }
   record_->set_budget(component_->budget_);
+  crash_note_.describe(identity().full_name(), identity().class_name, parts.where,
+                       component_->isolate_);
   if (services_->operations)
     recorder_.emplace(*services_->operations, record_->client());
   component_->attach(this);
@@ -73,14 +75,17 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
 void ComponentShell::act() {
   context(unit_);
   record_->thread_begins();
+  CrashWatch watch{crash_note_};
   AtExit thread_ends{[this] { record_->thread_ends(); }};
   try {
     live();
   } catch (const ComponentStopped&) {
     // The normal way to end.
   } catch (const InjectedCrash&) {
+    do_from_now_on("an injected crash");
     if (component_->isolate_)
       std::abort();
+    in_configure_ = false;
     fail("it was made to crash");
   } catch (const WorkingMemoryLostException& e) {
     if (working_memory_lost_)
@@ -140,12 +145,14 @@ void ComponentShell::meet(NeighboursPtr neighbours) {
 
 void ComponentShell::live() {
   await_phase(Phase::configure);
+  in_configure_ = true;
   if (queue_limit_ < least_queue_limit)
     throw std::invalid_argument(
       fmt::format("--queue-limit is {}, but the least is {}", queue_limit_, least_queue_limit));
   if (push_limit() == 0)
     throw std::invalid_argument("--push-limit is 0, but the least is 1");
   user_code(phase_name(Phase::configure), [this] { component_->configure(); });
+  in_configure_ = false;
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
   await_phase(Phase::start);
@@ -176,7 +183,7 @@ void ComponentShell::await_phase(Phase phase) {
     }
   }
   phases_.pop_front();
-  doing_ = phase_name(phase);
+  do_from_now_on(phase_name(phase));
 }
 
 void ComponentShell::phase_done(Phase phase, std::string failure) {
@@ -186,18 +193,25 @@ void ComponentShell::phase_done(Phase phase, std::string failure) {
 
 void ComponentShell::fail(const std::string& what) {
   auto report = "failed in " + doing_ + ": " + what;
-  note(LogLevel::error, identity().full_name(), report);
-  auto state = record_->state();
-  record_->fail(report);
-  if (state == ComponentState::created)
-    phase_done(Phase::configure, report);
-  else if (state == ComponentState::configured)
-    phase_done(Phase::start, report);
+  // Whose configuration is wrong in the first life is named by who started the system.
+  bool is_refused = in_configure_ && identity().incarnation == 1;
+  note(is_refused ? LogLevel::debug : LogLevel::error, identity().full_name(), report);
+  record_->fail(std::move(report));
+  if (in_configure_)
+    phase_done(Phase::configure, what);
 }
 
 bool ComponentShell::is_running() {
   file_arrived();
   return !stopping_;
+}
+
+std::string ComponentShell::do_from_now_on(std::string what) {
+  // A crash in between is one of nobody knows what.
+  crash_note_.set_doing({});
+  auto before = std::exchange(doing_, std::move(what));
+  crash_note_.set_doing(doing_);
+  return before;
 }
 
 // -- work

@@ -3,6 +3,7 @@
 #include "castor/actors/component/befalling.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/connections.hpp"
+#include "castor/actors/component/crash_report.hpp"
 #include "castor/actors/component/mailbox.hpp"
 #include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/operation_log.hpp"
@@ -36,6 +37,8 @@ struct ShellParts {
   std::shared_ptr<ComponentServices> services;
   /// Owned by `services`.
   CallerRuns* unit = nullptr;
+  /// Its line in the `.cast` file, "vision.cast:7"; may be empty.
+  std::string where = {};
 };
 
 /// The actor around a component: leads it through its life, delivers what arrives, and carries out
@@ -183,12 +186,14 @@ private:
   template <class F>
   void user_code(const std::string& what, F&& f) {
     // After an exception `doing_` stays at the innermost call, for the report.
-    auto outer = std::exchange(doing_, what);
+    auto outer = do_from_now_on(what);
     record_->enter_user_code(Clock::now());
     f();
     record_->leave_user_code();
-    doing_ = std::move(outer);
+    do_from_now_on(std::move(outer));
   }
+  /// Returns what was done before.
+  std::string do_from_now_on(std::string what);
   void respond(caf::mailbox_element& x, caf::message reply);
 
   // -- operations
@@ -247,6 +252,9 @@ private:
   Receipts runtime_receipts_{standard_queue_limit};
   /// What the component's own code is being called for, for the report if it throws.
   std::string doing_;
+  /// The same, for the report of a crash.
+  CrashNote crash_note_;
+  bool in_configure_ = false;
   std::uint64_t callbacks_ = 0;
 
   /// If operations are to be written down.

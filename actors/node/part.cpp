@@ -253,6 +253,8 @@ void SystemPart::spawn_component(const ComponentDescription& x, std::uint64_t in
   parts.record = std::make_shared<ComponentRecord>(ComponentIdentity{
     x.name, x.subarchitecture, x.class_name, static_cast<std::uint32_t>(x.number), incarnation});
   parts.services = services_;
+  if (x.where.line() > 0)
+    parts.where = to_string(x.where);
   parts.unit = services_->units.emplace_back(std::make_unique<CallerRuns>(system_)).get();
   parts.unit->set_working_memories(&services_->working_memories.back());
   auto record = parts.record;

@@ -39,6 +39,8 @@ struct Round {
   std::chrono::steady_clock::time_point since;
   /// Who failed meanwhile, to be dealt with when the round is over.
   std::vector<ComponentEnded> failures;
+  /// Whose configuration is wrong, if the round starts them for the first time.
+  std::vector<cast::Diagnostic> problems;
   /// Whose process was lost meanwhile.
   Names gone;
   std::vector<std::string> stopped;

@@ -223,7 +223,9 @@ private:
     for (auto& name : tree_.order())
       if (std::count(names.begin(), names.end(), name) > 0)
         round.start.push_back(name);
-    round.done = [promise](const Round&) mutable { promise.deliver(ComponentsStarted{}); };
+    round.done = [promise](const Round& x) mutable {
+      promise.deliver(ComponentsStarted{x.problems});
+    };
     begin_round(std::move(round));
     return promise;
   }
@@ -316,6 +318,10 @@ private:
     if (round.step == Round::Step::configure) {
       if (!enter_next(round, Phase::configure))
         return;
+      if (!round.problems.empty()) {
+        give_up(i);
+        return;
+      }
       enter(round, Round::Step::start);
     }
     if (!enter_next(round, Phase::start))
@@ -432,6 +438,14 @@ private:
     advance(i);
   }
 
+  /// Some cannot be configured, and would not be next time: nobody is started.
+  void give_up(RoundIterator i) {
+    for (auto& name : i->start)
+      if (auto child = children_.find(name); child != children_.end())
+        child->second.given_up = true;
+    end_round(i);
+  }
+
   void begin_to_configure(Round& round) {
     enter(round, Round::Step::configure);
     round.configure = round.start;
@@ -490,15 +504,29 @@ private:
       auto child = children_.find(i->order()[i->at]);
       if (child == children_.end() || child->second.number != x.component)
         continue;
-      // One that failed says so once it has ended.
-      if (!x.failure.empty())
+      if (!x.failure.empty()) {
+        // What it could do once, another life can do again; supervision goes on once it has ended.
+        if (!i->makes)
+          i->problems.push_back(wrong_configuration(child->first, x.failure));
         return;
+      }
       if (x.phase == Phase::start)
         note_up(child->first);
       go_to_next(*i);
       advance(i);
       return;
     }
+  }
+
+  /// At the component's line.
+  cast::Diagnostic wrong_configuration(const std::string& name, const std::string& what) const {
+    cast::Diagnostic result;
+    result.message = name + " cannot be configured: " + what;
+    if (auto* x = architecture_.component(name)) {
+      result.where = x->where;
+      result.line = x->line;
+    }
+    return result;
   }
 
   void end_round(RoundIterator i) {

@@ -38,7 +38,11 @@ struct StartComponents {
   std::vector<std::string> names;
 };
 
-struct ComponentsStarted {};
+struct ComponentsStarted {
+  /// What is wrong with the configuration of those whose configure() has failed. Then none of them
+  /// was started, and none will be.
+  std::vector<cast::Diagnostic> problems;
+};
 
 /// Stops these in the reverse order of their start; answered with ComponentsStopped. They are not
 /// started again.

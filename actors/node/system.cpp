@@ -78,7 +78,15 @@ public:
   bool start() {
     started_ = true;
     observe();
-    return start_components(architecture_);
+    auto problems = start_components(architecture_);
+    if (!problems)
+      return false;
+    if (!problems->empty()) {
+      was_refused_ = true;
+      stop();
+      throw SystemError{*std::move(problems)};
+    }
+    return true;
   }
 
   EndReason wait(const Until& until) {
@@ -126,10 +134,16 @@ public:
       take_back(std::move(placement));
       return e.diagnostics();
     }
-    architecture_ = std::move(joined);
+    auto before = std::exchange(architecture_, std::move(joined));
     observe();
-    start_components(added);
-    return {};
+    auto problems = start_components(added);
+    if (!problems || problems->empty())
+      return {};
+    send_stop(names_of(added));
+    architecture_ = std::move(before);
+    take_back(placement);
+    observe();
+    return *std::move(problems);
   }
 
   std::string remove(const std::string& name) {
@@ -371,14 +385,22 @@ private:
     });
   }
 
-  /// Configures them all, then starts them all, then lets them run; false if interrupted.
-  bool start_components(const ArchitectureDescription& x) {
-    StartComponents start;
+  static std::vector<std::string> names_of(const ArchitectureDescription& x) {
+    std::vector<std::string> result;
     for_each_component(x, [&](auto& y) {
       if (!y.name.empty())
-        start.names.push_back(y.name);
+        result.push_back(y.name);
     });
-    return tell_supervisor<ComponentsStarted>(start, true).has_value();
+    return result;
+  }
+
+  /// Configures them all, then starts them all, then lets them run. Nothing if interrupted,
+  /// otherwise what is wrong with their configuration; then none of them is started.
+  std::optional<std::vector<cast::Diagnostic>> start_components(const ArchitectureDescription& x) {
+    auto started = tell_supervisor<ComponentsStarted>(StartComponents{names_of(x)}, true);
+    if (!started)
+      return std::nullopt;
+    return std::move(started->problems);
   }
 
   // -- while it runs
@@ -534,15 +556,21 @@ private:
 
   // -- the end
 
-  void stop_components(const std::vector<std::string>& names) {
+  /// Returns those that have stopped, in the order of their end.
+  std::vector<std::string> send_stop(const std::vector<std::string>& names) {
     auto outcome = tell_supervisor<ComponentsStopped>(StopComponents{names}, false);
     if (!outcome)
-      return;
+      return {};
     stuck_.insert(stuck_.end(), outcome->stuck.begin(), outcome->stuck.end());
-    if (outcome->stopped.empty())
+    return std::move(outcome->stopped);
+  }
+
+  void stop_components(const std::vector<std::string>& names) {
+    auto stopped = send_stop(names);
+    if (stopped.empty() || was_refused_)
       return;
     std::string list;
-    for (auto& name : outcome->stopped)
+    for (auto& name : stopped)
       list += (list.empty() ? "" : ", ") + name;
     note(LogLevel::info, "stopped, in this order: " + list);
   }
@@ -593,6 +621,8 @@ private:
   caf::actor endpoint_;
   std::vector<std::string> stuck_;
   bool started_ = false;
+  /// Its configuration was wrong, so it has never run.
+  bool was_refused_ = false;
   std::atomic<bool> stopped_{false};
 };
 

@@ -160,7 +160,8 @@ public:
   ~System();
 
   /// Configures every component, then starts every component, then lets them run. False if it was
-  /// interrupted. A component that fails is dealt with by its supervisors.
+  /// interrupted. Throws SystemError if a configure() fails, because the configuration is wrong
+  /// then; nothing was started. All other failures are dealt with by the supervisors.
   bool start();
 
   struct Until {

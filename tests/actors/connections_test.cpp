@@ -193,12 +193,13 @@ TEST_F(Connections, NothingIsKeptForAReceiverThatHasEnded) {
 
 TEST_F(Connections, APushLimitHasToBeOneAtLeast) {
   System system{
-    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 0\n"),
-    without_restarts()};
-  system.start();
-  EXPECT_NE(system.summary().components.back().failure.find("--push-limit is 0"),
-            std::string::npos);
-  system.stop();
+    architecture(server + subarchitecture("a") + "CPP UM client Unmanaged --push-limit 0\n")};
+  try {
+    system.start();
+    FAIL() << "it was started";
+  } catch (const SystemError& e) {
+    EXPECT_NE(std::string{e.what()}.find("--push-limit is 0"), std::string::npos);
+  }
 }
 
 TEST_F(Connections, MistakesAreNamed) {

@@ -98,16 +98,43 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
   EXPECT_EQ(system.summary().components.at(1).failure, "failed in start(): no eyes");
 }
 
-TEST_F(LifeCycle, AFailureInConfigureIsReportedAndTheSystemStarts) {
-  UnmanagedScript::scripts()["bad"].configure = [](auto&) { throw std::logic_error("no map"); };
-  UnmanagedScript::scripts()["good"].run = [](auto& self) { self.end_system(0, "done"); };
-  System system{architecture(subarchitecture("a") +
-                             "CPP UM bad Unmanaged --restart temporary\nCPP UM good Unmanaged\n")};
+TEST_F(LifeCycle, AFailureInConfigureIsReportedAndNothingStarts) {
+  std::atomic<int> lives{0};
+  std::atomic<bool> started{false};
+  UnmanagedScript::scripts()["bad"].configure = [&](auto&) {
+    ++lives;
+    throw std::logic_error("no map");
+  };
+  UnmanagedScript::scripts()["good"].start = [&](auto&) { started = true; };
+  System system{
+    architecture(subarchitecture("a") + "CPP UM bad Unmanaged\nCPP UM good Unmanaged\n")};
+  try {
+    system.start();
+    FAIL() << "it was started";
+  } catch (const SystemError& e) {
+    ASSERT_EQ(e.diagnostics().size(), 1u);
+    EXPECT_EQ(e.diagnostics().front().message, "bad cannot be configured: no map");
+    EXPECT_EQ(e.diagnostics().front().line, "CPP UM bad Unmanaged");
+  }
+  system.stop();
+  EXPECT_EQ(lives, 1);
+  EXPECT_FALSE(started);
+}
+
+TEST_F(LifeCycle, AComponentThatIsRestartedMayFailInConfigureLikeAnywhere) {
+  std::atomic<int> lives{0};
+  UnmanagedScript::scripts()["bad"].configure = [&](auto&) {
+    if (++lives == 2)
+      throw std::logic_error("the camera is not plugged in");
+  };
+  UnmanagedScript::scripts()["bad"].run = [&](auto& self) {
+    if (lives == 1)
+      throw std::runtime_error("lost the camera");
+    self.end_system(0, "is back");
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM bad Unmanaged\n")};
   EXPECT_EQ(run(system), 0);
-  auto components = system.summary().components;
-  auto failed = std::count_if(components.begin(), components.end(),
-                              [](auto& x) { return x.state == ComponentState::failed; });
-  EXPECT_EQ(failed, 1);
+  EXPECT_EQ(lives, 3);
 }
 
 TEST_F(LifeCycle, AFailureInACallbackNamesTheEvent) {
@@ -167,9 +194,8 @@ TEST_F(LifeCycle, StopHookMayStillUseWorkingMemory) {
 
 TEST_F(LifeCycle, WorkingMemoryIsNotThereInConfigure) {
   UnmanagedScript::scripts()["early"].configure = [](auto& self) { self.add(Note{}); };
-  System system{
-    architecture(subarchitecture("a") + "CPP UM early Unmanaged --restart temporary\n")};
-  ASSERT_TRUE(system.start());
+  System system{architecture(subarchitecture("a") + "CPP UM early Unmanaged\n")};
+  EXPECT_THROW(system.start(), SystemError);
   auto early = system.summary().components.at(1);
   EXPECT_NE(early.failure.find("use it from start() on"), std::string::npos);
   system.stop();

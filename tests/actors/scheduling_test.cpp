@@ -237,9 +237,8 @@ TEST_F(Scheduling, TasksAndChangesAreObservedOnOneThread) {
 }
 
 TEST_F(Scheduling, ABudgetIsNotNegative) {
-  script("m").run = [](auto& self) { self.end_system(0, "done"); };
-  System system{with("SchedulingTaskManager --resource-budget \"-1\"", {"m"}), without_restarts()};
-  EXPECT_EQ(run(system), 0);
+  System system{with("SchedulingTaskManager --resource-budget \"-1\"", {"m"})};
+  EXPECT_THROW(system.start(), SystemError);
   EXPECT_EQ(system.summary().components.front().failure,
             "failed in configure(): --resource-budget is -1, but a budget is a number from 0");
 }

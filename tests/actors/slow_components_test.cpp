@@ -240,7 +240,8 @@ TEST_F(SlowComponentsOfASystem, HearOfCancelledCallsHoweverManyThereWere) {
     }
   };
   System system{architecture(subarchitecture("a") + "CPP UM caller Unmanaged\n" +
-                             subarchitecture("b") + "CPP UM server Unmanaged --queue-limit 3000\n")};
+                             subarchitecture("b") +
+                             "CPP UM server Unmanaged --queue-limit 3000\n")};
   EXPECT_EQ(run(system), 0);
   EXPECT_TRUE(cancelled);
 }
@@ -283,13 +284,12 @@ TEST_F(SlowComponentsOfASystem, AreSentMoreWhateverBecomesOfWhatTheyWereSent) {
 
 TEST_F(SlowComponentsOfASystem, NeedRoomForAFewEvents) {
   script("writer").run = [](auto& self) { self.end_system(0, "done"); };
-  System system{
-    architecture(
-      subarchitecture("a") +
-      "CPP UM cramped Unmanaged --queue-limit 15\nCPP UM writer Unmanaged --queue-limit 16\n"),
-    without_restarts()};
-  EXPECT_EQ(run(system), 0);
-  EXPECT_EQ(system.summary().components.at(1).failure,
+  System good{architecture(subarchitecture("a") + "CPP UM writer Unmanaged --queue-limit 16\n")};
+  EXPECT_EQ(run(good), 0);
+  System cramped{
+    architecture(subarchitecture("a") + "CPP UM cramped Unmanaged --queue-limit 15\n")};
+  EXPECT_THROW(cramped.start(), SystemError);
+  EXPECT_EQ(cramped.summary().components.at(1).failure,
             "failed in configure(): --queue-limit is 15, but the least is 16");
 }
 

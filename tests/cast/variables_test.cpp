@@ -246,15 +246,27 @@ TEST(PresetVariables, NeedProperNames) {
 }
 
 TEST(FileVariables, HoldTheDirectoryOfTheFile) {
-  World world{{{"config/main.cast", "#EXPAND %(CURRENT_DIR) %(CONFIG_DIR) %(CURRENT_FILE)\n"
-                                    "INCLUDE parts/a.cast\n"
-                                    "#EXPAND %(CURRENT_DIR) %(CONFIG_DIR) %(CURRENT_FILE)\n"},
-               {"config/parts/a.cast", "#EXPAND %(CURRENT_DIR) %(CONFIG_DIR) %(CURRENT_FILE)"}},
+  const std::string line = "#EXPAND %(CURRENT_DIR) %(CONFIG_DIR) %(CURRENT_FILE) %(MAIN_DIR)\n";
+  World world{{{"config/main.cast", line + "INCLUDE parts/a.cast\n" + line},
+               {"config/parts/a.cast", line + "INCLUDE ../../elsewhere/b.cast\n" + line},
+               {"elsewhere/b.cast", line}},
               {}};
   auto result = parse_file("config/main.cast", test::options_for(world));
-  EXPECT_EQ(result.expansions, (Values{"#EXPAND config config config/main.cast",
-                                       "#EXPAND config/parts config config/parts/a.cast",
-                                       "#EXPAND config config config/main.cast"}));
+  EXPECT_EQ(result.expansions,
+            (Values{"#EXPAND config config config/main.cast config",
+                    "#EXPAND config/parts config/parts config/parts/a.cast config",
+                    "#EXPAND elsewhere elsewhere elsewhere/b.cast config",
+                    "#EXPAND config/parts config/parts config/parts/a.cast config",
+                    "#EXPAND config config config/main.cast config"}));
+}
+
+TEST(FileVariables, OfTheMainFileAreHandedToIncludedOnesInVariables) {
+  World world{{{"config/main.cast", "SETVAR pictures=%(CONFIG_DIR)/pictures\n"
+                                    "INCLUDE ../elsewhere/b.cast\n"},
+               {"elsewhere/b.cast", "#EXPAND %(pictures)"}},
+              {}};
+  auto result = parse_file("config/main.cast", test::options_for(world));
+  EXPECT_EQ(result.expansions, Values{"#EXPAND config/pictures"});
 }
 
 TEST(FileVariables, AreADotInTheWorkingDirectory) {
@@ -279,6 +291,7 @@ TEST(FileVariables, AreNotMeantToBeAssigned) {
               "#EXPAND %(CURRENT_DIR)";
   EXPECT_EQ(values(text, world), (Values{"x", "."}));
   EXPECT_TRUE(reports(parse(text, world), Severity::warning, 1, "is set anew"));
+  EXPECT_TRUE(reports(parse("SETVAR CONFIG_DIR=x\n", world), Severity::warning, 1, "is set anew"));
 }
 
 TEST(ExpandComments, AreExpandedInDisabledBlocksAndWithoutWarnings) {

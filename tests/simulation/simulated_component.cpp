@@ -129,18 +129,13 @@ void SimulatedComponent::register_filter() {
       [this](const caf::error&) { fail("its filter was not taken note of"); });
 }
 
-void SimulatedComponent::phase_done(Phase phase, std::string failure) {
+void SimulatedComponent::phase_done(Phase phase) {
   if (conductor_)
-    send(conductor_, PhaseDone{record_->identity().number, phase, std::move(failure)});
+    send(conductor_, PhaseDone{record_->identity().number, phase, {}});
 }
 
 void SimulatedComponent::fail(const std::string& why) {
-  auto state = record_->state();
   record_->fail(why);
-  if (state == ComponentState::created)
-    phase_done(Phase::configure, why);
-  else if (state == ComponentState::configured)
-    phase_done(Phase::start, why);
   quit(caf::make_error(caf::sec::runtime_error, why));
 }
 

@@ -81,7 +81,7 @@ private:
   void meet(NeighboursPtr neighbours);
   void enter(const EnterPhase& x);
   void register_filter();
-  void phase_done(Phase phase, std::string failure = {});
+  void phase_done(Phase phase);
   void fail(const std::string& why);
   void hear(const ChangeNotice& x);
   void trace(const std::string& what) const;
