@@ -12,6 +12,8 @@ packages=(
 )
 test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
+  # Shells that complete castor's command lines, and what formats its manual pages.
+  fish groff-base zsh
 )
 
 # What builds and checks Debian packages.

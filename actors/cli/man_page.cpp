@@ -271,8 +271,17 @@ std::string man_page(const Command& command, const Command& program, const Editi
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   auto footer = read_footer(command.footer);
   auto description = prose(sentence(command.help)) + '\n';
-  for (auto& x : footer.prose)
-    description += prose(x) + '\n';
+  bool in_list = false;
+  for (auto& x : footer.prose) {
+    // "NAME      what it is": a list.
+    if (auto gap = x.find("   "); gap != x.npos && x.find(' ') == gap) {
+      description += ".TP\n" + bold(x.substr(0, gap)) + '\n' + prose(x.substr(gap)) + '\n';
+      in_list = true;
+      continue;
+    }
+    description += (in_list ? ".PP\n" : "") + prose(x) + '\n';
+    in_list = false;
+  }
   std::string options;
   for (auto* list : {&command.positionals, &command.options})
     for (auto& x : *list)

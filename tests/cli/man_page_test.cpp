@@ -87,6 +87,14 @@ TEST(ManPage, MakesSectionsOfTheFooter) {
   EXPECT_THAT(text, Not(HasSubstr("Examples:")));
 }
 
+TEST(ManPage, KeepsListsOfTheFooter) {
+  auto program = tool();
+  program.commands[1].footer = "quick      a glance\nthorough   all of it\nThat is all.";
+  auto text = man_page(program.commands[1], program, {"1.2.3", "2026-01-31"});
+  EXPECT_THAT(text, HasSubstr(".TP\n\\fBquick\\fR\na glance\n"));
+  EXPECT_THAT(text, HasSubstr(".TP\n\\fBthorough\\fR\nall of it\n.PP\nThat is all.\n"));
+}
+
 TEST(ManPage, LeavesNothingInTheTextForRoffToObey) {
   auto text = page(0);
   EXPECT_THAT(text, HasSubstr("\\fBtool run \\(aqx y\\(aq \\-\\-for 10s\\fR\n"));
