@@ -49,6 +49,13 @@ install_missing() {
 # Shows how far a build is and how long it has taken.
 export NINJA_STATUS="[%f/%t, %es] "
 
+# progress TEXT: shows what is going on as the last line of the terminal, if there is one; without TEXT,
+# erases that.
+progress() {
+  [ -t 2 ] && [ "${TERM:-dumb}" != dumb ] || return 0
+  printf '\r%.*s\e[K' "$((${COLUMNS:-80} - 1))" "${1:-}" >&2
+}
+
 # quietly COMMAND...: shows what it says only if it fails.
 quietly() {
   local output

@@ -5,6 +5,7 @@
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/process_resources.hpp"
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/read_plan.hpp"
 #include "castor/actors/cli/signals.hpp"
@@ -30,9 +31,11 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,16 @@ public:
   void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
     std::lock_guard guard{mutex_};
     notes_.push_back({now(), who, kind, reason});
+    if (kind == faults::LifeNote::Kind::up)
+      down_.erase(who);
+    else
+      down_.insert(who);
+  }
+
+  /// How many components are down just now.
+  std::size_t down() const {
+    std::lock_guard guard{mutex_};
+    return down_.size();
   }
 
   std::vector<faults::LifeNote> all() const {
@@ -77,6 +90,7 @@ private:
   const Clock::time_point begin_;
   mutable std::mutex mutex_;
   std::vector<faults::LifeNote> notes_;
+  std::set<std::string> down_;
 };
 
 /// A run of `castor chaos`, step by step.
@@ -101,8 +115,10 @@ public:
     result_.command = command();
     result_.seed = seed_;
     result_.duration = duration_;
+    progress_.emplace("chaos");
     if (!question_.types.empty()) {
       note(LogLevel::info, "first without faults, to see how it ends then");
+      show_step("starting the system without faults");
       wanted_ = run_in_peace(*architecture);
       if (signals_.count() > 0)
         return a_component_failed;
@@ -155,12 +171,33 @@ private:
 
   SystemOptions options() {
     SystemOptions result;
-    result.interrupted = [this] { return signals_.count() > 0; };
+    result.interrupted = [this] {
+      show_faults();
+      return signals_.count() > 0;
+    };
     return result;
   }
 
+  /// How far the faults are, if they are under way.
+  void show_faults() {
+    if (!progress_->due())
+      return;
+    std::lock_guard guard{progress_mutex_};
+    if (faults_so_far_)
+      faults_so_far_();
+  }
+
+  void show_faults_with(std::function<void()> f) {
+    std::lock_guard guard{progress_mutex_};
+    faults_so_far_ = std::move(f);
+  }
+
+  /// What takes its time now, nobody knows how much.
+  void show_step(const std::string& what) { progress_->update(0, {}, what); }
+
   /// Lets the system come to rest, and takes its state.
   std::vector<std::string> come_to_rest(System& system) {
+    show_step("waiting until nothing changes any more");
     auto reason = system.wait({60s, settle_});
     if (reason == EndReason::time_over)
       violation("rest", "the system did not come to rest within 60 s");
@@ -179,6 +216,7 @@ private:
   }
 
   void run_with_faults(ArchitectureDescription architecture) {
+    show_step("starting the system");
     auto options = this->options();
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
     std::map<std::string, std::string> hosts;
@@ -232,7 +270,14 @@ private:
                               }},
         std::move(schedule));
     }
+    show_faults_with([&, since = Clock::now()] {
+      using Seconds = std::chrono::duration<double>;
+      progress_->update(
+        Seconds{Clock::now() - since}.count(), Seconds{duration_}.count(),
+        fmt::format("faults: {}, components down: {}", injector->records().size(), notes.down()));
+    });
     auto reason = system.wait({duration_, {}});
+    show_faults_with({});
     injector->stop();
     look_at_survival(reason, system.ended());
     if (reason == EndReason::time_over)
@@ -242,6 +287,7 @@ private:
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
     histories.end();
+    show_step("stopping the system");
     system.stop();
     {
       std::lock_guard guard{mutex};
@@ -312,7 +358,9 @@ private:
   void look_at_histories(const HistoryWatch& histories) {
     using Verdict = faults::CheckRecord::Verdict;
     using Kind = linearizability::Verdict::Kind;
-    for (auto& [name, x] : histories.judge()) {
+    auto judged =
+      histories.judge([this](const std::string& name) { show_step("checking " + name); });
+    for (auto& [name, x] : judged) {
       auto verdict = x.verdict == Kind::ok          ? Verdict::held
                      : x.verdict == Kind::violation ? Verdict::violated
                                                     : Verdict::undecided;
@@ -343,6 +391,7 @@ private:
   }
 
   int finish() {
+    progress_.reset();
     if (signals_.count() > 0)
       violation("interrupted", "the run did not come to its end");
     if (!arguments_.report.empty()) {
@@ -367,6 +416,9 @@ private:
   std::uint64_t seed_ = 0;
   std::vector<std::string> wanted_;
   faults::ChaosRun result_;
+  std::optional<Progress> progress_;
+  std::mutex progress_mutex_;
+  std::function<void()> faults_so_far_;
 };
 
 } // namespace

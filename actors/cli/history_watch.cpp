@@ -71,19 +71,25 @@ faults::MemoryConditions HistoryWatch::conditions_of(const SubarchitectureDescri
   return result;
 }
 
-std::vector<std::pair<std::string, faults::Judgement>> HistoryWatch::judge() const {
+std::vector<std::pair<std::string, faults::Judgement>>
+HistoryWatch::judge(const std::function<void(const std::string& name)>& begin) const {
   std::vector<std::pair<std::string, faults::Judgement>> result;
+  auto add = [&](const std::string& name, auto&& judgement) {
+    begin(name);
+    result.emplace_back(name, judgement());
+  };
   const auto recording = faults::read_operations(folder_);
   std::lock_guard guard{mutex_};
   for (auto& x : architecture_.subarchitectures) {
     auto conditions = conditions_of(x);
-    result.emplace_back("operations on " + x.name,
-                        faults::judge_operations(recording, conditions, ended_, until_));
-    auto told = told_.find(x.name);
-    static const std::vector<ChangeEventPtr> nothing;
-    result.emplace_back(
-      "changes in " + x.name,
-      faults::judge_events(recording, conditions, told == told_.end() ? nothing : told->second));
+    add("operations on " + x.name,
+        [&] { return faults::judge_operations(recording, conditions, ended_, until_); });
+    add("changes in " + x.name, [&] {
+      auto told = told_.find(x.name);
+      static const std::vector<ChangeEventPtr> nothing;
+      return faults::judge_events(recording, conditions,
+                                  told == told_.end() ? nothing : told->second);
+    });
   }
   return result;
 }

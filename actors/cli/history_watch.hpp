@@ -6,6 +6,7 @@
 #include "castor/actors/node/system.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <set>
@@ -35,8 +36,10 @@ public:
   void end();
 
   /// One judgement each of the operations on a working memory, and of what was told of it, with
-  /// their names. To be called once the system has stopped.
-  std::vector<std::pair<std::string, faults::Judgement>> judge() const;
+  /// their names. To be called once the system has stopped. `begin` is called with each name
+  /// before.
+  std::vector<std::pair<std::string, faults::Judgement>>
+  judge(const std::function<void(const std::string& name)>& begin) const;
 
 private:
   faults::MemoryConditions conditions_of(const SubarchitectureDescription& x) const;

@@ -4,6 +4,7 @@
 #include "castor/actors/cli/json_schema.hpp"
 #include "castor/actors/cli/mcap.hpp"
 #include "castor/actors/cli/output.hpp"
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/node/inspection_json.hpp"
@@ -91,7 +92,18 @@ int list(const Arguments& arguments) {
     try {
       JournalReader reader{file};
       auto x = reader.summary();
-      auto entries = reader.replay().size();
+      std::size_t entries = 0;
+      {
+        Progress progress{"reading " + file.filename().string()};
+        std::uint64_t changes = 0;
+        auto image = reader.replay([&](const JournalRecord&) {
+          ++changes;
+          if (progress.due())
+            progress.update(static_cast<double>(changes), static_cast<double>(x.changes),
+                            fmt::format("{} of {} changes", changes, x.changes));
+        });
+        entries = image.size();
+      }
       if (arguments.json) {
         fmt::print("{}\n", Json{{"subarchitecture", x.subarchitecture},
                                 {"file", file.string()},

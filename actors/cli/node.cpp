@@ -1,5 +1,6 @@
 #include "castor/actors/node/node.hpp"
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/credentials.hpp"
@@ -25,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace castor::cli {
 
@@ -71,8 +73,17 @@ void limit_memory(std::int64_t megabytes) {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
+/// Whoever has started the node may show progress on the same terminal.
+std::shared_ptr<void> erase_progress() {
+  constexpr std::string_view erase_line = "\r\x1b[K";
+  [[maybe_unused]] auto written = write(STDERR_FILENO, erase_line.data(), erase_line.size());
+  return nullptr;
+}
+
 int node(Arguments arguments) {
   Signals signals;
+  if (arguments.announce != STDOUT_FILENO && Progress::is_shown_on(STDERR_FILENO))
+    guard_log_lines(erase_progress);
   if (arguments.memory_limit > 0)
     limit_memory(arguments.memory_limit);
   if (arguments.verbose)

@@ -1,3 +1,5 @@
+#include "castor_fixture.hpp"
+
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/progress_line.hpp"
 #include "castor/tests/support/eventually.hpp"
@@ -30,6 +32,10 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+
+std::string last_line_of(Terminal& terminal) {
+  return screen(terminal.written()).back();
+}
 
 TEST(ProgressLine, ShowsTheShareTheTimesAndTheText) {
   EXPECT_EQ(progress_line({"export", 25, 100, 10s, "25 of 100 MB"}, 100),
@@ -86,7 +92,7 @@ class ProgressOnTerminal : public testing::Test {
 protected:
   void SetUp() override { setenv("TERM", "xterm", 1); }
 
-  static std::string last_line(Terminal& terminal) { return screen(terminal.written()).back(); }
+  static std::string last_line(Terminal& terminal) { return last_line_of(terminal); }
 };
 
 TEST_F(ProgressOnTerminal, IsDrawnAndErased) {
@@ -184,6 +190,47 @@ TEST_F(ProgressOnTerminal, IsErasedWhenCtrlCEndsTheProcess) {
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGINT);
   EXPECT_TRUE(test::eventually([&] { return last_line(terminal).empty(); }));
+}
+
+/// What is shown of a run of `castor chaos`.
+class ProgressOfChaos : public test::Castor {
+protected:
+  std::vector<std::string> chaos(const std::string& duration) const {
+    return command({"chaos",
+                    system("CPP UM clock Clock\nCPP UM listener Listener --count 100000\n"),
+                    "--plan", write("system.plan", "at 200ms crash clock\n"), "--duration",
+                    duration, "--settle", "100ms"});
+  }
+};
+
+TEST_F(ProgressOfChaos, IsTheLastLineOfTheTerminal) {
+  setenv("TERM", "xterm", 1);
+  Terminal terminal{120};
+  terminal.start(chaos("2s"));
+  ASSERT_TRUE(terminal.wait_for("faults: 1, components down: 0"));
+  EXPECT_THAT(last_line_of(terminal), StartsWith("chaos  ["));
+  terminal.wait();
+  for (auto& line : screen(terminal.written()))
+    EXPECT_THAT(line, Not(StartsWith("chaos  ")));
+}
+
+TEST_F(ProgressOfChaos, LeavesACleanLineAtCtrlC) {
+  setenv("TERM", "xterm", 1);
+  Terminal terminal{120};
+  terminal.start(chaos("10min"));
+  ASSERT_TRUE(terminal.wait_for("faults: 1"));
+  terminal.type("\x03");
+  terminal.wait();
+  for (auto& line : screen(terminal.written()))
+    EXPECT_THAT(line, Not(HasSubstr("chaos  [")));
+}
+
+TEST_F(ProgressOfChaos, IsNothingInAPipe) {
+  setenv("TERM", "xterm", 1);
+  test::Process castor{chaos("1s")};
+  castor.wait();
+  EXPECT_THAT(castor.output() + castor.errors(),
+              AllOf(Not(HasSubstr("\r")), Not(HasSubstr("components down:")), HasSubstr("[clock]")));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // acknowledged is missing, or is there twice.
 //
 //   castor_journal_kills [--kills N] [--seed S]
+#include "castor/actors/cli/progress.hpp"
 #include "castor/tests/support/process.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/wm/journal_reader.hpp"
@@ -249,7 +250,9 @@ int kill_often(const std::string& program, int kills, std::uint64_t seed) {
   Judge judge{folder.path()};
   std::mt19937_64 random{seed};
   try {
+    cli::Progress progress{"kills"};
     for (int i = 1; i <= kills; ++i) {
+      progress.update(i, kills, fmt::format("{} of {}", i, kills));
       Process victim{{program, "--victim", folder.path().string()}};
       // When it is killed is a matter of chance: before it is ready, too.
       std::this_thread::sleep_for(std::chrono::milliseconds{10 + random() % 60});

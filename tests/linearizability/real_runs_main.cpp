@@ -1,3 +1,5 @@
+#include "castor/actors/cli/progress.hpp"
+#include "castor/actors/component/log.hpp"
 #include "castor/tests/linearizability/node_runs.hpp"
 #include "castor/tests/linearizability/real_run.hpp"
 
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -78,13 +81,19 @@ int main(int argc, char** argv) {
   std::uint64_t operations = 0;
   std::uint64_t pending = 0;
   std::uint64_t undecided = 0;
+  castor::guard_log_lines(
+    []() -> std::shared_ptr<void> { return std::make_shared<castor::cli::ProgressPause>(); });
+  std::optional<castor::cli::Progress> progress{"runs"};
   for (auto i = seed; i < seed + runs; ++i) {
+    progress->update(double(i - seed), double(runs),
+                     fmt::format("seed {}, {} operations, {} undecided", i, operations, undecided));
     auto result = run(i);
     for (auto& x : result.history)
       if (x.kind != OperationKind::lapse) {
         ++operations;
         pending += x.pending();
       }
+    const castor::cli::ProgressPause pause;
     if (result.verdict.kind == Verdict::Kind::undecided) {
       fmt::print("seed {} undecided: {}\n", i, result.verdict.report);
       ++undecided;
@@ -97,6 +106,7 @@ int main(int argc, char** argv) {
     print(i, result);
     return expect_violation ? 0 : 1;
   }
+  progress.reset();
   std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   fmt::print("{} runs of {:.0f} operations, {:.1f} of them pending, {} undecided, {:.1f}/s\n", runs,
              double(operations) / double(runs), double(pending) / double(runs), undecided,

@@ -1,3 +1,4 @@
+#include "castor/actors/cli/progress.hpp"
 #include "castor/tests/linearizability/simulation.hpp"
 #include "castor/tests/support/seeds.hpp"
 
@@ -22,11 +23,17 @@ std::optional<std::uint64_t> run(Simulation& simulation, const Seeds& seeds) {
   auto begin = std::chrono::steady_clock::now();
   std::uint64_t operations = 0;
   std::uint64_t undecided = 0;
+  auto histories = seeds.to - seeds.from + 1;
+  std::optional<cli::Progress> progress{"simulation"};
   for (auto seed = seeds.from; seed <= seeds.to; ++seed) {
+    if (progress->due())
+      progress->update(double(seed - seeds.from), double(histories),
+                       fmt::format("seed {}, {} undecided", seed, undecided));
     auto result = simulation.run(seed);
     operations += result.history.size();
     if (result.ok())
       continue;
+    const cli::ProgressPause pause;
     if (result.is_wrong()) {
       fmt::print("seed {}:\n{}\n", seed, to_string(result));
       return seed;
@@ -34,8 +41,8 @@ std::optional<std::uint64_t> run(Simulation& simulation, const Seeds& seeds) {
     fmt::print("seed {} undecided: {}\n", seed, result.verdict.report);
     ++undecided;
   }
+  progress.reset();
   std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  auto histories = seeds.to - seeds.from + 1;
   fmt::print("{} histories of {:.0f} operations, {} undecided, {:.0f}/s\n", histories,
              double(operations) / double(histories), undecided,
              double(histories) / elapsed.count());

@@ -1,3 +1,4 @@
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/tests/simulation/system_simulation.hpp"
 #include "castor/tests/support/seeds.hpp"
@@ -13,6 +14,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include <unistd.h>
 
 namespace castor::simulation {
 
@@ -60,7 +63,12 @@ std::optional<std::uint64_t> run(SystemSimulation& simulation, Seeds seeds,
   std::uint64_t operations = 0;
   std::uint64_t steps = 0;
   auto reported = seconds();
+  const bool is_watched = cli::Progress::is_shown_on(STDERR_FILENO);
+  std::optional<cli::Progress> progress{"system simulation"};
   for (auto seed = seeds.from; seed <= seeds.to; ++seed) {
+    if (progress->due())
+      progress->update(double(seed - seeds.from), double(seeds.to - seeds.from + 1),
+                       fmt::format("seed {}, {} faults, {} undecided", seed, faults, undecided));
     auto result = simulation.run(seed);
     faults += result.faults.statements.size();
     failures += result.failures;
@@ -68,18 +76,20 @@ std::optional<std::uint64_t> run(SystemSimulation& simulation, Seeds seeds,
     operations += result.history.size();
     steps += result.steps;
     if (result.is_wrong()) {
+      progress.reset();
       report(simulation, seed, result);
       return seed;
     }
     undecided += !result.ok();
     if (seed % 1000 == 0 && !state.empty())
       std::ofstream{state} << seed << '\n';
-    if (seconds() - reported > 30) {
+    if (!is_watched && seconds() - reported > 30) {
       reported = seconds();
       fmt::print("{} of {}, {:.0f}/s\n", seed, seeds.to, double(seed - seeds.from + 1) / reported);
       std::fflush(stdout);
     }
   }
+  progress.reset();
   if (!state.empty() && seeds.to >= seeds.from)
     std::ofstream{state} << seeds.to << '\n';
   auto runs = seeds.to < seeds.from ? 0 : seeds.to - seeds.from + 1;
