@@ -1,10 +1,9 @@
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/inspection_text.hpp"
+#include "castor/actors/cli/journal_export.hpp"
 #include "castor/actors/cli/journal_replay.hpp"
-#include "castor/actors/cli/json_schema.hpp"
-#include "castor/actors/cli/mcap.hpp"
-#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/cli/recorded_change.hpp"
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/node/inspection_json.hpp"
@@ -46,8 +45,6 @@ struct Arguments {
   bool json = false;
   bool entries = false;
   bool full = false;
-  std::string mcap;
-  std::string jsonl;
 };
 
 using ArgumentsPtr = std::shared_ptr<Arguments>;
@@ -136,19 +133,6 @@ int list(const Arguments& arguments) {
 
 // --- changes ---
 
-ChangeEvent event_of(const JournalRecord& x, const std::string& subarchitecture, UnixTime begin) {
-  ChangeEvent result;
-  result.operation = x.operation;
-  result.address = {subarchitecture, x.id};
-  result.source = x.source;
-  result.type = x.type;
-  result.version = x.version;
-  result.sequence = x.sequence;
-  result.time = x.time - begin;
-  result.changed = x.changed;
-  return result;
-}
-
 /// Whether a change is one of those asked for; it is to be asked of all, in their order.
 class Sieve {
 public:
@@ -206,106 +190,6 @@ int show(const Arguments& arguments) {
   return success;
 }
 
-// --- export ---
-
-/// Several journals as one stream of changes, in the order of time.
-template <class F>
-void for_each_change(const std::vector<std::string>& files, F&& f) {
-  struct Track {
-    explicit Track(const std::string& file)
-      : reader(file), name(reader.summary().subarchitecture), next(reader.next()) {}
-
-    JournalReader reader;
-    std::string name;
-    std::optional<JournalRecord> next;
-  };
-  std::vector<std::unique_ptr<Track>> tracks;
-  for (auto& x : files)
-    tracks.push_back(std::make_unique<Track>(x));
-  for (;;) {
-    Track* earliest = nullptr;
-    for (auto& x : tracks)
-      if (x->next && (!earliest || x->next->time < earliest->next->time))
-        earliest = x.get();
-    if (!earliest)
-      return;
-    f(earliest->name, *earliest->next);
-    earliest->next = earliest->reader.next();
-  }
-}
-
-/// What is said of a change in the messages of a recording, with the value as JSON text.
-std::string message_of(const std::string& subarchitecture, const JournalRecord& x) {
-  auto event = event_of(x, subarchitecture, {});
-  return change_as_json(event, x.value, std::numeric_limits<std::size_t>::max());
-}
-
-/// Of these messages.
-Json message_schema(const TypeDescriptor& type) {
-  Json text{{"type", "string"}};
-  return {{"type", "object"},
-          {"title", type.name()},
-          {"properties",
-           {{"time", {{"type", "number"}}},
-            {"subarchitecture", text},
-            {"operation", text},
-            {"type", text},
-            {"id", text},
-            {"version", {{"type", "integer"}}},
-            {"component", text},
-            {"changed", {{"type", "array"}, {"items", text}}},
-            {"coalesced", {{"type", "boolean"}}},
-            {"value", json_schema(type)}}}};
-}
-
-void export_mcap(const Arguments& arguments) {
-  McapWriter writer{arguments.mcap};
-  std::map<std::uint64_t, McapWriter::Id> schemas;
-  std::map<std::pair<std::string, std::uint64_t>, McapWriter::Id> channels;
-  for_each_change(arguments.files, [&](const std::string& name, const JournalRecord& x) {
-    auto& type = *x.type;
-    auto channel = channels.find({name, type.hash});
-    if (channel == channels.end()) {
-      auto schema = schemas.find(type.hash);
-      if (schema == schemas.end())
-        schema =
-          schemas.emplace(type.hash, writer.add_schema(type.name(), message_schema(type).dump()))
-            .first;
-      channel = channels
-                  .emplace(std::pair{name, type.hash},
-                           writer.add_channel(schema->second, "/" + name + "/" + type.name(),
-                                              {{"subarchitecture", name}}))
-                  .first;
-    }
-    writer.add_message(channel->second, static_cast<std::uint32_t>(x.sequence), x.time,
-                       message_of(name, x));
-  });
-  writer.close();
-}
-
-void export_jsonl(const Arguments& arguments) {
-  std::ofstream file;
-  if (arguments.jsonl != "-")
-    file = create(arguments.jsonl);
-  for_each_change(arguments.files, [&](const std::string& name, const JournalRecord& x) {
-    auto line = message_of(name, x) + '\n';
-    if (file.is_open())
-      file << line;
-    else
-      std::fputs(line.c_str(), stdout);
-  });
-}
-
-int export_changes(const Arguments& arguments) {
-  if (arguments.mcap.empty() && arguments.jsonl.empty())
-    throw std::runtime_error("say what to write: --mcap OUT or --jsonl OUT");
-  if (!arguments.mcap.empty())
-    export_mcap(arguments);
-  if (!arguments.jsonl.empty())
-    export_jsonl(arguments);
-  return success;
-}
-
 template <class F>
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& help, Action& chosen,
                   const ArgumentsPtr& arguments, F f) {
@@ -351,18 +235,7 @@ void add_journal(CLI::App& app, Action& chosen) {
     "where 'confidence < 0.5'\n"
     "          castor journal show journals/vision.castor-journal --entries --json");
 
-  arguments = std::make_shared<Arguments>();
-  auto* export_command = command(*journal, "export", "write the changes in another format", chosen,
-                                 arguments, export_changes);
-  export_command->add_option("FILE", arguments->files, "the journals")->required()->type_name("");
-  export_command
-    ->add_option("--mcap", arguments->mcap, "for Foxglove and Lichtblick: a topic for each type")
-    ->type_name("OUT");
-  export_command->add_option("--jsonl", arguments->jsonl, "JSON, one change on a line; - prints it")
-    ->type_name("OUT");
-  export_command->footer(
-    "Example: castor journal export journals/*.castor-journal --mcap run.mcap");
-
+  add_journal_export(*journal, chosen);
   add_journal_replay(*journal, chosen);
 }
 

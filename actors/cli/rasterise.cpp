@@ -97,6 +97,12 @@ std::optional<timeline::EmbeddedPicture> embedded(const timeline::PictureView& x
       base64({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()})};
 }
 
+std::string as_png(const timeline::PictureView& x) {
+  if (x.bytes.empty() || x.width > largest_side || x.height > largest_side)
+    return {};
+  return png_of(surface_of(x).get());
+}
+
 std::string as_png(const std::string& svg, double scale) {
   GError* problem = nullptr;
   auto check_problem = [&](bool done) {

@@ -27,10 +27,6 @@ namespace fs = std::filesystem;
 /// MB of pushes and pulls that are kept.
 constexpr std::uint64_t default_limit = 1024;
 
-UnixTime unix_now() {
-  return std::chrono::duration_cast<UnixTime>(std::chrono::system_clock::now().time_since_epoch());
-}
-
 void set_option(ComponentDescription& component, const std::string& name,
                 const std::string& value) {
   std::erase_if(component.options, [&](auto& x) { return x.name() == name; });

@@ -4,6 +4,7 @@
 #include "castor/wm/journal.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <span>
 #include <system_error>
@@ -68,6 +69,10 @@ void make_tables(sqlite::Database& database, const std::string& provider) {
 }
 
 } // namespace
+
+UnixTime unix_now() {
+  return std::chrono::duration_cast<UnixTime>(std::chrono::system_clock::now().time_since_epoch());
+}
 
 // -- writer
 

@@ -25,6 +25,9 @@ namespace castor {
 /// What the names of these files end with.
 inline constexpr const char* push_log_extension = ".castor-pushes";
 
+/// The time that recorded values carry.
+UnixTime unix_now();
+
 /// A value that was pushed to somebody, or that somebody pulled.
 struct RecordedPush {
   UnixTime time{0};

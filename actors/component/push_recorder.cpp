@@ -13,10 +13,6 @@ namespace {
 /// What may wait for the disk; what comes then is lost.
 constexpr std::size_t most_waiting_bytes = std::size_t{128} << 20;
 
-UnixTime unix_now() {
-  return std::chrono::duration_cast<UnixTime>(std::chrono::system_clock::now().time_since_epoch());
-}
-
 } // namespace
 
 PushRecorder::PushRecorder(std::filesystem::path folder, std::uint64_t limit_bytes)

@@ -141,6 +141,7 @@ TEST_F(JournalCommand, ExportsWhatOthersCanRead) {
   Process reader{{"node", CASTOR_READ_MCAP, mcap}};
   EXPECT_EQ(reader.wait(), 0) << reader.errors();
   EXPECT_THAT(reader.output(), HasSubstr(std::to_string(count) + " messages, 1 topics"));
+  EXPECT_THAT(reader.output(), HasSubstr(std::to_string(count) + " of Tick on /a/Tick"));
 }
 
 } // namespace

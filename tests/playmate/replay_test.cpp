@@ -170,6 +170,29 @@ TEST_F(RecordedPlaymate, BindsAndAnswersTheSameAsFastAsItCan) {
   expect_the_same({"--speed", "max", "--until-quiet", "4s"});
 }
 
+TEST_F(RecordedPlaymate, ShowsPicturesAndThingsInFoxglove) {
+  auto file = (folder / "recording.mcap").string();
+  auto answer = castor({"journal", "export", recording, "--mcap", file});
+  ASSERT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_EQ(answer.errors, "");
+  Process probe{{"node", "-e", "require('@mcap/core')"}};
+  if (probe.wait() != 0)
+    GTEST_SKIP() << "node does not find @mcap/core (npm install @mcap/core; NODE_PATH)";
+  Process reader{{"node", CASTOR_READ_MCAP, file}};
+  EXPECT_EQ(reader.wait(), 0) << reader.errors();
+  for (auto* topic :
+       {"foxglove.CompressedImage on /camera/CameraFrame/image",
+        "foxglove.FrameTransform on /camera/CameraFrame/camera/transform",
+        "foxglove.CameraCalibration on /camera/CameraFrame/camera/calibration",
+        "foxglove.CompressedImage on /vision/ROI/region",
+        "foxglove.CompressedImage on /vision/ScenePicture/image",
+        "foxglove.PosesInFrame on /vision/SceneObject/poses",
+        "foxglove.SceneUpdate on /vision/SceneObject/scene",
+        "foxglove.SceneUpdate on /spatial/SpatialLocation/scene",
+        "CameraFrame on /camera/CameraFrame\n", "SceneObject on /vision/SceneObject\n"})
+    EXPECT_THAT(reader.output(), testing::HasSubstr(topic));
+}
+
 } // namespace
 
 } // namespace castor::test

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace castor::cli {
+
+/// Those of Foxglove's well-known schemas that we write
+/// (https://docs.foxglove.dev/docs/sdk/schemas).
+enum class FoxgloveSchema : std::uint8_t {
+  compressed_image,
+  camera_calibration,
+  frame_transform,
+  poses_in_frame,
+  scene_update,
+};
+
+/// "foxglove.CompressedImage"
+std::string name_of(FoxgloveSchema x);
+
+/// In the language of JSON Schema.
+std::string text_of(FoxgloveSchema x);
+
+} // namespace castor::cli
