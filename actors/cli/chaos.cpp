@@ -425,12 +425,12 @@ private:
 
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
   auto* command =
-    app.add_subcommand("chaos", "run a system while faults befall it, and say whether it held");
+    app.add_subcommand("chaos", "run a system, inject faults, and say whether it recovered");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command
     ->add_option("--plan", arguments->plan,
-                 "what is to befall it (docs/fault-plans.md); without, a mix of all that it should "
+                 "the faults to inject (docs/fault-plans.md); without, a mix of all that it should "
                  "survive")
     ->type_name("FILE");
   command

@@ -269,9 +269,10 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
   command->add_flag("--broadcast", arguments->broadcast,
                     "tell every working memory of every change, as the original CAST did before it "
                     "filtered: to see what filtering is worth");
-  command->add_flag("--no-restarts", arguments->no_restarts,
-                    "leave components down that fail, whatever the file says: to see what went "
-                    "wrong");
+  command->add_flag(
+    "--no-restarts", arguments->no_restarts,
+    "do not start failed components again, whatever the file says: to see what went "
+    "wrong");
   command
     ->add_option("--node", arguments->nodes,
                  "where the node of a host of the .cast file listens, if not where the host's name "
