@@ -2,6 +2,7 @@
 #include "castor/actors/cli/duration_option.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/output.hpp"
+#include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/record.hpp"
 #include "castor/actors/cli/report.hpp"
@@ -81,6 +82,7 @@ public:
   template <class Event>
   void add(const Event& event) {
     if (print_) {
+      const ProgressPause pause;
       std::puts(timeline_line(event, coloured_).c_str());
       // In a pipe too, the reader sees a line when it happens.
       std::fflush(stdout);
@@ -113,6 +115,14 @@ std::map<std::string, Endpoint> node_addresses(const Arguments& arguments) {
       throw std::invalid_argument("write --node HOST=ADDRESS:PORT, not " + x);
     result[x.substr(0, sign)] = parse_endpoint(x.substr(sign + 1), default_node_port);
   }
+  return result;
+}
+
+/// The names of the nodes that have to be reached.
+std::string nodes_of(const ArchitectureDescription& architecture) {
+  std::string result;
+  for (auto& [host, name] : other_hosts(architecture))
+    result += (result.empty() ? "" : ", ") + name;
   return result;
 }
 
@@ -158,6 +168,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (!arguments.record.folder.empty())
     recording.emplace(arguments.record, arguments.architecture, arguments.quiet, *architecture,
                       options, arguments.local_nodes || arguments.spread > 0);
+  std::optional<Progress> progress{std::in_place, "starting"};
+  progress->update("processes of this machine, and component classes");
   // They outlive the system, which says goodbye to them.
   auto local_nodes = start_local_nodes(*architecture, arguments.local_nodes || arguments.spread > 0,
                                        plugins, arguments.tls, options);
@@ -170,12 +182,17 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   std::unique_ptr<System> system;
   bool was_started = false;
   try {
+    if (auto nodes = nodes_of(*architecture); !nodes.empty())
+      progress->update("waiting for nodes: " + nodes);
     system = std::make_unique<System>(std::move(*architecture), options);
+    progress->update("components configure themselves and start");
     if (picture)
       picture->look_at_beginning(*system);
     was_started = system->start();
+    progress.reset();
   } catch (const SystemError& e) {
     system.reset();
+    progress.reset();
     print(e.diagnostics());
     return bad_input;
   }

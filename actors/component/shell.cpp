@@ -82,9 +82,10 @@ void ComponentShell::act() {
   } catch (const ComponentStopped&) {
     // The normal way to end.
   } catch (const InjectedCrash&) {
-    do_from_now_on("an injected crash");
-    if (component_->isolate_)
+    if (component_->isolate_) {
+      crash_note_.set_doing("an injected crash");
       std::abort();
+    }
     in_configure_ = false;
     fail("it was made to crash");
   } catch (const WorkingMemoryLostException& e) {

@@ -15,7 +15,10 @@ void HealthLog::down(const Subject& who, const std::string& reason, bool will_re
   bool is_new = down_since_.try_emplace(who.name, self_->clock().now()).second;
   if (!is_new && will_restart)
     return;
-  note(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
+  if (!who.reports_itself)
+    note(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
+  else
+    note(LogLevel::warning, who.name, will_restart ? "is started again" : "stays down");
   ComponentDown x{who.name, who.subarchitecture, who.incarnation, reason, will_restart};
   if (options_.on_down)
     options_.on_down(x);

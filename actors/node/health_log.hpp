@@ -28,6 +28,8 @@ public:
     /// Empty for a stand-alone component.
     std::string subarchitecture;
     std::uint64_t incarnation = 1;
+    /// Why it fails is in the log of this process already.
+    bool reports_itself = false;
   };
 
   /// One that is known to be down is not told of again, unless it will not be back.

@@ -639,14 +639,14 @@ private:
     switch (decision.kind) {
       case SupervisionDecision::Kind::leave:
         child.given_up = true;
-        note_down(x.name, reason, false);
+        note_failure(x, reason, false);
         publish();
         return;
       case SupervisionDecision::Kind::give_up:
         end_system(decision, x.name, reason);
         return;
       case SupervisionDecision::Kind::restart:
-        note_down(x.name, reason, true);
+        note_failure(x, reason, true);
         restart(decision, x.name);
         return;
     }
@@ -710,11 +710,19 @@ private:
 
   HealthLog::Subject subject(const std::string& name) const {
     auto& child = children_.at(name);
-    return {name, child.subarchitecture, child.incarnation};
+    return {name, child.subarchitecture, child.incarnation, false};
   }
 
   void note_down(const std::string& name, const std::string& reason, bool will_restart) {
     health_.down(subject(name), reason, will_restart);
+  }
+
+  /// Of one that has failed in its own code, which it has logged where it ran.
+  void note_failure(const ComponentEnded& x, const std::string& reason, bool will_restart) {
+    auto who = subject(x.name);
+    who.reports_itself = x.how == ComponentEnded::How::failed && process_of(x.name) == 0 &&
+                         children_.at(x.name).kind != ComponentKind::working_memory;
+    health_.down(who, reason, will_restart);
   }
 
   void note_stops(const Round& round) {

@@ -118,6 +118,26 @@ TEST_F(Castor, AFailedComponentShowsInReportAndStatus) {
   EXPECT_NE(castor.output().find("failed in run(): the spring is gone"), std::string::npos);
 }
 
+TEST_F(Castor, SaysOnceWhyAComponentHasFailed) {
+  auto times = [](const std::string& what, const std::string& text) {
+    std::size_t result = 0;
+    for (auto i = text.find(what); i != text.npos; i = text.find(what, i + 1))
+      ++result;
+    return result;
+  };
+  auto restarted =
+    ask({"run", system("CPP UM shaky Shaky --failures 1\n"), "--until-quiet", "200ms"});
+  EXPECT_EQ(restarted.status, 0);
+  EXPECT_EQ(times("it always does", restarted.errors), 1u) << restarted.errors;
+  EXPECT_EQ(times("[a.shaky] failed in run(): it always does", restarted.errors), 1u);
+  EXPECT_EQ(times("[shaky] is started again", restarted.errors), 1u);
+  auto left =
+    ask({"run", system("CPP UM shaky Shaky --restart temporary\n"), "--until-quiet", "200ms"});
+  EXPECT_EQ(left.status, 1);
+  EXPECT_EQ(times("it always does", left.errors), 1u) << left.errors;
+  EXPECT_EQ(times("[shaky] stays down", left.errors), 1u);
+}
+
 TEST_F(Castor, LeavesAComponentBehindThatNeverComesBack) {
   Process castor{command({"run", system("CPP UM endless Endless\n"), "--for", "10ms"})};
   EXPECT_EQ(castor.wait(), 1);

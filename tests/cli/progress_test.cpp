@@ -192,6 +192,19 @@ TEST_F(ProgressOnTerminal, IsErasedWhenCtrlCEndsTheProcess) {
   EXPECT_TRUE(test::eventually([&] { return last_line(terminal).empty(); }));
 }
 
+class ProgressOfStart : public test::Castor {};
+
+TEST_F(ProgressOfStart, NamesTheNodesThatAreWaitedFor) {
+  setenv("TERM", "xterm", 1);
+  Terminal terminal{120};
+  // Nobody listens there.
+  terminal.start(command({"run", "--node", "arm=127.0.0.1:1", system("arm CPP UM clock Clock\n")}));
+  EXPECT_TRUE(terminal.wait_for("waiting for nodes: arm"));
+  EXPECT_EQ(terminal.wait(), 2);
+  for (auto& line : screen(terminal.written()))
+    EXPECT_THAT(line, Not(StartsWith("starting  ")));
+}
+
 /// What is shown of a run of `castor chaos`.
 class ProgressOfChaos : public test::Castor {
 protected:
@@ -229,8 +242,9 @@ TEST_F(ProgressOfChaos, IsNothingInAPipe) {
   setenv("TERM", "xterm", 1);
   test::Process castor{chaos("1s")};
   castor.wait();
-  EXPECT_THAT(castor.output() + castor.errors(),
-              AllOf(Not(HasSubstr("\r")), Not(HasSubstr("components down:")), HasSubstr("[clock]")));
+  EXPECT_THAT(
+    castor.output() + castor.errors(),
+    AllOf(Not(HasSubstr("\r")), Not(HasSubstr("components down:")), HasSubstr("[clock]")));
 }
 
 } // namespace
