@@ -39,16 +39,23 @@ std::optional<std::string> load_plugin(const std::string& library) {
   return "cannot load " + file + ": " + dlerror();
 }
 
+std::vector<std::string> bundled_plugins() {
+  std::vector<std::string> result;
+  for (std::size_t at = 0; at < bundled.size();) {
+    auto end = std::min(bundled.find(',', at), bundled.size());
+    result.push_back(bundled_file_name(bundled.substr(at, end - at)));
+    at = end + 1;
+  }
+  return result;
+}
+
 void load_bundled_plugins() {
   static bool done = false;
   if (std::exchange(done, true))
     return;
-  for (std::size_t at = 0; at < bundled.size();) {
-    auto end = std::min(bundled.find(',', at), bundled.size());
-    if (auto problem = load_plugin(bundled_file_name(bundled.substr(at, end - at))))
+  for (auto& library : bundled_plugins())
+    if (auto problem = load_plugin(library))
       note(LogLevel::warning, *problem);
-    at = end + 1;
-  }
 }
 
 ClassLookup find_class(const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace castor {
 
@@ -11,6 +12,9 @@ namespace castor {
 /// is a path, or a name that the loader looks for ("robot" for librobot.so). Says what went wrong,
 /// if anything did.
 std::optional<std::string> load_plugin(const std::string& library);
+
+/// The libraries of components that come with Castor, as `load_plugin` takes them.
+std::vector<std::string> bundled_plugins();
 
 /// Loads the libraries of components that come with Castor.
 void load_bundled_plugins();

@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ cmake ninja-build pkg-config
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev libssl-dev
-  librsvg2-dev libsqlite3-dev zlib1g-dev
+  libgraphviz-dev librsvg2-dev libsqlite3-dev zlib1g-dev
   # For the tests of what `castor new` makes.
   libgtest-dev
 )

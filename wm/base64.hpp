@@ -1,12 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace castor {
 
 /// RFC 4648, with padding.
 std::string base64(std::span<const std::uint8_t> in);
+
+/// What `base64` has made; nothing if the text is none.
+std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
 } // namespace castor

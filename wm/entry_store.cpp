@@ -21,6 +21,18 @@ std::string_view verb(Operation x) {
   return "change";
 }
 
+/// Why a change that counts on another version than there is cannot be made.
+Failure outdated(const WriteRequest& request, const Entry& there) {
+  auto seen = *request.last_seen;
+  auto& address = request.address;
+  return {FailureKind::inconsistent,
+          to_string(*request.client) + " cannot " + std::string{verb(request.operation)} + ' ' +
+            to_string(address) + ": it has seen version " + std::to_string(seen) + ", but " +
+            there.writer + (seen < there.version ? " has since written" : " wrote") + " version " +
+            std::to_string(there.version) + ". Read it again and redo the change",
+          address};
+}
+
 } // namespace
 
 EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
@@ -85,8 +97,12 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
   if (i == entries_.end())
     return missing(request);
   auto& old = *i->second.entry;
-  if (request.operation == Operation::remove)
+  if (request.operation == Operation::remove) {
+    // Components delete whatever is there; operators may name the version that they mean.
+    if (request.last_seen && *request.last_seen != old.version)
+      return outdated(request, old);
     return Effect{Operation::remove, i->second.entry, client.component};
+  }
   if (!request.last_seen)
     return Failure{FailureKind::inconsistent,
                    to_string(client) + " cannot overwrite " + to_string(address) +
@@ -94,12 +110,7 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      std::to_string(old.version) + ". Read it first",
                    address};
   if (*request.last_seen != old.version)
-    return Failure{FailureKind::inconsistent,
-                   to_string(client) + " cannot overwrite " + to_string(address) +
-                     ": it has seen " + "version " + std::to_string(*request.last_seen) + ", but " +
-                     old.writer + " has since written version " + std::to_string(old.version) +
-                     ". Read it again and redo the change",
-                   address};
+    return outdated(request, old);
   if (request.expected && old.writer != client.component)
     return Failure{FailureKind::inconsistent,
                    to_string(client) + " cannot overwrite " + to_string(address) +

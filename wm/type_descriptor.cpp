@@ -1,6 +1,7 @@
 #include "castor/wm/type_descriptor.hpp"
 
 #include "castor/wm/encoding.hpp"
+#include "castor/wm/known_types.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -166,6 +167,7 @@ TypeDescriptorPtr decode_descriptor(std::span<const std::uint8_t> bytes) {
   if (auto complaint = ambiguity(*result); !complaint.empty())
     throw DecodeError("type descriptor has " + complaint);
   result->hash = fnv1a(bytes);
+  make_foreign_type_known(result);
   return result;
 }
 
@@ -201,7 +203,9 @@ TypeDescriptorPtr DescriptorBuilder::finish(std::vector<std::string> super_types
   if (auto complaint = ambiguity(result_); !complaint.empty())
     throw std::logic_error(complaint);
   result_.hash = fnv1a(encode_descriptor(result_));
-  return std::make_shared<const TypeDescriptor>(std::move(result_));
+  auto result = std::make_shared<const TypeDescriptor>(std::move(result_));
+  make_own_type_known(result);
+  return result;
 }
 
 } // namespace detail

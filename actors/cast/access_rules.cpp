@@ -3,6 +3,7 @@
 #include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/unknown_name.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -13,11 +14,19 @@ namespace castor::cast {
 
 namespace {
 
-void check_name(const std::string& name, const StructureLine& line,
+/// @param special what may stand instead of the name of a subarchitecture
+void check_name(const std::string& name, std::string_view special, const StructureLine& line,
                 const std::set<std::string, std::less<>>& subarchitectures, DiagnosticLog& log) {
-  if (name != "*" && subarchitectures.count(name) == 0)
-    report_unknown(name, subarchitectures, "there is no subarchitecture " + in_quotes(name),
-                   "write the name of a subarchitecture, or * for all", line, log);
+  if (name == "*" || name == special || subarchitectures.count(name) > 0)
+    return;
+  std::set<std::string, std::less<>> known;
+  // Costs nothing once there are too many errors to be told.
+  if (log.has_room(Severity::error))
+    known = subarchitectures;
+  if (!special.empty())
+    known.emplace(special);
+  report_unknown(name, known, "there is no subarchitecture " + in_quotes(name),
+                 "write the name of a subarchitecture, or * for all", line, log);
 }
 
 } // namespace
@@ -28,7 +37,8 @@ void AccessRules::read(WordStream& words, const StructureLine& line, DiagnosticL
   auto owner = words.next();
   if (!is_given(writer) || verb != "WRITES" || !is_given(owner)) {
     log.report(Severity::error, *line.line, "this is no access rule",
-               "write ACCESS writer WRITES owner, with names of subarchitectures or * for all",
+               "write ACCESS writer WRITES owner, with names of subarchitectures or * for all, or "
+               "ACCESS operator WRITES nothing",
                line.text);
     return;
   }
@@ -37,16 +47,32 @@ void AccessRules::read(WordStream& words, const StructureLine& line, DiagnosticL
   lines_.push_back(&line);
 }
 
+void AccessRules::check_operator_rule(std::size_t number, bool joins, DiagnosticLog& log) {
+  const auto& line = *lines_[number];
+  if (joins)
+    log.report(
+      Severity::error, *line.line, "where operators may write was said when the system was started",
+      "remove the line, or write it into the file that the system is started with", line.text);
+  auto is_other = [&](const AccessRule& x) { return x.writer == operators && x.owner != nothing; };
+  if (rules_[number].owner == nothing && std::any_of(rules_.begin(), rules_.end(), is_other))
+    log.report(Severity::error, *line.line,
+               "operators may write nothing, and another line lets them write",
+               "remove one of the lines", line.text);
+}
+
 std::vector<AccessRule>
-AccessRules::finish(const std::set<std::string, std::less<>>& subarchitectures,
+AccessRules::finish(const std::set<std::string, std::less<>>& subarchitectures, bool joins,
                     DiagnosticLog& log) {
   std::map<std::pair<std::string_view, std::string_view>, const StructureLine*> seen;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
     const auto& [writer, owner, where] = rules_[i];
     const auto& line = *lines_[i];
-    check_name(writer, line, subarchitectures, log);
-    if (owner != writer)
-      check_name(owner, line, subarchitectures, log);
+    bool of_operators = writer == operators;
+    if (of_operators)
+      check_operator_rule(i, joins, log);
+    check_name(writer, operators, line, subarchitectures, log);
+    if (owner != writer || of_operators)
+      check_name(owner, of_operators ? nothing : "", line, subarchitectures, log);
     else if (owner != "*")
       log.report(Severity::warning, *line.line,
                  in_quotes(owner) + " may write to its own working memory in any case",

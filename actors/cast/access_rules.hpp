@@ -5,12 +5,20 @@
 #include "castor/actors/cast/preprocessor.hpp"
 #include "castor/actors/cast/words.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace castor::cast {
+
+/// Writer of rules about people and programs outside of the system. They may write everywhere if no
+/// rule is about them.
+inline constexpr std::string_view operators = "operator";
+/// Owner of a rule by which operators may write nowhere.
+inline constexpr std::string_view nothing = "nothing";
 
 /// Collects lines of the form `ACCESS writer WRITES owner`. The names may belong to
 /// subarchitectures further down in the file, so they are checked in the end.
@@ -21,10 +29,13 @@ public:
   void read(WordStream& words, const StructureLine& line, DiagnosticLog& log);
 
   /// Checks the names, warns of rules without effect, and hands over the rules.
+  /// @param joins whether the file is joined to a running system
   std::vector<AccessRule> finish(const std::set<std::string, std::less<>>& subarchitectures,
-                                 DiagnosticLog& log);
+                                 bool joins, DiagnosticLog& log);
 
 private:
+  void check_operator_rule(std::size_t number, bool joins, DiagnosticLog& log);
+
   std::vector<AccessRule> rules_;
   /// The line of each rule.
   std::vector<const StructureLine*> lines_;

@@ -1,6 +1,8 @@
 #include "castor/actors/cast/description.hpp"
 
+#include "castor/actors/cast/access_rules.hpp"
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/supervision/health.hpp"
 
 #include <algorithm>
 
@@ -18,6 +20,10 @@ auto find_named(const Range& range, std::string_view name) noexcept -> decltype(
 std::string_view without_dashes(std::string_view key) noexcept {
   auto begin = key.find_first_not_of('-');
   return begin == std::string_view::npos ? std::string_view{} : key.substr(begin);
+}
+
+bool is_of_operators(const AccessRule& x) noexcept {
+  return x.writer == cast::operators;
 }
 
 } // namespace
@@ -94,6 +100,12 @@ bool ArchitectureDescription::may_write(std::string_view writer,
   auto covers = [](const std::string& pattern, std::string_view name) {
     return pattern == "*" || pattern == name;
   };
+  if (writer == cast::operators)
+    return owner != health_subarchitecture &&
+           (std::none_of(access_rules.begin(), access_rules.end(), is_of_operators) ||
+            std::any_of(access_rules.begin(), access_rules.end(), [&](const AccessRule& rule) {
+              return is_of_operators(rule) && covers(rule.owner, owner);
+            }));
   return writer == owner ||
          std::any_of(access_rules.begin(), access_rules.end(), [&](const AccessRule& rule) {
            return covers(rule.writer, writer) && covers(rule.owner, owner);

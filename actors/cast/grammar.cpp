@@ -37,7 +37,8 @@ public:
     read_standalone_components();
     check_reserved_names();
     auto names = subarchitecture_names();
-    result_.access_rules = access_rules_.finish(names, log_);
+    result_.access_rules =
+      access_rules_.finish(names, !options_.running_subarchitectures.empty(), log_);
     supervision_rules_.finish(names, result_, log_);
     result_.host_names = input_.hosts.definitions();
     return std::move(result_);
@@ -186,6 +187,10 @@ private:
     } else if (*name == health_subarchitecture) {
       report(Severity::error, line,
              in_quotes(*name) + " is where every system tells of its own health",
+             "give the subarchitecture another name");
+      section_->is_broken = true;
+    } else if (*name == operators || *name == nothing) {
+      report(Severity::error, line, in_quotes(*name) + " has a meaning of its own in ACCESS lines",
              "give the subarchitecture another name");
       section_->is_broken = true;
     } else if (auto [first, is_new] = subarchitecture_lines_.try_emplace(*name, line.line);

@@ -1,5 +1,6 @@
 #include "castor/actors/cast/running.hpp"
 
+#include "castor/actors/cast/access_rules.hpp"
 #include "castor/actors/cast/suggestion.hpp"
 
 #include <algorithm>
@@ -66,7 +67,10 @@ Removal remove_subarchitecture(ArchitectureDescription& running, const std::stri
     result.components.push_back(i->name);
   result.components.push_back(x.task_manager.name);
   std::erase_if(running.subarchitectures, [&](auto& y) { return y.name == name; });
-  std::erase_if(running.access_rules, [&](auto& y) { return y.writer == name || y.owner == name; });
+  // Without their last rule operators might write everywhere.
+  std::erase_if(running.access_rules, [&](auto& y) {
+    return y.writer == name || (y.owner == name && y.writer != cast::operators);
+  });
   std::erase_if(running.supervision, [&](auto& y) { return y.who == name; });
   std::erase_if(running.failover, [&](auto& y) { return y.who == name; });
   return result;

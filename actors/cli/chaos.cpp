@@ -2,6 +2,7 @@
 #include "castor/actors/cli/duration_option.hpp"
 #include "castor/actors/cli/final_state.hpp"
 #include "castor/actors/cli/history_watch.hpp"
+#include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/local_nodes.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/process_resources.hpp"
@@ -24,6 +25,8 @@
 #include <CLI/Validators.hpp>
 
 #include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
@@ -57,6 +60,7 @@ struct Arguments {
   std::vector<std::string> but_for;
   std::string settle = "2s";
   std::string bound = "10s";
+  bool json = false;
 };
 
 /// What has been noticed of components, by one thread while another looks.
@@ -399,6 +403,10 @@ private:
       create(arguments_.report / "chaos.html") << faults::to_html(result_);
       create(arguments_.report / "chaos.json") << faults::to_json(result_);
     }
+    if (arguments_.json) {
+      cli::print(nlohmann::ordered_json::parse(faults::to_json(result_)).dump() + '\n');
+      return result_.held() ? success : a_component_failed;
+    }
     fmt::print("\n{}", faults::to_text(result_, isatty(STDOUT_FILENO) != 0));
     if (!arguments_.report.empty())
       fmt::print("\nwrote {}\n", (arguments_.report / "chaos.html").string());
@@ -469,6 +477,7 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
                  "whatever goes down has to be back, or given up, so soon; by default 10s")
     ->type_name("DURATION")
     ->check(check_duration);
+  add_json_flag(*command, arguments->json);
   command->footer(
     "All nodes that the file names are started on this machine.\n"
     "Exit status: 0 if everything held, 1 if something did not, 2 if the run could not be made.\n"

@@ -12,6 +12,8 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include <unistd.h>
 
 #include <cstdio>
@@ -48,7 +50,7 @@ int check(const Arguments& arguments) {
   if (!arguments.plan.empty())
     is_good = read_plan(arguments.plan, targets_in(*architecture)).has_value() && is_good;
   if (arguments.json)
-    fmt::print("{}\n", to_json(*architecture));
+    fmt::print("{}\n", nlohmann::ordered_json::parse(to_json(*architecture)).dump());
   if (!is_good)
     return 1;
   if (!arguments.json && !arguments.expand)

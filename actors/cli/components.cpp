@@ -1,4 +1,5 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
 
@@ -6,6 +7,8 @@
 #include <CLI/Option.hpp>
 
 #include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -55,6 +58,28 @@ std::vector<std::string> common_options() {
   return names;
 }
 
+template <class Options>
+void print_json(const std::string& name, ComponentKind kind, const std::string& help,
+                const Options& options) {
+  auto all = nlohmann::ordered_json::array();
+  for (auto* x : options)
+    all.push_back(
+      {{"name", x->name()}, {"kind", x->kind()}, {"default", x->text()}, {"help", x->help()}});
+  print(nlohmann::ordered_json{
+          {"class", name}, {"kind", to_string(kind)}, {"help", help}, {"options", all}}
+          .dump() +
+        '\n');
+}
+
+int components_as_json() {
+  load_bundled_plugins();
+  WorkingMemoryClass wm;
+  print_json(wm.name, ComponentKind::working_memory, wm.help, wm.options.all());
+  for (auto* x : Registry::instance().all())
+    print_json(x->name, x->kind, x->help, x->make()->options().all());
+  return success;
+}
+
 int components() {
   load_bundled_plugins();
   auto common = common_options();
@@ -79,8 +104,12 @@ int components() {
 void add_components(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
     "components", "list every component class with its options and their defaults");
-  command->footer("Example: castor components --plugin ./libgreeter.so");
-  command->callback([&chosen] { chosen = components; });
+  auto json = std::make_shared<bool>(false);
+  add_json_flag(*command, *json);
+  command->footer("Examples: castor components\n"
+                  "          castor components --plugin ./libgreeter.so --json");
+  command->callback(
+    [&chosen, json] { chosen = [json] { return *json ? components_as_json() : components(); }; });
 }
 
 } // namespace castor::cli

@@ -1,5 +1,9 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/graph_picture.hpp"
+#include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/inspection_text.hpp"
+#include "castor/actors/cli/output.hpp"
+#include "castor/actors/cli/rasterise.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/running_system.hpp"
 #include "castor/actors/cli/tethers.hpp"
@@ -15,6 +19,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -29,35 +35,20 @@ struct Arguments {
   bool json = false;
   bool stats = false;
   bool full = false;
+  bool wait = false;
   /// What is looked at: SUBARCHITECTURE[/ID|TYPE].
   std::string where;
   std::vector<std::string> filter;
   std::string name;
+  std::string svg;
+  std::string png;
   ArchitectureArguments architecture;
 };
 
 using ArgumentsPtr = std::shared_ptr<Arguments>;
 
-void print(const std::string& x) {
-  std::fputs(x.c_str(), stdout);
-  // In a pipe too, the reader sees a line when it comes.
-  std::fflush(stdout);
-}
-
 bool coloured() {
   return isatty(STDOUT_FILENO) != 0;
-}
-
-Json ask_for_one(const RunningSystem& system, const Json& request) {
-  Json result;
-  ask(system, request, [&](const Json& x) { result = x; });
-  return result;
-}
-
-std::vector<Json> ask_for_all(const RunningSystem& system, const Json& request) {
-  std::vector<Json> result;
-  ask(system, request, [&](const Json& x) { result.push_back(x); });
-  return result;
 }
 
 int ps(const Arguments& arguments) {
@@ -78,14 +69,20 @@ int ps(const Arguments& arguments) {
 
 /// SUBARCHITECTURE[/ID|TYPE], as a request has it.
 Json request_for(const Arguments& arguments, bool values) {
-  auto slash = arguments.where.find('/');
+  auto [subarchitecture, what] = split_where(arguments.where);
   Json result{{"do", "wm"},
-              {"subarchitecture", arguments.where.substr(0, slash)},
+              {"subarchitecture", subarchitecture},
               {"values", values},
               {"full", arguments.full}};
-  if (slash != std::string::npos)
-    result["what"] = arguments.where.substr(slash + 1);
+  if (!what.empty())
+    result["what"] = what;
   return result;
+}
+
+/// The types are known, or the system would have refused the request.
+void say_if_empty(const std::vector<Json>& entries, const Arguments& arguments) {
+  if (entries.empty())
+    fmt::print(stderr, "there are no entries of {}\n", arguments.where);
 }
 
 void print_entries(const std::vector<Json>& entries, const Arguments& arguments) {
@@ -100,7 +97,9 @@ void print_entries(const std::vector<Json>& entries, const Arguments& arguments)
 int list_entries(const Arguments& arguments) {
   auto system = choose_system(arguments.system);
   if (!arguments.where.empty()) {
-    print_entries(ask_for_all(system, request_for(arguments, false)), arguments);
+    auto entries = ask_for_all(system, request_for(arguments, false));
+    say_if_empty(entries, arguments);
+    print_entries(entries, arguments);
     return success;
   }
   std::vector<Json> entries;
@@ -114,7 +113,9 @@ int list_entries(const Arguments& arguments) {
 
 int get_entries(const Arguments& arguments) {
   auto system = choose_system(arguments.system);
-  for (auto& x : ask_for_all(system, request_for(arguments, true)))
+  auto entries = ask_for_all(system, request_for(arguments, true));
+  say_if_empty(entries, arguments);
+  for (auto& x : entries)
     print((arguments.json ? x.dump() : x["value"].dump(2)) + '\n');
   return success;
 }
@@ -190,31 +191,75 @@ int follow(const Arguments& arguments, const Json& request) {
 int watch_entries(const Arguments& arguments) {
   auto request = request_for(arguments, true);
   request["do"] = "events";
+  request["wait"] = arguments.wait;
   request["filter"] = "in " + request["subarchitecture"].get<std::string>();
   return follow(arguments, request);
 }
 
 int events(const Arguments& arguments) {
-  return follow(
-    arguments, {{"do", "events"}, {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))}});
+  return follow(arguments, {{"do", "events"},
+                            {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))},
+                            {"wait", arguments.wait}});
 }
 
 int graph(const Arguments& arguments) {
   auto system = choose_system(arguments.system);
+  // What cannot be written is refused before anything is asked for.
+  std::ofstream svg;
+  std::ofstream png;
+  if (!arguments.svg.empty())
+    svg = create(arguments.svg);
+  if (!arguments.png.empty())
+    png = create(arguments.png);
   auto report = ask_for_one(system, {{"do", "ps"}});
-  print(accesses_as_dot(report, ask_for_all(system, {{"do", "graph"}})));
+  auto accesses = ask_for_all(system, {{"do", "graph"}});
+  bool draws = svg.is_open() || png.is_open();
+  if (draws) {
+    auto picture = accesses_as_svg(report, accesses);
+    if (svg.is_open())
+      svg << picture;
+    if (png.is_open())
+      png << as_png(picture, 2);
+  }
+  if (arguments.json)
+    for (auto& x : accesses)
+      print(x.dump() + '\n');
+  else if (!draws)
+    print(accesses_as_dot(report, accesses));
   return success;
 }
 
-int change(const Arguments& arguments, const Json& request) {
+/// "2 components on localhost: ear, recogniser; the subarchitecture speech"
+std::string members_as_text(const Json& x) {
+  std::map<std::string, std::vector<std::string>> by_node;
+  for (auto& y : x["components"])
+    by_node[y["node"].get<std::string>()].push_back(y["name"].get<std::string>());
+  std::vector<std::string> parts;
+  for (auto& [node, names] : by_node)
+    parts.push_back(fmt::format("{} component{} on {}: {}", names.size(),
+                                names.size() == 1 ? "" : "s", node, fmt::join(names, ", ")));
+  for (auto& y : x["subarchitectures"])
+    parts.push_back("the subarchitecture " + y.get<std::string>());
+  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, "; "));
+}
+
+int change(const Arguments& arguments, const Json& request, const char* verb) {
+  auto system = choose_system(arguments.system);
   int status = success;
-  ask(choose_system(arguments.system), request, [&](const Json& x) {
+  bool done = false;
+  ask(system, request, [&](const Json& x) {
     for (auto* key : {"remarks", "findings"})
       if (x.contains(key))
         std::fputs(x[key].get<std::string>().c_str(), stderr);
     if (x.contains("findings"))
       status = bad_input;
+    if (!x.contains("done"))
+      return;
+    done = true;
+    print(arguments.json ? x.dump() + '\n' : fmt::format("{} {}\n", verb, members_as_text(x)));
   });
+  if (status == success && !done)
+    throw std::runtime_error(system.name + " has ended before it answered");
   return status;
 }
 
@@ -222,30 +267,31 @@ int add(const Arguments& arguments) {
   Json variables = Json::object();
   for (auto& [name, value] : variables_of(arguments.architecture))
     variables[name] = value;
-  return change(arguments, {{"do", "add"},
-                            {"file", std::filesystem::absolute(arguments.architecture.file)},
-                            {"directory", std::filesystem::current_path().string()},
-                            {"variables", variables}});
+  return change(arguments,
+                {{"do", "add"},
+                 {"file", std::filesystem::absolute(arguments.architecture.file)},
+                 {"directory", std::filesystem::current_path().string()},
+                 {"variables", variables}},
+                "added");
 }
 
 int remove(const Arguments& arguments) {
-  return change(arguments, {{"do", "remove"}, {"name", arguments.name}});
+  return change(arguments, {{"do", "remove"}, {"name", arguments.name}}, "removed");
 }
 
-/// A command that looks at a running system.
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& help,
                   const ArgumentsPtr& arguments) {
-  auto* result = app.add_subcommand(name, help);
-  result
-    ->add_option("--system", arguments->system,
-                 "which of the systems that run on this machine, or the beginning of its name; "
-                 "`castor ps` shows them")
-    ->type_name("NAME");
-  return result;
+  return inspection_command(app, name, help, arguments->system);
 }
 
 void add_json_flag(CLI::App& command, const ArgumentsPtr& arguments) {
-  command.add_flag("--json", arguments->json, "print JSON, one object on a line");
+  cli::add_json_flag(command, arguments->json);
+}
+
+void add_wait_flag(CLI::App& command, const ArgumentsPtr& arguments) {
+  command.add_flag("--wait", arguments->wait,
+                   "also for types, components and subarchitectures that are not there yet: do not "
+                   "check whether the system knows the names");
 }
 
 template <class F>
@@ -267,7 +313,8 @@ void add_full_flag(CLI::App& command, const ArgumentsPtr& arguments) {
 }
 
 void add_wm(CLI::App& app, Action& chosen) {
-  auto* wm = app.add_subcommand("wm", "look into the working memories of a running system");
+  auto* wm =
+    app.add_subcommand("wm", "look into the working memories of a running system, and change them");
   wm->require_subcommand(1);
   auto arguments = std::make_shared<Arguments>();
   auto* ls = entry_command(*wm, "ls", "list entries", arguments);
@@ -280,6 +327,7 @@ void add_wm(CLI::App& app, Action& chosen) {
     entry_command(*wm, "watch", "print changes with the new values, as they happen", arguments);
   watch->get_option("WHERE")->required();
   add_full_flag(*watch, arguments);
+  add_wait_flag(*watch, arguments);
   on_call(*watch, chosen, arguments, watch_entries);
   auto* tether = entry_command(
     *wm, "tether", "show what binding's unions are made of, or what binding makes of entries",
@@ -288,8 +336,13 @@ void add_wm(CLI::App& app, Action& chosen) {
   tether->footer("From a union over its proxies to the entries that they stand for, and from such "
                  "an entry to its proxies and\nto the unions that they are in; from every union "
                  "if WHERE is left out.");
+  add_wm_writes(*wm, chosen);
   wm->footer("Examples: castor wm ls\n"
              "          castor wm get vision/SceneObject\n"
+             "          castor wm types SceneObject\n"
+             "          castor wm add kitchen Order '{\"dish\": \"soup\", \"table\": 4}'\n"
+             "          castor wm overwrite kitchen/order7 --merge '{\"table\": 5}'\n"
+             "          castor wm delete kitchen/order7\n"
              "          castor wm watch vision/0:3 --json\n"
              "          castor wm tether vision/0:3");
 }
@@ -319,6 +372,7 @@ void add_inspection(CLI::App& app, Action& chosen) {
                  "[from COMPONENT] [at ID] [changing FIELD,...] [where CONDITION]")
     ->type_name("");
   add_json_flag(*events_command, arguments);
+  add_wait_flag(*events_command, arguments);
   events_command->footer(
     "Examples: castor events\n"
     "          castor events overwritten SceneObject in vision changing color\n"
@@ -327,9 +381,20 @@ void add_inspection(CLI::App& app, Action& chosen) {
   on_call(*events_command, chosen, arguments, events);
 
   arguments = std::make_shared<Arguments>();
-  auto* graph_command = command(
-    app, "graph", "draw who writes and reads what, as observed so far, for Graphviz", arguments);
-  graph_command->footer("Example: castor graph | dot -Tsvg > system.svg");
+  auto* graph_command =
+    command(app, "graph", "draw who writes and reads what, as observed so far", arguments);
+  graph_command->add_option("--svg", arguments->svg, "draw it into this file, as an SVG picture")
+    ->type_name("FILE");
+  graph_command->add_option("--png", arguments->png, "draw it into this file, as a PNG picture")
+    ->type_name("FILE");
+  add_json_flag(*graph_command, arguments);
+  graph_command->footer(
+    "Without an option, prints the graph in the language of Graphviz, with the types as nodes.\n"
+    "In pictures, subarchitectures are boxes with their working memory and components; solid "
+    "arrows\nare writes, dashed ones reads and events, with the types of the entries.\n"
+    "Examples: castor graph --svg system.svg\n"
+    "          castor graph --png system.png --system playmate\n"
+    "          castor graph | dot -Tpdf > system.pdf");
   on_call(*graph_command, chosen, arguments, graph);
 
   arguments = std::make_shared<Arguments>();
@@ -340,6 +405,7 @@ void add_inspection(CLI::App& app, Action& chosen) {
     "The file has whole subarchitectures, or lines for subarchitectures that run: these have "
     "neither a WM nor a TM line.\nIf anything stands in the way, the system stays as it was.\n"
     "Example: castor add touch.cast --system playmate");
+  add_json_flag(*add_command, arguments);
   on_call(*add_command, chosen, arguments, add);
 
   arguments = std::make_shared<Arguments>();
@@ -347,7 +413,9 @@ void add_inspection(CLI::App& app, Action& chosen) {
     command(app, "remove", "stop a component or a subarchitecture of a running system", arguments);
   remove_command->add_option("NAME", arguments->name, "of the component or the subarchitecture")
     ->required();
-  remove_command->footer("Example: castor remove recogniser");
+  add_json_flag(*remove_command, arguments);
+  remove_command->footer("Examples: castor remove recogniser\n"
+                         "          castor remove speech");
   on_call(*remove_command, chosen, arguments, remove);
 }
 

@@ -7,6 +7,7 @@
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/node/inspection_json.hpp"
+#include "castor/actors/node/known_names.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 #include "castor/wm/journal_reader.hpp"
 #include "castor/wm/json.hpp"
@@ -147,6 +148,22 @@ public:
     return matches(filter_, event, content);
   }
 
+  /// Throws std::runtime_error if the filter names what is not in the journal.
+  void check(const std::filesystem::path& journal, const std::string& subarchitecture) const {
+    if (filter_ == parse_change_filter(""))
+      return;
+    KnownNames known{{}, {subarchitecture}, {}};
+    auto image = JournalReader{journal}.replay([&](const JournalRecord& x) {
+      known.types.emplace(x.type->name(), x.type);
+      known.sources.insert(x.source);
+    });
+    for (auto& x : image.store().entries) {
+      known.types.emplace(x.entry->type_name(), x.entry->value.type_ptr());
+      known.sources.insert(x.entry->writer);
+    }
+    check_names(filter_, known);
+  }
+
 private:
   ChangeFilter filter_;
   std::unordered_map<Address, Value> contents_;
@@ -159,6 +176,7 @@ int show(const Arguments& arguments) {
   JournalReader reader{arguments.file};
   auto summary = reader.summary();
   auto& name = summary.subarchitecture;
+  sieve.check(arguments.file, name);
   if (arguments.entries) {
     std::vector<Json> entries;
     auto image = reader.replay().store();

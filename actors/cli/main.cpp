@@ -1,4 +1,5 @@
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/component/crash_report.hpp"
@@ -37,10 +38,12 @@ int main(int argc, char** argv) {
   cli::add_node(app, action);
   cli::add_chaos(app, action, plugins);
   cli::add_inspection(app, action);
+  cli::add_call(app, action);
   cli::add_journal(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
   cli::add_new(app, action);
+  cli::add_doctor(app, action);
   cli::add_completion(app, action);
   cli::add_man(app, action);
   try {

@@ -1,6 +1,9 @@
 #include "castor/actors/cli/running_system.hpp"
 
+#include "castor/actors/node/inspection.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
+
+#include <fmt/core.h>
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -80,6 +83,10 @@ private:
   std::size_t searched_ = 0;
 };
 
+bool is_stale(const fs::path& socket) {
+  return Connection{socket}.error() == ECONNREFUSED;
+}
+
 std::string names_of(const std::vector<RunningSystem>& systems) {
   std::string result;
   for (auto& x : systems)
@@ -89,15 +96,26 @@ std::string names_of(const std::vector<RunningSystem>& systems) {
 
 } // namespace
 
+std::vector<fs::path> sockets() {
+  std::vector<fs::path> result;
+  for (auto& x : fs::directory_iterator{endpoint_folder()})
+    if (x.path().extension() == ".sock")
+      result.push_back(x.path());
+  return result;
+}
+
+std::size_t stale_sockets() {
+  auto all = sockets();
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_stale));
+}
+
 std::vector<RunningSystem> running_systems() {
   std::vector<RunningSystem> result;
-  for (auto& x : fs::directory_iterator{endpoint_folder()}) {
-    if (x.path().extension() != ".sock")
-      continue;
-    if (Connection{x.path()}.error() == ECONNREFUSED)
-      fs::remove(x.path());
+  for (auto& x : sockets()) {
+    if (is_stale(x))
+      fs::remove(x);
     else
-      result.push_back({x.path().stem().string(), x.path()});
+      result.push_back({x.stem().string(), x});
   }
   std::sort(result.begin(), result.end(), [](auto& a, auto& b) { return a.name < b.name; });
   return result;
@@ -131,7 +149,13 @@ void ask(const RunningSystem& system, const Json& request,
   if (connection.error() != 0)
     throw std::runtime_error("cannot reach " + system.name + ": " +
                              std::strerror(connection.error()));
-  connection.say(request.dump() + '\n');
+  auto text = request.dump();
+  if (text.size() >= longest_request)
+    throw std::runtime_error(
+      fmt::format("the request is too large: it has {} bytes, a system takes "
+                  "{}",
+                  text.size(), longest_request));
+  connection.say(text + '\n');
   std::string line;
   auto next = [&] {
     while (more && !connection.wait(time_between_looks))
@@ -145,6 +169,20 @@ void ask(const RunningSystem& system, const Json& request,
       throw std::runtime_error(x["error"].get<std::string>());
     hear(x);
   }
+}
+
+Json ask_for_one(const RunningSystem& system, const Json& request) {
+  Json result;
+  ask(system, request, [&](const Json& x) { result = x; });
+  if (result.is_null())
+    throw std::runtime_error(system.name + " has ended before it answered");
+  return result;
+}
+
+std::vector<Json> ask_for_all(const RunningSystem& system, const Json& request) {
+  std::vector<Json> result;
+  ask(system, request, [&](const Json& x) { result.push_back(x); });
+  return result;
 }
 
 } // namespace castor::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -18,6 +19,12 @@ struct RunningSystem {
   std::filesystem::path socket;
 };
 
+/// The sockets of this user's systems, with those that killed processes have left behind.
+std::vector<std::filesystem::path> sockets();
+
+/// How many of them have been left behind.
+std::size_t stale_sockets();
+
 /// What killed processes have left behind is removed.
 std::vector<RunningSystem> running_systems();
 
@@ -35,5 +42,11 @@ void ask(const RunningSystem& system, const Json& request,
 void ask(const RunningSystem& system, const Json& request,
          const std::function<void(const Json&)>& hear,
          const std::function<std::vector<Json>()>& more);
+
+/// The answer, where there is one object. Throws std::runtime_error also if there is none.
+Json ask_for_one(const RunningSystem& system, const Json& request);
+
+/// All objects of the answer.
+std::vector<Json> ask_for_all(const RunningSystem& system, const Json& request);
 
 } // namespace castor::cli

@@ -1,12 +1,15 @@
 #include "castor/actors/node/inspection.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/node/inspection_json.hpp"
+#include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/node/inspection_context.hpp"
+#include "castor/actors/node/operator_requests.hpp"
 #include "castor/actors/node/replay.hpp"
 #include "castor/actors/supervision/health.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <limits>
@@ -20,32 +23,14 @@ namespace castor {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-/// How long processes may take to answer.
-constexpr auto patience = 2s;
-
 /// How many events of a working memory may be on their way to whoever looks on; more are merged.
 constexpr std::uint32_t event_limit = 1024;
-
-/// Byte fields are shown up to this length, unless everything is wanted.
-constexpr std::size_t shown_bytes = 64;
-
-/// How many of a byte field the request wants to see.
-std::size_t bytes_shown(const Json& request) {
-  return request.value("full", false) ? std::numeric_limits<std::size_t>::max() : shown_bytes;
-}
-
-/// A system that was just started, or a request that makes no sense.
-class InspectionError : public std::runtime_error {
-public:
-  using runtime_error::runtime_error;
-};
 
 class Inspection : public std::enable_shared_from_this<Inspection> {
 public:
   Inspection(caf::event_based_actor* self, InspectionParts parts)
-    : self_(self), parts_(std::move(parts)) {}
+    : self_(self), context_(std::make_shared<InspectionContext>(self, std::move(parts))),
+      parts_(context_->parts) {}
 
   caf::behavior begin() {
     auto inspection = shared_from_this();
@@ -59,51 +44,59 @@ public:
       [inspection](const ChangeNotice& x) { inspection->hear({x}); },
       [inspection](const ChangeNotices& x) { inspection->hear(x.notices); },
       [inspection](InspectionTaken) { inspection->taken(); },
+      [](const InspectionTimeout& x) { x.then(); },
       [](const Outcome<Acknowledged>&) {},
     };
   }
 
 private:
   void answer(const std::string& text) {
-    try {
+    context_->guarded([&] {
       if (!parts_.roster)
         throw InspectionError("the system is not ready yet");
       auto request = Json::parse(text);
       auto what = request.value("do", "");
       if (std::exchange(is_asked_, true))
         return control(what);
-      if (what == "ps")
-        report();
-      else if (what == "wm")
-        look_into(request);
-      else if (what == "events")
-        watch(request);
-      else if (what == "graph")
-        tell_accesses();
-      else if (what == "replay")
-        replay_into_system(request);
-      else if (what == "add")
-        add(request);
-      else if (what == "remove")
-        order(request.at("name").get<std::string>());
-      else
-        throw InspectionError("there is no request " + what +
-                              "; there are: ps, wm, events, graph, replay, add, remove");
-    } catch (const Json::exception& e) {
-      refuse(std::string{"the request cannot be read: "} + e.what());
-    } catch (const std::runtime_error& e) {
-      refuse(e.what());
-    }
+      auto handler = handlers().find(what);
+      if (handler == handlers().end())
+        throw InspectionError("there is no request " + what + "; there are: " + request_names());
+      handler->second(*this, request);
+    });
+  }
+
+  using Handler = std::function<void(Inspection&, const Json&)>;
+
+  static const std::map<std::string, Handler>& handlers() {
+    static const std::map<std::string, Handler> result{
+      {"ps", [](Inspection& x, const Json&) { x.report(); }},
+      {"types", [](Inspection& x, const Json& request) { x.tell_types(request); }},
+      {"wm", [](Inspection& x, const Json& request) { x.look_into(request); }},
+      {"events", [](Inspection& x, const Json& request) { x.watch(request); }},
+      {"graph", [](Inspection& x, const Json&) { x.tell_accesses(); }},
+      {"replay", [](Inspection& x, const Json& request) { x.replay_into_system(request); }},
+      {"add", [](Inspection& x, const Json& request) { x.add(request); }},
+      {"remove", [](Inspection& x, const Json& request) { x.remove(request); }},
+      {"write", [](Inspection& x, const Json& request) { add_entry(x.context_, request); }},
+      {"overwrite",
+       [](Inspection& x, const Json& request) { overwrite_entry(x.context_, request); }},
+      {"delete", [](Inspection& x, const Json& request) { delete_entry(x.context_, request); }},
+      {"call", [](Inspection& x, const Json& request) { call_component(x.context_, request); }},
+    };
+    return result;
+  }
+
+  static std::string request_names() {
+    std::string result;
+    for (auto& [name, handler] : handlers())
+      result += (result.empty() ? "" : ", ") + name;
+    return result;
   }
 
   // -- what is said
 
-  void say(std::string text, bool last = false) {
-    self_->send(parts_.endpoint, InspectionReply{parts_.connection, std::move(text), last});
-  }
-
-  void end() { say({}, true); }
-  void refuse(const std::string& why) { say(Json{{"error", why}}.dump() + '\n', true); }
+  void say(std::string text, bool last = false) { context_->say(std::move(text), last); }
+  void refuse(const std::string& why) { context_->refuse(why); }
 
   /// Calls `f` once after everything that it was handed to was called or dropped.
   template <class F>
@@ -123,10 +116,10 @@ private:
     });
     for (std::size_t i = 0; i < result->parts.size(); ++i)
       if (auto& agent = parts_.roster->agents[i])
-        self_->request(agent, patience, PartStatusQuery{})
+        self_->request(agent, inspection_patience, PartStatusQuery{})
           .then([=](const PartStatus& x) { result->parts[i] = x; }, [done](const caf::error&) {});
     for (auto& [name, wm] : parts_.roster->working_memories)
-      self_->request(wm, patience, StatusQuery{})
+      self_->request(wm, inspection_patience, StatusQuery{})
         .then([=](const WorkingMemoryStatus& x) { result->working_memories.push_back(x); },
               [done](const caf::error&) {});
   }
@@ -140,7 +133,7 @@ private:
       say(text, true);
     });
     for (auto& [name, wm] : parts_.roster->working_memories)
-      self_->request(wm, patience, AccessQuery{})
+      self_->request(wm, inspection_patience, AccessQuery{})
         .then(
           [=](const AccessReport& x) {
             result->insert(result->end(), x.accesses.begin(), x.accesses.end());
@@ -155,14 +148,16 @@ private:
     auto what = request.value("what", "");
     bool with_values = request.value("values", false);
     auto max_bytes = bytes_shown(request);
-    self_->request(working_memory(name), patience, QueryRequest{{name, {}, 0, false}, {}})
+    self_
+      ->request(context_->working_memory(name), inspection_patience,
+                QueryRequest{{name, {}, 0, false}, {}})
       .then(
         [=, this](const Outcome<std::vector<EntryPtr>>& found) {
           if (!found)
             return refuse(found.failure().message);
           auto entries = select(*found, what);
           if (entries.empty() && !what.empty())
-            return refuse(nothing_found(name, what, *found));
+            return check_what(name, what, *found);
           std::string text;
           for (auto& x : entries)
             text += entry_as_json(*x, with_values, max_bytes) + '\n';
@@ -171,16 +166,6 @@ private:
         [=, this](const caf::error&) {
           refuse("the working memory of " + name + " does not answer");
         });
-  }
-
-  const WorkingMemoryActor& working_memory(const std::string& name) const {
-    auto i = parts_.roster->working_memories.find(name);
-    if (i != parts_.roster->working_memories.end())
-      return i->second;
-    std::string known;
-    for (auto& [other, wm] : parts_.roster->working_memories)
-      known += (known.empty() ? "" : ", ") + other;
-    throw InspectionError("there is no subarchitecture " + name + "; there are: " + known);
   }
 
   /// The entry of that id, or those of that type; all if neither is asked for.
@@ -194,27 +179,83 @@ private:
     return entries;
   }
 
+  /// Answers that there is nothing if `what` is a type that there may be entries of.
+  void check_what(const std::string& name, const std::string& what,
+                  const std::vector<EntryPtr>& entries) {
+    context_->with_types([=, this](const TypeCatalogue& types) {
+      if (!is_known_type(what, types))
+        throw InspectionError(nothing_found(name, what, entries, types));
+      say({}, true);
+    });
+  }
+
   static std::string nothing_found(const std::string& name, const std::string& what,
-                                   const std::vector<EntryPtr>& entries) {
-    std::set<std::string> types;
-    for (auto& x : entries)
-      types.insert(x->type_name());
-    std::string known;
-    for (auto& x : types)
-      known += (known.empty() ? "" : ", ") + x;
+                                   const std::vector<EntryPtr>& entries,
+                                   const TypeCatalogue& types) {
+    std::vector<std::string_view> candidates;
+    std::set<std::string> here;
+    for (auto& [type, descriptor] : types)
+      candidates.push_back(type);
+    for (auto& x : entries) {
+      candidates.push_back(x->address.id);
+      here.insert(x->type_name());
+    }
+    // Of an id and a type that are as near, the one that is written like it.
+    if (!what.empty() && std::islower(static_cast<unsigned char>(what.front())))
+      std::reverse(candidates.begin(), candidates.end());
+    auto guess = cast::did_you_mean(what, candidates);
     return "in " + name + " there is neither an entry nor a type of the name " + what +
-           (known.empty() ? "; it is empty" : "; there are entries of the types " + known);
+           (!guess.empty() ? "; " + guess
+            : here.empty() ? "; it is empty"
+                           : "; there are entries of the types" +
+                               nearest_known({}, here).substr(sizeof("; there are:") - 1));
+  }
+
+  void tell_types(const Json& request) {
+    auto name = request.value("type", "");
+    context_->with_types([=, this](const TypeCatalogue& types) {
+      std::string text;
+      if (!name.empty())
+        find_type(name, types);
+      for (auto& [other, type] : types)
+        if (name.empty() || type->is_a(name))
+          text += to_json(*type).dump() + '\n';
+      say(std::move(text), true);
+    });
   }
 
   // -- events
 
   void watch(const Json& request) {
-    filter_ = parse_change_filter(request.value("filter", ""));
-    if (!filter_->subarchitecture->empty())
-      working_memory(*filter_->subarchitecture);
+    auto filter = parse_change_filter(request.value("filter", ""));
     what_ = request.value("what", "");
     with_values_ = request.value("values", false);
     max_bytes_ = bytes_shown(request);
+    if (request.value("wait", false))
+      return subscribe_to(filter);
+    context_->with_types([=, this](TypeCatalogue types) {
+      auto known = context_->known_names(std::move(types));
+      check_names(filter, known);
+      if (what_.empty() || is_known_type(what_, known.types))
+        return subscribe_to(filter);
+      // So it has to be an entry.
+      auto& name = *filter.subarchitecture;
+      self_
+        ->request(context_->working_memory(name), inspection_patience,
+                  QueryRequest{{name, {}, 0, false}, {}})
+        .then(
+          [=, this](const Outcome<std::vector<EntryPtr>>& found) {
+            if (found && select(*found, what_).empty())
+              return refuse(nothing_found(name, what_, *found, known.types) +
+                            ". With --wait it may come later");
+            subscribe_to(filter);
+          },
+          [=, this](const caf::error&) { subscribe_to(filter); });
+    });
+  }
+
+  void subscribe_to(const ChangeFilter& filter) {
+    filter_ = filter;
     subscribe();
   }
 
@@ -249,6 +290,8 @@ private:
   }
 
   void hear(const ChangeEventPtr& event) {
+    if (context_->on_event)
+      return context_->on_event(event);
     auto& address = event->address;
     auto& watched = watched_[address.subarchitecture];
     if (!with_values_ || event->operation == Operation::remove) {
@@ -260,7 +303,7 @@ private:
       ++watched_[event->address.subarchitecture].told;
       say(change_as_json(*event, value, max_bytes_) + '\n');
     };
-    self_->request(watched.actor, patience, ReadRequest{address, {}})
+    self_->request(watched.actor, inspection_patience, ReadRequest{address, {}})
       .then([tell](const Outcome<EntryPtr>& x) { tell(x ? (*x)->value : Value{}); },
             [tell](const caf::error&) { tell({}); });
   }
@@ -330,23 +373,33 @@ private:
     }
     if (!result.diagnostics.empty())
       say(Json{{"remarks", cast::render(result.diagnostics)}}.dump() + '\n');
-    order(*std::move(result.architecture));
+    auto news = members_of(*result.architecture);
+    order(*std::move(result.architecture), std::move(news));
   }
 
-  static std::string outcome_as_json(const OrderOutcome& x) {
+  void remove(const Json& request) {
+    auto name = request.at("name").get<std::string>();
+    order(name, members_of(*parts_.roster, name));
+  }
+
+  /// @param news what is said of a change that was made
+  static std::string outcome_as_json(const OrderOutcome& x, const Json& news = Json::object()) {
     Json result;
     if (!x.findings.empty())
       result["findings"] = cast::render(x.findings);
     else if (!x.problem.empty())
       result["error"] = x.problem;
-    else
+    else {
       result["done"] = true;
+      result.update(news);
+    }
     return result.dump() + '\n';
   }
 
-  void order(std::variant<ArchitectureDescription, std::string> what) {
-    auto done = [to = parts_.endpoint, connection = parts_.connection](const OrderOutcome& x) {
-      caf::anon_send(to, InspectionReply{connection, outcome_as_json(x), true});
+  void order(std::variant<ArchitectureDescription, std::string> what, Json news) {
+    auto done = [to = parts_.endpoint, connection = parts_.connection,
+                 news = std::move(news)](const OrderOutcome& x) {
+      caf::anon_send(to, InspectionReply{connection, outcome_as_json(x, news), true});
     };
     parts_.give_order({std::move(what), std::move(done)});
   }
@@ -359,7 +412,8 @@ private:
   };
 
   caf::event_based_actor* self_;
-  InspectionParts parts_;
+  InspectionContextPtr context_;
+  InspectionParts& parts_;
   bool is_asked_ = false;
   caf::actor replay_;
   std::optional<ChangeFilter> filter_;

@@ -4,11 +4,15 @@
 
 #include <caf/event_based_actor.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 namespace castor {
+
+/// Bytes of a request, at most.
+inline constexpr std::size_t longest_request = std::size_t{1} << 20;
 
 /// To an inspection: what somebody has asked for, a JSON object.
 struct InspectionRequest {
@@ -25,6 +29,11 @@ struct InspectionReply {
 
 /// To an inspection: everything it has said was taken, so that there may be more.
 struct InspectionTaken {};
+
+/// To an inspection from itself: a time is over.
+struct InspectionTimeout {
+  std::function<void()> then;
+};
 
 struct InspectionParts {
   /// Named in every reply.
@@ -43,3 +52,4 @@ caf::behavior inspection(caf::event_based_actor* self, InspectionParts parts);
 CASTOR_LOCAL_MESSAGE(castor::InspectionRequest)
 CASTOR_LOCAL_MESSAGE(castor::InspectionReply)
 CASTOR_LOCAL_MESSAGE(castor::InspectionTaken)
+CASTOR_LOCAL_MESSAGE(castor::InspectionTimeout)

@@ -1,6 +1,7 @@
 #include "castor/actors/node/inspection_json.hpp"
 
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/value_from_json.hpp"
 #include "castor/wm/json.hpp"
 
 #include <unistd.h>
@@ -172,6 +173,47 @@ Json to_json(const ChangeEvent& x) {
           {"component", x.source},
           {"changed", x.changed_fields()},
           {"coalesced", x.coalesced}};
+}
+
+Json to_json(const TypeDescriptor& x) {
+  auto fields = Json::object();
+  for (auto& field : x.records.front().fields)
+    fields[field.name] = type_text(x, field.type);
+  return {{"type", x.name()},
+          {"super_types", x.super_types},
+          {"fields", fields},
+          {"example", example_of(x)}};
+}
+
+Json members_of(const ArchitectureDescription& added) {
+  Json result{{"subarchitectures", Json::array()}, {"components", Json::array()}};
+  for (auto& x : added.subarchitectures)
+    if (!x.working_memory.name.empty())
+      result["subarchitectures"].push_back(x.name);
+  for_each_component(added, [&](auto& x) {
+    if (!x.name.empty() && x.kind != ComponentKind::working_memory)
+      result["components"].push_back({{"name", x.name},
+                                      {"subarchitecture", x.subarchitecture},
+                                      {"class", x.class_name},
+                                      {"node", x.host}});
+  });
+  return result;
+}
+
+Json members_of(const SystemRoster& roster, const std::string& name) {
+  Json result{{"subarchitectures", Json::array()}, {"components", Json::array()}};
+  if (roster.working_memories.count(name) > 0)
+    result["subarchitectures"].push_back(name);
+  for (auto& x : roster.components) {
+    auto& who = x.identity;
+    if (who.name == name || who.subarchitecture == name)
+      result["components"].push_back(
+        {{"name", who.name},
+         {"subarchitecture", who.subarchitecture},
+         {"class", who.class_name},
+         {"node", name_of(roster, process_of(roster.placement, who.name))}});
+  }
+  return result;
 }
 
 std::string entry_as_json(const Entry& x, bool wanted, std::size_t max_bytes) {

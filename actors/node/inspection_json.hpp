@@ -27,6 +27,15 @@ Json to_json(const ReplayOutcome& x);
 /// Where it is in the recording (`at`) is in microseconds since 1970.
 Json to_json(const ReplayProgress& x);
 
+/// A type: its fields, and an example of a value.
+Json to_json(const TypeDescriptor& x);
+
+/// What joins a system with this.
+Json members_of(const ArchitectureDescription& added);
+
+/// What leaves a system with a component or a subarchitecture of that name.
+Json members_of(const SystemRoster& roster, const std::string& name);
+
 /// An entry, with its value if that is wanted. Byte fields of more than `max_bytes` are shown as
 /// their size.
 std::string entry_as_json(const Entry& x, bool with_value, std::size_t max_bytes);

@@ -23,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using caf::io::connection_handle;
 
-/// Of a request.
-constexpr std::size_t longest_line = std::size_t{64} << 10;
 constexpr std::size_t most_connections = 64;
 
 /// Throws unless it is a folder of this user that nobody else can look into.
@@ -136,11 +134,13 @@ void hear(Self* self, const caf::io::new_data_msg& x) {
     return;
   auto& received = i->second.received;
   received.append(x.buf.data(), x.buf.size());
-  for (auto end = received.find('\n'); end != std::string::npos; end = received.find('\n')) {
+  // What came before has no line break.
+  auto fresh = received.size() - x.buf.size();
+  for (auto end = received.find('\n', fresh); end != std::string::npos; end = received.find('\n')) {
     ask(self, x.handle, i->second, received.substr(0, end));
     received.erase(0, end + 1);
   }
-  if (received.size() > longest_line)
+  if (received.size() > longest_request)
     leave(self, x.handle);
 }
 

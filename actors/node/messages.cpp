@@ -1,6 +1,7 @@
 #include "castor/actors/node/messages.hpp"
 
 #include "castor/actors/node/part_wire.hpp"
+#include "castor/actors/node/types_protocol.hpp"
 
 namespace castor {
 
@@ -21,7 +22,7 @@ const WireTable& system_messages() {
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
     BefallComponent, BefallLink, JumpClock, JournalFault, PartStatusQuery, PartStatus, EndSystem,
-    TaskEvent>();
+    TaskEvent, TypesQuery, TypesReport>();
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "castor/actors/node/part.hpp"
 
+#include "castor/actors/cast/access_rules.hpp"
 #include "castor/actors/component/keeper.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
@@ -312,8 +313,14 @@ std::set<std::string> SystemPart::writers(const std::string& subarchitecture) co
   if (open_access_)
     result.insert("*");
   for (auto& rule : architecture_.access_rules)
-    if (rule.owner == subarchitecture || rule.owner == "*")
+    if (rule.writer != cast::operators && (rule.owner == subarchitecture || rule.owner == "*"))
       result.insert(rule.writer);
+  if (architecture_.may_write(cast::operators, subarchitecture))
+    result.emplace(cast::operators);
+  else if (result.erase("*") > 0)
+    // All subarchitectures, but not operators.
+    for (auto& x : architecture_.subarchitectures)
+      result.insert(x.name);
   return result;
 }
 

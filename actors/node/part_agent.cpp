@@ -1,7 +1,9 @@
 #include "castor/actors/node/part_agent.hpp"
 
 #include "castor/actors/link/remote_actor.hpp"
+#include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
+#include "castor/wm/known_types.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -201,6 +203,12 @@ caf::behavior part_agent(Self self, PartAgentParts parts) {
       if (auto& mesh = self->state.parts.mesh)
         result.links = mesh->links();
       result.usage = usage_of_process();
+      return result;
+    },
+    [](TypesQuery) {
+      TypesReport result;
+      for (auto& [name, type] : known_types())
+        result.types.push_back(type);
       return result;
     },
     [self](const LinkNews& x) {

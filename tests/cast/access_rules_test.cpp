@@ -68,6 +68,36 @@ TEST(AccessRules, WithoutEffectGetAWarning) {
   EXPECT_TRUE(reports(repeated, Severity::warning, 12, "stands at main.cast:11 already"));
 }
 
+TEST(AccessRules, LetOperatorsWriteEverywhereUnlessTheySayOtherwise) {
+  auto may = [](const std::string& rules, const char* owner) {
+    auto result = parse(systems + rules);
+    EXPECT_TRUE(is_clean(result)) << rules;
+    return result.architecture->may_write("operator", owner);
+  };
+  EXPECT_TRUE(may("", "vision"));
+  EXPECT_TRUE(may("ACCESS * WRITES binding\n", "vision"));
+  EXPECT_FALSE(may("", "castor"));
+  EXPECT_FALSE(may("ACCESS operator WRITES nothing\n", "vision"));
+  EXPECT_FALSE(may("ACCESS * WRITES *\nACCESS operator WRITES nothing\n", "vision"));
+  EXPECT_TRUE(may("ACCESS operator WRITES vision\n", "vision"));
+  EXPECT_FALSE(may("ACCESS operator WRITES vision\n", "binding"));
+  EXPECT_TRUE(may("ACCESS operator WRITES *\n", "binding"));
+}
+
+TEST(AccessRules, OfOperatorsAreCheckedToo) {
+  EXPECT_TRUE(reports(parse(systems + "ACCESS operater WRITES vision\n"), Severity::error, 11,
+                      "no subarchitecture 'operater'", "did you mean 'operator'?"));
+  EXPECT_TRUE(reports(parse(systems + "ACCESS operator WRITES notihng\n"), Severity::error, 11,
+                      "no subarchitecture 'notihng'", "did you mean 'nothing'?"));
+  EXPECT_TRUE(reports(parse(systems + "ACCESS vision WRITES nothing\n"), Severity::error, 11,
+                      "no subarchitecture 'nothing'"));
+  EXPECT_TRUE(
+    reports(parse(systems + "ACCESS operator WRITES nothing\nACCESS operator WRITES vision\n"),
+            Severity::error, 11, "another line lets them write", "remove one"));
+  EXPECT_TRUE(reports(parse("SUBARCHITECTURE operator\nCPP WM W\nCPP TM T\n"), Severity::error, 1,
+                      "has a meaning of its own in ACCESS lines"));
+}
+
 TEST(AccessRules, DoNotHideHostsOfThatName) {
   auto result = parse("HOST h\nSUBARCHITECTURE s\nCPP WM W\nCPP TM T\nACCESS CPP MG a A\n"
                       "ACCESSORY CPP MG b B\n");

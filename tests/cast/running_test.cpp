@@ -76,6 +76,18 @@ TEST_F(RunningSystem, TakesWholeSubarchitecturesStandaloneComponentsAndRules) {
   EXPECT_EQ(next, before.size() + 3);
 }
 
+TEST_F(RunningSystem, RefusesRulesAboutOperators) {
+  auto parsed = read_addition("ACCESS operator WRITES vision\n");
+  ASSERT_EQ(parsed.diagnostics.size(), 1U);
+  EXPECT_THAT(parsed.diagnostics[0].message, HasSubstr("was said when the system was started"));
+}
+
+TEST_F(RunningSystem, OperatorsMayNotWriteMoreWhenASubarchitectureIsRemoved) {
+  running.access_rules.push_back({"operator", "vision", {}});
+  remove(running, "vision");
+  EXPECT_FALSE(running.may_write("operator", "arm"));
+}
+
 TEST_F(RunningSystem, NumbersAreNeverUsedAgain) {
   add("SUBARCHITECTURE vision\nCPP MG recogniser Recogniser\n");
   auto first = running.component("recogniser")->number;

@@ -58,6 +58,15 @@ protected:
   }
 };
 
+TEST_F(Chaos, ItsResultIsOneObjectForScripts) {
+  auto answer = ask(arguments(system("CPP UM clock Clock\n"), "at 100ms crash clock\n", "300ms",
+                              {"--json"}));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  auto lines = json_lines(answer.output);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0], report_as_json());
+}
+
 TEST_F(Chaos, ASystemThatHoldsIsReportedWithEverythingThatBefellIt) {
   auto answer = ask(arguments(system("CPP UM clock Clock\nCPP UM listener Listener --count 1000\n"),
                               "at 200ms crash clock\n"

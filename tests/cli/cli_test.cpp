@@ -35,6 +35,19 @@ TEST_F(Castor, ListsComponentsWithTheirOptions) {
     EXPECT_NE(castor.output().find(part), std::string::npos) << part;
 }
 
+TEST_F(Castor, ListsComponentsForScripts) {
+  auto answer = ask({"components", "--json"});
+  EXPECT_EQ(answer.status, 0);
+  for (auto& x : json_lines(answer.output))
+    if (x["class"] == "Clock") {
+      EXPECT_EQ(x["kind"], "unmanaged");
+      EXPECT_EQ(x["options"].back()["name"], "status");
+      EXPECT_EQ(x["options"].back()["default"], "-1");
+      return;
+    }
+  ADD_FAILURE() << answer.output;
+}
+
 TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   Process castor{command({"run", system("CPP UM clock Clock --count 2 --status 0\n"), "--trace"})};
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
@@ -257,9 +270,11 @@ TEST_F(Castor, ChecksAFaultPlanAgainstTheSystem) {
 }
 
 TEST_F(Castor, PrintsTheResolvedArchitecture) {
-  Process castor{command({"check", "--json", system("CPP UM clock Clock --count 4\n")})};
-  EXPECT_EQ(castor.wait(), 0);
-  EXPECT_NE(castor.output().find("\"clock\""), std::string::npos);
+  auto answer = ask({"check", "--json", system("CPP UM clock Clock --count 4\n")});
+  EXPECT_EQ(answer.status, 0);
+  auto lines = json_lines(answer.output);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0]["subarchitectures"][0]["components"][0]["name"], "clock");
 }
 
 TEST_F(Castor, ExpandsVariablesInComments) {

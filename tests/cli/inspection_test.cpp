@@ -1,4 +1,5 @@
 #include "castor_fixture.hpp"
+#include "operator_name.hpp"
 
 #include "castor/tests/support/eventually.hpp"
 
@@ -159,6 +160,53 @@ TEST_F(Inspection, EventsAreFilteredByWords) {
   EXPECT_THAT(none.errors(), HasSubstr("there is no subarchitecture z"));
 }
 
+TEST_F(Inspection, NamesThatNothingHasAreRefusedWithTheNearest) {
+  Process castor{command({"run", system("CPP UM ticker Ticker\nCPP UM cook Cook\n")})};
+  ASSERT_TRUE(castor.wait_for_output("cooks")) << castor.errors();
+  ASSERT_TRUE(eventually([] { return ask({"wm", "get", "a/tick"}).status == 0; }));
+  struct Misuse {
+    std::vector<std::string> arguments;
+    std::string message;
+  };
+  std::vector<Misuse> misuses{
+    {{"events", "added", "Tikc"}, "there is no type Tikc; did you mean 'Tick'?"},
+    {{"events", "added", "Tick", "where", "numbr == 1"},
+     "Tick has no field numbr; did you mean 'number'?"},
+    {{"events", "where", "numbr == 1"}, "no type has a field numbr; did you mean 'number'?"},
+    {{"events", "changing", "numbr"}, "did you mean 'number'?"},
+    {{"events", "Tick", "changing", "numbr"}, "did you mean 'number'?"},
+    {{"events", "from", "tikcer"}, "there is no component tikcer; did you mean 'ticker'?"},
+    {{"events", "in", "b"}, "there is no subarchitecture b; there are: a, castor"},
+    {{"events", "added", "Call", "where", "request.idd == \"x\""}, "did you mean 'id'?"},
+    {{"events", "Order", "where", "portion == \"larg\""},
+     "portion of Order is never \"larg\"; did you mean 'large'?"},
+    {{"wm", "watch", "a/Tikc"},
+     "neither an entry nor a type of the name Tikc; did you mean 'Tick'?"},
+    {{"wm", "ls", "a/Tikc"}, "did you mean 'Tick'?"},
+    {{"wm", "get", "a/tik"}, "did you mean 'tick'?"},
+    {{"remove", "tikcer"}, "did you mean 'ticker'?"},
+  };
+  for (auto& x : misuses) {
+    auto answer = ask(x.arguments);
+    EXPECT_EQ(answer.status, 2) << x.message;
+    EXPECT_THAT(answer.errors, HasSubstr(x.message));
+  }
+}
+
+TEST_F(Inspection, WhatMayComeLaterIsWaitedForIfThatIsWanted) {
+  auto castor = start_ticking();
+  Process events{command({"events", "added", "Tick", "in", "b", "from", "second", "--wait"})};
+  Process watch{command({"wm", "watch", "b/Tick", "--wait"})};
+  auto added =
+    ask({"add", write("more.cast", "SUBARCHITECTURE b\nCPP WM SubarchitectureWorkingMemory\n"
+                                   "CPP TM AlwaysPositiveTaskManager\nCPP UM second Ticker\n")});
+  ASSERT_EQ(added.status, 0) << added.errors;
+  EXPECT_TRUE(watch.wait_for_output("OVERWRITE")) << watch.errors();
+  auto third = ask({"add", write("third.cast", "SUBARCHITECTURE b\nCPP UM third Clock\n")});
+  ASSERT_EQ(third.status, 0) << third.errors;
+  EXPECT_THAT(events.errors(), IsEmpty());
+}
+
 TEST_F(Inspection, WhoLooksOnIsNotInTheWayOfTheEnd) {
   auto castor = start_ticking();
   Process events{command({"events"})};
@@ -202,7 +250,8 @@ private:
 TEST_F(Inspection, ASlowReaderIsToldOfTheNewest) {
   constexpr int ticks = 30'000;
   auto castor = start_ticking();
-  Reader reader{socket_of_system(), "{\"do\": \"events\", \"filter\": \"from clock\"}\n"};
+  Reader reader{socket_of_system(),
+                "{\"do\": \"events\", \"filter\": \"from clock\", \"wait\": true}\n"};
   auto added = ask({"add", write("clock.cast", "SUBARCHITECTURE a\nCPP UM clock Clock --count " +
                                                  std::to_string(ticks) + "\n")});
   ASSERT_EQ(added.status, 0) << added.errors;
@@ -231,6 +280,25 @@ TEST_F(Inspection, WhoUsesWhatIsDrawn) {
   EXPECT_THAT(dot, ContainsRegex("\"a/Tick\" -> \"listener\" \\[label=\"events [0-9]+\""));
 }
 
+TEST_F(Inspection, WhoUsesWhatIsDrawnAsAPicture) {
+  auto castor = start_ticking();
+  auto svg = (folder / "system.svg").string();
+  auto png = (folder / "system.png").string();
+  auto drawn = ask({"graph", "--svg", svg, "--png", png});
+  EXPECT_EQ(drawn.status, 0) << drawn.errors;
+  EXPECT_THAT(drawn.output, IsEmpty());
+  auto picture = read(svg);
+  for (auto* text : {">a<", ">ticker<", ">listener<", ">working memory<", ">Tick<"})
+    EXPECT_THAT(picture, HasSubstr(text));
+  EXPECT_TRUE(read(png).starts_with("\x89PNG"));
+  auto refused = ask({"graph", "--svg", (folder / "nowhere" / "x.svg").string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("nowhere/x.svg"));
+  auto lines = json_lines(ask({"graph", "--json"}).output);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0]["component"], "listener");
+}
+
 TEST_F(Inspection, ComponentsJoinAndLeave) {
   auto castor = start_ticking();
   auto more = write("more.cast", "SUBARCHITECTURE a\nCPP UM second Clock\n"
@@ -239,14 +307,25 @@ TEST_F(Inspection, ComponentsJoinAndLeave) {
                                  "CPP UM hearer Listener --count 1000000 --late\n");
   auto added = ask({"add", more});
   EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_EQ(added.output, "added 3 components on localhost: second, b_tm, hearer; the "
+                          "subarchitecture b\n");
   EXPECT_TRUE(castor->wait_for_output("[b.hearer] hears ticks")) << castor->errors();
   EXPECT_EQ(component_names(),
             (std::set<std::string>{"a_tm", "ticker", "listener", "second", "b_tm", "hearer"}));
   auto again = ask({"add", more});
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.errors, HasSubstr("more.cast:2: error: there is a component second"));
-  EXPECT_EQ(ask({"remove", "second"}).status, 0);
-  EXPECT_EQ(ask({"remove", "b"}).status, 0);
+  auto removed = ask({"remove", "second", "--json"});
+  EXPECT_EQ(removed.status, 0) << removed.errors;
+  EXPECT_EQ(json::parse(removed.output), (json{{"done", true},
+                                               {"subarchitectures", json::array()},
+                                               {"components",
+                                                {{{"name", "second"},
+                                                  {"subarchitecture", "a"},
+                                                  {"class", "Clock"},
+                                                  {"node", "localhost"}}}}}));
+  EXPECT_EQ(ask({"remove", "b"}).output,
+            "removed 2 components on localhost: b_tm, hearer; the subarchitecture b\n");
   EXPECT_EQ(component_names(), (std::set<std::string>{"a_tm", "ticker", "listener"}));
   EXPECT_EQ(ask({"remove", "b"}).status, 2);
   EXPECT_EQ(ask({"add", more}).status, 0);
@@ -405,10 +484,13 @@ json shape_of(json x) {
   return x;
 }
 
-std::string with_folder(std::string text, const std::string& folder) {
-  static const std::string placeholder = "/home/ann";
-  for (auto i = text.find(placeholder); i != text.npos; i = text.find(placeholder))
-    text.replace(i, placeholder.size(), folder);
+/// What stands on the page for what differs: the folder of the test, and its user.
+std::string with_names(std::string text, const std::string& folder, const std::string& user) {
+  const std::pair<std::string, std::string> placeholders[]{{"/home/ann", folder},
+                                                           {"operator:ann", user}};
+  for (auto& [placeholder, replacement] : placeholders)
+    for (auto i = text.find(placeholder); i != text.npos; i = text.find(placeholder, i + 1))
+      text.replace(i, placeholder.size(), replacement);
   return text;
 }
 
@@ -421,18 +503,19 @@ TEST_F(Inspection, EveryRequestIsAnsweredAsItsPageSays) {
                                            (folder / "journals").string() + tail +
                                            "CPP UM clock Clock --status 0\n");
   ASSERT_EQ(ask({"run", recorded}).status, 0);
-  write("more.cast", kitchen + "CPP UM clock Clock\n");
+  write("more.cast", kitchen + "CPP UM clock Clock\nCPP UM cook Cook\n");
   auto system = write("kitchen.cast", kitchen + "CPP WM SubarchitectureWorkingMemory" + tail +
                                         "CPP UM ticker Ticker\n");
   Process castor{command({"run", system})};
   ASSERT_TRUE(eventually([] { return ps()["components"][1]["writes"] > 5; }));
   auto examples = examples_in(read(CASTOR_INTROSPECTION_PAGE));
-  EXPECT_GE(examples.size(), 10U);
+  EXPECT_GE(examples.size(), 20U);
   for (auto& example : examples) {
     SCOPED_TRACE(example.request);
-    Reader reader{socket_of_system(), with_folder(example.request, folder) + '\n'};
+    Reader reader{socket_of_system(),
+                  with_names(example.request, folder, operator_of_this_user()) + '\n'};
     for (auto& line : example.answer) {
-      auto expected = shape_of(json::parse(with_folder(line, folder)));
+      auto expected = shape_of(json::parse(with_names(line, folder, operator_of_this_user())));
       auto got = shape_of(json::parse(reader.line()));
       if (expected.contains("file"))
         expected["file"] = system;
@@ -446,7 +529,7 @@ TEST_F(Inspection, StrangeRequestsAreRefused) {
   EXPECT_THAT((Reader{socket_of_system(), "nonsense\n"}.line()), HasSubstr("cannot be read"));
   EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"sing\"}\n"}.line()),
               HasSubstr("there is no request sing"));
-  EXPECT_THAT((Reader{socket_of_system(), std::string(100'000, 'x')}.line()), IsEmpty());
+  EXPECT_THAT((Reader{socket_of_system(), std::string(2'000'000, 'x')}.line()), IsEmpty());
   EXPECT_EQ(ask({"ps"}).status, 0);
 }
 

@@ -77,6 +77,16 @@ protected:
 
 } // namespace
 
+TEST_F(EntryStoreRules, DeletesOnlyTheVersionThatIsMeantIfOneIs) {
+  add("0:1");
+  overwrite("0:1", 0);
+  auto failure = refused(request(Operation::remove, "0:1", {}, Version{0}));
+  EXPECT_EQ(failure.kind, FailureKind::inconsistent);
+  EXPECT_THAT(failure.message, HasSubstr("has seen version 0, but"));
+  write(request(Operation::remove, "0:1", {}, Version{1}));
+  EXPECT_FALSE(store.exists("0:1"));
+}
+
 TEST_F(EntryStoreRules, StartsEmpty) {
   EXPECT_EQ(store.size(), 0u);
   EXPECT_EQ(store.sequence(), 0u);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "castor/actors/link/wire.hpp"
+#include "castor/wm/caf.hpp"
+#include "castor/wm/type_descriptor.hpp"
+
+#include <vector>
+
+/// How an inspection asks the agents of processes for the entry types that these know.
+namespace castor {
+
+struct TypesQuery {};
+
+struct TypesReport {
+  std::vector<TypeDescriptorPtr> types;
+};
+
+template <class A>
+void wire(A&, WirePart<A, TypesQuery>&) {}
+
+template <class A>
+void wire(A& a, WirePart<A, TypesReport>& x) {
+  a(x.types);
+}
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::TypesQuery)
+CASTOR_LOCAL_MESSAGE(castor::TypesReport)
