@@ -6,6 +6,7 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -13,6 +14,8 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent.parent
 WARNINGS = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
+# Seconds; to build a folder takes some.
+LASTS = 300
 
 
 class New(unittest.TestCase):
@@ -21,7 +24,7 @@ class New(unittest.TestCase):
         cls.folder = Path(tempfile.mkdtemp(prefix="new-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         home = cls.folder / "home"
-        home.mkdir()
+        home.mkdir(mode=0o700)
         cls.environment = {**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home), "CXXFLAGS": WARNINGS,
                            "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
         cls.environment.pop("LD_LIBRARY_PATH", None)
@@ -30,12 +33,18 @@ class New(unittest.TestCase):
 
     @classmethod
     def run_command(cls, command, folder=None):
-        result = subprocess.run(command, shell=True, cwd=folder or cls.folder, env=cls.environment, text=True,
-                                check=False, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT)
-        if result.returncode != 0:
-            raise AssertionError(f"{command} ended with {result.returncode}:\n{result.stdout}")
-        return result.stdout
+        process = subprocess.Popen(command, shell=True, cwd=folder or cls.folder, env=cls.environment, text=True,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   start_new_session=True)
+        try:
+            output, _ = process.communicate(timeout=LASTS)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            output, _ = process.communicate()
+            raise AssertionError(f"{command} did not end within {LASTS} s:\n{output}") from None
+        if process.returncode != 0:
+            raise AssertionError(f"{command} ended with {process.returncode}:\n{output}")
+        return output
 
     def make(self, kind, name, *expected):
         output = self.run_command(f"castor new {kind} {name}")
