@@ -248,22 +248,22 @@ TEST(PresetVariables, NeedProperNames) {
 TEST(FileVariables, HoldTheDirectoryOfTheFile) {
   const std::string line = "#EXPAND %(CURRENT_DIR) %(CONFIG_DIR) %(CURRENT_FILE) %(MAIN_DIR)\n";
   World world{{{"config/main.cast", line + "INCLUDE parts/a.cast\n" + line},
-               {"config/parts/a.cast", line + "INCLUDE ../../elsewhere/b.cast\n" + line},
-               {"elsewhere/b.cast", line}},
+               {"config/parts/a.cast", line + "INCLUDE /elsewhere/b.cast\n" + line},
+               {"/elsewhere/b.cast", line}},
               {}};
   auto result = parse_file("config/main.cast", test::options_for(world));
   EXPECT_EQ(result.expansions,
             (Values{"#EXPAND config config config/main.cast config",
                     "#EXPAND config/parts config/parts config/parts/a.cast config",
-                    "#EXPAND elsewhere elsewhere elsewhere/b.cast config",
+                    "#EXPAND /elsewhere /elsewhere /elsewhere/b.cast config",
                     "#EXPAND config/parts config/parts config/parts/a.cast config",
                     "#EXPAND config config config/main.cast config"}));
 }
 
 TEST(FileVariables, OfTheMainFileAreHandedToIncludedOnesInVariables) {
   World world{{{"config/main.cast", "SETVAR pictures=%(CONFIG_DIR)/pictures\n"
-                                    "INCLUDE ../elsewhere/b.cast\n"},
-               {"elsewhere/b.cast", "#EXPAND %(pictures)"}},
+                                    "INCLUDE /elsewhere/b.cast\n"},
+               {"/elsewhere/b.cast", "#EXPAND %(pictures)"}},
               {}};
   auto result = parse_file("config/main.cast", test::options_for(world));
   EXPECT_EQ(result.expansions, Values{"#EXPAND config/pictures"});
