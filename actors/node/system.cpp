@@ -582,6 +582,9 @@ private:
     {
       std::lock_guard guard{mutex_};
       reported_to_ = nullptr;
+      // Holds stand-alone components, which hold the observer, whose thread the actor system waits
+      // for.
+      roster_ = std::make_shared<const SystemRoster>();
     }
     caf::anon_send_exit(endpoint_, caf::exit_reason::user_shutdown);
     await_ends(system_, {endpoint_});
