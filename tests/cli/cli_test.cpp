@@ -48,6 +48,16 @@ TEST_F(Castor, ListsComponentsForScripts) {
   ADD_FAILURE() << answer.output;
 }
 
+TEST_F(Castor, ATracedRunWithAStandaloneComponentEnds) {
+  auto file =
+    write("beacon.cast", "HOST localhost\nCOMPONENT CPP beacon Beacon\nSUBARCHITECTURE a\n"
+                         "CPP WM SubarchitectureWorkingMemory\n"
+                         "CPP TM AlwaysPositiveTaskManager\n"
+                         "CPP UM clock Clock --count 2 --status 0\n");
+  Process castor{command({"run", file, "--trace"})};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+}
+
 TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   Process castor{command({"run", system("CPP UM clock Clock --count 2 --status 0\n"), "--trace"})};
   EXPECT_EQ(castor.wait(), 0) << castor.errors();

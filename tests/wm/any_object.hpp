@@ -2,6 +2,7 @@
 
 #include "castor/wm/type_descriptor.hpp"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <limits>
