@@ -3,9 +3,17 @@
 #include "castor/actors/cast/suggestion.hpp"
 
 #include <dlfcn.h>
+#include <elf.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -29,14 +37,87 @@ std::string file_name(const std::string& library) {
   return is_path(library) ? library : "lib" + library + ".so";
 }
 
+/// What the first bytes of a file say of the machine that it is made for; nothing if it is no
+/// program and no library.
+struct Machine {
+  unsigned char word = 0;
+  unsigned short number = 0;
+
+  friend bool operator==(const Machine&, const Machine&) = default;
+};
+
+std::optional<Machine> machine_of(const std::string& file) {
+  Elf32_Ehdr head{};
+  std::ifstream in{file, std::ios::binary};
+  // Up to the number, both kinds of head are alike.
+  if (!in.read(reinterpret_cast<char*>(&head), sizeof(head)) ||
+      std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0)
+    return std::nullopt;
+  return Machine{head.e_ident[EI_CLASS], head.e_machine};
+}
+
+/// What makes a file no library that this process could load; empty if nothing is seen.
+std::string why_no_library(const std::string& file) {
+  std::error_code error;
+  auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    return error && status.type() != std::filesystem::file_type::not_found
+             ? error.message()
+             : "there is no such file; build it, or write where it is";
+  if (std::filesystem::is_directory(status))
+    return "it is a folder; name the library in it";
+  errno = 0;
+  if (!std::ifstream{file, std::ios::binary})
+    return std::strerror(errno);
+  auto machine = machine_of(file);
+  if (!machine)
+    return "it is no shared library; CMake makes one with add_library(NAME MODULE ...)";
+  if (auto own = machine_of("/proc/self/exe"); own && machine != own)
+    return "it is made for another machine than this one; build it here";
+  return {};
+}
+
+/// What is in the way, if it is known without asking the loader.
+std::string problem_of(const std::string& file) {
+  if (file.find('/') == file.npos)
+    return {};
+  auto problem = why_no_library(file);
+  return problem.empty() ? problem : "cannot load " + file + ": " + problem;
+}
+
+/// In a word without a path, which the loader looks for in its own places.
+std::string not_found(const std::string& library, const std::string& file) {
+  auto text = "cannot load " + file + ": the loader does not find it; ";
+  std::error_code error;
+  for (auto& x : {library, file})
+    if (std::filesystem::is_regular_file(x, error))
+      return text + "write --plugin ./" + x + " for the one in this folder";
+  return text + "write its path, or add its folder to LD_LIBRARY_PATH";
+}
+
 } // namespace
+
+std::string why_no_plugin(const std::string& library) {
+  if (!library.ends_with(".cast"))
+    return {};
+  return library +
+         " is a .cast file, no library with component classes; write it without "
+         "--plugin: castor run " +
+         library;
+}
 
 std::optional<std::string> load_plugin(const std::string& library) {
   auto file = file_name(library);
+  for (auto& problem : {why_no_plugin(library), problem_of(file)})
+    if (!problem.empty())
+      return problem;
   // Never closed: values and components of its types may live until the end.
   if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL))
     return std::nullopt;
-  return "cannot load " + file + ": " + dlerror();
+  const std::string why = dlerror();
+  if (file.find('/') == file.npos && why.starts_with(file + ": cannot open shared object"))
+    return not_found(library, file);
+  return "cannot load " + file + ": " + why;
 }
 
 std::vector<std::string> bundled_plugins() {
@@ -59,6 +140,9 @@ void load_bundled_plugins() {
 }
 
 ClassLookup find_class(const std::string& name) {
+  // Libraries are loaded by one thread at a time.
+  static std::mutex mutex;
+  std::lock_guard guard{mutex};
   auto& registry = Registry::instance();
   auto at = name.find('@');
   auto class_name = name.substr(0, at);

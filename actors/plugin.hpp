@@ -16,6 +16,9 @@ std::optional<std::string> load_plugin(const std::string& library);
 /// The libraries of components that come with Castor, as `load_plugin` takes them.
 std::vector<std::string> bundled_plugins();
 
+/// Why a name cannot be that of a library; empty if it may be one.
+std::string why_no_plugin(const std::string& library);
+
 /// Loads the libraries of components that come with Castor.
 void load_bundled_plugins();
 

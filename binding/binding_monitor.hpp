@@ -142,7 +142,7 @@ private:
     return x;
   }
 
-  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+  Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
   /// What is still to be written; nothing for what is to go.
   std::map<std::string, std::optional<BindingProxy>> wanted_;

@@ -203,7 +203,9 @@ private:
       throw JournalError(message(e.what(), "See to it that there is room, that the file may be "
                                            "written, and that nobody else keeps it locked"));
     } catch (const std::filesystem::filesystem_error& e) {
-      throw JournalError(message(e.what(), "--journal-dir puts journals elsewhere"));
+      throw JournalError(
+        message("the folder " + e.path1().string() + " cannot be used: " + e.code().message(),
+                "--journal-dir puts journals elsewhere"));
     } catch (const JournalError& e) {
       throw JournalError(message(e.what(), "--journal-dir puts journals elsewhere"));
     }

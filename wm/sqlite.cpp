@@ -11,9 +11,37 @@ namespace {
 /// How long somebody else may keep the file from being written.
 constexpr int patience_ms = 10'000;
 
+/// What SQLite says of files and disks, in our words.
+std::string in_words(int code, const char* message) {
+  switch (code & 0xFF) {
+    case SQLITE_IOERR:
+      return "reading or writing the disk failed";
+    case SQLITE_FULL:
+      return "the disk is full";
+    case SQLITE_CANTOPEN:
+      return "the file cannot be opened";
+    case SQLITE_READONLY:
+      return "the file cannot be written";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another process keeps the file locked";
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+      return "the file may not be used";
+    case SQLITE_NOTADB:
+      return "the file is no journal";
+    case SQLITE_CORRUPT:
+      return "the content of the file is damaged";
+    case SQLITE_NOMEM:
+      return "there is not enough memory";
+    default:
+      return message;
+  }
+}
+
 [[noreturn]] void fail(sqlite3* database, int code) {
   auto extended = database ? sqlite3_extended_errcode(database) : code;
-  std::string what = database ? sqlite3_errmsg(database) : sqlite3_errstr(code);
+  auto what = in_words(code, database ? sqlite3_errmsg(database) : sqlite3_errstr(code));
   if (auto number = database ? sqlite3_system_errno(database) : 0; number != 0)
     what += std::string{" ("} + std::generic_category().message(number) + ")";
   throw Error{extended, what};
@@ -26,7 +54,9 @@ void check(sqlite3* database, int code) {
 
 std::string uri(const std::filesystem::path& file, Access access) {
   std::string result = "file:";
-  for (char c : std::filesystem::absolute(file).string()) {
+  std::error_code error;
+  auto path = std::filesystem::absolute(file, error);
+  for (char c : (error ? file : path).string()) {
     if (c == '%' || c == '?' || c == '#') {
       constexpr auto* digits = "0123456789ABCDEF";
       result += {'%', digits[static_cast<unsigned char>(c) >> 4], digits[c & 15]};

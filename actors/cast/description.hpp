@@ -4,7 +4,9 @@
 #include "castor/actors/cast/supervision_policy.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,6 +122,8 @@ struct ArchitectureDescription {
   std::vector<AccessRule> access_rules;
   std::vector<SupervisionRule> supervision;
   std::vector<FailoverRule> failover;
+  /// Components of the file that this run does without: options may name them all the same.
+  std::set<std::string, std::less<>> left_out;
 
   /// All look-ups return null if there is no such name.
   const SubarchitectureDescription* subarchitecture(std::string_view name) const noexcept;

@@ -2,6 +2,8 @@
 
 #include "castor/actors/cast/text.hpp"
 
+#include <algorithm>
+
 namespace castor::cast {
 
 namespace {
@@ -30,6 +32,10 @@ std::string_view to_string(Severity severity) noexcept {
       return "note";
   }
   return "unknown";
+}
+
+void sort_by_line(std::vector<Diagnostic>& diagnostics) {
+  std::ranges::stable_sort(diagnostics, {}, [](auto& x) { return x.where.order(); });
 }
 
 std::string render(const Diagnostic& diagnostic, bool coloured) {

@@ -32,6 +32,10 @@ struct Diagnostic {
   std::string remedy;
 };
 
+/// Brings findings of several checks into the order of the lines that they are about; those about a
+/// whole file, or about none, come first.
+void sort_by_line(std::vector<Diagnostic>& diagnostics);
+
 /// The finding as text of several lines for a terminal: place and message, include chain, the line,
 /// the remedy. Control characters from the file are made visible. Ends with a line break.
 /// @param coloured uses ANSI escape sequences

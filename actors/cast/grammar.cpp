@@ -30,7 +30,7 @@ public:
     // nop
   }
 
-  ArchitectureDescription run() {
+  Structure run() {
     for (const auto& line : input_.lines)
       process(line);
     end_section(nullptr);
@@ -41,7 +41,9 @@ public:
       access_rules_.finish(names, !options_.running_subarchitectures.empty(), log_);
     supervision_rules_.finish(names, result_, log_);
     result_.host_names = input_.hosts.definitions();
-    return std::move(result_);
+    for (auto& x : dropped_)
+      result_.subarchitectures.push_back(std::move(x));
+    return {std::move(result_), std::move(doubtful_)};
   }
 
 private:
@@ -50,7 +52,7 @@ private:
     const StructureLine* line = nullptr;
     /// Absent for ARCHITECTURE.
     std::optional<SubarchitectureDescription> subarchitecture;
-    /// It has no name, or that of another one: its lines are checked and then dropped.
+    /// It has no name, or that of another one: its lines are checked only.
     bool is_broken = false;
     const SourceLine* working_memory = nullptr;
     const SourceLine* task_manager = nullptr;
@@ -74,11 +76,21 @@ private:
       recover(intended, line);
     else if (is_component || section_)
       component_line(line);
-    else
+    else {
+      doubt(line);
       report(Severity::error, line, in_quotes(first_word(line)) + " is not a keyword",
              "write SUBARCHITECTURE, HOST, COMPONENT, ACCESS, SUPERVISE, FAILOVER or INCLUDE, or # "
              "before "
              "a comment");
+    }
+  }
+
+  /// The line was not understood: what it names may exist.
+  void doubt(const StructureLine& line) {
+    auto rest = line.text;
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest))
+      if (doubtful_.size() < most_candidates)
+        doubtful_.emplace(word);
   }
 
   static std::string_view first_word(const StructureLine& line) noexcept {
@@ -148,6 +160,7 @@ private:
   /// as well.
   void recover(std::string_view keyword, const StructureLine& line) {
     if (keyword == first_word(line)) {
+      doubt(line);
       report(Severity::error, line,
              in_quotes(keyword) + " came out of a variable, where it has no effect",
              "write the keyword itself");
@@ -157,6 +170,8 @@ private:
            "did you mean " + in_quotes(keyword) + "?");
     if (auto match = match_section_keyword(keyword))
       begin(match->keyword, line);
+    else
+      doubt(line);
   }
 
   void host(const StructureLine& line, WordStream& words) {
@@ -225,6 +240,7 @@ private:
       return;
     }
     if (!section_->subarchitecture) {
+      doubt(line);
       report(Severity::error, line, "there are no component lines in an ARCHITECTURE section",
              "write COMPONENT before the line, or SUBARCHITECTURE name above");
       return;
@@ -241,8 +257,10 @@ private:
       replace(section_->working_memory, "WM", line);
     else if (parsed.kind == ComponentKind::task_manager)
       replace(section_->task_manager, "TM", line);
-    if (!parsed.component)
+    if (!parsed.component) {
+      doubt(line);
       return;
+    }
     parsed.component->number = next_number_++;
     switch (parsed.component->kind) {
       case ComponentKind::working_memory:
@@ -267,6 +285,7 @@ private:
   }
 
   void outside(const StructureLine& line) {
+    check_outside(line);
     if (section_end_ == nullptr)
       report(Severity::error, line, "this component line is outside of any subarchitecture",
              "write SUBARCHITECTURE name above it, or COMPONENT before it");
@@ -276,6 +295,23 @@ private:
                to_string(section_end_->line->where()) + " with " +
                in_quotes(first_word(*section_end_)),
              "move it up to the other lines of its subarchitecture");
+  }
+
+  /// Reads a component line that belongs to no subarchitecture, for what else may be wrong with it.
+  void check_outside(const StructureLine& line) {
+    WordStream words(line, options_.environment, log_);
+    auto parsed = parse_component_line(words, line, {"?", default_host(line)}, input_.hosts, log_);
+    if (!parsed.component) {
+      doubt(line);
+      return;
+    }
+    auto& place = dropped_.emplace_back();
+    if (parsed.component->kind == ComponentKind::working_memory)
+      place.working_memory = std::move(*parsed.component);
+    else if (parsed.component->kind == ComponentKind::task_manager)
+      place.task_manager = std::move(*parsed.component);
+    else
+      place.components.push_back(std::move(*parsed.component));
   }
 
   void check_unique(const std::string& name, const StructureLine& line) {
@@ -292,8 +328,12 @@ private:
       return;
     auto section = std::exchange(section_, std::nullopt);
     section_end_ = end;
-    if (!section->subarchitecture || section->is_broken)
+    if (!section->subarchitecture)
       return;
+    if (section->is_broken) {
+      dropped_.push_back(std::move(*section->subarchitecture));
+      return;
+    }
     const auto& name = section->subarchitecture->name;
     if (options_.running_subarchitectures.count(name) > 0) {
       result_.subarchitectures.push_back(std::move(*section->subarchitecture));
@@ -318,8 +358,10 @@ private:
       auto has_own_host = !match_language(words.peek());
       auto parsed =
         parse_component_line(words, *line, {{}, default_host(*line)}, input_.hosts, log_);
-      if (!parsed.component)
+      if (!parsed.component) {
+        doubt(*line);
         continue;
+      }
       if (!has_own_host && host_here != default_host_)
         report(Severity::warning, *line,
                "this component's host is " + in_quotes(default_host_) +
@@ -370,6 +412,9 @@ private:
   const ParseOptions& options_;
   DiagnosticLog& log_;
   ArchitectureDescription result_;
+  /// With errors of their own, or of their places: of no use but to be checked further.
+  std::vector<SubarchitectureDescription> dropped_;
+  std::set<std::string, std::less<>> doubtful_;
   std::optional<Section> section_;
   /// The line that ended the last section.
   const StructureLine* section_end_ = nullptr;
@@ -384,8 +429,7 @@ private:
 
 } // namespace
 
-ArchitectureDescription parse_structure(Preprocessed& input, const ParseOptions& options,
-                                        DiagnosticLog& log) {
+Structure parse_structure(Preprocessed& input, const ParseOptions& options, DiagnosticLog& log) {
   return Grammar(input, options, log).run();
 }
 

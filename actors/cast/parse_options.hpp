@@ -30,13 +30,17 @@ struct Limits {
 struct ParseOptions {
   /// Variables that are defined before the first line is read: VARDEFAULT leaves them alone, SETVAR
   /// overwrites them and gets a warning for it.
+  /// One that the file, with all it includes, neither defines nor uses is an error.
   std::map<std::string, std::string> variables;
+  /// The same, of the program that reads the file: a file need not have them. Those of the same
+  /// name in `variables` win.
+  std::map<std::string, std::string> offered_variables;
   Environment environment = process_environment;
   FileLoader load = read_file;
   /// What CURRENT_DIR and CONFIG_DIR are relative to; empty means the process's working directory.
   std::string working_directory;
-  /// Of a system that runs, which the file is to be joined to: these need neither a WM nor a TM line
-  /// in the file, and access rules may name them.
+  /// Of a system that runs, which the file is to be joined to: these need neither a WM nor a TM
+  /// line in the file, and access rules may name them.
   std::set<std::string, std::less<>> running_subarchitectures;
   Limits limits;
 };

@@ -1,6 +1,7 @@
 #include "castor/actors/cast/parser.hpp"
 
 #include "castor/actors/cast/diagnostic_log.hpp"
+#include "castor/actors/cast/given_variables.hpp"
 #include "castor/actors/cast/grammar.hpp"
 #include "castor/actors/cast/paths.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
@@ -24,13 +25,19 @@ std::string working_directory_of(const ParseOptions& options) {
 ParseResult parse(const Source& source, const std::string& file, const ParseOptions& options,
                   DiagnosticLog& log) {
   ParseResult result;
+  result.understood.is_incomplete = true;
   if (!source.truncated) {
+    // What could not be read may have the variables, and components.
+    auto is_complete = !log.has_errors();
+    if (is_complete)
+      check_given_variables(source, options, log);
     auto working_directory = working_directory_of(options);
     auto config_dir = directory_for_users(file, working_directory);
     auto preprocessed = preprocess(source, options, config_dir, working_directory, log);
     result.expansions = std::move(preprocessed.expansions);
     if (!preprocessed.truncated) {
-      auto architecture = parse_structure(preprocessed, options, log);
+      auto structure = parse_structure(preprocessed, options, log);
+      auto& architecture = structure.architecture;
       if (!log.has_errors() && architecture.subarchitectures.empty() &&
           architecture.standalone.empty())
         log.report(Severity::error, SourceLocation(file, 0), "the file describes no components",
@@ -39,6 +46,10 @@ ParseResult parse(const Source& source, const std::string& file, const ParseOpti
       architecture.config_dir = std::move(config_dir);
       if (!log.has_errors())
         result.architecture = std::move(architecture);
+      else
+        result.understood.architecture = std::move(architecture);
+      result.understood.doubtful = std::move(structure.doubtful);
+      result.understood.is_incomplete = !is_complete;
     }
   }
   result.diagnostics = log.take();

@@ -4,16 +4,29 @@
 #include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/cast/parse_options.hpp"
 
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace castor::cast {
 
+/// What could be understood of a file with errors.
+struct Understood {
+  ArchitectureDescription architecture;
+  /// The words of the lines that were not understood: what they name may exist.
+  std::set<std::string, std::less<>> doubtful;
+  /// Lines are missing, so that nothing can be said to be missing.
+  bool is_incomplete = false;
+};
+
 struct ParseResult {
   /// Present exactly if no diagnostic is an error.
   std::optional<ArchitectureDescription> architecture;
+  /// Without an architecture: what of it could be understood, for further checks only.
+  Understood understood;
   /// All findings, in the order of the lines they are about.
   std::vector<Diagnostic> diagnostics;
   /// The comment lines that begin with `#EXPAND`, with their variables replaced; also there if the

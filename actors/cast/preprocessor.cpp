@@ -38,6 +38,8 @@ public:
   }
 
   Preprocessed run(const std::string& main_dir) {
+    for (const auto& [name, value] : options_.offered_variables)
+      scope_.variables().define(name, value);
     for (const auto& [name, value] : options_.variables)
       preset(name, value);
     scope_.variables().define(main_dir_variable, main_dir);

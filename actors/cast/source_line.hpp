@@ -25,7 +25,7 @@ struct SourceLine {
   std::uint32_t order = 0;
   Kind kind = Kind::text;
 
-  SourceLocation where() const { return {unit, number}; }
+  SourceLocation where() const { return {unit, number, std::uint64_t{order} + 1}; }
 };
 
 } // namespace castor::cast

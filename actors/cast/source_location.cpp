@@ -4,8 +4,9 @@
 
 namespace castor {
 
-SourceLocation::SourceLocation(std::shared_ptr<const SourceUnit> unit, std::size_t line)
-  : unit_(std::move(unit)), line_(static_cast<std::uint32_t>(line)) {
+SourceLocation::SourceLocation(std::shared_ptr<const SourceUnit> unit, std::size_t line,
+                               std::uint64_t order)
+  : unit_(std::move(unit)), line_(static_cast<std::uint32_t>(line)), order_(order) {
   // nop
 }
 

@@ -26,7 +26,8 @@ public:
 
   /// @param unit the file, as it was reached
   /// @param line counted from 1; 0 means the file as a whole
-  SourceLocation(std::shared_ptr<const SourceUnit> unit, std::size_t line);
+  /// @param order position among the lines of all files, from 1; 0 where that is not known
+  SourceLocation(std::shared_ptr<const SourceUnit> unit, std::size_t line, std::uint64_t order = 0);
 
   /// A line of a file that no other file includes.
   SourceLocation(std::string file, std::size_t line);
@@ -36,6 +37,10 @@ public:
 
   std::size_t line() const noexcept { return line_; }
 
+  /// Where the line comes among those of all files, included ones in the place of their INCLUDE
+  /// lines: the order of messages.
+  std::uint64_t order() const noexcept { return order_; }
+
   /// The INCLUDE lines that led to this file, innermost first; empty for the main file.
   std::vector<IncludeSite> include_chain() const;
 
@@ -44,6 +49,7 @@ public:
 private:
   std::shared_ptr<const SourceUnit> unit_;
   std::uint32_t line_ = 0;
+  std::uint64_t order_ = 0;
 };
 
 /// One file, reached in one way: a file that is included twice makes two units.

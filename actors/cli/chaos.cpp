@@ -10,6 +10,7 @@
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/read_plan.hpp"
 #include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
 #include "castor/actors/faults/injector.hpp"
@@ -399,7 +400,7 @@ private:
     if (signals_.count() > 0)
       violation("interrupted", "the run did not come to its end");
     if (!arguments_.report.empty()) {
-      std::filesystem::create_directories(arguments_.report);
+      make_folder(arguments_.report);
       create(arguments_.report / "chaos.html") << faults::to_html(result_);
       create(arguments_.report / "chaos.json") << faults::to_json(result_);
     }
@@ -450,7 +451,8 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
     ->type_name("DURATION")
     ->check(check_duration);
   command->add_option("--report", arguments->report, "write chaos.html and chaos.json here")
-    ->type_name("DIR");
+    ->type_name("DIR")
+    ->check(check_output_folder);
   command
     ->add_option("--spread", arguments->spread,
                  "spread everything over so many nodes, whatever hosts the file names")

@@ -16,7 +16,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
 namespace castor::cli {
@@ -39,14 +41,24 @@ std::size_t count_components(const ArchitectureDescription& x) {
 }
 
 int check(const Arguments& arguments) {
-  auto architecture = read_architecture(arguments.architecture, arguments.expand);
+  auto parsed = parse_architecture(arguments.architecture);
+  auto& architecture = parsed.architecture;
+  auto findings = findings_in(parsed, arguments.architecture, Classes::all);
+  bool is_good = architecture.has_value();
+  if (architecture) {
+    auto problems = check_architecture(*architecture);
+    is_good = problems.empty();
+    std::move(problems.begin(), problems.end(), std::back_inserter(findings));
+    cast::sort_by_line(findings);
+  }
+  print(findings);
+  if (arguments.expand)
+    for (auto& line : parsed.expansions)
+      std::puts(line.c_str());
   if (!architecture)
     return 1;
   if (arguments.spread > 0)
     spread(*architecture, arguments.spread);
-  auto problems = check_classes(*architecture);
-  print(problems);
-  auto is_good = problems.empty();
   if (!arguments.plan.empty())
     is_good = read_plan(arguments.plan, targets_in(*architecture)).has_value() && is_good;
   if (arguments.json)

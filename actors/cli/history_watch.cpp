@@ -6,16 +6,22 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 namespace castor::cli {
 
 HistoryWatch::HistoryWatch(const ArchitectureDescription& architecture, bool clocks_jump)
   : architecture_(architecture), clocks_jump_(clocks_jump) {
-  auto name = (std::filesystem::temp_directory_path() / "castor-operations-XXXXXX").string();
+  std::error_code error;
+  auto temporary = std::filesystem::temp_directory_path(error);
+  auto name =
+    ((error ? std::filesystem::path{"/tmp"} : temporary) / "castor-operations-XXXXXX").string();
   if (!mkdtemp(name.data()))
-    throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
+    throw std::runtime_error("cannot make the folder " + name + ": " + std::strerror(errno) +
+                             "; give the variable TMPDIR a folder that you may write to");
   folder_ = name;
 }
 

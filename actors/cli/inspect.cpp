@@ -8,6 +8,7 @@
 #include "castor/actors/cli/running_system.hpp"
 #include "castor/actors/cli/tethers.hpp"
 #include "castor/actors/cli/timeline.hpp"
+#include "castor/actors/cli/writable.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -24,6 +25,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace castor::cli {
@@ -264,13 +266,18 @@ int change(const Arguments& arguments, const Json& request, const char* verb) {
 }
 
 int add(const Arguments& arguments) {
+  std::error_code error;
+  const auto directory = std::filesystem::current_path(error);
+  if (error)
+    throw std::runtime_error("the folder of this process cannot be used: " + error.message() +
+                             "; go to one that is there");
   Json variables = Json::object();
   for (auto& [name, value] : variables_of(arguments.architecture))
     variables[name] = value;
   return change(arguments,
                 {{"do", "add"},
-                 {"file", std::filesystem::absolute(arguments.architecture.file)},
-                 {"directory", std::filesystem::current_path().string()},
+                 {"file", (directory / arguments.architecture.file).string()},
+                 {"directory", directory.string()},
                  {"variables", variables}},
                 "added");
 }
@@ -384,9 +391,11 @@ void add_inspection(CLI::App& app, Action& chosen) {
   auto* graph_command =
     command(app, "graph", "draw who writes and reads what, as observed so far", arguments);
   graph_command->add_option("--svg", arguments->svg, "draw it into this file, as an SVG picture")
-    ->type_name("FILE");
+    ->type_name("FILE")
+    ->check(check_output_file);
   graph_command->add_option("--png", arguments->png, "draw it into this file, as a PNG picture")
-    ->type_name("FILE");
+    ->type_name("FILE")
+    ->check(check_output_file);
   add_json_flag(*graph_command, arguments);
   graph_command->footer(
     "Without an option, prints the graph in the language of Graphviz, with the types as nodes.\n"

@@ -32,6 +32,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <unordered_map>
 #include <vector>
 
@@ -70,13 +71,18 @@ std::vector<std::filesystem::path> journals_in(std::vector<std::string> places) 
     places.push_back("journals");
   std::vector<std::filesystem::path> result;
   for (auto& x : places) {
-    if (!std::filesystem::is_directory(x)) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(x, error)) {
       result.push_back(x);
       continue;
     }
-    for (auto& file : std::filesystem::directory_iterator{x})
-      if (file.path().extension() == journal_extension)
-        result.push_back(file.path());
+    for (std::filesystem::directory_iterator i{x, error}, end; !error && i != end;
+         i.increment(error))
+      if (i->path().extension() == journal_extension)
+        result.push_back(i->path());
+    if (error)
+      throw std::runtime_error("cannot look for journals in the folder " + x + ": " +
+                               error.message());
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -127,7 +133,8 @@ int list(const Arguments& arguments) {
       status = bad_input;
     }
   }
-  if (!arguments.json)
+  // Of journals that cannot be read, only that is said.
+  if (!arguments.json && (status == success || !table.empty()))
     fmt::print("{}", table.text());
   return status;
 }

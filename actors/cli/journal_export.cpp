@@ -4,6 +4,7 @@
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/replay_source.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/wm/journal_reader.hpp"
 
 #include <CLI/App.hpp>
@@ -157,9 +158,11 @@ void add_journal_export(CLI::App& journal, Action& chosen) {
     ->add_option("--mcap", arguments->mcap,
                  "for Foxglove and Lichtblick: a topic for each type; pictures, poses and boxes "
                  "also as what these show as pictures and in 3-D")
-    ->type_name("OUT");
+    ->type_name("OUT")
+    ->check(check_output_file);
   command->add_option("--jsonl", arguments->jsonl, "JSON, one change on a line; - prints it")
-    ->type_name("OUT");
+    ->type_name("OUT")
+    ->check([](const std::string& x) { return x == "-" ? std::string{} : check_output_file(x); });
   command->footer("Examples: castor journal export today --mcap today.mcap\n"
                   "          castor journal export journals/*.castor-journal --jsonl run.jsonl");
   command->callback(

@@ -9,6 +9,7 @@
 #include "castor/actors/cli/report.hpp"
 #include "castor/actors/cli/running_system.hpp"
 #include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/replay.hpp"
 #include "castor/actors/node/system.hpp"
@@ -392,11 +393,7 @@ void add_journal_replay(CLI::App& journal, Action& chosen) {
                  "run the system of this file meanwhile, without those whose writes are replayed; "
                  "without it, that of the recording")
     ->type_name("FILE.cast");
-  command
-    ->add_option("--set", arguments->architecture.variables,
-                 "give a variable of the file a value (repeatable)")
-    ->type_name("NAME=VALUE")
-    ->take_all();
+  add_set_option(*command, arguments->architecture);
   command
     ->add_option("--without", arguments->without,
                  "replay the writes of these components only, and leave only them out; a "
@@ -432,7 +429,8 @@ void add_journal_replay(CLI::App& journal, Action& chosen) {
   command
     ->add_option("--output", arguments->output,
                  "write the entries that there are in the end into this folder (entries.json)")
-    ->type_name("DIR");
+    ->type_name("DIR")
+    ->check(check_output_folder);
   command->add_flag("--json", arguments->json, "print the outcome as JSON, and nothing else");
   command->footer(
     "Without --without everything is replayed, and nobody runs who has written anything. Recorded "

@@ -2,10 +2,12 @@
 #include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/cli/usage_errors.hpp"
 #include "castor/actors/component/crash_report.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/node/system.hpp"
 #include "castor/actors/plugin.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -30,7 +32,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> plugins;
   app.add_option("--plugin", plugins, "load component classes from a shared library (repeatable)")
     ->type_name("FILE")
-    ->take_all();
+    ->check(why_no_plugin);
   guard_log_lines([]() -> std::shared_ptr<void> { return std::make_shared<cli::ProgressPause>(); });
   report_crashes();
   cli::Action action;
@@ -46,11 +48,14 @@ int main(int argc, char** argv) {
   cli::add_doctor(app, action);
   cli::add_completion(app, action);
   cli::add_man(app, action);
+  cli::take_one_value_each(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    auto status = app.exit(e);
-    return status == 0 ? cli::success : cli::bad_input;
+    if (e.get_exit_code() == 0)
+      return app.exit(e);
+    std::fprintf(stderr, "%s\n", cli::explain(app, e).c_str());
+    return cli::bad_input;
   }
   for (auto& plugin : plugins) {
     if (auto problem = load_plugin(plugin)) {
@@ -64,7 +69,7 @@ int main(int argc, char** argv) {
     cli::print(e.diagnostics());
     return cli::bad_input;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "castor: %s\n", e.what());
+    std::fprintf(stderr, "castor: %s\n", plain_words(e).c_str());
     return cli::bad_input;
   }
 }

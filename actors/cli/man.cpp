@@ -2,6 +2,7 @@
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/man_page.hpp"
 #include "castor/actors/cli/output.hpp"
+#include "castor/actors/cli/writable.hpp"
 
 #include "castor/actors/cast/suggestion.hpp"
 
@@ -111,7 +112,8 @@ void add_man(CLI::App& app, Action& chosen) {
   command
     ->add_option("--output", arguments->output,
                  "write the pages of the command and of all its parts into this folder")
-    ->type_name("DIR");
+    ->type_name("DIR")
+    ->check(check_output_folder);
   command->footer("In a terminal man(1) shows the page; otherwise it is printed in roff. Where "
                   "Castor is installed, "
                   "`man castor-run` shows the same.\n"

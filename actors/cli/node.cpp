@@ -25,6 +25,7 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -90,6 +91,10 @@ int node(Arguments arguments) {
     set_log_level(LogLevel::debug);
   auto name = arguments.name.empty() ? name_of_machine() : arguments.name;
   auto at = parse_endpoint(arguments.listen, default_node_port);
+  if (auto problem = why_unknown(at.host); !problem.empty())
+    throw std::invalid_argument("--listen takes HOST:PORT, with an address or a name of this "
+                                "machine such as 127.0.0.1:7117; " +
+                                arguments.listen + " is none: " + problem);
   NodeOptions options;
   options.name = name;
   if (!arguments.tls.empty())

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 namespace castor::cli {
@@ -12,9 +14,11 @@ void print(const std::vector<cast::Diagnostic>& problems) {
 }
 
 std::ofstream create(const std::filesystem::path& file) {
+  errno = 0;
   std::ofstream result{file};
   if (!result)
-    throw std::runtime_error("cannot write " + file.string());
+    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno) +
+                             "; choose another file");
   return result;
 }
 

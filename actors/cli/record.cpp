@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/writer.hpp"
 #include "castor/actors/cli/output.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 
@@ -34,14 +35,9 @@ void set_option(ComponentDescription& component, const std::string& name,
 }
 
 /// The folder is new or empty, and can be written.
-void make_folder(const fs::path& folder) {
+void prepare_folder(const fs::path& folder) {
+  cli::make_folder(folder);
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_directory(folder, error))
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw std::runtime_error("cannot record into " + folder.string() + ": " + error.message() +
-                             "; choose another folder");
   auto is_empty = fs::is_empty(folder, error);
   if (error)
     throw std::runtime_error("cannot read the folder " + folder.string() + ": " + error.message() +
@@ -83,7 +79,8 @@ void add_record_arguments(CLI::App& command, RecordArguments& arguments) {
                   "record every change on the working memories and what stand-alone components "
                   "push and answer, such as pictures, into this new folder; `castor journal "
                   "replay DIR` replays it")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(check_output_folder);
   command
     .add_option("--record-limit", arguments.limit,
                 fmt::format("MB that recorded pushes and answers may take; beyond that the oldest "
@@ -102,6 +99,7 @@ void add_record_arguments(CLI::App& command, RecordArguments& arguments) {
     .add_option("--journal-dir", arguments.journal_folder,
                 "the folder of these journals, whatever the file says")
     ->type_name("DIR")
+    ->check(check_output_folder)
     ->excludes(record);
 }
 
@@ -124,7 +122,7 @@ RunRecording::RunRecording(const RecordArguments& arguments, const ArchitectureA
     throw std::runtime_error("--record needs journals: remove --journal off");
   if (arguments.journal.empty())
     refuse_own_journals(architecture);
-  make_folder(folder_.path());
+  prepare_folder(folder_.path());
   facts_ = {read_from.file, variables_of(read_from), CASTOR_VERSION, unix_now(), {}, until_quiet};
   folder_.write(facts_);
   create(folder_.system_file()) << "# " << read_from.file

@@ -104,6 +104,7 @@ void prepare_for_replay(ArchitectureDescription& architecture,
     return !is_there;
   });
   auto is_replayed = [&](const ComponentDescription& x) { return replayed.count(x.name) > 0; };
+  architecture.left_out = {replayed.begin(), replayed.end()};
   for (auto& x : architecture.subarchitectures)
     std::erase_if(x.components, is_replayed);
   std::erase_if(architecture.standalone,

@@ -9,6 +9,7 @@
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/timeline.hpp"
 #include "castor/actors/cli/timeline_files.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/link/dial.hpp"
@@ -106,14 +107,19 @@ bool any_failed(const SystemSummary& summary) {
   return false;
 }
 
-/// Reads HOST=ADDRESS.
-std::map<std::string, Endpoint> node_addresses(const Arguments& arguments) {
+/// Of HOST=ADDRESS[:PORT], by the addresses of the file.
+std::map<std::string, Endpoint> node_addresses(const Arguments& arguments,
+                                               const ArchitectureDescription& architecture) {
   std::map<std::string, Endpoint> result;
   for (auto& x : arguments.nodes) {
     auto sign = x.find('=');
-    if (sign == std::string::npos || sign == 0)
+    if (sign == std::string::npos || sign == 0 || sign + 1 == x.size())
       throw std::invalid_argument("write --node HOST=ADDRESS:PORT, not " + x);
-    result[x.substr(0, sign)] = parse_endpoint(x.substr(sign + 1), default_node_port);
+    auto host = host_called(architecture, x.substr(0, sign));
+    auto at = parse_endpoint(x.substr(sign + 1), default_node_port);
+    if (!result.emplace(host, std::move(at)).second)
+      throw std::invalid_argument("--node says twice where " + x.substr(0, sign) +
+                                  " is; leave one of them out");
   }
   return result;
 }
@@ -130,8 +136,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   // Before any thread is made, so that none of them takes the signals.
   Signals signals;
   if (!arguments.output.empty()) {
-    std::filesystem::create_directories(arguments.output);
-    arguments.architecture.variables.push_back("output=" + arguments.output.string());
+    make_folder(arguments.output);
+    arguments.architecture.offered["output"] = arguments.output.string();
   }
   if (arguments.verbose)
     set_log_level(LogLevel::debug);
@@ -155,7 +161,6 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     picture->watch(options);
   }
   options.interrupted = [&] { return signals.count() > 0; };
-  options.nodes = node_addresses(arguments);
   options.insecure = arguments.insecure;
   options.link.patience = duration(arguments.lost_after).value_or(options.link.patience);
   if (!arguments.tls.empty())
@@ -163,6 +168,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
       arguments.local_nodes || arguments.spread > 0 ? arguments.tls + "/run" : arguments.tls);
   if (arguments.spread > 0)
     spread(*architecture, arguments.spread);
+  options.nodes = node_addresses(arguments, *architecture);
   apply_journal_arguments(arguments.record, *architecture);
   std::optional<RunRecording> recording;
   if (!arguments.record.folder.empty())
@@ -257,7 +263,8 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->add_option("--output", arguments->output,
                  "write the timeline, the entries and what components write into this folder; "
                  "in the .cast file it is %(output)")
-    ->type_name("DIR");
+    ->type_name("DIR")
+    ->check(check_output_folder);
   command
     ->add_option(
       "--timeline", arguments->timelines,

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 
 namespace castor::cli {
 
@@ -98,9 +99,14 @@ std::string names_of(const std::vector<RunningSystem>& systems) {
 
 std::vector<fs::path> sockets() {
   std::vector<fs::path> result;
-  for (auto& x : fs::directory_iterator{endpoint_folder()})
-    if (x.path().extension() == ".sock")
-      result.push_back(x.path());
+  std::error_code error;
+  const auto folder = endpoint_folder();
+  for (fs::directory_iterator i{folder, error}, end; !error && i != end; i.increment(error))
+    if (i->path().extension() == ".sock")
+      result.push_back(i->path());
+  if (error)
+    throw std::runtime_error("cannot look for systems in the folder " + folder.string() + ": " +
+                             error.message());
   return result;
 }
 
@@ -111,9 +117,10 @@ std::size_t stale_sockets() {
 
 std::vector<RunningSystem> running_systems() {
   std::vector<RunningSystem> result;
+  std::error_code error;
   for (auto& x : sockets()) {
     if (is_stale(x))
-      fs::remove(x);
+      fs::remove(x, error);
     else
       result.push_back({x.stem().string(), x});
   }

@@ -16,6 +16,9 @@ public:
   /// A line of its own below the last row, indented.
   void remark(std::string text);
 
+  /// It has nothing but headings.
+  bool empty() const { return rows_.size() <= 1; }
+
   /// Every line ends with a line break.
   std::string text() const;
 

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/rasterise.hpp"
+#include "castor/actors/cli/writable.hpp"
 #include "castor/actors/timeline/page.hpp"
 #include "castor/actors/timeline/svg.hpp"
 
@@ -25,11 +26,7 @@ std::string check_timeline_file(const std::string& name) {
   if (ending != ".html" && ending != ".svg" && ending != ".png")
     return "a timeline is written as a page (.html) or as a picture (.svg, .png); " + name +
            " is none of them";
-  auto folder = file.parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder))
-    return "there is no folder " + folder.string() + " to write " + file.filename().string() +
-           " into; make it first";
-  return {};
+  return check_output_file(name);
 }
 
 void TimelineFiles::watch(SystemOptions& options) {

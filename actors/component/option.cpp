@@ -67,6 +67,20 @@ bool parse_option(std::string_view text, std::vector<std::string>& out) {
   return true;
 }
 
+std::string kind_of(Reference x) {
+  switch (x) {
+    case Reference::component:
+      return "name of a component";
+    case Reference::standalone:
+      return "name of a stand-alone component";
+    case Reference::subarchitecture:
+      return "name of a subarchitecture";
+    case Reference::none:
+      break;
+  }
+  return "text";
+}
+
 std::string print_option(double x) {
   char buffer[32];
   auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), x);

@@ -3,6 +3,7 @@
 #include "castor/wm/reflect.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -16,6 +17,9 @@ namespace castor {
 
 class Component;
 class OptionList;
+
+/// What an option names.
+enum class Reference : std::uint8_t { none, component, standalone, subarchitecture };
 
 /// One thing that a user may set on a component's line of a .cast file. Declared as a member, so
 /// that the class itself says what its options are, what they mean and what they default to:
@@ -39,6 +43,8 @@ public:
   virtual std::string kind() const = 0;
   /// The present value, as a user would write it.
   virtual std::string text() const = 0;
+  /// What the value has to be the name of.
+  virtual Reference reference() const { return Reference::none; }
   /// Takes a value as a user wrote it; false if it is none of that kind.
   virtual bool parse(std::string_view text) = 0;
 
@@ -47,7 +53,34 @@ private:
   std::string help_;
 };
 
+/// Names of what has to be in the system: `castor check` refuses those that are not. An option of
+/// such a type may be empty, and then names nothing.
+///
+///     Option<StandaloneName> camera_{this, "camera", "camera", "the camera to pull from"};
+///
+/// A component of any kind.
+struct ComponentName : std::string {
+  using std::string::string;
+  static constexpr auto reference = Reference::component;
+};
+
+/// A component outside of the subarchitectures, which others pull from and which pushes.
+struct StandaloneName : std::string {
+  using std::string::string;
+  static constexpr auto reference = Reference::standalone;
+};
+
+struct SubarchitectureName : std::string {
+  using std::string::string;
+  static constexpr auto reference = Reference::subarchitecture;
+};
+
 namespace detail {
+
+template <class T>
+concept NamesSomething = requires {
+  T::reference;
+};
 
 bool parse_option(std::string_view text, bool& out);
 bool parse_option(std::string_view text, std::int64_t& out);
@@ -55,6 +88,8 @@ bool parse_option(std::string_view text, double& out);
 /// A number with its unit: 250ms, 10s, 2min.
 bool parse_option(std::string_view text, std::chrono::milliseconds& out);
 bool parse_option(std::string_view text, std::vector<std::string>& out);
+/// "name of a stand-alone component".
+std::string kind_of(Reference x);
 std::string print_option(double x);
 std::string print_option(std::chrono::milliseconds x);
 std::string print_option(const std::vector<std::string>& x);
@@ -62,8 +97,9 @@ std::string print_option(const std::vector<std::string>& x);
 } // namespace detail
 
 /// T is bool, a whole number, double, std::string, std::chrono::milliseconds,
-/// std::vector<std::string> (written with commas), or an enumeration declared with
-/// CASTOR_REFLECT_ENUM.
+/// std::vector<std::string> (written with commas), an enumeration declared with
+/// CASTOR_REFLECT_ENUM, or the name of something: ComponentName, StandaloneName or
+/// SubarchitectureName.
 template <class T>
 class Option final : public OptionBase {
 public:
@@ -87,6 +123,8 @@ public:
       return "duration";
     else if constexpr (std::is_same_v<T, std::vector<std::string>>)
       return "list,of,names";
+    else if constexpr (detail::NamesSomething<T>)
+      return detail::kind_of(T::reference);
     else if constexpr (ReflectedEnum<T>) {
       std::string result;
       for (auto& [name, value] : reflection_of<T>().enumerators) {
@@ -100,7 +138,7 @@ public:
   }
 
   std::string text() const override {
-    if constexpr (std::is_same_v<T, std::string>)
+    if constexpr (std::is_same_v<T, std::string> || detail::NamesSomething<T>)
       return value_;
     else if constexpr (std::is_same_v<T, bool>)
       return value_ ? "true" : "false";
@@ -115,9 +153,16 @@ public:
       return detail::print_option(value_);
   }
 
+  Reference reference() const override {
+    if constexpr (detail::NamesSomething<T>)
+      return T::reference;
+    else
+      return Reference::none;
+  }
+
   bool parse(std::string_view text) override {
-    if constexpr (std::is_same_v<T, std::string>) {
-      value_ = text;
+    if constexpr (std::is_same_v<T, std::string> || detail::NamesSomething<T>) {
+      value_.assign(text);
       return true;
     } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
       std::int64_t x = 0;

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <caf/actor_proxy.hpp>
 
@@ -93,7 +94,7 @@ void ComponentShell::act() {
       record_->set_orphaned();
     fail(e.what());
   } catch (const std::exception& e) {
-    fail(e.what());
+    fail(plain_words(e));
   } catch (...) {
     fail("an exception that is no std::exception");
   }
@@ -104,7 +105,7 @@ void ComponentShell::act() {
     } catch (const ComponentStopped&) {
       // It asked once more and was told once more.
     } catch (const std::exception& e) {
-      fail(e.what());
+      fail(plain_words(e));
     } catch (...) {
       fail("an exception that is no std::exception");
     }

@@ -133,6 +133,25 @@ std::variant<int, std::string> dial(const Endpoint& to, std::chrono::millisecond
   return problem.empty() ? std::string{"it took too long"} : problem;
 }
 
+namespace {
+
+std::string why_not_listening(const Endpoint& at, int error) {
+  auto text = "cannot listen at " + to_string(at) + ": ";
+  auto any = to_string(Endpoint{at.host, 0});
+  if (error == EADDRINUSE)
+    return text + "another process listens there, such as a node that runs already (`ss -ltnp` " +
+           "shows which); end it, or take another port: --listen " + any +
+           " takes any that is free";
+  if (error == EADDRNOTAVAIL)
+    return text + "the address is not one of this machine; `ip address` shows those that are";
+  if (error == EACCES)
+    return text + "ports below 1024 are for root; take another one, or " + any +
+           " for any that is free";
+  return text + std::strerror(error);
+}
+
+} // namespace
+
 int listen_at(const Endpoint& at) {
   auto addresses = resolve(at, AI_PASSIVE);
   Socket socket{*addresses};
@@ -141,7 +160,7 @@ int listen_at(const Endpoint& at) {
       setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on)) != 0 ||
       bind(socket.get(), addresses->ai_addr, addresses->ai_addrlen) != 0 ||
       listen(socket.get(), SOMAXCONN) != 0)
-    throw std::runtime_error("cannot listen at " + to_string(at) + ": " + std::strerror(errno));
+    throw std::runtime_error(why_not_listening(at, errno));
   // Sockets that are accepted inherit it.
   configure(socket.get());
   return socket.release();

@@ -246,7 +246,9 @@ void LinkEnd::established(const Hello& x) {
   if (parts_.peer_name.empty())
     parts_.peer_name = x.node;
   if (x.node != parts_.peer_name)
-    throw LinkError("there is a node " + x.node + " where " + parts_.peer_name + " should be");
+    throw LinkError("there is a node " + x.node + " where " + parts_.peer_name +
+                    " should be; `castor node --name " + parts_.peer_name +
+                    "` gives it that name, HOSTNAME " + x.node + " in the file expects its own");
   if (!channel_->proves(x.node))
     throw LinkError("its certificate is not for the name " + x.node);
   if (x.system != parts_.self.system)

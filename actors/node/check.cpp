@@ -1,9 +1,16 @@
 #include "castor/actors/node/check.hpp"
 
+#include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/text.hpp"
+#include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
+#include "castor/actors/supervision/health.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace castor {
@@ -35,22 +42,104 @@ std::string keyword(ComponentKind kind) {
   return {};
 }
 
-void check_options(Diagnostics& out, const ComponentDescription& x, OptionList& options) {
-  for (auto& setting : x.options)
+std::string remedy_for(std::string_view name, const std::set<std::string, std::less<>>& known,
+                       std::string_view kind, std::string otherwise) {
+  auto guess = cast::did_you_mean(name, {known.begin(), known.end()});
+  if (!guess.empty())
+    return guess;
+  if (known.empty())
+    return otherwise;
+  std::string all;
+  for (auto& x : known)
+    all += (all.empty() ? "" : ", ") + x;
+  return otherwise + "; the " + std::string{kind} + " are: " + all;
+}
+
+/// An option names something that the system has to have.
+void check_reference(Diagnostics& out, const ComponentDescription& x, const OptionBase& option,
+                     const SystemNames& names) {
+  auto name = option.text();
+  if (name.empty() || names.is_incomplete || names.doubtful.contains(name))
+    return;
+  auto says = x.class_name + " of " + x.name + ": --" + option.name() +
+              (x.option(option.name()) ? " " + cast::in_quotes(name) + ' '
+                                       : ", by default " + cast::in_quotes(name) + ", ");
+  switch (option.reference()) {
+    case Reference::none:
+      return;
+    case Reference::subarchitecture:
+      if (!names.subarchitectures.contains(name))
+        add(out, x, says + "names a subarchitecture that the system does not have",
+            remedy_for(name, names.subarchitectures, "subarchitectures",
+                       "give --" + option.name() + " the name of one that it has"));
+      return;
+    case Reference::standalone:
+      if (names.standalone.contains(name))
+        return;
+      if (names.in_subarchitectures.contains(name))
+        add(out, x, says + "names a component that is not stand-alone",
+            "only components of COMPONENT lines can be pulled from");
+      else
+        add(out, x, says + "names a stand-alone component that the system does not have",
+            remedy_for(name, names.standalone, "stand-alone components",
+                       "add the line: COMPONENT CPP " + name + " Class"));
+      return;
+    case Reference::component:
+      if (names.standalone.contains(name) || names.in_subarchitectures.contains(name))
+        return;
+      auto all = names.standalone;
+      all.insert(names.in_subarchitectures.begin(), names.in_subarchitectures.end());
+      add(out, x, says + "names a component that the system does not have",
+          remedy_for(name, all, "components",
+                     "give --" + option.name() + " the name of one that it has"));
+      return;
+  }
+}
+
+void check_options(Diagnostics& out, const ComponentDescription& x, OptionList& options,
+                   const SystemNames& names) {
+  for (auto& setting : x.options) {
+    // An environment variable that is not set, as the parser has reported.
+    if (setting.value.starts_with('$'))
+      continue;
     if (auto problem = options.set(setting.name(), setting.value))
       add(out, x, x.class_name + " of " + x.name + ": " + *problem);
+  }
+  for (auto* option : options.all())
+    check_reference(out, x, *option, names);
+}
+
+/// Without those that a file with errors lacks.
+template <class F>
+void for_each_described(const ArchitectureDescription& architecture, F&& f) {
+  for_each_component(architecture, [&](const ComponentDescription& x) {
+    if (!x.class_name.empty())
+      f(x);
+  });
 }
 
 } // namespace
 
-void check_class(const ComponentDescription& x, Diagnostics& out) {
+void SystemNames::add(const ArchitectureDescription& architecture) {
+  doubtful.insert(architecture.left_out.begin(), architecture.left_out.end());
+  subarchitectures.emplace(health_subarchitecture);
+  for (auto& x : architecture.subarchitectures) {
+    subarchitectures.insert(x.name);
+    for (auto& y : x.components)
+      in_subarchitectures.insert(y.name);
+  }
+  for (auto& x : architecture.standalone)
+    standalone.insert(x.name);
+}
+
+void check_class(const ComponentDescription& x, const SystemNames& names, Diagnostics& out) {
   if (x.kind == ComponentKind::working_memory) {
     WorkingMemoryClass wm;
     if (x.class_name != wm.name)
       add(out, x, "there is no working memory class " + x.class_name,
           std::string{"write CPP WM "} + wm.name);
     else
-      check_options(out, x, wm.options);
+      check_options(out, x, wm.options, names);
     return;
   }
   auto lookup = find_class(x.class_name);
@@ -65,12 +154,47 @@ void check_class(const ComponentDescription& x, Diagnostics& out) {
     return;
   }
   auto component = lookup.found->make();
-  check_options(out, x, component->options());
+  check_options(out, x, component->options(), names);
 }
 
-std::vector<cast::Diagnostic> check_classes(const ArchitectureDescription& architecture) {
-  Diagnostics out;
-  for_each_component(architecture, [&](auto& x) { check_class(x, out); });
+std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture) {
+  auto out = place(architecture, {}).problems;
+  const SystemNames names{architecture};
+  for_each_described(architecture, [&](auto& x) { check_class(x, names, out); });
+  cast::sort_by_line(out);
+  return out;
+}
+
+std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
+                                           SystemNames names) {
+  auto out = std::move(result.diagnostics);
+  if (result.ok())
+    return out;
+  auto& understood = result.understood;
+  auto placement = place(understood.architecture, {});
+  std::move(placement.problems.begin(), placement.problems.end(), std::back_inserter(out));
+  names.add(understood.architecture);
+  names.doubtful = std::move(understood.doubtful);
+  names.is_incomplete = understood.is_incomplete;
+  for_each_described(understood.architecture, [&](auto& x) {
+    if (classes == Classes::all || !placement.of.contains(x.name))
+      check_class(x, names, out);
+  });
+  cast::sort_by_line(out);
+  return out;
+}
+
+std::vector<cast::Diagnostic> problems_of(const Placement& placement,
+                                          const ArchitectureDescription& architecture) {
+  auto out = placement.problems;
+  if (out.empty())
+    return out;
+  const SystemNames names{architecture};
+  for_each_described(architecture, [&](auto& x) {
+    if (!placement.of.contains(x.name))
+      check_class(x, names, out);
+  });
+  cast::sort_by_line(out);
   return out;
 }
 

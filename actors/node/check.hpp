@@ -2,17 +2,53 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/diagnostic.hpp"
+#include "castor/actors/cast/parser.hpp"
 
+#include "castor/actors/node/placement.hpp"
+
+#include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace castor {
 
-/// Adds what stands in the way of running a component in this process: a class that does not exist
-/// or does not belong where it stands, options that it does not have or that are no such values.
-/// Loads the library that the class is in.
-void check_class(const ComponentDescription& x, std::vector<cast::Diagnostic>& problems);
+/// What options may name.
+struct SystemNames {
+  SystemNames() = default;
+  explicit SystemNames(const ArchitectureDescription& architecture) { add(architecture); }
+  void add(const ArchitectureDescription& architecture);
 
-/// The same for all components of a system.
-std::vector<cast::Diagnostic> check_classes(const ArchitectureDescription& architecture);
+  std::set<std::string, std::less<>> standalone;
+  /// Those of subarchitectures, working memories and task managers left out.
+  std::set<std::string, std::less<>> in_subarchitectures;
+  std::set<std::string, std::less<>> subarchitectures;
+  /// Some of what is there may be missing in the others; these names may be among it.
+  std::set<std::string, std::less<>> doubtful;
+  /// Anything may be missing.
+  bool is_incomplete = false;
+};
+
+/// Adds what stands in the way of running a component in this process: a class that does not exist
+/// or does not belong where it stands, options that it does not have or that are no such values, or
+/// that name what the system does not have. Loads the library that the class is in.
+void check_class(const ComponentDescription& x, const SystemNames& names,
+                 std::vector<cast::Diagnostic>& problems);
+
+/// The same for all components of a system, and whether their hosts are addresses.
+std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture);
+
+/// The findings of the parser, and those of further checks of what it could understand of a file
+/// with errors, in the order of lines.
+/// @param classes whether those of components on other machines are checked, too, whose libraries
+/// may be there only
+/// @param names what there is besides, in a system that the file is to be joined to
+enum class Classes { all, on_this_machine };
+std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
+                                           SystemNames names = {});
+
+/// The problems of the placement, if there are any, and those of the components on this machine.
+std::vector<cast::Diagnostic> problems_of(const Placement& placement,
+                                          const ArchitectureDescription& architecture);
 
 } // namespace castor

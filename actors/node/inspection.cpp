@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/node/check.hpp"
 #include "castor/actors/node/inspection_context.hpp"
 #include "castor/actors/node/operator_requests.hpp"
 #include "castor/actors/node/replay.hpp"
@@ -368,7 +369,8 @@ private:
     options.working_directory = request.value("directory", "");
     auto result = cast::parse_file(request.at("file").get<std::string>(), options);
     if (!result.ok()) {
-      say(outcome_as_json({{}, result.diagnostics}), true);
+      say(outcome_as_json({{}, all_findings(result, Classes::on_this_machine, running_names())}),
+          true);
       return;
     }
     if (!result.diagnostics.empty())
@@ -380,6 +382,17 @@ private:
   void remove(const Json& request) {
     auto name = request.at("name").get<std::string>();
     order(name, members_of(*parts_.roster, name));
+  }
+
+  /// What the lines that are added may name.
+  SystemNames running_names() const {
+    SystemNames result;
+    for (auto& [name, wm] : parts_.roster->working_memories)
+      result.subarchitectures.insert(name);
+    for (auto& x : parts_.roster->components)
+      (x.identity.subarchitecture.empty() ? result.standalone : result.in_subarchitectures)
+        .insert(x.identity.name);
+    return result;
   }
 
   /// @param news what is said of a change that was made

@@ -183,7 +183,8 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
 
 fs::path endpoint_folder() {
   auto* runtime = std::getenv("XDG_RUNTIME_DIR");
-  auto result = runtime && fs::is_directory(runtime)
+  std::error_code error;
+  auto result = runtime && fs::is_directory(runtime, error)
                   ? fs::path{runtime} / "castor"
                   : fs::path{"/tmp"} / ("castor-" + std::to_string(geteuid()));
   mkdir(result.c_str(), 0700);

@@ -119,6 +119,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::map<std::string, std::uint64_t> here;
   for (auto& x : residents())
     here[x.name] = x.incarnation;
+  const SystemNames names{plan.architecture};
   for_each_own(plan, self_, [&](const ComponentDescription& x) {
     auto life = plan.incarnations.find(x.name);
     auto& incarnation = wanted[x.name] = life == plan.incarnations.end() ? 1 : life->second;
@@ -126,7 +127,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
     if (i != here.end() && i->second == incarnation)
       return;
     missing.push_back(&x);
-    check_class(x, problems);
+    check_class(x, names, problems);
   });
   if (!problems.empty())
     return problems;

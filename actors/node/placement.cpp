@@ -1,9 +1,12 @@
 #include "castor/actors/node/placement.hpp"
 
+#include "castor/actors/cast/suggestion.hpp"
+
 #include <unistd.h>
 
 #include <array>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 namespace castor {
@@ -85,6 +88,42 @@ std::map<std::string, std::string> other_hosts(const ArchitectureDescription& ar
     for (auto& host : rule.hosts)
       add(host);
   return result;
+}
+
+std::string host_called(const ArchitectureDescription& architecture, const std::string& name) {
+  std::set<std::string> used;
+  for_each_component(architecture, [&](const ComponentDescription& x) { used.insert(x.host); });
+  for (auto& rule : architecture.failover)
+    used.insert(rule.hosts.begin(), rule.hosts.end());
+  if (auto i = architecture.host_names.find(name); i != architecture.host_names.end()) {
+    if (name != "localhost" && is_this_machine(architecture, i->second))
+      throw std::invalid_argument("in " + architecture.file + ", the host " + name +
+                                  " is this machine, as is everything without a host; give it an "
+                                  "address of its own there: HOSTNAME " +
+                                  name + ' ' + name + ".local");
+    return i->second;
+  }
+  for (auto& [known, address] : architecture.host_names)
+    if (address == name)
+      return name;
+  if (used.contains(name))
+    return name;
+  std::set<std::string> names;
+  for (auto& [known, address] : architecture.host_names)
+    if (!is_this_machine(architecture, address))
+      names.insert(known);
+  for (auto& host : used)
+    if (!is_this_machine(architecture, host) && given_name(architecture, host).empty())
+      names.insert(host);
+  auto text = architecture.file + " has no host " + name + "; ";
+  if (names.empty())
+    throw std::invalid_argument(text + "everything in it runs on this machine");
+  if (auto guess = cast::did_you_mean(name, {names.begin(), names.end()}); !guess.empty())
+    text += guess + ' ';
+  text += "its hosts are: ";
+  for (auto& x : names)
+    text += (x == *names.begin() ? "" : ", ") + x;
+  throw std::invalid_argument(text);
 }
 
 void spread(ArchitectureDescription& architecture, int nodes) {

@@ -47,6 +47,10 @@ std::string name_of_machine();
 /// own.
 std::map<std::string, std::string> other_hosts(const ArchitectureDescription& architecture);
 
+/// The host that a user means: the name of a HOSTNAME line, or an address or HOST as the file has
+/// it. Throws std::invalid_argument, with the hosts of the file, if it has no such host.
+std::string host_called(const ArchitectureDescription& architecture, const std::string& name);
+
 /// Gives the hosts node1, node2 and so on to everything in turn, whatever the file says.
 void spread(ArchitectureDescription& architecture, int nodes);
 

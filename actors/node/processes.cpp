@@ -28,7 +28,9 @@ cast::Diagnostic out_of_reach(const ArchitectureDescription& architecture,
   result.message = "cannot reach the node " +
                    (x.description.name.empty() ? at : x.description.name + " at " + at) + ": " +
                    x.reason;
-  result.remedy = "start it there with `castor node`, or try the system on this machine with "
+  const auto& name = x.description.name;
+  result.remedy = "start it there with `castor node" + (name.empty() ? "" : " --name " + name) +
+                  "`, or try the system on this machine with "
                   "`castor run --local-nodes`";
   for_each_component(architecture, [&](const ComponentDescription& component) {
     if (placement.process_of(component.name) == number && result.line.empty()) {

@@ -3,6 +3,7 @@
 #include "castor/actors/cast/running.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/check.hpp"
 #include "castor/actors/node/component_statuses.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
@@ -58,7 +59,7 @@ class System::Implementation {
 public:
   Implementation(ArchitectureDescription architecture, SystemOptions options)
     : architecture_(std::move(architecture)), options_(std::move(options)),
-      placed_(checked(place(architecture_, options_.nodes))) {
+      placed_(checked(place(architecture_, options_.nodes), architecture_)) {
     for_each_component(architecture_,
                        [&](auto& x) { next_number_ = std::max(next_number_, x.number + 1); });
     try {
@@ -125,8 +126,8 @@ public:
     if (auto problems = cast::join(joined, added, next_number_); !problems.empty())
       return problems;
     auto placement = place(joined, options_.nodes, roster()->hosts);
-    if (!placement.problems.empty())
-      return placement.problems;
+    if (auto problems = problems_of(placement, joined); !problems.empty())
+      return problems;
     try {
       processes_.connect(joined, placement);
       apply(joined, placement);
@@ -262,9 +263,9 @@ public:
   Clock::time_point epoch() const { return epoch_; }
 
 private:
-  static Placement checked(Placement x) {
-    if (!x.problems.empty())
-      throw SystemError{std::move(x.problems)};
+  static Placement checked(Placement x, const ArchitectureDescription& architecture) {
+    if (auto problems = problems_of(x, architecture); !problems.empty())
+      throw SystemError{std::move(problems)};
     return x;
   }
 

@@ -76,7 +76,7 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     Antecedents antecedents;
   };
 
-  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+  Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
   std::optional<Unclear> unclear_;
 };

@@ -98,7 +98,7 @@ class ReferenceBinder final : public AsksBinding<UnmanagedComponent> {
     return result;
   }
 
-  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+  Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 };
 
 CASTOR_COMPONENT(ReferenceBinder, "asks binding which readings of what is said the scene supports")

@@ -170,7 +170,7 @@ class UtteranceSource final : public UnmanagedComponent {
                                               "how long to wait for that at most"};
   Option<std::chrono::milliseconds> turn_{
     this, "turn", 0ms, "wait so long for an answer before the next sentence is said"};
-  Option<std::string> binding_{this, "binding", "binding", "the binding subarchitecture"};
+  Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
   int said_ = 0;
   /// Since something was said.

@@ -5,8 +5,8 @@
 #include <utility>
 
 class Planner : public castor::UnmanagedComponent {
-  castor::Option<std::string> executor_{this, "executor", "manipulation",
-                                        "the subarchitecture that acts"};
+  castor::Option<castor::SubarchitectureName> executor_{this, "executor", "manipulation",
+                                                        "the subarchitecture that acts"};
 
   void run() override {
     castor::EntryPointer<Cup> cup{add(Cup{0.5, "mug"})};

@@ -28,6 +28,17 @@ struct Options : testing::Test {
   Option<Side> side{list, "side", Side::left, "a side"};
 };
 
+TEST_F(Options, SayWhatTheyAreNamesOf) {
+  Option<StandaloneName> camera{list, "camera", "camera", "a camera"};
+  EXPECT_EQ(camera.reference(), Reference::standalone);
+  EXPECT_EQ(camera.kind(), "name of a stand-alone component");
+  EXPECT_EQ(camera.text(), "camera");
+  EXPECT_EQ(list.set("camera", "other"), std::nullopt);
+  const std::string& name_of_it = camera;
+  EXPECT_EQ(name_of_it, "other");
+  EXPECT_EQ(name.reference(), Reference::none);
+}
+
 TEST_F(Options, HaveTheirDefaults) {
   EXPECT_FALSE(flag);
   EXPECT_EQ(count, 3);

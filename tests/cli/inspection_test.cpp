@@ -293,7 +293,7 @@ TEST_F(Inspection, WhoUsesWhatIsDrawnAsAPicture) {
   EXPECT_TRUE(read(png).starts_with("\x89PNG"));
   auto refused = ask({"graph", "--svg", (folder / "nowhere" / "x.svg").string()});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.errors, HasSubstr("nowhere/x.svg"));
+  EXPECT_THAT(refused.errors, HasSubstr("nowhere to write x.svg into"));
   auto lines = json_lines(ask({"graph", "--json"}).output);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0]["component"], "listener");
@@ -503,7 +503,8 @@ TEST_F(Inspection, EveryRequestIsAnsweredAsItsPageSays) {
                                            (folder / "journals").string() + tail +
                                            "CPP UM clock Clock --status 0\n");
   ASSERT_EQ(ask({"run", recorded}).status, 0);
-  write("more.cast", kitchen + "CPP UM clock Clock\nCPP UM cook Cook\n");
+  write("more.cast", "VARDEFAULT count=3\n" + kitchen +
+                       "CPP UM clock Clock --count %(count)\nCPP UM cook Cook\n");
   auto system = write("kitchen.cast", kitchen + "CPP WM SubarchitectureWorkingMemory" + tail +
                                         "CPP UM ticker Ticker\n");
   Process castor{command({"run", system})};

@@ -120,8 +120,8 @@ TEST_F(RecordCommand, RefusesFoldersBeforeTheRun) {
   };
   write("occupied", "");
   EXPECT_THAT(refused((folder / "occupied/x").string()),
-              AllOf(HasSubstr("cannot record into " + (folder / "occupied/x").string()),
-                    HasSubstr("choose another folder"), Not(HasSubstr("filesystem error"))));
+              AllOf(HasSubstr("cannot make the folder " + (folder / "occupied/x").string()),
+                    HasSubstr("choose another place"), Not(HasSubstr("filesystem error"))));
   EXPECT_THAT(refused(folder.string()), HasSubstr("is not empty"));
   record("CPP UM clock Clock --status 0\n");
   EXPECT_THAT(refused(recording()), HasSubstr("holds a recording"));

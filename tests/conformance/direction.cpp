@@ -68,7 +68,8 @@ public:
   }
 
 private:
-  Option<std::string> assistant_{this, "assistant", "assistant", "name of the AssistantDirector"};
+  Option<StandaloneName> assistant_{this, "assistant", "assistant",
+                                    "name of the AssistantDirector"};
   Option<int> directions_{this, "directions", 10, "how many directions it asks for"};
 };
 CASTOR_COMPONENT(Director, "asks the assistant for directions, which have to come in order")

@@ -142,8 +142,8 @@ private:
   Option<std::vector<std::string>> test_{
     this, "test", {}, "which tests to do; may be left out where there is only one"};
   Option<bool> exit_{this, "exit", true, "end the system with the verdict"};
-  Option<std::string> subarch_{this, "subarch", "",
-                               "the subarchitecture to write to; empty: the own one"};
+  Option<SubarchitectureName> subarch_{this, "subarch", "",
+                                       "the subarchitecture to write to; empty: the own one"};
   Option<std::chrono::milliseconds> patience_{this, "patience", std::chrono::seconds{60},
                                               "a test that is not over by then has failed"};
 };

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,30 @@ TEST(Placement, PutsEverythingWhereItsHostSays) {
   EXPECT_EQ(x.processes[2].name, "");
   EXPECT_EQ(x.processes[2].port, default_node_port);
   EXPECT_EQ(x.process_of("near"), 0);
+}
+
+/// What is wrong with the name of a host; empty if it is one.
+std::string problem_of(const ArchitectureDescription& x, const std::string& name) {
+  try {
+    host_called(x, name);
+    return {};
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+}
+
+TEST(Placement, KnowsHostsByTheirNamesAndByTheirAddresses) {
+  auto x = architecture("HOSTNAME camera camera.test\nHOSTNAME unused 10.0.0.9\n"
+                        "HOSTNAME here localhost\n" +
+                        subarchitecture("a", "[camera]") + "far.test CPP UM far C\n");
+  EXPECT_EQ(host_called(x, "camera"), "camera.test");
+  EXPECT_EQ(host_called(x, "camera.test"), "camera.test");
+  EXPECT_EQ(host_called(x, "far.test"), "far.test");
+  EXPECT_EQ(host_called(x, "unused"), "10.0.0.9");
+  EXPECT_THAT(problem_of(x, "camra"),
+              HasSubstr("no host camra; did you mean 'camera'? its hosts are: camera, "));
+  EXPECT_THAT(problem_of(x, "bogus"), HasSubstr("its hosts are: camera, far.test, unused"));
+  EXPECT_THAT(problem_of(x, "here"), HasSubstr("is this machine"));
 }
 
 TEST(Placement, HasProcessesInReserveForThoseThatMoveWhenTheirNodeIsLost) {

@@ -112,10 +112,11 @@ class SceneManager final : public ManagedComponent {
 
   static std::string location_id(const Address& object) { return "location of " + object.id; }
 
-  Option<std::string> vision_{this, "vision", "vision", "the subarchitecture that sees objects"};
-  Option<std::string> camera_{this, "camera", "",
-                              "the camera through which they are seen; without one, the viewer "
-                              "stands where --viewer-x, -y and -z say"};
+  Option<SubarchitectureName> vision_{this, "vision", "vision",
+                                      "the subarchitecture that sees objects"};
+  Option<StandaloneName> camera_{this, "camera", "",
+                                 "the camera through which they are seen; without one, the viewer "
+                                 "stands where --viewer-x, -y and -z say"};
   Option<double> viewer_x_{this, "viewer-x", 0, "metres to the right of the table's middle"};
   Option<double> viewer_y_{this, "viewer-y", -1, "metres behind it"};
   Option<double> viewer_z_{this, "viewer-z", 0.5, "metres above it"};

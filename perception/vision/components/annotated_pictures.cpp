@@ -9,7 +9,9 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,7 @@ class AnnotatedPictures final : public UnmanagedComponent {
     if (!is_wanted())
       return;
     if (!output_->empty())
-      std::filesystem::create_directories(output_.get());
+      make_output();
     auto note = [this](const ChangeEvent&) { is_due_ = true; };
     on_change(changed<ROI>(), note);
     on_change(changed<SceneObject>(), note);
@@ -51,6 +53,14 @@ class AnnotatedPictures final : public UnmanagedComponent {
     // Nobody will be there to look at an entry.
     if (is_due_ && !output_->empty())
       draw();
+  }
+
+  void make_output() const {
+    std::error_code error;
+    std::filesystem::create_directories(output_.get(), error);
+    if (error)
+      throw std::runtime_error("cannot make the folder " + output_.get() +
+                               ", which --output names: " + error.message());
   }
 
   bool is_wanted() const { return !output_->empty() || entry_width_ > 0; }
@@ -123,7 +133,8 @@ class AnnotatedPictures final : public UnmanagedComponent {
     }
   }
 
-  Option<std::string> camera_{this, "camera", "camera", "the camera whose pictures are drawn on"};
+  Option<StandaloneName> camera_{this, "camera", "camera",
+                                 "the camera whose pictures are drawn on"};
   Option<std::string> output_{this, "output", "", "folder to write pictures to; none if empty"};
   Option<int> entry_width_{this, "entry-width", 0,
                            "pixels across of the picture that an entry keeps of the scene; none if "

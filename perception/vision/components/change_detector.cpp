@@ -55,7 +55,7 @@ class ChangeDetector final : public UnmanagedComponent {
     put(here("camera " + std::to_string(number_)), camera);
   }
 
-  Option<std::string> camera_{this, "camera", "camera", "the camera component to watch"};
+  Option<StandaloneName> camera_{this, "camera", "camera", "the camera component to watch"};
   Option<int> number_{this, "number", 0, "that camera's number"};
   Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between looks"};
   Option<int> threshold_{this, "threshold", SceneWatchOptions{}.pixel_threshold,

@@ -43,7 +43,7 @@ class FeatureExtractor final : public ManagedComponent {
     }
   }
 
-  Option<std::string> camera_{this, "camera", "camera", "the camera that the regions come from"};
+  Option<StandaloneName> camera_{this, "camera", "camera", "the camera that the regions come from"};
 };
 
 CASTOR_COMPONENT(FeatureExtractor, "measures the colour, shape and size of regions of interest")

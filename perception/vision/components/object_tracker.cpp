@@ -166,10 +166,10 @@ class ObjectTracker final : public UnmanagedComponent {
     return true;
   }
 
-  Option<std::string> camera_{this, "camera", "camera", "the camera component to pull from"};
+  Option<StandaloneName> camera_{this, "camera", "camera", "the camera component to pull from"};
   Option<int> number_{this, "number", 0, "that camera's number"};
-  Option<std::string> from_{this, "from", "segmentor",
-                            "the component whose objects are taken over, and given back"};
+  Option<ComponentName> from_{this, "from", "segmentor",
+                              "the component whose objects are taken over, and given back"};
   Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between looks"};
   Option<std::chrono::milliseconds> update_period_{
     this, "update-period", 300ms, "least time between two updates of an object's position"};

@@ -235,7 +235,7 @@ class Segmentor final : public ManagedComponent {
     }
   }
 
-  Option<std::string> camera_{this, "camera", "camera", "the camera component to pull from"};
+  Option<StandaloneName> camera_{this, "camera", "camera", "the camera component to pull from"};
   Option<int> number_{this, "number", 0, "that camera's number"};
   Option<std::string> background_{
     this, "background", "", "pictures of the empty scene (folder or video), if there are any"};
