@@ -4,22 +4,27 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <system_error>
 
 namespace castor::cli {
 
+namespace fs = std::filesystem;
+
+std::vector<fs::path> bundled_folders() {
+  std::error_code error;
+  auto executable = fs::read_symlink("/proc/self/exe", error);
+  if (error)
+    return {};
+  auto folder = executable.parent_path();
+  // Installed, it is in bin; in a build tree it is at the top.
+  return {folder.parent_path() / "share/castor", folder / "share/castor"};
+}
+
 std::string file_or_bundled(const std::string& file) {
-  namespace fs = std::filesystem;
   std::error_code error;
   if (fs::path{file}.is_absolute() || fs::exists(file, error))
     return file;
-  auto executable = fs::read_symlink("/proc/self/exe", error);
-  if (error)
-    return file;
-  auto folder = executable.parent_path();
-  // Installed, it is in bin; in a build tree it is at the top.
-  for (auto& share : {folder.parent_path() / "share/castor", folder / "share/castor"}) {
+  for (auto& share : bundled_folders()) {
     auto bundled = (share / file).lexically_normal();
     if (!fs::is_regular_file(bundled, error))
       continue;

@@ -1,3 +1,4 @@
+#include "castor/actors/cli/bundled_file.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/doctor_checks.hpp"
 #include "castor/actors/cli/inspection_command.hpp"
@@ -89,13 +90,11 @@ void look_at_software(Machine& x) {
   x.classes = Registry::instance().all().size();
   x.opencv = opencv_version();
   std::error_code error;
-  auto program = fs::read_symlink("/proc/self/exe", error);
-  // Beside an installed castor, or where the sources are.
-  for (auto& folder : {program.parent_path() / "../share/castor/configs", fs::path{"configs"}}) {
-    auto normal = folder.lexically_normal();
-    x.configs_looked_for += (x.configs_looked_for.empty() ? "" : " and ") + normal.string();
+  for (auto& share : bundled_folders()) {
+    auto folder = (share / "configs").string();
+    x.configs_looked_for += (x.configs_looked_for.empty() ? "" : " and ") + folder;
     if (x.configs.empty() && fs::is_directory(folder, error))
-      x.configs = normal.string();
+      x.configs = folder;
   }
 }
 
