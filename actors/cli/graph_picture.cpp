@@ -1,5 +1,7 @@
 #include "castor/actors/cli/graph_picture.hpp"
 
+#include "castor/actors/cli/dot_string.hpp"
+
 #include <fmt/core.h>
 
 #include <graphviz/gvc.h>
@@ -39,16 +41,6 @@ std::string escaped(const std::string& x) {
       result += c;
   }
   return result;
-}
-
-std::string in_quotes(const std::string& x) {
-  std::string result = "\"";
-  for (char c : x) {
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + '"';
 }
 
 /// As an arrow's label: one type on a line, with a margin to the arrow.
@@ -129,15 +121,15 @@ std::string nodes_as_dot(const Graph& graph) {
   for (auto& name : names) {
     if (!name.empty())
       result += fmt::format("  subgraph {} {{\n    label=<<b>{}</b>>; margin=14;\n",
-                            in_quotes("cluster_" + name), escaped(name));
+                            dot_string("cluster_" + name), escaped(name));
     if (graph.working_memories.count(name) > 0)
       result += fmt::format("    {} [label=\"working memory\", shape=cylinder, "
                             "fillcolor=\"#fde9c9\", color=\"#b8772b\", margin=\"0.25,0.12\"];\n",
-                            in_quotes(node_of_working_memory(name)));
+                            dot_string(node_of_working_memory(name)));
     if (auto i = graph.components.find(name); i != graph.components.end())
       for (auto& component : i->second)
-        result += fmt::format("    {} [label={}];\n", in_quotes(node_of_component(component)),
-                              in_quotes(component));
+        result += fmt::format("    {} [label={}];\n", dot_string(node_of_component(component)),
+                              dot_string(component));
     if (!name.empty())
       result += "  }\n";
   }
@@ -145,7 +137,7 @@ std::string nodes_as_dot(const Graph& graph) {
 }
 
 std::string as_dot(const Graph& graph) {
-  auto result = "digraph " + in_quotes(graph.system) +
+  auto result = "digraph " + dot_string(graph.system) +
                 " {\n  rankdir=LR; nodesep=0.35; ranksep=0.5; fontname=\"Helvetica\";"
                 " fontsize=15; pad=0.3; bgcolor=white;\n"
                 "  graph [style=\"rounded,filled\", fillcolor=\"#f4f6f9\", color=\"#aab4c4\", "
@@ -155,8 +147,8 @@ std::string as_dot(const Graph& graph) {
                 "  edge [fontname=\"Helvetica\", fontsize=10, arrowsize=0.7];\n" +
                 nodes_as_dot(graph);
   for (auto& [arrow, types] : graph.arrows)
-    result += fmt::format("  {} -> {} [label={}, {}];\n", in_quotes(arrow.from),
-                          in_quotes(arrow.to), types_as_label(types),
+    result += fmt::format("  {} -> {} [label={}, {}];\n", dot_string(arrow.from),
+                          dot_string(arrow.to), types_as_label(types),
                           arrow.writes ? "color=\"#a3541c\", fontcolor=\"#7a3c11\""
                                        : "color=\"#3f6ea5\", fontcolor=\"#27496f\", style=dashed");
   return result + "}\n";

@@ -1,5 +1,6 @@
 #include "castor/actors/cli/inspection_text.hpp"
 
+#include "castor/actors/cli/dot_string.hpp"
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
 
@@ -118,16 +119,6 @@ std::string links_as_text(const Json& report) {
   return table.text();
 }
 
-std::string in_quotes(const std::string& x) {
-  std::string result = "\"";
-  for (char c : x) {
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
 /// "adds 3, deletes 1": of these counters, those that are not zero.
 std::string counts(const Json& x, const std::vector<const char*>& keys) {
   std::string result;
@@ -189,29 +180,29 @@ std::string accesses_as_dot(const Json& report, const std::vector<Json>& accesse
     used.insert(component);
     types[text(x["subarchitecture"])].insert(type_of(x));
     if (auto label = counts(x, {"adds", "overwrites", "deletes"}); !label.empty())
-      edges += fmt::format("  {} -> {} [label={}];\n", in_quotes(component), in_quotes(type_of(x)),
-                           in_quotes(label));
+      edges += fmt::format("  {} -> {} [label={}];\n", dot_string(component),
+                           dot_string(type_of(x)), dot_string(label));
     if (auto label = counts(x, {"events", "reads"}); !label.empty())
-      edges += fmt::format("  {} -> {} [label={}, style=dashed];\n", in_quotes(type_of(x)),
-                           in_quotes(component), in_quotes(label));
+      edges += fmt::format("  {} -> {} [label={}, style=dashed];\n", dot_string(type_of(x)),
+                           dot_string(component), dot_string(label));
   }
   for (auto& x : report["components"])
     if (used.count(text(x["name"])) > 0)
       components[text(x["subarchitecture"])].insert(text(x["name"]));
-  std::string result = "digraph " + in_quotes(text(report["system"])) +
+  std::string result = "digraph " + dot_string(text(report["system"])) +
                        " {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n"
                        "  edge [fontname=\"sans-serif\", fontsize=10];\n";
   for (auto& [subarchitecture, names] : components) {
     bool grouped = !subarchitecture.empty();
     if (grouped)
       result += fmt::format("  subgraph {} {{\n    label={};\n",
-                            in_quotes("cluster_" + subarchitecture), in_quotes(subarchitecture));
+                            dot_string("cluster_" + subarchitecture), dot_string(subarchitecture));
     for (auto& name : names)
-      result += fmt::format("    {} [shape=box];\n", in_quotes(name));
+      result += fmt::format("    {} [shape=box];\n", dot_string(name));
     for (auto& type : types[subarchitecture])
       result +=
         fmt::format("    {} [label={}, shape=ellipse, style=filled, fillcolor=\"#eeeeee\"];\n",
-                    in_quotes(type), in_quotes(type.substr(type.find('/') + 1)));
+                    dot_string(type), dot_string(type.substr(type.find('/') + 1)));
     if (grouped)
       result += "  }\n";
   }

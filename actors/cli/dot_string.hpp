@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace castor::cli {
+
+/// A string in quotes, as the language of Graphviz has it.
+inline std::string dot_string(const std::string& x) {
+  std::string result = "\"";
+  for (char c : x) {
+    if (c == '"' || c == '\\')
+      result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+} // namespace castor::cli
