@@ -68,7 +68,8 @@ void read_clause(Words& words, ChangeFilter& filter) {
   auto clause = words.next();
   if (clauses.count(clause) == 0)
     throw ChangeFilterError("do not know what to do with " + quoted(clause) +
-                            ": after the type, write in, from, at, changing or where");
+                            ": before the type, write added, overwritten, deleted or changed; "
+                            "after it in, from, at, changing or where");
   if (clause == "where") {
     try {
       filter.predicate = Predicate::parse(words.rest());
