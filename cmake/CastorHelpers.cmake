@@ -103,18 +103,21 @@ function(castor_executable target)
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} castor_build_options)
 endfunction()
 
-# castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [LABELS <label>...])
+# castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
-# A GoogleTest executable whose every test is known to CTest.
+# A GoogleTest executable whose every test is known to CTest; a test may take TIMEOUT, 120 by default.
 function(castor_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
   castor_executable(${name} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} GTest::gtest_main)
   if(NOT ARG_LABELS)
     set(ARG_LABELS tests)
   endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
   gtest_discover_tests(${name}
     DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 120)
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
 # castor_fuzzed(<name> <folder> <source>...)
