@@ -27,7 +27,7 @@ struct WriteRequest {
   Address address;
   /// Not for a deletion.
   Value value;
-  /// For an overwrite: the version that the component last read or wrote; nothing if it never did.
+  /// The version that the client has seen of what it overwrites, or means to delete; or nothing.
   std::optional<Version> last_seen;
   ClientPtr client;
   /// Of the lease that the client believes to hold on the entry; 0 for none.

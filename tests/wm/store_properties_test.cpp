@@ -168,7 +168,8 @@ public:
     if (x.operation == Operation::overwrite && x.last_seen != (*i)->version)
       return FailureKind::inconsistent;
     if (x.operation == Operation::remove)
-      return std::nullopt;
+      return x.last_seen && x.last_seen != (*i)->version ? std::optional{FailureKind::inconsistent}
+                                                         : std::nullopt;
     for (auto& known : layouts_)
       if (known->name() == x.value.type_name() && known->hash != x.value.type().hash)
         return FailureKind::wrong_type;
