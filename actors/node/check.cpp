@@ -61,9 +61,13 @@ void check_reference(Diagnostics& out, const ComponentDescription& x, const Opti
   auto name = option.text();
   if (name.empty() || names.is_incomplete || names.doubtful.contains(name))
     return;
+  bool is_default = !x.option(option.name());
+  // Subarchitectures may be left out of a system, and the others do without.
+  if (is_default && option.reference() == Reference::subarchitecture)
+    return;
   auto says = x.class_name + " of " + x.name + ": --" + option.name() +
-              (x.option(option.name()) ? " " + cast::in_quotes(name) + ' '
-                                       : ", by default " + cast::in_quotes(name) + ", ");
+              (is_default ? ", by default " + cast::in_quotes(name) + ", "
+                          : " " + cast::in_quotes(name) + ' ');
   switch (option.reference()) {
     case Reference::none:
       return;
