@@ -53,6 +53,18 @@ std::string in_quotes(std::string_view text) {
   return "'" + shorten(text, longest_quotation) + "'";
 }
 
+std::string on_one_line(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    auto end = std::min(text.find('\n'), text.size());
+    auto line = trim(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty())
+      result.append(result.empty() ? "" : "; ").append(line);
+  }
+  return result;
+}
+
 std::string printable(std::string_view text) {
   static constexpr std::string_view digits = "0123456789abcdef";
   std::string result;

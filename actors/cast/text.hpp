@@ -35,6 +35,9 @@ std::string shorten(std::string_view text, std::size_t max_bytes);
 /// The text in single quotes, shortened: for messages.
 std::string in_quotes(std::string_view text);
 
+/// The lines of a text as one, without indentation and empty ones, separated by semicolons.
+std::string on_one_line(std::string_view text);
+
 /// Replaces control characters, which could drive a terminal, by visible escapes.
 std::string printable(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "castor/actors/node/supervisor.hpp"
 
 #include "castor/actors/cast/duration.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/deployment.hpp"
@@ -521,7 +522,7 @@ private:
   /// At the component's line.
   cast::Diagnostic wrong_configuration(const std::string& name, const std::string& what) const {
     cast::Diagnostic result;
-    result.message = name + " cannot be configured: " + what;
+    result.message = name + " cannot be configured: " + cast::on_one_line(what);
     if (auto* x = architecture_.component(name)) {
       result.where = x->where;
       result.line = x->line;

@@ -102,6 +102,13 @@ TEST(Paths, AreRelativeInTheWorkingDirectoryOnly) {
   EXPECT_EQ(directory_for_users("x/../a.cast", "/home/me"), "x/..");
 }
 
+TEST(Text, LinesAreJoinedWithoutIndentation) {
+  EXPECT_EQ(on_one_line("file:2: error: no word\n    colour azure\n\n  Mend it.\n"),
+            "file:2: error: no word; colour azure; Mend it.");
+  EXPECT_EQ(on_one_line("one"), "one");
+  EXPECT_EQ(on_one_line(""), "");
+}
+
 } // namespace
 
 } // namespace castor::cast

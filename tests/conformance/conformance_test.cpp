@@ -75,8 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Files, ConformanceFailing,
                          testing::ValuesIn(systems_in(folder / "failing")), test_name);
 
 TEST(ConformanceTester, NamesTheTestsThatThereAre) {
-  Process castor{run(folder / "failing/unknown-test.cast")};
-  castor.wait();
+  Process castor{run(folder / "misconfigured/unknown-test.cast")};
+  EXPECT_EQ(castor.wait(), 2);
   EXPECT_NE(castor.errors().find("there is no test single-wirte; the tests are: copy, count-10"),
             std::string::npos)
     << castor.errors();
