@@ -149,11 +149,7 @@ int export_changes(const Arguments& arguments) {
 void add_journal_export(CLI::App& journal, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = journal.add_subcommand("export", "write what was recorded in another format");
-  command
-    ->add_option("PLACE", arguments->places,
-                 "the folder of `castor run --record`, or journals of one system")
-    ->required()
-    ->type_name("DIR|FILE");
+  add_places_argument(*command, arguments->places);
   command
     ->add_option("--mcap", arguments->mcap,
                  "for Foxglove and Lichtblick: a topic for each type; pictures, poses and boxes "

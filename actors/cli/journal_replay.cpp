@@ -379,11 +379,7 @@ void add_journal_replay(CLI::App& journal, Action& chosen) {
   auto* command = journal.add_subcommand(
     "replay", "make the recorded changes again, in the system of the recording, in that of a .cast "
               "file, or in a running one");
-  command
-    ->add_option("PLACE", arguments->places,
-                 "the folder of `castor run --record`, or journals of one system")
-    ->required()
-    ->type_name("DIR|FILE");
+  add_places_argument(*command, arguments->places);
   command
     ->add_option("--into", arguments->into,
                  "a system that runs on this machine; `castor ps` shows them")

@@ -3,6 +3,9 @@
 #include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/cli/record.hpp"
 
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -43,6 +46,13 @@ void take_place(ReplaySource& result, const fs::path& place) {
 }
 
 } // namespace
+
+void add_places_argument(CLI::App& command, std::vector<std::string>& places) {
+  command
+    .add_option("PLACE", places, "the folder of `castor run --record`, or journals of one system")
+    ->required()
+    ->type_name("DIR|FILE");
+}
 
 ReplaySource find_replay_source(const std::vector<std::string>& places) {
   ReplaySource result;

@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace castor::cli {
 
 /// What is to be replayed: journals, or the folder of a recording.
@@ -24,6 +28,9 @@ struct ReplaySource {
 
   double seconds() const { return std::chrono::duration<double>(end - begin).count(); }
 };
+
+/// Adds PLACE... to a command: where `find_replay_source` looks.
+void add_places_argument(CLI::App& command, std::vector<std::string>& places);
 
 /// Finds what lies at these places, files or folders. Throws std::runtime_error.
 ReplaySource find_replay_source(const std::vector<std::string>& places);
