@@ -3,6 +3,7 @@
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/tests/support/testing_system.hpp"
+#include "castor/wm/working_memory_protocol.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
