@@ -3,14 +3,18 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace castor {
+
+/// Stands for people and programs outside of the system, where others have a subarchitecture.
+inline constexpr std::string_view operators = "operator";
 
 /// The component behind an operation. A component that is started again is another client: what its
 /// predecessor held is not its own.
 struct Client {
   std::string component;
-  /// Empty for one outside the subarchitectures.
+  /// Empty for one outside the subarchitectures, `operators` for one outside the system.
   std::string subarchitecture;
   /// Which of the component's lives this is.
   std::uint64_t incarnation = 0;
@@ -23,9 +27,10 @@ struct Client {
 /// Every operation names its client, so they share one object.
 using ClientPtr = std::shared_ptr<const Client>;
 
-/// "segmentor of vision", for messages.
+/// "segmentor of vision", or the name alone outside the subarchitectures; for messages.
 inline std::string to_string(const Client& x) {
-  return x.subarchitecture.empty() ? x.component : x.component + " of " + x.subarchitecture;
+  bool is_outside = x.subarchitecture.empty() || x.subarchitecture == operators;
+  return is_outside ? x.component : x.component + " of " + x.subarchitecture;
 }
 
 } // namespace castor

@@ -1,6 +1,9 @@
 #include "castor/wm/known_types.hpp"
 
 #include <mutex>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace castor {
 
@@ -10,6 +13,10 @@ struct KnownTypes {
   std::mutex mutex;
   TypeCatalogue own;
   TypeCatalogue foreign;
+  /// Make the descriptors of types of loaded libraries, and with that make them known.
+  std::vector<const TypeDescriptorPtr& (*)()> announced;
+  /// Held while that happens, so that nobody else is answered without these types.
+  std::mutex describing;
 
   static KnownTypes& instance() {
     // Never destroyed: threads may outlive the static objects.
@@ -33,8 +40,28 @@ void make_foreign_type_known(const TypeDescriptorPtr& type) {
     types.foreign[type->name()] = type;
 }
 
+bool detail::announce_type(const TypeDescriptorPtr& (*descriptor)()) {
+  auto& types = KnownTypes::instance();
+  std::lock_guard guard{types.mutex};
+  types.announced.push_back(descriptor);
+  return true;
+}
+
 TypeCatalogue known_types() {
   auto& types = KnownTypes::instance();
+  std::lock_guard one_at_a_time{types.describing};
+  decltype(types.announced) announced;
+  {
+    std::lock_guard guard{types.mutex};
+    announced = std::exchange(types.announced, {});
+  }
+  for (auto* descriptor : announced) {
+    try {
+      descriptor();
+    } catch (const std::logic_error&) {
+      // A type that is ill-formed is refused where it is used.
+    }
+  }
   std::lock_guard guard{types.mutex};
   auto result = types.own;
   result.insert(types.foreign.begin(), types.foreign.end());

@@ -14,14 +14,15 @@ using TypeCatalogue = std::map<std::string, TypeDescriptorPtr>;
 /// At most so many types that came from elsewhere are remembered.
 inline constexpr std::size_t most_foreign_types = 4096;
 
-/// Makes a type known that this process has a C++ type for, when its descriptor is first made.
+/// Makes a type known that this process has a C++ type for.
 void make_own_type_known(const TypeDescriptorPtr& type);
 
 /// Makes a type known that came with an entry, from another process or from a journal.
 void make_foreign_type_known(const TypeDescriptorPtr& type);
 
-/// The entry types that this process knows: those that its components have written, filtered or
-/// served so far, and those that came from elsewhere. Of two types of one name, an own one counts.
+/// The entry types that this process knows: those that the code of its loaded libraries writes,
+/// reads, filters or serves, whether it has done so yet or not, and those that came from elsewhere.
+/// Of two types of one name, an own one counts.
 TypeCatalogue known_types();
 
 } // namespace castor

@@ -240,11 +240,27 @@ void collect_super_types(std::vector<std::string>& names) {
   }
 }
 
+/// Makes a type known to `known_types` by what makes its descriptor.
+bool announce_type(const TypeDescriptorPtr& (*descriptor)());
+
 } // namespace detail
 
-/// The descriptor of a reflected type; built once per process.
+template <ReflectedRecord T>
+const TypeDescriptorPtr& descriptor_of();
+
+namespace detail {
+
+/// Is initialised when a library is loaded whose code uses the type's descriptor anywhere.
+template <ReflectedRecord T>
+inline const bool is_announced = announce_type(&descriptor_of<T>);
+
+} // namespace detail
+
+/// The descriptor of a reflected type; built once per process. The type is known (known_types.hpp)
+/// as soon as the library that calls this for it is loaded.
 template <ReflectedRecord T>
 const TypeDescriptorPtr& descriptor_of() {
+  static_cast<void>(&detail::is_announced<T>);
   static const TypeDescriptorPtr result = [] {
     detail::DescriptorBuilder builder;
     detail::describe_record<T>(builder);

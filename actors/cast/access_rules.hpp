@@ -4,6 +4,7 @@
 #include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
 #include "castor/actors/cast/words.hpp"
+#include "castor/wm/client.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -16,7 +17,7 @@ namespace castor::cast {
 
 /// Writer of rules about people and programs outside of the system. They may write everywhere if no
 /// rule is about them.
-inline constexpr std::string_view operators = "operator";
+using castor::operators;
 /// Owner of a rule by which operators may write nowhere.
 inline constexpr std::string_view nothing = "nothing";
 

@@ -56,7 +56,7 @@ private:
           if (call->is_over_)
             return;
           if (!x)
-            return call->fail(without_subarchitecture(x.failure().message));
+            return call->fail(x.failure().message);
           call->guarded([&] { f(*x); });
         },
         [call](const caf::error&) {

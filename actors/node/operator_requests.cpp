@@ -1,6 +1,5 @@
 #include "castor/actors/node/operator_requests.hpp"
 
-#include "castor/actors/cast/access_rules.hpp"
 #include "castor/actors/node/value_from_json.hpp"
 
 #include <pwd.h>
@@ -46,7 +45,7 @@ void write(const InspectionContextPtr& context, WriteRequest request, std::strin
           again.address.id = "operator:" + std::to_string(next_number());
           return context->guarded([&] { write(context, std::move(again), type, other_ids - 1); });
         }
-        context->refuse(without_subarchitecture(x.failure().message));
+        context->refuse(x.failure().message);
       },
       [=](const caf::error&) {
         context->refuse("the working memory of " + request.address.subarchitecture +
@@ -75,7 +74,7 @@ void with_entry(const InspectionContextPtr& context, const Address& address,
     .then(
       [=](const Outcome<EntryPtr>& x) {
         if (!x)
-          return context->refuse(without_subarchitecture(x.failure().message));
+          return context->refuse(x.failure().message);
         context->guarded([&] { f(*x); });
       },
       [=](const caf::error&) {
@@ -94,17 +93,10 @@ TypeDescriptorPtr wanted_type(const std::string& name, const TypeCatalogue& type
 
 } // namespace
 
-std::string without_subarchitecture(std::string message) {
-  auto full = to_string(*new_operator_client());
-  for (auto i = message.find(full); i != message.npos; i = message.find(full, i + 1))
-    message.replace(i, full.size(), operator_source());
-  return message;
-}
-
 const std::string& operator_source() {
   static const std::string result = [] {
     auto* user = getpwuid(geteuid());
-    return std::string{std::string{cast::operators}} + ':' +
+    return std::string{operators} + ':' +
            (user ? std::string{user->pw_name} : std::to_string(geteuid()));
   }();
   return result;
@@ -112,7 +104,7 @@ const std::string& operator_source() {
 
 ClientPtr new_operator_client() {
   return std::make_shared<const Client>(
-    Client{operator_source(), std::string{cast::operators}, next_number()});
+    Client{operator_source(), std::string{operators}, next_number()});
 }
 
 void add_entry(const InspectionContextPtr& context, const Json& request) {

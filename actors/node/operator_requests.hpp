@@ -11,9 +11,6 @@ namespace castor {
 /// Who stands as the source of what this user writes: "operator:ann".
 const std::string& operator_source();
 
-/// Of a message that names an operator as the component of a subarchitecture, which it is not.
-std::string without_subarchitecture(std::string message);
-
 /// Another one for each request: its end is the end of what the request has made ephemeral.
 ClientPtr new_operator_client();
 

@@ -48,6 +48,19 @@ struct Boiled {
 };
 CASTOR_REFLECT(Boiled, litres, by)
 
+struct Voucher {
+  int meals = 0;
+};
+CASTOR_REFLECT(Voucher, meals)
+
+/// Is in no system.
+class Cashier final : public UnmanagedComponent {
+  void start() override {
+    on_change(added<Voucher>(), [this](const ChangeEvent&) { info("takes it"); });
+  }
+};
+CASTOR_COMPONENT(Cashier, "takes vouchers")
+
 /// Hears of orders, boils water.
 class Cook final : public UnmanagedComponent {
   void start() override {

@@ -130,6 +130,14 @@ TEST_F(Operator, WritesTypesThatOnlyAnotherNodeKnows) {
   EXPECT_EQ(ask({"call", "kitchen", "Boil", R"({"litres": 1})"}).status, 0);
 }
 
+TEST_F(Operator, WritesTypesOfALoadedLibraryThatNoComponentHasUsed) {
+  auto castor = start();
+  auto added = ask({"wm", "add", "kitchen/v", "Voucher", R"({"meals": 2})"});
+  EXPECT_EQ(added.status, 0) << added.errors;
+  EXPECT_EQ(value_of("v")["value"]["meals"], 2);
+  EXPECT_THAT(ask({"wm", "types"}).output, HasSubstr("Voucher"));
+}
+
 TEST_F(Operator, IsToldWhatIsWrongWithAValue) {
   auto castor = start();
   EXPECT_THAT(add_refused("Ordre", soup), HasSubstr("no type Ordre; did you mean 'Order'?"));
