@@ -18,7 +18,8 @@
 
 namespace castor {
 
-/// What the components of one process share; outlives the actor system.
+/// What the components of one process share; outlives the actor system, and so must keep no actor
+/// alive, whose threads the actor system waits for.
 struct ComponentServices {
   /// The moment that times count from.
   std::chrono::steady_clock::time_point epoch;

@@ -188,12 +188,17 @@ void SystemPart::begin(const PartPlan& plan) {
     services_->operations = std::make_unique<OperationLog>(plan.operations);
   if (auto own = share_of_pushes(plan, self_); own > 0)
     services_->pushes = std::make_unique<PushRecorder>(plan.pushes, own);
-  services_->end_system = [to = plan.coordinator](int status, const std::string& reason) {
-    caf::anon_send(to, EndSystem{status, reason});
-  };
-  if (plan.task_observer)
-    services_->on_task = [to = plan.task_observer](TaskEvent x) {
-      caf::anon_send(to, std::move(x));
+  coordinator_ = plan.coordinator;
+  task_observer_ = plan.task_observer;
+  services_->end_system =
+    [to = caf::actor_cast<caf::actor_addr>(coordinator_)](int status, const std::string& reason) {
+      if (auto actor = caf::actor_cast<caf::actor>(to))
+        caf::anon_send(actor, EndSystem{status, reason});
+    };
+  if (task_observer_)
+    services_->on_task = [to = caf::actor_cast<caf::actor_addr>(task_observer_)](TaskEvent x) {
+      if (auto actor = caf::actor_cast<caf::actor>(to))
+        caf::anon_send(actor, std::move(x));
     };
 }
 

@@ -111,6 +111,10 @@ private:
   ArchitectureDescription architecture_;
   bool open_access_ = false;
   caf::actor supervisor_;
+  /// Who is told by components that the system is to end, and who watches tasks; null for nobody.
+  /// Kept here, since `services_` must not keep them.
+  caf::actor coordinator_;
+  caf::actor task_observer_;
   /// Components' threads may use it after the part is gone.
   std::shared_ptr<ComponentServices> services_ = std::make_shared<ComponentServices>();
   /// By subarchitecture.
