@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -95,6 +96,14 @@ std::string not_found(const std::string& library, const std::string& file) {
   return text + "write its path, or add its folder to LD_LIBRARY_PATH";
 }
 
+bool is_loaded(const std::string& library) {
+  auto* handle = dlopen(file_name(library).c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  if (!handle)
+    return false;
+  dlclose(handle);
+  return true;
+}
+
 } // namespace
 
 std::string why_no_plugin(const std::string& library) {
@@ -118,6 +127,26 @@ std::optional<std::string> load_plugin(const std::string& library) {
   if (file.find('/') == file.npos && why.starts_with(file + ": cannot open shared object"))
     return not_found(library, file);
   return "cannot load " + file + ": " + why;
+}
+
+std::optional<std::string> load_plugins(const std::vector<std::string>& libraries) {
+  std::set<std::string> parts_of_castor;
+  for (auto& x : libraries)
+    if (is_loaded(x))
+      parts_of_castor.insert(x);
+  for (auto& x : libraries) {
+    // It may have come with another one that links with it, and its classes too.
+    bool was_there = is_loaded(x);
+    auto classes = Registry::instance().all().size();
+    if (auto problem = load_plugin(x))
+      return problem;
+    if (parts_of_castor.count(x) > 0 ||
+        (!was_there && Registry::instance().all().size() == classes))
+      return "the library " + x +
+             " registers no component class of its own; CASTOR_COMPONENT(Class, \"...\") in a "
+             "source file of it does that";
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> bundled_plugins() {

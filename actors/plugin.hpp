@@ -13,6 +13,10 @@ namespace castor {
 /// if anything did.
 std::optional<std::string> load_plugin(const std::string& library);
 
+/// Loads the libraries that a user names for the sake of their component classes. Says what is
+/// wrong with the first that cannot be loaded or registers no class.
+std::optional<std::string> load_plugins(const std::vector<std::string>& libraries);
+
 /// The libraries of components that come with Castor, as `load_plugin` takes them.
 std::vector<std::string> bundled_plugins();
 

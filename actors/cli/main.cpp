@@ -57,11 +57,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", cli::explain(app, e).c_str());
     return cli::bad_input;
   }
-  for (auto& plugin : plugins) {
-    if (auto problem = load_plugin(plugin)) {
-      std::fprintf(stderr, "%s\n", problem->c_str());
-      return cli::bad_input;
-    }
+  if (auto problem = load_plugins(plugins)) {
+    std::fprintf(stderr, "%s\n", problem->c_str());
+    return cli::bad_input;
   }
   try {
     return action();
