@@ -24,6 +24,7 @@ struct Arguments {
   std::string value;
   std::optional<std::uint64_t> version;
   bool merge = false;
+  bool wait = false;
   bool json = false;
 };
 
@@ -51,7 +52,10 @@ int write(const Arguments& arguments, Json request, const char* what_was_done) {
 
 int add(const Arguments& arguments) {
   return write(arguments,
-               {{"do", "write"}, {"type", arguments.type}, {"value", read_json(arguments.value)}},
+               {{"do", "write"},
+                {"type", arguments.type},
+                {"value", read_json(arguments.value)},
+                {"wait", arguments.wait}},
                "added");
 }
 
@@ -131,6 +135,8 @@ void add_wm_writes(CLI::App& wm, Action& chosen) {
   command->add_option("TYPE", arguments->type, "of the entry; `castor wm types` lists them")
     ->required();
   add_value(*command, arguments);
+  command->add_flag("--wait", arguments->wait,
+                    "wait until the subarchitecture and the type are there");
   command->footer(
     "Every field has to be given but for optional ones; `castor wm types TYPE` prints an example.\n"
     "Without ID the entry gets an id of its own, which is printed.\n"

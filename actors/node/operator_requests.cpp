@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -28,6 +29,9 @@ Json written(const WriteRequest& x, const std::string& type, Version version) {
           {"version", version},
           {"writer", x.client->component}};
 }
+
+/// How often it is looked whether what a request waits for is there.
+constexpr std::chrono::milliseconds time_between_looks{100};
 
 /// How often another id is tried where the made one is taken, by an entry from an earlier run.
 constexpr int most_ids = 1000;
@@ -109,18 +113,28 @@ ClientPtr new_operator_client() {
 
 void add_entry(const InspectionContextPtr& context, const Json& request) {
   auto name = request.at("type").get<std::string>();
+  bool wait = request.value("wait", false);
   WriteRequest write_request;
   write_request.operation = Operation::add;
   write_request.address.subarchitecture = request.at("subarchitecture").get<std::string>();
   write_request.address.id = request.value("id", "");
   write_request.client = new_operator_client();
-  context->working_memory(write_request.address.subarchitecture);
+  auto subarchitecture = write_request.address.subarchitecture;
+  if (!wait)
+    context->working_memory(subarchitecture);
   int other_ids = 0;
   if (write_request.address.id.empty()) {
     other_ids = most_ids;
     write_request.address.id = "operator:" + std::to_string(next_number());
   }
   context->with_types([=, value = request.at("value")](const TypeCatalogue& types) {
+    bool is_there = context->parts.roster->working_memories.count(subarchitecture) > 0 &&
+                    is_known_type(name, types);
+    if (wait && !is_there) {
+      auto again = [=] { context->guarded([&] { add_entry(context, request); }); };
+      context->self->delayed_send(context->self, time_between_looks, InspectionTimeout{again});
+      return;
+    }
     auto complete = write_request;
     complete.value = value_from_json(wanted_type(name, types), value);
     write(context, std::move(complete), name, other_ids);

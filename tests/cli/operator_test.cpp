@@ -138,6 +138,38 @@ TEST_F(Operator, WritesTypesOfALoadedLibraryThatNoComponentHasUsed) {
   EXPECT_THAT(ask({"wm", "types"}).output, HasSubstr("Voucher"));
 }
 
+TEST_F(Operator, WaitsForASubarchitectureAndATypeIfAsked) {
+  // A system that has not loaded the test components, of which one is called Witness, too.
+  auto file = write("kitchen.cast", "SUBARCHITECTURE kitchen\n"
+                                    "CPP WM SubarchitectureWorkingMemory\n"
+                                    "CPP TM AlwaysPositiveTaskManager\nCPP UM binder Binder\n");
+  Process castor{{CASTOR_EXECUTABLE, "run", file}};
+  ASSERT_TRUE(eventually([] { return ask({"wm", "ls", "kitchen"}).status == 0; }));
+  EXPECT_THAT(refused({"wm", "add", "cellar", "Mark", R"({"slot": 1, "number": 0})"}),
+              HasSubstr("no subarchitecture cellar"));
+  Process add{
+    command({"wm", "add", "cellar/m", "Mark", R"({"slot": 1, "number": 0})", "--wait", "--json"})};
+  Process misspelt{command({"wm", "add", "kitchen", "Ordr", soup, "--wait"})};
+  auto cellar = write("cellar.cast", "SUBARCHITECTURE cellar\nCPP WM SubarchitectureWorkingMemory\n"
+                                     "CPP TM AlwaysPositiveTaskManager\n");
+  EXPECT_EQ(ask({"add", cellar}).status, 0);
+  // The subarchitecture is there now, and its type is not.
+  EXPECT_THAT(refused({"wm", "add", "cellar", "Mark", R"({"slot": 1, "number": 0})"}),
+              HasSubstr("no type Mark"));
+  EXPECT_EQ(add.output(), "");
+  auto witness = write("witness.cast", "SUBARCHITECTURE cellar\nCPP UM witness Witness@" +
+                                         std::string{CASTOR_WITNESS_PLUGIN} + " --file " +
+                                         (folder / "marks").string() + "\n");
+  auto joined = ask({"add", witness});
+  EXPECT_EQ(joined.status, 0) << joined.errors;
+  EXPECT_EQ(add.wait(), 0) << add.errors();
+  EXPECT_EQ(json::parse(add.output())["id"], "m");
+  EXPECT_EQ(misspelt.output() + misspelt.errors(), "");
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(misspelt.wait(), 2);
+  EXPECT_THAT(misspelt.errors(), HasSubstr("has ended before it answered"));
+}
+
 TEST_F(Operator, IsToldWhatIsWrongWithAValue) {
   auto castor = start();
   EXPECT_THAT(add_refused("Ordre", soup), HasSubstr("no type Ordre; did you mean 'Order'?"));
