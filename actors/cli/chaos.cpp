@@ -109,6 +109,8 @@ public:
                                                       arguments.but_for.end()}} {}
 
   int run() {
+    if (arguments_.json)
+      json_.emplace();
     auto architecture = read_architecture(arguments_.architecture);
     if (!architecture)
       return bad_input;
@@ -405,7 +407,7 @@ private:
       create(arguments_.report / "chaos.json") << faults::to_json(result_);
     }
     if (arguments_.json) {
-      cli::print(nlohmann::ordered_json::parse(faults::to_json(result_)).dump() + '\n');
+      json_->print(nlohmann::ordered_json::parse(faults::to_json(result_)));
       return result_.held() ? success : a_component_failed;
     }
     fmt::print("\n{}", faults::to_text(result_, isatty(STDOUT_FILENO) != 0));
@@ -415,6 +417,8 @@ private:
   }
 
   Signals signals_;
+  /// What components print is not among it.
+  std::optional<JsonOutput> json_;
   const Arguments& arguments_;
   const std::vector<std::string>& plugins_;
   const std::chrono::milliseconds duration_;

@@ -4,8 +4,10 @@
 #include "castor/actors/cli/journal_replay.hpp"
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/recorded_change.hpp"
+#include "castor/actors/cli/recorded_run.hpp"
 #include "castor/actors/cli/table.hpp"
 #include "castor/actors/cli/timeline.hpp"
+#include "castor/actors/component/push_log.hpp"
 #include "castor/actors/node/inspection_json.hpp"
 #include "castor/actors/node/known_names.hpp"
 #include "castor/wm/change_filter_parser.hpp"
@@ -65,8 +67,12 @@ std::string date(UnixTime x) {
 
 // --- ls ---
 
-/// The journals among these files, and those in these folders.
-std::vector<std::filesystem::path> journals_in(std::vector<std::string> places) {
+bool is_recorded_file(const std::filesystem::path& x) {
+  return x.extension() == journal_extension || x.extension() == push_log_extension;
+}
+
+/// These files, and the journals and push files in these folders.
+std::vector<std::filesystem::path> recorded_files_in(std::vector<std::string> places) {
   if (places.empty())
     places.push_back("journals");
   std::vector<std::filesystem::path> result;
@@ -78,7 +84,7 @@ std::vector<std::filesystem::path> journals_in(std::vector<std::string> places) 
     }
     for (std::filesystem::directory_iterator i{x, error}, end; !error && i != end;
          i.increment(error))
-      if (i->path().extension() == journal_extension)
+      if (is_recorded_file(i->path()))
         result.push_back(i->path());
     if (error)
       throw std::runtime_error("cannot look for journals in the folder " + x + ": " +
@@ -88,54 +94,95 @@ std::vector<std::filesystem::path> journals_in(std::vector<std::string> places) 
   return result;
 }
 
+std::string size_of(std::uint64_t bytes) {
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+/// The line of a journal, which is read for that. Throws JournalError.
+void list_journal(const std::filesystem::path& file, bool as_json, Table& table) {
+  JournalReader reader{file};
+  auto x = reader.summary();
+  std::size_t entries = 0;
+  {
+    Progress progress{"reading " + file.filename().string()};
+    std::uint64_t changes = 0;
+    auto image = reader.replay([&](const JournalRecord&) {
+      ++changes;
+      if (progress.due())
+        progress.update(static_cast<double>(changes), static_cast<double>(x.changes),
+                        fmt::format("{} of {} changes", changes, x.changes));
+    });
+    entries = image.size();
+  }
+  if (as_json) {
+    fmt::print("{}\n", Json{{"subarchitecture", x.subarchitecture},
+                            {"file", file.string()},
+                            {"entries", entries},
+                            {"changes", x.changes},
+                            {"sequence", x.sequence},
+                            {"first", seconds(x.first)},
+                            {"last", seconds(x.last)},
+                            {"bytes", x.bytes},
+                            {"session", x.session},
+                            {"incarnation", x.incarnation},
+                            {"clean", x.clean}}
+                         .dump());
+    return;
+  }
+  table.add({x.subarchitecture, std::to_string(entries), std::to_string(x.changes),
+             x.changes > 0 ? date(x.first) : "", x.changes > 0 ? date(x.last) : "",
+             size_of(x.bytes), std::to_string(x.session), std::to_string(x.incarnation),
+             x.clean ? "clean" : "in use, or not ended in order", file.string()});
+}
+
+/// The line of what a stand-alone component handed out. Throws JournalError.
+void list_pushes(const std::filesystem::path& file, bool as_json, Table& table) {
+  PushLogReader reader{file};
+  auto x = reader.summary();
+  {
+    Progress progress{"reading " + file.filename().string()};
+    auto total = static_cast<double>(x.pushes + x.pulls);
+    for (std::uint64_t values = 1; reader.next(); ++values)
+      if (progress.due())
+        progress.update(static_cast<double>(values), total);
+  }
+  if (as_json) {
+    auto line = to_json(x);
+    line["file"] = file.string();
+    fmt::print("{}\n", line.dump());
+    return;
+  }
+  bool has_values = x.pushes + x.pulls > 0;
+  table.add({x.provider, std::to_string(x.pushes), std::to_string(x.pulls),
+             has_values ? date(x.first) : "", has_values ? date(x.last) : "", size_of(x.bytes),
+             std::to_string(x.dropped), std::to_string(x.lost), file.string()});
+}
+
 int list(const Arguments& arguments) {
-  Table table{{"subarchitecture", ">entries", ">changes", "first", "last", ">size", ">sessions",
-               ">incarnation", "state", "file"}};
+  Table journals{{"subarchitecture", ">entries", ">changes", "first", "last", ">size", ">sessions",
+                  ">incarnation", "state", "file"}};
+  Table pushes{{"stand-alone component", ">pushes", ">pulls", "first", "last", ">size", ">dropped",
+                ">lost", "file"}};
   int status = success;
-  for (auto& file : journals_in(arguments.files)) {
+  for (auto& file : recorded_files_in(arguments.files)) {
     try {
-      JournalReader reader{file};
-      auto x = reader.summary();
-      std::size_t entries = 0;
-      {
-        Progress progress{"reading " + file.filename().string()};
-        std::uint64_t changes = 0;
-        auto image = reader.replay([&](const JournalRecord&) {
-          ++changes;
-          if (progress.due())
-            progress.update(static_cast<double>(changes), static_cast<double>(x.changes),
-                            fmt::format("{} of {} changes", changes, x.changes));
-        });
-        entries = image.size();
-      }
-      if (arguments.json) {
-        fmt::print("{}\n", Json{{"subarchitecture", x.subarchitecture},
-                                {"file", file.string()},
-                                {"entries", entries},
-                                {"changes", x.changes},
-                                {"sequence", x.sequence},
-                                {"first", seconds(x.first)},
-                                {"last", seconds(x.last)},
-                                {"bytes", x.bytes},
-                                {"session", x.session},
-                                {"incarnation", x.incarnation},
-                                {"clean", x.clean}}
-                             .dump());
-        continue;
-      }
-      table.add({x.subarchitecture, std::to_string(entries), std::to_string(x.changes),
-                 x.changes > 0 ? date(x.first) : "", x.changes > 0 ? date(x.last) : "",
-                 fmt::format("{:.1f} MB", static_cast<double>(x.bytes) / 1e6),
-                 std::to_string(x.session), std::to_string(x.incarnation),
-                 x.clean ? "clean" : "in use, or not ended in order", file.string()});
+      if (file.extension() == push_log_extension)
+        list_pushes(file, arguments.json, pushes);
+      else
+        list_journal(file, arguments.json, journals);
     } catch (const JournalError& e) {
       fmt::print(stderr, "{}\n", e.what());
       status = bad_input;
     }
   }
-  // Of journals that cannot be read, only that is said.
-  if (!arguments.json && (status == success || !table.empty()))
-    fmt::print("{}", table.text());
+  if (arguments.json)
+    return status;
+  // Of files that cannot be read, only that is said.
+  bool has_pushes = !pushes.empty();
+  if (!journals.empty() || (status == success && !has_pushes))
+    fmt::print("{}", journals.text());
+  if (has_pushes)
+    fmt::print("{}{}", journals.empty() ? "" : "\n", pushes.text());
   return status;
 }
 
@@ -233,9 +280,10 @@ void add_journal(CLI::App& app, Action& chosen) {
     "batched; --journal-keep makes it a recording.");
 
   auto arguments = std::make_shared<Arguments>();
-  auto* ls = command(*journal, "ls", "list journals, and see whether they are sound", chosen,
-                     arguments, list);
-  ls->add_option("PLACE", arguments->files, "journals, or folders with some; otherwise `journals`")
+  auto* ls = command(*journal, "ls", "list journals and recordings, and see whether they are sound",
+                     chosen, arguments, list);
+  ls->add_option("PLACE", arguments->files,
+                 "journals and files of pushes, or folders with some; otherwise `journals`")
     ->type_name("FILE|DIR");
   ls->add_flag("--json", arguments->json, "print JSON, one object on a line");
   ls->footer("Example: castor journal ls recordings");

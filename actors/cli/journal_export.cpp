@@ -11,14 +11,18 @@
 #include <CLI/Option.hpp>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -30,6 +34,7 @@ struct Arguments {
   std::vector<std::string> places;
   std::string mcap;
   std::string jsonl;
+  bool json = false;
 };
 
 /// What of a recording comes next: from a journal, or from what a stand-alone component handed out.
@@ -133,14 +138,35 @@ void export_jsonl(const Arguments& arguments, const ReplaySource& source) {
     throw std::runtime_error("cannot write " + arguments.jsonl);
 }
 
+void print_written(const char* format, const std::string& file, const RecordingContents& contents,
+                   bool has_values) {
+  std::uint64_t values = 0;
+  for (auto& x : contents.pushes)
+    values += x.pushes + x.pulls;
+  std::error_code error;
+  auto bytes = std::filesystem::file_size(file, error);
+  nlohmann::ordered_json line{{"file", file},
+                              {"format", format},
+                              {"changes", contents.changes},
+                              {"values", has_values ? values : 0},
+                              {"bytes", error ? 0 : bytes}};
+  fmt::print("{}\n", line.dump());
+}
+
 int export_changes(const Arguments& arguments) {
   if (arguments.mcap.empty() && arguments.jsonl.empty())
     throw std::runtime_error("say what to write: --mcap OUT or --jsonl OUT");
   auto source = find_replay_source(arguments.places);
-  if (!arguments.mcap.empty())
+  if (!arguments.mcap.empty()) {
     export_mcap(arguments, source);
-  if (!arguments.jsonl.empty())
+    if (arguments.json)
+      print_written("mcap", arguments.mcap, source.contents, true);
+  }
+  if (!arguments.jsonl.empty()) {
     export_jsonl(arguments, source);
+    if (arguments.json && arguments.jsonl != "-")
+      print_written("jsonl", arguments.jsonl, source.contents, false);
+  }
   return success;
 }
 
@@ -159,6 +185,8 @@ void add_journal_export(CLI::App& journal, Action& chosen) {
   command->add_option("--jsonl", arguments->jsonl, "JSON, one change on a line; - prints it")
     ->type_name("OUT")
     ->check([](const std::string& x) { return x == "-" ? std::string{} : check_output_file(x); });
+  command->add_flag("--json", arguments->json,
+                    "print what was written as JSON, one file on a line; beside --jsonl - nothing");
   command->footer("Examples: castor journal export today --mcap today.mcap\n"
                   "          castor journal export journals/*.castor-journal --jsonl run.jsonl");
   command->callback(

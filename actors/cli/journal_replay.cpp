@@ -191,31 +191,6 @@ private:
   Progress progress_{"replay"};
 };
 
-/// For as long as it lives, what anybody prints goes to standard error, so that the outcome alone
-/// is on standard output.
-class OutcomeOnly {
-public:
-  explicit OutcomeOnly(bool wanted) {
-    if (!wanted)
-      return;
-    std::fflush(stdout);
-    output_ = dup(STDOUT_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO);
-  }
-  OutcomeOnly(const OutcomeOnly&) = delete;
-  OutcomeOnly& operator=(const OutcomeOnly&) = delete;
-  ~OutcomeOnly() {
-    if (output_ < 0)
-      return;
-    std::fflush(stdout);
-    dup2(output_, STDOUT_FILENO);
-    close(output_);
-  }
-
-private:
-  int output_ = -1;
-};
-
 int print_outcome(const Json& x, bool as_json) {
   if (as_json)
     fmt::print("{}\n", x.dump());
@@ -278,7 +253,10 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
   if (!arguments.output.empty())
     std::filesystem::create_directories(arguments.output);
   auto somebody_lives = has_components(architecture);
-  std::optional<OutcomeOnly> outcome_only{arguments.json};
+  // So the outcome alone is on standard output.
+  std::optional<JsonOutput> json;
+  if (arguments.json)
+    json.emplace();
   std::atomic<bool> over{false};
   SystemOptions options;
   options.endpoint = endpoint_of_process(architecture.file);
@@ -322,7 +300,7 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
       system.reset();
     replay.join();
   }
-  outcome_only.reset();
+  json.reset();
   if (outcome)
     status = std::max(status, print_outcome(*outcome, arguments.json));
   if (!system)

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/project_template.hpp"
 #include "castor/actors/plugin.hpp"
@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -28,11 +29,13 @@ namespace castor::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::string kind;
   std::string name;
   fs::path in = ".";
+  bool json = false;
 };
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -98,6 +101,20 @@ bool is_in_path(const fs::path& executable) {
   return false;
 }
 
+/// What has to be done before what was made can be built and run; empty if nothing has.
+std::string missing_installation() {
+  std::error_code error;
+  auto executable = fs::read_symlink("/proc/self/exe", error);
+  auto bin = executable.parent_path();
+  if (bin.filename() != "bin")
+    return "scripts/install          in Castor's source tree, or install the packages castor and "
+           "castor-dev: what is made here builds against an installed Castor";
+  if (!fs::exists(bin.parent_path() / CASTOR_PACKAGE_FOLDER / "castorConfig.cmake", error))
+    return "sudo apt-get install castor-dev          components are built with it; scripts/install "
+           "in Castor's source tree installs the same";
+  return is_in_path(executable) ? std::string{} : fmt::format("export PATH={}:$PATH", bin.string());
+}
+
 int make(const Arguments& arguments) {
   auto name = project_name(arguments.name);
   if (!name.name)
@@ -106,26 +123,32 @@ int make(const Arguments& arguments) {
   auto folder = (arguments.in / arguments.name).lexically_normal();
   write(fs::absolute(folder), files);
 
+  auto preparation = missing_installation();
+  const std::vector<std::string> commands{
+    "cd " + folder.string(),
+    "cmake -B build",
+    "cmake --build build",
+    "ctest --test-dir build",
+    fmt::format("castor --plugin build/lib{}.so run {}.cast --trace --until-quiet 1s",
+                name.name->library, name.name->name),
+  };
+  if (arguments.json) {
+    Json result{
+      {"kind", arguments.kind}, {"name", arguments.name}, {"folder", fs::absolute(folder).string()},
+      {"files", Json::array()}, {"before", preparation},  {"next", commands}};
+    for (auto& file : files)
+      result["files"].push_back(file.path);
+    fmt::print("{}\n", result.dump());
+    return success;
+  }
   fmt::print("made {}:\n", folder.string());
   for (auto& file : files)
     fmt::print("  {}\n", file.path);
   fmt::print("\nNext:\n");
-  std::error_code error;
-  auto executable = fs::read_symlink("/proc/self/exe", error);
-  if (!is_in_path(executable)) {
-    auto bin = executable.parent_path();
-    if (bin.filename() == "bin")
-      fmt::print("  export PATH={}:$PATH\n", bin.string());
-    else
-      fmt::print("  scripts/install          in Castor's source tree: what is made here builds "
-                 "against an installed Castor\n");
-  }
-  fmt::print("  cd {}\n"
-             "  cmake -B build\n"
-             "  cmake --build build\n"
-             "  ctest --test-dir build\n"
-             "  castor --plugin build/lib{}.so run {}.cast --trace --until-quiet 1s\n",
-             folder.string(), name.name->library, name.name->name);
+  if (!preparation.empty())
+    fmt::print("  {}\n", preparation);
+  for (auto& command : commands)
+    fmt::print("  {}\n", command);
   return success;
 }
 
@@ -144,6 +167,7 @@ void add_new(CLI::App& app, Action& chosen) {
     ->required();
   command->add_option("--in", arguments->in, "where the folder is made; by default here")
     ->type_name("DIR");
+  add_json_flag(*command, arguments->json);
   command->footer(
     "component         one component, its entry type, a system and a test\n"
     "subarchitecture   two components that meet on a working memory, with a filter\n"

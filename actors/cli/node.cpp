@@ -1,5 +1,6 @@
 #include "castor/actors/node/node.hpp"
 #include "castor/actors/cli/commands.hpp"
+#include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/component/log.hpp"
@@ -13,6 +14,7 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <poll.h>
 #include <sys/resource.h>
@@ -42,6 +44,7 @@ struct Arguments {
   int announce = STDOUT_FILENO;
   std::int64_t memory_limit = 0;
   bool verbose = false;
+  bool json = false;
 };
 
 /// Whether everybody who could write to our standard input is gone.
@@ -60,6 +63,16 @@ void announce(const Arguments& arguments, const std::string& name, const Endpoin
                 : to_string(at) + '\n';
   // Who does not listen does not want to know.
   [[maybe_unused]] auto written = write(arguments.announce, text.data(), text.size());
+}
+
+nlohmann::ordered_json to_json(const MembershipNews& x) {
+  nlohmann::ordered_json result{{"event", x.takes_part ? "system joined" : "system left"},
+                                {"system", x.system}};
+  if (x.takes_part)
+    result["coordinator"] = x.coordinator;
+  else
+    result["reason"] = x.reason;
+  return result;
 }
 
 /// So many MB more than there are now; what asks for more does not get it.
@@ -83,6 +96,9 @@ std::shared_ptr<void> erase_progress() {
 
 int node(Arguments arguments) {
   Signals signals;
+  std::optional<JsonOutput> json;
+  if (arguments.json)
+    json.emplace();
   if (arguments.announce != STDOUT_FILENO && Progress::is_shown_on(STDERR_FILENO))
     guard_log_lines(erase_progress);
   if (arguments.memory_limit > 0)
@@ -122,8 +138,19 @@ int node(Arguments arguments) {
   }
   options.socket = listen_at(at);
   at.port = port_of(options.socket);
+  if (json) {
+    options.on_system = [&](const MembershipNews& x) { json->print(to_json(x)); };
+    // Before any system can come.
+    json->print(nlohmann::ordered_json{{"event", "listening"},
+                                       {"name", name},
+                                       {"address", at.host},
+                                       {"port", at.port},
+                                       {"pid", getpid()},
+                                       {"tls", options.credentials.has_value()}});
+  }
   auto result = std::make_unique<Node>(options);
-  announce(arguments, name, at);
+  if (!json)
+    announce(arguments, name, at);
   while (signals.count() == 0 && !(arguments.end_with_input && input_has_ended()))
     poll(nullptr, 0, 50);
   // Components that do not come back from their own code must not keep the process.
@@ -157,15 +184,22 @@ void add_node(CLI::App& app, Action& chosen) {
   command->add_flag("--insecure", arguments->insecure, "listen beyond this machine without --tls");
   command->add_flag("--end-with-input", arguments->end_with_input,
                     "end when standard input does, as programs that start nodes want it");
-  command
-    ->add_option("--announce", arguments->announce,
-                 "write nothing but the address to this file descriptor once the node is ready")
-    ->type_name("FD");
+  auto* announce_option =
+    command
+      ->add_option("--announce", arguments->announce,
+                   "write nothing but the address to this file descriptor once the node is ready")
+      ->type_name("FD");
   command
     ->add_option("--memory-limit", arguments->memory_limit,
                  "how much its components may allocate; who asks for more fails")
     ->type_name("MB")
     ->check(CLI::PositiveNumber);
+  command
+    ->add_flag(
+      "--json", arguments->json,
+      "print JSON, one object on a line: where the node listens, and the systems that come "
+      "and go; what components print goes to standard error")
+    ->excludes(announce_option);
   command->add_flag("-v,--verbose", arguments->verbose, "log more");
   command->footer(
     "A system finds the node where its .cast file says HOST NAME and HOSTNAME NAME HOST:PORT.\n"

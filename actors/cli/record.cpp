@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <fstream>
@@ -139,37 +140,58 @@ RunRecording::RunRecording(const RecordArguments& arguments, const ArchitectureA
   has_other_machines_ = !nodes_are_local && !other_hosts(architecture).empty();
 }
 
-std::string RunRecording::finish(const std::vector<std::string>& plugins) {
+FinishedRecording RunRecording::finish(const std::vector<std::string>& plugins) {
   facts_.end = unix_now();
   folder_.write(facts_);
-  auto contents = contents_of(files_in(folder_.path(), journal_extension),
-                              files_in(folder_.path(), push_log_extension));
-  auto result = fmt::format("recorded in {}: {} of {} ({} in the end)", folder_.path().string(),
+  std::string replay = "castor ";
+  for (auto& x : plugins)
+    replay += "--plugin " + in_quotes_if_needed(fs::absolute(x).string()) + ' ';
+  replay += "journal replay " + in_quotes_if_needed(folder_.path().string());
+  return {folder_.path(),
+          contents_of(files_in(folder_.path(), journal_extension),
+                      files_in(folder_.path(), push_log_extension)),
+          limit_, has_other_machines_, replay};
+}
+
+std::string in_words(const FinishedRecording& x) {
+  auto& contents = x.contents;
+  auto folder = x.folder.string();
+  auto result = fmt::format("recorded in {}: {} of {} ({} in the end)", folder,
                             count(contents.changes, "change", "changes"),
                             count(contents.changes_by.size(), "working memory", "working memories"),
                             count(contents.entries, "entry", "entries"));
   std::uint64_t dropped = 0;
   std::uint64_t lost = 0;
-  for (auto& x : contents.pushes) {
-    result += fmt::format(", {} and {} of {}", count(x.pushes, "push", "pushes"),
-                          count(x.pulls, "answer to a pull", "answers to pulls"), x.provider);
-    dropped += x.dropped;
-    lost += x.lost;
+  for (auto& y : contents.pushes) {
+    result += fmt::format(", {} and {} of {}", count(y.pushes, "push", "pushes"),
+                          count(y.pulls, "answer to a pull", "answers to pulls"), y.provider);
+    dropped += y.dropped;
+    lost += y.lost;
   }
   result += fmt::format("; {:.1f} MB\n", static_cast<double>(contents.bytes) / 1e6);
   if (dropped > 0)
     result += fmt::format("the {} oldest pushes and answers were dropped, for they took more than "
                           "{} MB (--record-limit)\n",
-                          dropped, limit_);
+                          dropped, x.limit);
   if (lost > 0)
     result += fmt::format("{} pushes and answers are missing, for the disk was too slow\n", lost);
-  if (has_other_machines_)
-    result += fmt::format("what was recorded on other machines is there in {}: copy it together\n",
-                          folder_.path().string());
-  result += "replay it with: castor ";
-  for (auto& x : plugins)
-    result += "--plugin " + in_quotes_if_needed(fs::absolute(x).string()) + ' ';
-  return result + "journal replay " + in_quotes_if_needed(folder_.path().string()) + '\n';
+  if (x.has_other_machines)
+    result +=
+      fmt::format("what was recorded on other machines is there in {}: copy it together\n", folder);
+  return result + "replay it with: " + x.replay + '\n';
+}
+
+nlohmann::ordered_json to_json(const FinishedRecording& x) {
+  nlohmann::ordered_json result{{"folder", x.folder.string()},
+                                {"entries", x.contents.entries},
+                                {"changes", x.contents.changes},
+                                {"bytes", x.contents.bytes},
+                                {"other_machines", x.has_other_machines},
+                                {"replay", x.replay},
+                                {"providers", nlohmann::ordered_json::array()}};
+  for (auto& y : x.contents.pushes)
+    result["providers"].push_back(to_json(y));
+  return result;
 }
 
 } // namespace castor::cli

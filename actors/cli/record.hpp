@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace CLI {
 class App;
 }
@@ -34,6 +36,22 @@ void add_record_arguments(CLI::App& command, RecordArguments& arguments);
 void apply_journal_arguments(const RecordArguments& arguments,
                              ArchitectureDescription& architecture);
 
+/// A recording that has been made.
+struct FinishedRecording {
+  std::filesystem::path folder;
+  RecordingContents contents;
+  /// MB that recorded pushes and pulls may take.
+  std::uint64_t limit = 0;
+  /// Whether something was recorded on other machines, too.
+  bool has_other_machines = false;
+  /// A command line.
+  std::string replay;
+};
+
+/// What was recorded and how it is replayed, on lines of their own.
+std::string in_words(const FinishedRecording& x);
+nlohmann::ordered_json to_json(const FinishedRecording& x);
+
 /// A recording that is being made.
 class RunRecording {
 public:
@@ -43,9 +61,8 @@ public:
                const std::string& until_quiet, ArchitectureDescription& architecture,
                SystemOptions& options, bool nodes_are_local);
 
-  /// To be called when the system is no more. What was recorded, in words, and how it is replayed
-  /// with these plug-ins.
-  std::string finish(const std::vector<std::string>& plugins);
+  /// To be called when the system is no more; the recording is replayed with these plug-ins.
+  FinishedRecording finish(const std::vector<std::string>& plugins);
 
 private:
   RecordingFolder folder_;

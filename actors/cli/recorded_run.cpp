@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -69,6 +70,13 @@ void RecordingFolder::write(const RunFacts& x) const {
     json["until_quiet"] = x.until_quiet;
   auto out = create(facts_file());
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+Json to_json(const PushLogSummary& x) {
+  auto seconds = [](UnixTime time) { return std::chrono::duration<double>(time).count(); };
+  return {{"provider", x.provider},    {"pushes", x.pushes},      {"pulls", x.pulls},
+          {"first", seconds(x.first)}, {"last", seconds(x.last)}, {"bytes", x.bytes},
+          {"dropped", x.dropped},      {"lost", x.lost}};
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, const std::string& extension) {

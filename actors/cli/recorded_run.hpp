@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace castor::cli {
 
 /// What a recording says of the run that it was made of.
@@ -47,6 +49,9 @@ private:
 
   std::filesystem::path folder_;
 };
+
+/// What a stand-alone component handed out. Times are in seconds since 1970.
+nlohmann::ordered_json to_json(const PushLogSummary& x);
 
 /// The files of a folder whose names end so, sorted. Throws std::runtime_error.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,

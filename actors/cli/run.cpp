@@ -13,6 +13,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/inspection_json.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
@@ -37,6 +38,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace castor::cli {
@@ -63,18 +66,20 @@ struct Arguments {
   std::string tls;
   bool insecure = false;
   bool verbose = false;
+  bool json = false;
 };
 
 /// Prints and writes the timeline; used by one thread at a time.
 class Timeline {
 public:
-  explicit Timeline(const Arguments& arguments)
-    : print_(arguments.trace), coloured_(isatty(STDOUT_FILENO) != 0) {
+  /// @param json where events are printed as JSON; null to print them as text
+  Timeline(const Arguments& arguments, JsonOutput* json)
+    : print_(arguments.trace), coloured_(isatty(STDOUT_FILENO) != 0), json_(json) {
     if (!arguments.output.empty()) {
       file_ = create(arguments.output / "timeline.txt");
       file_ << timeline_head(false) << '\n';
     }
-    if (print_)
+    if (print_ && !json_)
       std::puts(timeline_head(coloured_).c_str());
   }
 
@@ -82,7 +87,9 @@ public:
 
   template <class Event>
   void add(const Event& event) {
-    if (print_) {
+    if (print_ && json_) {
+      json_->print(to_json(event));
+    } else if (print_) {
       const ProgressPause pause;
       std::puts(timeline_line(event, coloured_).c_str());
       // In a pipe too, the reader sees a line when it happens.
@@ -97,7 +104,74 @@ public:
 private:
   bool print_;
   bool coloured_;
+  JsonOutput* json_;
   std::ofstream file_;
+};
+
+std::string_view to_string(EndReason x) {
+  switch (x) {
+    case EndReason::ended_by_component:
+      return "component";
+    case EndReason::time_over:
+      return "time";
+    case EndReason::quiet:
+      return "quiet";
+    case EndReason::interrupted:
+      return "interrupted";
+    case EndReason::all_failed:
+      return "failed";
+  }
+  return {};
+}
+
+/// All that is said of a run when it is over, as JSON or as text.
+class RunReport {
+public:
+  explicit RunReport(JsonOutput* json) : json_(json) {}
+
+  void add(const SystemSummary& summary, const SystemRoster& roster) {
+    if (!json_) {
+      fmt::print("\n{}", report(summary));
+      return;
+    }
+    result_.update(to_json(summary, roster));
+    auto& failures = result_["failures"] = Json::array();
+    for (auto& x : summary.components)
+      if (!x.failure.empty())
+        failures.push_back({{"component", x.identity.full_name()}, {"failure", x.failure}});
+    result_["stuck"] = summary.stuck;
+  }
+
+  void add_files(const std::vector<std::string>& names) {
+    if (!json_)
+      fmt::print("\nwrote {}\n", fmt::join(names, ", "));
+    for (auto& x : names)
+      files_.push_back(x);
+  }
+
+  void add(const FinishedRecording& x) {
+    if (!json_)
+      fmt::print("\n{}", in_words(x));
+    recording_ = to_json(x);
+  }
+
+  /// The last of it.
+  void finish(EndReason why, const std::string& reason, int status) {
+    if (!json_)
+      return;
+    Json line{{"ended", to_string(why)}, {"reason", reason}, {"status", status}};
+    line.update(result_);
+    line["wrote"] = files_;
+    if (!recording_.is_null())
+      line["recording"] = recording_;
+    json_->print(line);
+  }
+
+private:
+  JsonOutput* json_;
+  Json result_ = Json::object();
+  Json files_ = Json::array();
+  Json recording_;
 };
 
 bool any_failed(const SystemSummary& summary) {
@@ -135,6 +209,10 @@ std::string nodes_of(const ArchitectureDescription& architecture) {
 int run(Arguments arguments, const std::vector<std::string>& plugins) {
   // Before any thread is made, so that none of them takes the signals.
   Signals signals;
+  std::optional<JsonOutput> json;
+  if (arguments.json)
+    json.emplace();
+  auto* json_output = json ? &*json : nullptr;
   if (!arguments.output.empty()) {
     make_folder(arguments.output);
     arguments.architecture.offered["output"] = arguments.output.string();
@@ -144,7 +222,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   auto architecture = read_architecture(arguments.architecture);
   if (!architecture)
     return bad_input;
-  Timeline timeline{arguments};
+  Timeline timeline{arguments, json_output};
   SystemOptions options;
   options.open_access = arguments.open_access;
   options.broadcast = arguments.broadcast;
@@ -203,6 +281,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     return bad_input;
   }
   int status = success;
+  std::string why_ended;
   auto reason = EndReason::interrupted;
   if (was_started)
     reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
@@ -210,6 +289,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     note(LogLevel::info, "interrupted: stopping (once more to leave at once)");
   if (auto ended = system->ended()) {
     status = ended->first;
+    why_ended = ended->second;
     note(LogLevel::info, "ended by " + ended->second);
   }
   if (picture)
@@ -217,31 +297,36 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   system->stop();
   timeline.close();
   auto summary = system->summary();
-  fmt::print("\n{}", report(summary));
+  RunReport run_report{json_output};
+  run_report.add(summary, *system->roster());
   if (!arguments.output.empty()) {
     create(arguments.output / "entries.json") << entries_as_json(*system);
-    fmt::print("\nwrote {}\n", arguments.output.string());
+    run_report.add_files({arguments.output.string()});
   }
   if (picture) {
     picture->write(arguments.timelines, title, system->subarchitectures());
-    fmt::print("\nwrote {}\n", fmt::join(arguments.timelines, ", "));
+    run_report.add_files(arguments.timelines);
   }
   if (status == success && any_failed(summary))
     status = a_component_failed;
   if (!summary.stuck.empty()) {
+    if (status == success)
+      status = a_component_failed;
     // Their threads cannot be ended, and destroying the system would wait for them.
     system->abandon();
     local_nodes.reset();
+    run_report.finish(reason, why_ended, status);
     flush_log();
     std::fflush(stdout);
-    std::_Exit(status == success ? a_component_failed : status);
+    std::_Exit(status);
   }
   if (recording) {
     // What still waits to be written is written when they are gone.
     system.reset();
     local_nodes.reset();
-    fmt::print("\n{}", recording->finish(plugins));
+    run_report.add(recording->finish(plugins));
   }
+  run_report.finish(reason, why_ended, status);
   return status;
 }
 
@@ -325,6 +410,9 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->type_name("DIR");
   command->add_flag("--insecure", arguments->insecure,
                     "talk to nodes on other machines without --tls");
+  command->add_flag("--json", arguments->json,
+                    "print JSON, one object on a line: changes and tasks with --trace, at the end "
+                    "how the run ended; what components print goes to standard error");
   command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");
   command->footer(
     "Ctrl-C stops the components in the reverse order of their start.\n"

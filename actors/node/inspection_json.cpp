@@ -1,6 +1,7 @@
 #include "castor/actors/node/inspection_json.hpp"
 
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/node/system.hpp"
 #include "castor/actors/node/value_from_json.hpp"
 #include "castor/wm/json.hpp"
 
@@ -152,6 +153,30 @@ Json to_json(const SystemReport& report, const SystemRoster& roster) {
   return result;
 }
 
+Json to_json(const SystemSummary& summary, const SystemRoster& roster) {
+  auto node_of = [&](const std::string& component) {
+    return name_of(roster, process_of(roster.placement, component));
+  };
+  Json result{{"components", Json::array()},
+              {"working_memories", Json::array()},
+              {"processes", Json::array()}};
+  for (auto& x : summary.components)
+    result["components"].push_back(to_json(x, node_of(x.identity.name)));
+  for (auto& x : summary.working_memories)
+    result["working_memories"].push_back(to_json(x, node_of(working_memory_of(x.subarchitecture))));
+  for (auto& x : summary.processes) {
+    auto& name = x.description.name;
+    auto links = Json::array();
+    for (auto& link : x.links)
+      links.push_back(to_json(link, roster));
+    result["processes"].push_back({{"name", name.empty() ? "localhost" : name},
+                                   {"cpu", seconds(x.usage.cpu)},
+                                   {"memory", x.usage.memory_bytes},
+                                   {"links", std::move(links)}});
+  }
+  return result;
+}
+
 Json to_json(const Access& x) {
   return {{"component", x.component},
           {"subarchitecture", x.subarchitecture},
@@ -173,6 +198,13 @@ Json to_json(const ChangeEvent& x) {
           {"component", x.source},
           {"changed", x.changed_fields()},
           {"coalesced", x.coalesced}};
+}
+
+Json to_json(const TaskEvent& x) {
+  return {{"time", seconds(x.time)},   {"subarchitecture", x.subarchitecture},
+          {"task", to_string(x.step)}, {"name", x.task.name},
+          {"id", x.task.id},           {"component", x.task.component},
+          {"detail", x.detail}};
 }
 
 Json to_json(const TypeDescriptor& x) {

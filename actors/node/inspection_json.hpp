@@ -3,6 +3,7 @@
 #include "castor/actors/node/component_statuses.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/replay.hpp"
+#include "castor/actors/task_manager/task_event.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,9 +21,14 @@ struct SystemReport {
   std::vector<WorkingMemoryStatus> working_memories;
 };
 
+struct SystemSummary;
+
 Json to_json(const SystemReport& report, const SystemRoster& roster);
+/// What the processes, working memories and components of a system did, for its end.
+Json to_json(const SystemSummary& summary, const SystemRoster& roster);
 Json to_json(const Access& x);
 Json to_json(const ChangeEvent& x);
+Json to_json(const TaskEvent& x);
 Json to_json(const ReplayOutcome& x);
 /// Where it is in the recording (`at`) is in microseconds since 1970.
 Json to_json(const ReplayProgress& x);

@@ -60,6 +60,7 @@ bool Memberships::is_given_up(const Hello& coordinator) const {
 Memberships::Membership& Memberships::enter(const Hello& coordinator) {
   note(LogLevel::info,
        parts_.name + " takes part in " + coordinator.system + ", for " + coordinator.node);
+  tell({coordinator.system, true, coordinator.node, {}});
   auto& result = memberships_[coordinator.system];
   result.self.node = parts_.name;
   result.self.system = coordinator.system;
@@ -129,6 +130,12 @@ void Memberships::add_link(Membership& membership, ProcessNumber peer, const std
   membership.links[peer] = parts_.spawn_link(std::move(parts));
 }
 
+void Memberships::tell(const MembershipNews& x) {
+  std::lock_guard guard{telling_};
+  if (parts_.on_news)
+    parts_.on_news(x);
+}
+
 std::vector<caf::actor> Memberships::leave(const std::string& system, const std::string& why) {
   std::map<std::string, Membership>::node_type left;
   {
@@ -139,6 +146,7 @@ std::vector<caf::actor> Memberships::leave(const std::string& system, const std:
   if (!left)
     return links;
   note(LogLevel::info, parts_.name + " leaves " + system + ": " + why);
+  tell({system, false, {}, why});
   auto& membership = left.mapped();
   caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);
   for (auto& [peer, link] : membership.links) {

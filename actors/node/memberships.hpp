@@ -7,6 +7,7 @@
 #include "castor/actors/node/part.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,16 @@
 
 namespace castor {
 
+/// A node takes part in a system, or does not any more.
+struct MembershipNews {
+  std::string system;
+  bool takes_part = false;
+  /// The node of the system's coordinator, if it takes part.
+  std::string coordinator;
+  /// Why it does not any more.
+  std::string reason;
+};
+
 struct MembershipParts {
   /// Of the node.
   std::string name;
@@ -24,6 +35,8 @@ struct MembershipParts {
   LinkOptions link;
   LinkSpawn spawn_link;
   PartSpawn spawn;
+  /// Called by the network's thread and by agents, one at a time; may be empty.
+  std::function<void(const MembershipNews&)> on_news = {};
 };
 
 /// The systems that a node takes part in; used by the network's thread and by agents.
@@ -56,10 +69,12 @@ private:
   void add_link(Membership& membership, ProcessNumber peer, const std::string& name,
                 std::optional<Endpoint> dial);
   std::vector<caf::actor> leave(const std::string& system, const std::string& why);
+  void tell(const MembershipNews& x);
 
   caf::actor_system& system_;
   const MembershipParts parts_;
   mutable std::mutex mutex_;
+  std::mutex telling_;
   std::map<std::string, Membership> memberships_;
 };
 

@@ -14,7 +14,8 @@ public:
   explicit Implementation(const NodeOptions& options)
     : memberships_(std::make_shared<Memberships>(
         system_,
-        MembershipParts{options.name, options.credentials, options.link, spawn_link, {}})) {
+        MembershipParts{
+          options.name, options.credentials, options.link, spawn_link, {}, options.on_system})) {
     ListenerParts parts;
     parts.socket = options.socket;
     parts.route = [memberships = memberships_](const Hello& x) { return memberships->route(x); };

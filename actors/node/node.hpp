@@ -2,7 +2,9 @@
 
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/node/memberships.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +21,9 @@ struct NodeOptions {
   std::optional<Credentials> credentials = {};
   /// How processes that went out of reach are treated; how long they may be, the coordinator says.
   LinkOptions link = {};
+  /// Called when it takes part in a system, and when it does not any more; by any thread, one at a
+  /// time. May be empty.
+  std::function<void(const MembershipNews&)> on_system = {};
 };
 
 /// A process that makes its part of every system whose coordinator asks it to. Systems on the same

@@ -5,7 +5,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -69,6 +71,114 @@ TEST_F(Castor, TheTimelineIsPlainInAPipe) {
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a +OVERWRITE +Tick +\\S+ +clock +v2\n"}));
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"\na +Tick +1\n"})) << text;
   EXPECT_TRUE(std::regex_search(text, match, std::regex{"a\\.clock +stopped +0 +0 +0 +3 +0\n"}));
+}
+
+TEST_F(Castor, ARunForScriptsPrintsHowItEnded) {
+  auto answer = ask({"run", system("CPP UM clock Clock --count 2 --status 7\n"), "--json"});
+  EXPECT_EQ(answer.status, 7);
+  auto lines = json_lines(answer.output);
+  ASSERT_EQ(lines.size(), 1U) << answer.output;
+  auto& end = lines.front();
+  EXPECT_EQ(end["ended"], "component");
+  EXPECT_EQ(end["reason"], "a.clock: it has ticked 2 times");
+  EXPECT_EQ(end["status"], 7);
+  EXPECT_TRUE(end["failures"].empty());
+  EXPECT_EQ(end["components"].back()["name"], "clock");
+  EXPECT_EQ(end["components"].back()["node"], "localhost");
+  EXPECT_EQ(end["components"].back()["writes"], 3);
+  bool is_counted = false;
+  for (auto& wm : end["working_memories"])
+    is_counted = is_counted || (wm["subarchitecture"] == "a" && wm["events"] == 3 &&
+                                wm["entries_by_type"] == nlohmann::json{{"Tick", 1}});
+  EXPECT_TRUE(is_counted) << end.dump(2);
+  EXPECT_EQ(end["processes"].front()["name"], "localhost");
+}
+
+TEST_F(Castor, ARunForScriptsSaysWhyItEnded) {
+  auto end_of = [&](const std::string& components, std::vector<std::string> options) {
+    options.insert(options.begin(), {"run", system(components), "--json"});
+    auto answer = ask(options);
+    auto lines = json_lines(answer.output);
+    EXPECT_EQ(lines.size(), 1U) << answer.output << answer.errors;
+    auto end = lines.empty() ? nlohmann::json{} : lines.front();
+    EXPECT_EQ(end["status"], answer.status);
+    return end;
+  };
+  EXPECT_EQ(end_of("CPP UM clock Clock\n", {"--until-quiet", "100ms"})["ended"], "quiet");
+  EXPECT_EQ(end_of("CPP UM clock Clock\n", {"--for", "100ms"})["ended"], "time");
+  auto failed = end_of("CPP UM broken Broken\n", {"--no-restarts"});
+  EXPECT_EQ(failed["ended"], "failed");
+  EXPECT_EQ(failed["status"], 1);
+  ASSERT_EQ(failed["failures"].size(), 1U);
+  EXPECT_EQ(failed["failures"][0]["component"], "a.broken");
+  EXPECT_NE(failed["failures"][0]["failure"].get<std::string>().find("the spring is gone"),
+            std::string::npos);
+}
+
+TEST_F(Castor, ATracedRunForScriptsPrintsEveryChangeAndTaskAsJson) {
+  auto output = (folder / "out").string();
+  auto file = write("tasks.cast", "SUBARCHITECTURE a localhost\n"
+                                  "CPP WM SubarchitectureWorkingMemory\n"
+                                  "CPP TM SchedulingTaskManager --resource-budget 1\n"
+                                  "CPP UM clock Clock\nCPP MG worker Worker\n");
+  auto answer = ask({"run", file, "--trace", "--json", "--output", output});
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  auto lines = json_lines(answer.output);
+  ASSERT_FALSE(lines.empty());
+  std::vector<std::string> changes;
+  bool is_task_shown = false;
+  for (auto& x : lines) {
+    if (x.contains("operation") && x["type"] == "Tick") {
+      EXPECT_EQ(x["component"], "clock");
+      EXPECT_EQ(x["subarchitecture"], "a");
+      changes.push_back(x["operation"]);
+    }
+    is_task_shown = is_task_shown || (x.value("task", "") == "COMPLETED" && x["name"] == "look" &&
+                                      x["component"] == "worker");
+  }
+  EXPECT_EQ(changes, (std::vector<std::string>{"ADD", "OVERWRITE", "OVERWRITE", "OVERWRITE"}));
+  EXPECT_TRUE(is_task_shown) << answer.output;
+  EXPECT_EQ(lines.back()["ended"], "component");
+  EXPECT_EQ(lines.back()["wrote"], nlohmann::json::array({output}));
+  // The file is for people, as without --json.
+  EXPECT_NE(read(folder / "out/timeline.txt").find("TASK COMPLETED"), std::string::npos);
+}
+
+TEST_F(Castor, WhatComponentsPrintIsNotAmongTheJsonOfARun) {
+  for (auto options : {"", " --isolate"}) {
+    auto answer =
+      ask({"run", system(std::string{"CPP UM printer Printer"} + options + "\n"), "--json"});
+    EXPECT_EQ(answer.status, 0) << answer.errors;
+    EXPECT_EQ(json_lines(answer.output).size(), 1U) << answer.output;
+    EXPECT_NE(answer.errors.find("printed by a component"), std::string::npos) << answer.errors;
+  }
+}
+
+TEST_F(Castor, EveryCommandThatPrintsDataTakesJson) {
+  const std::set<std::string> that_print_text{// For shells, and for people.
+                                              "completion", "man"};
+  std::function<void(std::vector<std::string>)> visit = [&](std::vector<std::string> words) {
+    auto help = words;
+    help.push_back("--help");
+    auto text = ask(help).output;
+    auto commands = text.find("\nSubcommands:\n");
+    if (commands == text.npos) {
+      bool takes_json = text.find("--json ") != text.npos;
+      EXPECT_NE(takes_json, that_print_text.count(words.front()) > 0) << text;
+      return;
+    }
+    std::istringstream in{text.substr(commands + 14)};
+    for (std::string line; std::getline(in, line) && line.starts_with("  ");) {
+      std::string name;
+      std::istringstream{line} >> name;
+      if (line[2] == ' ')
+        continue;
+      auto deeper = words;
+      deeper.push_back(name);
+      visit(deeper);
+    }
+  };
+  visit({});
 }
 
 TEST_F(Castor, TheTimelineShowsEveryChangeOfAnAtomicWrite) {

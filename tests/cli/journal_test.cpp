@@ -135,6 +135,19 @@ TEST_F(JournalCommand, ExportsWhatOthersCanRead) {
   for (std::string line; std::getline(lines, line); ++count)
     EXPECT_EQ(json::parse(line)["type"], "Tick");
   EXPECT_GE(count, 2);
+  auto written = json_lines(
+    ask({"journal", "export", journal(), "--mcap", mcap, "--jsonl", jsonl, "--json"}).output);
+  ASSERT_EQ(written.size(), 2U);
+  EXPECT_EQ(written[0], (json{{"file", mcap},
+                              {"format", "mcap"},
+                              {"changes", count},
+                              {"values", 0},
+                              {"bytes", std::filesystem::file_size(mcap)}}));
+  EXPECT_EQ(written[1]["file"], jsonl);
+  // What is exported stands alone on standard output.
+  EXPECT_EQ(
+    json_lines(ask({"journal", "export", journal(), "--jsonl", "-", "--json"}).output).size(),
+    static_cast<std::size_t>(count));
   Process probe{{"node", "-e", "require('@mcap/core')"}};
   if (probe.wait() != 0)
     GTEST_SKIP() << "node does not find @mcap/core (npm install @mcap/core; NODE_PATH)";

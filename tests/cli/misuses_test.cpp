@@ -38,6 +38,7 @@ public:
         line.replace(i, text.size(), name);
     line = std::regex_replace(line, std::regex{R"(^\d\d:\d\d:\d\d\.\d+ )"}, "");
     line = std::regex_replace(line, std::regex{R"(\b(running)-\d+)"}, "$1-N");
+    line = std::regex_replace(line, std::regex{R"(lasts [0-9.]+ s)"}, "lasts N s");
     // A new command is not a new misuse.
     return std::regex_replace(line, std::regex{R"((needs a command|the commands are): [a-z, ]+)"},
                               "$1: COMMANDS");
@@ -137,6 +138,21 @@ protected:
     write("no-plan.txt", "at noon: explode\n");
     write("text.so", "nothing");
     fs::create_directories(folder / "empty");
+    // Certificates for these nodes and from another CA, one with a key that is not its own.
+    run({CASTOR_MAKE_CERTS, "certs", "camera", "run"});
+    run({CASTOR_MAKE_CERTS, "other-certs", "run"});
+    fs::copy(folder / "certs/run", folder / "wrong-key");
+    fs::copy_file(folder / "certs/camera/node.key", folder / "wrong-key/node.key",
+                  fs::copy_options::overwrite_existing);
+    fs::copy(folder / "certs/run", folder / "damaged");
+    std::ofstream{folder / "damaged/node.pem"} << "nothing";
+    run({CASTOR_EXECUTABLE, "--plugin", CASTOR_TEST_PLUGIN, "run", "good.cast", "--record",
+         "recording", "--until-quiet", "100ms"});
+  }
+
+  static void run(const std::vector<std::string>& words) {
+    Process process{words};
+    EXPECT_EQ(process.wait(), 0) << process.errors();
   }
 
   void start_system(const std::string& file) {
@@ -144,10 +160,12 @@ protected:
     ASSERT_TRUE(system_->wait_for_output("ticks")) << system_->errors();
   }
 
-  /// A node of the name `other`, which listens at PORT.
-  void start_node() {
-    node_ = std::make_unique<Process>(std::vector<std::string>{CASTOR_EXECUTABLE, "node", "--name",
-                                                               "other", "--listen", "127.0.0.1:0"});
+  /// A node which listens at PORT.
+  void start_node(const std::string& name, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> words{CASTOR_EXECUTABLE, "node",       "--name", name,
+                                   "--listen",        "127.0.0.1:0"};
+    words.insert(words.end(), options.begin(), options.end());
+    node_ = std::make_unique<Process>(words);
     ASSERT_TRUE(node_->wait_for_output("listens at")) << node_->errors();
     auto said = node_->output();
     auto colon = said.rfind(':');
@@ -203,7 +221,9 @@ TEST_F(Misuses, EachIsRefusedWithAMessageThatSaysWhatToDo) {
       continue;
     present << line << '\n';
     if (line == "@ node")
-      start_node();
+      start_node("other");
+    else if (line == "@ secure node")
+      start_node("camera", {"--tls", "certs/camera"});
     else if (line.starts_with("@ "))
       start_system(line.substr(2));
     if (!line.starts_with("$ "))

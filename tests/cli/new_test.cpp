@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -72,6 +74,52 @@ TEST_F(NewCommand, MakesAFolderAndSaysWhatToDoNext) {
       EXPECT_NE(castor.output().find(part), std::string::npos) << castor.output();
     EXPECT_TRUE(std::filesystem::exists(folder / name / (name + ".cast")));
   }
+}
+
+TEST_F(NewCommand, TellsScriptsWhatItHasMade) {
+  auto lines =
+    json_lines(ask({"new", "component", "greeter", "--in", folder.string(), "--json"}).output);
+  ASSERT_EQ(lines.size(), 1U);
+  auto& made = lines.front();
+  EXPECT_EQ(made["folder"], (folder / "greeter").string());
+  EXPECT_FALSE(made["files"].empty());
+  for (auto& file : made["files"])
+    EXPECT_TRUE(std::filesystem::exists(folder / "greeter" / file.get<std::string>())) << file;
+  EXPECT_EQ(made["next"].front(), "cd " + (folder / "greeter").string());
+  EXPECT_EQ(made["next"].back(), "castor --plugin build/libgreeter.so run greeter.cast --trace "
+                                 "--until-quiet 1s");
+}
+
+TEST_F(NewCommand, NamesWhatIsToBeInstalledBefore) {
+  auto said = [&, number = 0](const std::filesystem::path& castor) mutable {
+    Process process{
+      {castor, "new", "component", "greeter-" + std::to_string(++number), "--in", folder.string()}};
+    EXPECT_EQ(process.wait(), 0) << process.errors();
+    return process.output();
+  };
+  // Of a build tree.
+  EXPECT_NE(said(CASTOR_EXECUTABLE).find("  scripts/install "), std::string::npos);
+  // Installed, without what components are built with.
+  std::filesystem::create_directories(folder / "bin");
+  auto castor = folder / "bin/castor";
+  std::filesystem::copy_file(CASTOR_EXECUTABLE, castor);
+  auto text = said(castor);
+  EXPECT_NE(text.find("apt-get install castor-dev"), std::string::npos) << text;
+  EXPECT_NE(text.find("scripts/install"), std::string::npos) << text;
+  // With it, and not in PATH.
+  auto package = folder / CASTOR_PACKAGE_FOLDER;
+  std::filesystem::create_directories(package);
+  std::ofstream{package / "castorConfig.cmake"};
+  text = said(castor);
+  EXPECT_NE(text.find("  export PATH=" + (folder / "bin").string() + ":$PATH\n"), std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("install"), std::string::npos) << text;
+  // And in PATH.
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", ((folder / "bin").string() + ':' + before).c_str(), 1);
+  text = said(castor);
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_NE(text.find("Next:\n  cd "), std::string::npos) << text;
 }
 
 TEST_F(NewCommand, LeavesWhatIsThereAlone) {

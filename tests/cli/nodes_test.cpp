@@ -85,6 +85,31 @@ TEST_F(Nodes, TwoSystemsAtOnceDoNotDisturbEachOther) {
   EXPECT_EQ(second.wait(), 0) << second.errors();
 }
 
+TEST_F(Nodes, TellScriptsWhereTheyListenAndWhichSystemsComeAndGo) {
+  Process one{command({"node", "--name", "one", "--listen", "127.0.0.1:0", "--json"})};
+  ASSERT_TRUE(eventually([&] { return one.output().find('\n') != std::string::npos; }))
+    << one.errors();
+  auto listening = json_lines(one.output()).front();
+  EXPECT_EQ(listening["event"], "listening");
+  EXPECT_EQ(listening["name"], "one");
+  EXPECT_EQ(listening["address"], "127.0.0.1");
+  EXPECT_EQ(listening["pid"], one.pid());
+  EXPECT_EQ(listening["tls"], false);
+  Node node{"one", nullptr, "127.0.0.1:" + listening["port"].dump()};
+  Process castor{run_on({&node}, subarchitecture("a", "one") + "CPP UM printer Printer\n")};
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  ASSERT_TRUE(one.wait_for_output("system left")) << one.errors();
+  one.send_signal(SIGTERM);
+  EXPECT_EQ(one.wait(), 0);
+  auto lines = json_lines(one.output());
+  ASSERT_EQ(lines.size(), 3U) << one.output();
+  EXPECT_EQ(lines[1]["event"], "system joined");
+  EXPECT_EQ(lines[2]["event"], "system left");
+  EXPECT_EQ(lines[1]["system"], lines[2]["system"]);
+  EXPECT_FALSE(lines[2]["reason"].get<std::string>().empty());
+  EXPECT_NE(one.errors().find("printed by a component"), std::string::npos);
+}
+
 TEST_F(Nodes, WhatIsOutOfReachIsNamedAndNothingIsLeft) {
   auto one = start_node("one");
   Node nobody{"two", nullptr, "127.0.0.1:1"};

@@ -3,6 +3,7 @@
 
 #include "castor/actors/registry.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +43,15 @@ class Worker final : public ManagedComponent {
   }
 };
 CASTOR_COMPONENT(Worker, "proposes tasks that depend on each other")
+
+class Printer final : public UnmanagedComponent {
+  void run() override {
+    std::puts("printed by a component");
+    std::fflush(stdout);
+    end_system(0, "it has printed");
+  }
+};
+CASTOR_COMPONENT(Printer, "prints to standard output")
 
 class Broken final : public UnmanagedComponent {
   void run() override { throw std::runtime_error("the spring is gone"); }

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,42 @@ TEST_F(RecordCommand, ReplaysWhatAStandAloneComponentHandedOutInItsPlace) {
   auto output = (folder / "output").string();
   EXPECT_GT(replay({"--without", "beacon", "--output", output})["values"], 20);
   EXPECT_THAT(read(folder / "output/entries.json"), HasSubstr("\"who\":\"watcher\""));
+}
+
+TEST_F(RecordCommand, TellsScriptsWhatWasRecorded) {
+  auto lines = json_lines(record(watched_beacon, {"--for", "1s", "--json"}));
+  ASSERT_EQ(lines.size(), 1U);
+  auto& recorded = lines.front()["recording"];
+  EXPECT_EQ(recorded["folder"], recording());
+  EXPECT_GT(recorded["changes"], 0);
+  EXPECT_THAT(recorded["replay"].get<std::string>(), HasSubstr("journal replay " + recording()));
+  ASSERT_EQ(recorded["providers"].size(), 1U);
+  EXPECT_EQ(recorded["providers"][0]["provider"], "beacon");
+  EXPECT_GT(recorded["providers"][0]["pushes"], 20);
+  EXPECT_EQ(recorded["providers"][0]["pulls"], 1);
+}
+
+TEST_F(RecordCommand, IsListedWithWhatStandAloneComponentsHandedOut) {
+  record(watched_beacon, {"--for", "1s"});
+  auto text = ask({"journal", "ls", recording()});
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_THAT(text.output, testing::ContainsRegex("\na +[0-9]+ +[0-9]+ "));
+  EXPECT_THAT(text.output, HasSubstr("stand-alone component"));
+  EXPECT_THAT(text.output, testing::ContainsRegex("\nbeacon +[0-9]+ +1 .*beacon.castor-pushes"));
+  auto lines = json_lines(ask({"journal", "ls", recording(), "--json"}).output);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0]["subarchitecture"], "a");
+  EXPECT_EQ(lines[1]["provider"], "beacon");
+  EXPECT_GT(lines[1]["pushes"], 20);
+  EXPECT_EQ(lines[1]["pulls"], 1);
+  // Alone, and damaged.
+  auto pushes = recording() + "/beacon.castor-pushes";
+  EXPECT_THAT(ask({"journal", "ls", pushes}).output, Not(HasSubstr("subarchitecture")));
+  std::ofstream{pushes} << "nothing";
+  auto damaged = ask({"journal", "ls", pushes});
+  EXPECT_EQ(damaged.status, 2);
+  EXPECT_EQ(damaged.output, "");
+  EXPECT_THAT(damaged.errors, HasSubstr("beacon.castor-pushes"));
 }
 
 TEST_F(RecordCommand, RecordsOtherProcessesOfThisMachine) {
