@@ -1,3 +1,4 @@
+#include "castor/actors/node/local_endpoint.hpp"
 #include "castor/tests/actors/scripted.hpp"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,22 @@ protected:
     return "no ConnectionError";
   }
 };
+
+TEST_F(Connections, AServerThatOutlivesTheSystemDoesNotKeepItFromEnding) {
+  UnmanagedScript::scripts()["client"].run = [](auto& self) { self.end_system(0, "done"); };
+  SystemRosterPtr roster;
+  {
+    auto options = without_restarts();
+    options.on_change = [](const ChangeEvent&) {};
+    options.on_task = [](const TaskEvent&) {};
+    System system{architecture(server + subarchitecture("a") + "CPP UM client Unmanaged\n"),
+                  options};
+    EXPECT_EQ(run(system), 0);
+    roster = system.roster();
+  }
+  // Here the threads of the coordinator and of the observer have ended.
+  EXPECT_EQ(roster->providers.size(), 1U);
+}
 
 TEST_F(Connections, AClientPullsWhatAServerProvides) {
   StandaloneScript::scripts()["server"].start = [](auto& self) {
