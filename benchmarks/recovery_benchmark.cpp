@@ -95,9 +95,9 @@ int serve(const std::string& name, std::uint16_t port) {
   options.name = name;
   options.socket = listen_at({"127.0.0.1", port});
   options.link = link_options();
+  Node node{options};
   std::printf("%d\n", port_of(options.socket));
   std::fflush(stdout);
-  Node node{options};
   await_end_of_input();
   std::_Exit(0);
 }

@@ -3,7 +3,7 @@
 #include "castor/actors/cli/doctor_checks.hpp"
 #include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/running_system.hpp"
-#include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/plugin.hpp"
 
@@ -100,7 +100,7 @@ void look_at_software(Machine& x) {
 
 void look_at_sockets(Machine& x) {
   try {
-    x.socket_folder = endpoint_folder().string();
+    x.socket_folder = runtime_folder().string();
     x.stale_sockets = stale_sockets();
     x.systems = sockets().size() - x.stale_sockets;
   } catch (const std::exception& e) {

@@ -104,6 +104,7 @@ LocalNodes::LocalNodes(const std::map<std::string, LocalNode>& nodes,
   for (auto& [host, node] : nodes) {
     auto& x = processes_[host];
     x.node = node;
+    x.at.host = folder_.path() / std::to_string(processes_.size());
     start(x);
   }
   if (pipe2(wake_, O_CLOEXEC) != 0)

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/system.hpp"
 
 #include <condition_variable>
@@ -25,8 +26,8 @@ struct LocalNode {
 };
 
 /// Nodes on this machine: they stand in for those of other machines, or keep a component apart from
-/// the others. One that dies is started again where it listened. They end with this object, and
-/// also if this process is killed.
+/// the others. They listen at Unix sockets that only their user reaches. One that dies is started
+/// again where it listened. They end with this object, and also if this process is killed.
 class LocalNodes {
 public:
   /// Starts these nodes, by host. Throws std::runtime_error if one does not come up.
@@ -52,7 +53,7 @@ private:
     /// Its standard input, and what tells of its end.
     int input = -1;
     int end = -1;
-    Endpoint at{"127.0.0.1", 0};
+    Endpoint at;
   };
 
   /// Throws std::runtime_error.
@@ -60,6 +61,8 @@ private:
   void watch();
   void restart(const std::string& host);
 
+  /// Where they listen, at Unix sockets.
+  RunFolder folder_;
   const std::vector<std::string> plugins_;
   const std::string tls_;
   mutable std::mutex mutex_;

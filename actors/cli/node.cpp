@@ -6,6 +6,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/dial.hpp"
+#include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/node/placement.hpp"
 
 #include <CLI/App.hpp>
@@ -124,20 +125,22 @@ int node(Arguments arguments) {
                  arguments.tls, name, fmt::join(names, " or "));
       return bad_input;
     }
+  } else if (arguments.insecure && !is_socket_path(at.host)) {
+    note(LogLevel::warning, "INSECURE: whoever reaches " + to_string(at) +
+                              (is_loopback(at.host) ? ", every user of this machine," : "") +
+                              " can run what they like as " + user_called(geteuid()));
   } else if (!is_loopback(at.host)) {
-    if (!arguments.insecure) {
-      fmt::print(stderr,
-                 "castor: whoever reaches {} could run what they like on this machine: give the "
-                 "node a certificate with --tls DIR (scripts/make-certs makes some), or say "
-                 "--insecure\n",
-                 to_string(at));
-      return bad_input;
-    }
-    note(LogLevel::warning,
-         "INSECURE: whoever reaches " + to_string(at) + " can run what they like on this machine");
+    fmt::print(stderr,
+               "castor: whoever reaches {} could run what they like on this machine: give the "
+               "node a certificate with --tls DIR (scripts/make-certs makes some), or say "
+               "--insecure\n",
+               to_string(at));
+    return bad_input;
   }
+  options.insecure = arguments.insecure;
   options.socket = listen_at(at);
-  at.port = port_of(options.socket);
+  if (!is_socket_path(at.host))
+    at.port = port_of(options.socket);
   if (json) {
     options.on_system = [&](const MembershipNews& x) { json->print(to_json(x)); };
     // Before any system can come.
@@ -172,7 +175,7 @@ void add_node(CLI::App& app, Action& chosen) {
   command
     ->add_option("--listen", arguments->listen,
                  fmt::format("where to wait for systems; by default 127.0.0.1:{}, which only this "
-                             "machine reaches. Port 0: any that is free",
+                             "machine reaches. Port 0: any that is free. unix:PATH: at a socket",
                              default_node_port))
     ->type_name("HOST:PORT");
   command
@@ -181,7 +184,9 @@ void add_node(CLI::App& app, Action& chosen) {
       "encrypt, and talk to those only whose certificates are signed by the same CA: the "
       "folder has ca.pem, node.pem and node.key, as scripts/make-certs makes them")
     ->type_name("DIR");
-  command->add_flag("--insecure", arguments->insecure, "listen beyond this machine without --tls");
+  command->add_flag("--insecure", arguments->insecure,
+                    "without --tls, take systems of other users, and listen beyond this machine if "
+                    "--listen says so");
   command->add_flag("--end-with-input", arguments->end_with_input,
                     "end when standard input does, as programs that start nodes want it");
   auto* announce_option =
@@ -203,6 +208,7 @@ void add_node(CLI::App& app, Action& chosen) {
   command->add_flag("-v,--verbose", arguments->verbose, "log more");
   command->footer(
     "A system finds the node where its .cast file says HOST NAME and HOSTNAME NAME HOST:PORT.\n"
+    "Without --tls the node takes systems of its own user alone.\n"
     "Ctrl-C ends the node; systems that run on it go on without it.\n"
     "Example: castor node --name arm --listen 0.0.0.0:7117 --tls certs/arm");
   command->callback([&chosen, arguments] { chosen = [arguments] { return node(*arguments); }; });

@@ -409,7 +409,7 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
                  "folder of such folders, one for each node and one of the name `run`")
     ->type_name("DIR");
   command->add_flag("--insecure", arguments->insecure,
-                    "talk to nodes on other machines without --tls");
+                    "without --tls, talk to nodes on other machines and of other users");
   command->add_flag("--json", arguments->json,
                     "print JSON, one object on a line: changes and tasks with --trace, at the end "
                     "how the run ended; what components print goes to standard error");

@@ -1,13 +1,14 @@
 #include "castor/actors/cli/running_system.hpp"
 
+#include "castor/actors/link/local_socket.hpp"
+#include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/inspection.hpp"
-#include "castor/actors/node/local_endpoint.hpp"
 
 #include <fmt/core.h>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,19 +29,24 @@ constexpr std::chrono::milliseconds time_between_looks{50};
 
 class Connection {
 public:
-  explicit Connection(const fs::path& socket)
-    : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    socket.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
-    if (connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0)
+  explicit Connection(const fs::path& socket) : fd_(connect_to_path(socket)) {
+    if (fd_ < 0) {
       error_ = errno;
+      return;
+    }
+    // What it says is to be waited for.
+    fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) & ~O_NONBLOCK);
+    if (auto peer = local_peer(fd_); !peer || !peer->is_of_this_user())
+      error_ = EPERM;
   }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  ~Connection() { close(fd_); }
+  ~Connection() {
+    if (fd_ >= 0)
+      close(fd_);
+  }
 
-  /// Why there is no connection; 0 if there is one.
+  /// Why there is no connection with a process of this user; 0 if there is one.
   int error() const { return error_; }
 
   void say(const std::string& text) {
@@ -84,10 +90,6 @@ private:
   std::size_t searched_ = 0;
 };
 
-bool is_stale(const fs::path& socket) {
-  return Connection{socket}.error() == ECONNREFUSED;
-}
-
 std::string names_of(const std::vector<RunningSystem>& systems) {
   std::string result;
   for (auto& x : systems)
@@ -100,9 +102,9 @@ std::string names_of(const std::vector<RunningSystem>& systems) {
 std::vector<fs::path> sockets() {
   std::vector<fs::path> result;
   std::error_code error;
-  const auto folder = endpoint_folder();
+  const auto folder = runtime_folder();
   for (fs::directory_iterator i{folder, error}, end; !error && i != end; i.increment(error))
-    if (i->path().extension() == ".sock")
+    if (std::error_code unknown; i->path().extension() == ".sock" && i->is_socket(unknown))
       result.push_back(i->path());
   if (error)
     throw std::runtime_error("cannot look for systems in the folder " + folder.string() + ": " +
@@ -112,18 +114,15 @@ std::vector<fs::path> sockets() {
 
 std::size_t stale_sockets() {
   auto all = sockets();
-  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_stale));
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_abandoned));
 }
 
 std::vector<RunningSystem> running_systems() {
+  sweep(runtime_folder());
   std::vector<RunningSystem> result;
-  std::error_code error;
-  for (auto& x : sockets()) {
-    if (is_stale(x))
-      fs::remove(x, error);
-    else
+  for (auto& x : sockets())
+    if (!is_abandoned(x))
       result.push_back({x.stem().string(), x});
-  }
   std::sort(result.begin(), result.end(), [](auto& a, auto& b) { return a.name < b.name; });
   return result;
 }

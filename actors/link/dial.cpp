@@ -1,5 +1,8 @@
 #include "castor/actors/link/dial.hpp"
 
+#include "castor/actors/link/local_socket.hpp"
+#include "castor/actors/link/node_socket.hpp"
+
 #include <arpa/inet.h>
 #include <netdb.h>
 #include <netinet/in.h>
@@ -22,6 +25,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
+
+const std::string socket_prefix{"unix:"};
 
 using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
 
@@ -80,14 +85,55 @@ int finish_connecting(int fd, Clock::time_point until, const std::function<bool(
   return ETIMEDOUT;
 }
 
+/// How often a listener that is too busy is tried again.
+constexpr std::chrono::milliseconds busy_pause{20};
+
+std::variant<int, std::string> dial_path(const std::string& path, Clock::time_point until,
+                                         const std::function<bool()>& cancelled) {
+  int fd = -1;
+  while ((fd = connect_to_path(path)) < 0) {
+    if (errno != EAGAIN)
+      return std::string{std::strerror(errno)};
+    if (Clock::now() > until || cancelled())
+      return std::string{"it took too long"};
+    poll(nullptr, 0, static_cast<int>(busy_pause.count()));
+  }
+  auto peer = local_peer(fd);
+  if (peer && peer->is_of_this_user())
+    return fd;
+  close(fd);
+  return "the socket belongs to " + (peer ? to_string(*peer) : "an unknown process") +
+         ", not to you";
+}
+
+bool is_loopback(const sockaddr& x) {
+  if (x.sa_family == AF_INET)
+    return ntohl(reinterpret_cast<const sockaddr_in&>(x).sin_addr.s_addr) >> 24 == 127;
+  return x.sa_family == AF_INET6 &&
+         IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<const sockaddr_in6&>(x).sin6_addr);
+}
+
+/// Why there is no connection with another machine.
+constexpr const char* not_proved =
+  "who is there cannot be known: start the nodes and the system with --tls DIR (scripts/make-certs "
+  "makes certificates), or all with --insecure";
+
 } // namespace
 
 std::string to_string(const Endpoint& x) {
+  if (is_socket_path(x.host))
+    return socket_prefix + x.host;
   auto host = x.host.find(':') == std::string::npos ? x.host : '[' + x.host + ']';
   return host + ':' + std::to_string(x.port);
 }
 
 Endpoint parse_endpoint(const std::string& text, std::uint16_t default_port) {
+  if (text.starts_with(socket_prefix)) {
+    auto path = text.substr(socket_prefix.size());
+    if (!is_socket_path(path))
+      throw std::invalid_argument("write unix:/PATH, with the whole path of a socket, not " + text);
+    return {path, 0};
+  }
   Endpoint result{text, default_port};
   auto colon = text.rfind(':');
   bool bracketed = text.starts_with('[');
@@ -108,13 +154,25 @@ Endpoint parse_endpoint(const std::string& text, std::uint16_t default_port) {
   return result;
 }
 
-std::variant<int, std::string> dial(const Endpoint& to, std::chrono::milliseconds patience,
+std::variant<int, std::string> dial(const Endpoint& to, PeerTrust trust,
+                                    std::chrono::milliseconds patience,
                                     const std::function<bool()>& cancelled) {
   auto until = Clock::now() + patience;
+  if (is_socket_path(to.host))
+    return dial_path(to.host, until, cancelled);
   std::string problem;
   try {
     auto addresses = resolve(to, AI_ADDRCONFIG);
     for (auto* x = addresses.get(); x && Clock::now() < until && !cancelled(); x = x->ai_next) {
+      bool is_local = is_loopback(*x->ai_addr);
+      if (int own =
+            is_local && trust != PeerTrust::certified ? connect_to_own_node(*x->ai_addr) : -1;
+          own >= 0)
+        return own;
+      if (trust == PeerTrust::same_user) {
+        problem = is_local ? why_no_own_node(to, *x->ai_addr) : not_proved;
+        continue;
+      }
       Socket socket{*x};
       int error = socket.get() < 0                                        ? errno
                   : connect(socket.get(), x->ai_addr, x->ai_addrlen) == 0 ? 0
@@ -153,6 +211,8 @@ std::string why_not_listening(const Endpoint& at, int error) {
 } // namespace
 
 int listen_at(const Endpoint& at) {
+  if (is_socket_path(at.host))
+    return listen_at_path(at.host);
   auto addresses = resolve(at, AI_PASSIVE);
   Socket socket{*addresses};
   int on = 1;
@@ -175,6 +235,8 @@ std::uint16_t port_of(int socket) {
 }
 
 std::string why_unknown(const std::string& host) {
+  if (is_socket_path(host))
+    return {};
   try {
     resolve({host, 0}, 0);
     return {};
@@ -184,18 +246,13 @@ std::string why_unknown(const std::string& host) {
 }
 
 bool is_loopback(const std::string& host) {
+  if (is_socket_path(host))
+    return true;
   try {
     auto addresses = resolve({host, 0}, AI_PASSIVE);
-    for (auto* x = addresses.get(); x; x = x->ai_next) {
-      if (x->ai_family == AF_INET) {
-        auto ip = ntohl(reinterpret_cast<sockaddr_in*>(x->ai_addr)->sin_addr.s_addr);
-        if (ip >> 24 != 127)
-          return false;
-      } else if (x->ai_family != AF_INET6 ||
-                 !IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<sockaddr_in6*>(x->ai_addr)->sin6_addr)) {
+    for (auto* x = addresses.get(); x; x = x->ai_next)
+      if (!is_loopback(*x->ai_addr))
         return false;
-      }
-    }
     return true;
   } catch (const std::runtime_error&) {
     return false;

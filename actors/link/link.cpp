@@ -54,7 +54,7 @@ using caf::io::connection_handle;
 class Link : public LinkDriver, public std::enable_shared_from_this<Link> {
 public:
   Link(Self* self, LinkParts parts, std::shared_ptr<LinkRecord> record)
-    : self_(self), peer_(parts.dial), connecting_(parts.options.connecting),
+    : self_(self), peer_(parts.dial), trust_(parts.trust), connecting_(parts.options.connecting),
       end_(*this, std::move(parts), std::move(record), std::random_device{}()) {}
 
   caf::behavior begin() {
@@ -89,9 +89,9 @@ public:
 
   void dial() override {
     self_->system().spawn<caf::detached + caf::hidden>(
-      [to = *peer_, until = connecting_, over = self_->state.over,
+      [to = *peer_, trust = trust_, until = connecting_, over = self_->state.over,
        link = caf::actor_cast<caf::actor>(self_)](caf::blocking_actor*) {
-        auto result = castor::dial(to, until, [&] { return over->load(); });
+        auto result = castor::dial(to, trust, until, [&] { return over->load(); });
         if (auto* socket = std::get_if<int>(&result))
           caf::anon_send(link, Dialled{*socket, {}});
         else
@@ -138,6 +138,7 @@ private:
 
   Self* self_;
   const std::optional<Endpoint> peer_;
+  const PeerTrust trust_;
   const std::chrono::milliseconds connecting_;
   LinkEnd end_;
 };
@@ -153,6 +154,14 @@ void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors
   for (auto& x : actors)
     if (x)
       self->wait_for(x);
+}
+
+void secure(LinkParts& parts, const std::optional<Credentials>& credentials, bool insecure) {
+  parts.trust = credentials ? PeerTrust::certified
+                : insecure  ? PeerTrust::anybody
+                            : PeerTrust::same_user;
+  if (!parts.dial || !is_socket_path(parts.dial->host))
+    parts.credentials = credentials;
 }
 
 caf::actor spawn_link(LinkParts parts) {

@@ -39,6 +39,8 @@ struct LinkParts {
   Hello self;
   /// With them, connections are encrypted and names are proved.
   std::optional<Credentials> credentials;
+  /// Whom `dial` may lead to.
+  PeerTrust trust = PeerTrust::same_user;
   LinkOptions options;
   /// Called on the network's thread.
   std::function<void(const LinkNews&)> on_news;
@@ -58,6 +60,11 @@ struct LinkPatience {
 /// connections are made anew and nothing is lost with them. From now on it is the mesh's port to
 /// the peer.
 caf::actor spawn_link(LinkParts parts);
+
+/// Says how a link gets to its peer: with credentials over TCP; without them to processes of the
+/// same user alone, or, if `insecure`, to anybody. At a Unix socket the kernel says who the peer
+/// is, and there is nobody to hide anything from.
+void secure(LinkParts& parts, const std::optional<Credentials>& credentials, bool insecure);
 
 /// How a link is made.
 using LinkSpawn = std::function<caf::actor(LinkParts)>;

@@ -3,6 +3,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/send_later.hpp"
 
 #include <caf/atom.hpp>
@@ -55,7 +56,16 @@ public:
 
 private:
   void admit(connection_handle handle) {
-    auto from = self_->remote_addr(handle) + ':' + std::to_string(self_->remote_port(handle));
+    // CAF numbers connections by their sockets.
+    auto peer = local_peer(static_cast<int>(handle.id()));
+    auto from = peer
+                  ? to_string(*peer)
+                  : self_->remote_addr(handle) + ':' + std::to_string(self_->remote_port(handle));
+    if (peer && !peer->is_of_this_user()) {
+      note(LogLevel::warning, "turned away " + from + ": it belongs to another user");
+      self_->close(handle);
+      return;
+    }
     if (strangers_.size() >= parts_.most_strangers) {
       note(LogLevel::warning, "turned away " + from + ": too many connections that say nothing");
       self_->close(handle);

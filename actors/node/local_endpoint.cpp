@@ -1,19 +1,17 @@
 #include "castor/actors/node/local_endpoint.hpp"
 
+#include "castor/actors/component/log.hpp"
+#include "castor/actors/link/local_socket.hpp"
+#include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/inspection.hpp"
 
 #include <caf/io/broker.hpp>
 #include <caf/io/middleman.hpp>
 
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <stdexcept>
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace castor {
@@ -25,34 +23,12 @@ using caf::io::connection_handle;
 
 constexpr std::size_t most_connections = 64;
 
-/// Throws unless it is a folder of this user that nobody else can look into.
-void check_folder(const fs::path& x) {
-  struct stat status {};
-  if (lstat(x.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    throw std::runtime_error(x.string() + " cannot be made, or is no folder");
-  if (status.st_uid != geteuid() || (status.st_mode & 077) != 0)
-    throw std::runtime_error(x.string() + " is open to others: remove it, or say chmod 700 " +
-                             x.string());
-}
-
-int listen_at(const fs::path& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  auto text = path.string();
-  if (text.size() >= sizeof(address.sun_path))
-    throw std::runtime_error(text + " is too long for a socket's name");
-  text.copy(address.sun_path, text.size());
-  // What was left by a process that was killed.
-  unlink(text.c_str());
-  int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (fd < 0 || bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0 ||
-      chmod(text.c_str(), 0600) != 0 || listen(fd, SOMAXCONN) != 0) {
-    std::string problem = std::strerror(errno);
-    if (fd >= 0)
-      close(fd);
-    throw std::runtime_error("cannot listen at " + text + ": " + problem);
-  }
-  return fd;
+/// As much of a text as fits into so many bytes, without half a character.
+std::string beginning(const std::string& text, std::size_t bytes) {
+  auto end = std::min(text.size(), bytes);
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+    --end;
+  return text.substr(0, end);
 }
 
 /// The socket's file, and who has connected.
@@ -105,6 +81,14 @@ void say(Self* self, connection_handle handle, const std::string& text, bool las
 }
 
 void admit(Self* self, connection_handle handle) {
+  // CAF numbers connections by their sockets.
+  auto peer = local_peer(static_cast<int>(handle.id()));
+  if (!peer || !peer->is_of_this_user()) {
+    note(LogLevel::warning, "turned away " + (peer ? to_string(*peer) : "a process") + " from " +
+                              self->state.socket.string() + ": it belongs to another user");
+    self->close(handle);
+    return;
+  }
   if (self->state.connections.size() >= most_connections) {
     self->close(handle);
     return;
@@ -181,25 +165,19 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
 
 } // namespace
 
-fs::path endpoint_folder() {
-  auto* runtime = std::getenv("XDG_RUNTIME_DIR");
-  std::error_code error;
-  auto result = runtime && fs::is_directory(runtime, error)
-                  ? fs::path{runtime} / "castor"
-                  : fs::path{"/tmp"} / ("castor-" + std::to_string(geteuid()));
-  mkdir(result.c_str(), 0700);
-  check_folder(result);
-  return result;
-}
-
 fs::path endpoint_of_process(const std::string& system_file) {
-  return endpoint_folder() /
-         (fs::path{system_file}.stem().string() + '-' + std::to_string(getpid()) + ".sock");
+  auto folder = runtime_folder();
+  auto end = '-' + std::to_string(getpid()) + ".sock";
+  auto room = longest_socket_path - folder.string().size() - 1 - end.size();
+  return folder / (beginning(fs::path{system_file}.stem().string(), room) + end);
 }
 
 caf::actor open_local_endpoint(caf::actor_system& system, const fs::path& socket,
                                std::function<void(SystemOrder)> give_order) {
-  auto fd = listen_at(socket);
+  // What killed processes have left behind.
+  sweep(socket.parent_path());
+  const FolderLock lock{socket.parent_path(), std::chrono::seconds{2}};
+  auto fd = listen_at_path(socket);
   return system.middleman().spawn_broker(endpoint, socket, fd, std::move(give_order));
 }
 

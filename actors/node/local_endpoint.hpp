@@ -21,11 +21,8 @@
 /// the requests.
 namespace castor {
 
-/// The folder with the sockets of this user's systems; is made if there is none. Throws
-/// std::runtime_error if others could reach what is in it.
-std::filesystem::path endpoint_folder();
-
-/// Where a system that this process runs can be found.
+/// Where a system that this process runs can be found. Throws std::runtime_error if there is no
+/// place that others cannot reach.
 std::filesystem::path endpoint_of_process(const std::string& system_file);
 
 /// Who takes part in a system, for those who look on.

@@ -82,7 +82,12 @@ Memberships::Membership& Memberships::enter(const Hello& coordinator) {
   return result;
 }
 
-/// Of each two processes, the one with the lower number dials.
+bool dials(const PartPlan& plan, ProcessNumber self, ProcessNumber peer) {
+  bool self_is_local = is_socket_path(plan.processes.at(self).host);
+  bool peer_is_local = is_socket_path(plan.processes.at(peer).host);
+  return self_is_local != peer_is_local ? self_is_local : self < peer;
+}
+
 void Memberships::connect(const std::string& system, const PartPlan& plan) {
   std::lock_guard guard{mutex_};
   auto i = memberships_.find(system);
@@ -101,8 +106,9 @@ void Memberships::connect(const std::string& system, const PartPlan& plan) {
     if (number == i->second.self.process || peer.lost || link != i->second.links.end())
       continue;
     add_link(i->second, number, peer.name,
-             number > i->second.self.process ? std::optional{Endpoint{peer.host, peer.port}}
-                                             : std::nullopt);
+             dials(plan, i->second.self.process, number)
+               ? std::optional{Endpoint{peer.host, peer.port}}
+               : std::nullopt);
   }
 }
 
@@ -114,7 +120,7 @@ void Memberships::add_link(Membership& membership, ProcessNumber peer, const std
   parts.peer_name = name;
   parts.dial = std::move(dial);
   parts.self = membership.self;
-  parts.credentials = parts_.credentials;
+  secure(parts, parts_.credentials, parts_.insecure);
   parts.options = parts_.link;
   // Who is lost is decided by the coordinator alone, so that all agree: with it, this process loses
   // all others, and of those it hears.

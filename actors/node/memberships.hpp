@@ -32,12 +32,18 @@ struct MembershipParts {
   /// Of the node.
   std::string name;
   std::optional<Credentials> credentials;
+  /// Without credentials, connect also with nodes that may be another user's.
+  bool insecure = false;
   LinkOptions link;
   LinkSpawn spawn_link;
   PartSpawn spawn;
   /// Called by the network's thread and by agents, one at a time; may be empty.
   std::function<void(const MembershipNews&)> on_news = {};
 };
+
+/// Of two nodes, whether `self` dials: the one with the lower number does, unless only one of them
+/// listens at a Unix socket, which others may not be able to reach.
+bool dials(const PartPlan& plan, ProcessNumber self, ProcessNumber peer);
 
 /// The systems that a node takes part in; used by the network's thread and by agents.
 class Memberships : public std::enable_shared_from_this<Memberships> {

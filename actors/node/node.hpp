@@ -17,8 +17,11 @@ struct NodeOptions {
   std::string name;
   /// Listens already (`listen_at`); belongs to the node from now on.
   int socket = -1;
-  /// With them, it talks to those only whose certificates are signed by the same CA.
+  /// With them, it talks over TCP to those only whose certificates are signed by the same CA.
   std::optional<Credentials> credentials = {};
+  /// Without credentials, a node takes systems of its own user alone, over a Unix socket; who comes
+  /// by TCP is told so. This lets everybody in who can connect.
+  bool insecure = false;
   /// How processes that went out of reach are treated; how long they may be, the coordinator says.
   LinkOptions link = {};
   /// Called when it takes part in a system, and when it does not any more; by any thread, one at a
@@ -30,6 +33,7 @@ struct NodeOptions {
 /// node know nothing of each other.
 class Node {
 public:
+  /// Throws std::runtime_error if systems of its own user could not find it.
   explicit Node(const NodeOptions& options);
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;

@@ -143,7 +143,7 @@ ProcessNumber Processes::open_link(const ProcessDescription& description) {
                                          : "castor-" + std::to_string(getpid());
   parts.self.system = name_;
   parts.self.incarnation = incarnation_;
-  parts.credentials = options_.credentials;
+  secure(parts, options_.credentials, options_.insecure);
   parts.options = options_.link;
   parts.on_news = [this](const LinkNews& news) { hear(news); };
   auto link = spawn_(std::move(parts));

@@ -106,8 +106,8 @@ TEST_P(NodesEitherWay, WhatIsWrittenUnderALeaseThatHasRunOutIsRefused) {
 }
 
 TEST_F(Nodes, OperationsFailWithinTheirDeadlineWhileThereIsNoConnectionAndWorkAgainAfterwards) {
-  auto one = start_node("one");
-  auto two = start_node("two");
+  auto one = start_node("one", {"--insecure"});
+  auto two = start_node("two", {"--insecure"});
   // Everybody talks to node two through it.
   Relay relay{two.port()};
   two.address = "127.0.0.1:" + std::to_string(relay.port());
@@ -115,7 +115,7 @@ TEST_F(Nodes, OperationsFailWithinTheirDeadlineWhileThereIsNoConnectionAndWorkAg
                         subarchitecture("home", "localhost") + judge + subarchitecture("a", "one") +
                           "CPP UM writer RemoteWriter --deadline 300ms\n" +
                           subarchitecture("b", "two"),
-                        {"--open-access"})};
+                        {"--open-access", "--insecure"})};
   ASSERT_TRUE(one.process->wait_for_output("writes")) << castor.errors();
   relay.freeze(true);
   EXPECT_TRUE(one.process->wait_for_output("is not answered: ")) << castor.errors();
@@ -129,7 +129,7 @@ TEST_F(Nodes, ABlackHoleHindersNobodyElse) {
   Node one{"one", nullptr, hole.address()};
   auto two = start_node("two");
   auto begin = std::chrono::steady_clock::now();
-  Process castor{run_on({&one, &two}, ticks(20))};
+  Process castor{run_on({&one, &two}, ticks(20), {"--insecure"})};
   EXPECT_TRUE(two.process->wait_for_output("two takes part"));
   EXPECT_EQ(castor.wait(), 2);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);

@@ -162,8 +162,8 @@ TEST_F(SupervisedSystems, WhatIsCutOffGoesElsewhereWithAllThatWasAcknowledged) {
   const std::vector<std::string> witness{CASTOR_EXECUTABLE, "--plugin", CASTOR_WITNESS_PLUGIN};
   auto node = witness;
   node.emplace_back("node");
-  auto one = start_node("one", node, {});
-  auto two = start_node("two", node, {});
+  auto one = start_node("one", node, {"--insecure"});
+  auto two = start_node("two", node, {"--insecure"});
   Relay relay{one.port()};
   Node to_one{"one", nullptr, "127.0.0.1:" + std::to_string(relay.port())};
   auto acknowledged = (folder / "acknowledged").string();
@@ -171,6 +171,7 @@ TEST_F(SupervisedSystems, WhatIsCutOffGoesElsewhereWithAllThatWasAcknowledged) {
     {&to_one, &two}, "FAILOVER b TO [two] [one]\n" + subarchitecture("b", "one", shared_journal()) +
                        "CPP UM witness Witness --kills 2 --file " + acknowledged + '\n');
   std::copy(witness.begin(), witness.end(), arguments.begin());
+  arguments.emplace_back("--insecure");
   Process castor{std::move(arguments)};
   ASSERT_TRUE(eventually([&] { return read(acknowledged).size() > 500; })) << castor.errors();
   // It goes on writing, and noting what is acknowledged, for as long as it can.

@@ -80,9 +80,12 @@ TEST(Endpoint, IsReadAndWritten) {
   EXPECT_EQ(parse_endpoint("[::1]:80", 7117), (Endpoint{"::1", 80}));
   EXPECT_EQ(parse_endpoint("[::1]", 7117), (Endpoint{"::1", 7117}));
   EXPECT_EQ(parse_endpoint("fe80::1", 7117), (Endpoint{"fe80::1", 7117}));
+  EXPECT_EQ(parse_endpoint("unix:/run/x/links-1/0", 7117), (Endpoint{"/run/x/links-1/0", 0}));
+  EXPECT_EQ(to_string(Endpoint{"/run/x/links-1/0", 0}), "unix:/run/x/links-1/0");
   EXPECT_EQ(to_string(Endpoint{"::1", 80}), "[::1]:80");
   EXPECT_EQ(to_string(Endpoint{"robot", 80}), "robot:80");
-  for (auto* wrong : {"robot:", "robot:http", "robot:70000", "robot:80x", "[::1", "[::1]80"})
+  for (auto* wrong : {"robot:", "robot:http", "robot:70000", "robot:80x", "[::1", "[::1]80",
+                      "unix:", "unix:links/0"})
     EXPECT_THROW(parse_endpoint(wrong, 7117), std::invalid_argument) << wrong;
 }
 
@@ -90,6 +93,7 @@ TEST(Endpoint, KnowsLoopback) {
   EXPECT_TRUE(is_loopback("127.0.0.1"));
   EXPECT_TRUE(is_loopback("::1"));
   EXPECT_TRUE(is_loopback("localhost"));
+  EXPECT_TRUE(is_loopback("/run/x/links-1/0"));
   EXPECT_FALSE(is_loopback("0.0.0.0"));
   EXPECT_FALSE(is_loopback("192.0.2.1"));
 }

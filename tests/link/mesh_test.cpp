@@ -89,6 +89,8 @@ struct Part {
   void connect(ProcessNumber peer, std::optional<Endpoint> to) {
     auto x = parts(peer);
     x.dial = std::move(to);
+    // A relay is no node.
+    x.trust = PeerTrust::anybody;
     link = spawn_link(std::move(x));
   }
 

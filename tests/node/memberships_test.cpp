@@ -74,6 +74,21 @@ protected:
   std::shared_ptr<Memberships> node = std::make_shared<Memberships>(system, parts());
 };
 
+TEST(Dials, OfTwoNodesTheOneWithTheLowerNumberUnlessTheOtherCannotBeReached) {
+  PartPlan plan;
+  plan.processes.resize(5);
+  plan.processes[1] = {"arm", "192.0.2.1", 7117, false};
+  plan.processes[2] = {"eye", "192.0.2.2", 7117, false};
+  plan.processes[3] = {"speech", "/run/links-1/1", 0, false};
+  plan.processes[4] = {"vision", "/run/links-1/2", 0, false};
+  for (ProcessNumber self = 1; self < plan.processes.size(); ++self)
+    for (ProcessNumber peer = 1; peer < plan.processes.size(); ++peer)
+      if (self != peer) {
+        bool expected = (self > 2) != (peer > 2) ? self > 2 : self < peer;
+        EXPECT_EQ(dials(plan, self, peer), expected) << self << " and " << peer;
+      }
+}
+
 TEST_F(MembershipsTest, TakesThoseWhoKnowItAsItIs) {
   EXPECT_THAT(links, SizeIs(2));
   EXPECT_TRUE(is_taken(other(2, 0)));
