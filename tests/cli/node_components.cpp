@@ -7,10 +7,13 @@
 
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -443,6 +446,18 @@ class Watcher final : public UnmanagedComponent {
   int last_ = 0;
 };
 CASTOR_COMPONENT(Watcher, "receives from a beacon")
+
+/// Leaves behind as which user it ran.
+class Trespasser final : public UnmanagedComponent {
+  void start() override {
+    const std::string& file = file_;
+    std::ofstream{file} << geteuid() << '\n';
+    end_system(0, "was here");
+  }
+
+  Option<std::string> file_{this, "file", "", "where to say as which user it ran"};
+};
+CASTOR_COMPONENT(Trespasser, "tries to run where it should not")
 
 } // namespace
 
