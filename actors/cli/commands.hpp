@@ -18,6 +18,7 @@ using Action = std::function<int()>;
 /// `plugins` are those that the command line has named.
 void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins);
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins);
+void add_simulate(CLI::App& app, Action& chosen);
 void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);

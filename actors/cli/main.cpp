@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   cli::add_run(app, action, plugins);
   cli::add_node(app, action);
   cli::add_chaos(app, action, plugins);
+  cli::add_simulate(app, action);
   cli::add_inspection(app, action);
   cli::add_call(app, action);
   cli::add_journal(app, action);

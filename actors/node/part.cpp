@@ -61,12 +61,13 @@ bool keeps_journal(const SubarchitectureDescription& x) {
 
 /// The journal that a WM line asks for; null if it asks for none, or can do without.
 std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
+                                               const PartSpawn& spawn,
                                                std::vector<cast::Diagnostic>& problems) {
   auto options = journal_options(x);
   if (options.mode == JournalMode::off)
     return nullptr;
   try {
-    auto result = std::make_shared<OpenedJournal>(open_journal(options, x.subarchitecture));
+    auto result = std::make_shared<OpenedJournal>(spawn.journal(options, x.subarchitecture));
     return result->file ? result : nullptr;
   } catch (const JournalError& e) {
     problems.push_back({cast::Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
@@ -135,7 +136,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::map<std::string, std::shared_ptr<OpenedJournal>> journals;
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
-      journals[x->subarchitecture] = take_up_journal(*x, problems);
+      journals[x->subarchitecture] = take_up_journal(*x, spawn_, problems);
   make_folder_for_pushes(plan, self_, problems);
   if (!problems.empty())
     return problems;

@@ -26,6 +26,8 @@ struct PartSpawn {
 
   std::function<WorkingMemoryActor(caf::actor_system&, WorkingMemoryOptions)> working_memory;
   std::function<caf::actor(caf::actor_system&, ShellParts)> component;
+  /// Takes up the journal of a subarchitecture. Throws JournalError.
+  std::function<OpenedJournal(const JournalOptions&, const std::string&)> journal = open_journal;
 };
 
 /// What one process contributes to a system: the working memories and components that the plan

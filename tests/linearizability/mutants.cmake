@@ -14,7 +14,7 @@ function(castor_mutant name source)
   castor_add_mutant(${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
     SOURCES $<TARGET_OBJECTS:castor_simulation>
       $<FILTER:$<TARGET_OBJECTS:castor_wm>,EXCLUDE,/${file}\\.o$>
-    DEPENDS castor_progress castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
+    DEPENDS castor_history_checks castor_progress castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
       ZLIB::ZLIB CLI11::CLI11 fmt::fmt)
   target_include_directories(${target} PRIVATE "${CASTOR_INCLUDE_ROOT}")
   if(ARG_ALL)

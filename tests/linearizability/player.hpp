@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/faults/linearizability/history.hpp"
-#include "castor/tests/linearizability/seen.hpp"
+#include "castor/actors/simulation/seen.hpp"
 #include "castor/tests/linearizability/world.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "castor/actors/cli/progress.hpp"
-#include "castor/tests/linearizability/simulation.hpp"
-#include "castor/tests/support/seeds.hpp"
+#include "castor/actors/simulation/memory_simulation.hpp"
+#include "castor/actors/simulation/seeds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -15,8 +15,7 @@ namespace castor::linearizability {
 
 namespace {
 
-using test::parse_seeds;
-using test::Seeds;
+using castor::simulation::Seeds;
 
 /// The number of the seed that something is wrong with, if there is one.
 std::optional<std::uint64_t> run(Simulation& simulation, const Seeds& seeds) {
@@ -77,6 +76,6 @@ int main(int argc, char** argv) {
     show(simulation, *shown);
     return 0;
   }
-  auto violated = run(simulation, parse_seeds(seeds));
+  auto violated = run(simulation, castor::simulation::parse_seeds(seeds));
   return violated.has_value() == expect_violation ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/simulation.hpp"
+#include "castor/actors/simulation/memory_simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <gmock/gmock.h>
@@ -72,7 +72,7 @@ struct End : LinkDriver {
   std::optional<LinkEnd> end;
 };
 
-class LinkEndTest : public testing::Test, protected TestingSystem {
+class LinkEndTest : public testing::Test, protected simulation::TestingSystem {
 protected:
   LinkEndTest() { connect(1); }
 

@@ -1,7 +1,7 @@
 #include "castor/actors/node/deployment.hpp"
 
 #include "castor/tests/node/support.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 
 #include <caf/scoped_actor.hpp>
 
@@ -27,7 +27,7 @@ using testing::Key;
 using testing::SizeIs;
 
 /// A system in one process, on CAF's test coordinator, with a stand-in for its agent.
-class DeploymentTest : public testing::Test, protected TestingSystem {
+class DeploymentTest : public testing::Test, protected simulation::TestingSystem {
 protected:
   DeploymentTest() {
     agent = system.spawn([this](caf::event_based_actor* self) -> caf::behavior {

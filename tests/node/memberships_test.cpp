@@ -1,5 +1,5 @@
 #include "castor/actors/node/memberships.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 /// A node that takes part in one system as its process 2, with stand-ins for its links.
-class MembershipsTest : public testing::Test, protected TestingSystem {
+class MembershipsTest : public testing::Test, protected simulation::TestingSystem {
 protected:
   MembershipsTest() {
     node->route(coordinator(2));

@@ -3,7 +3,7 @@
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/tests/node/support.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 /// The agent of process 0, with the working memory of `a`; that of `b` is in process 1, of which
 /// nobody ever answers.
-class PartAgentTest : public testing::Test, protected TestingSystem {
+class PartAgentTest : public testing::Test, protected simulation::TestingSystem {
 protected:
   PartAgentTest() {
     silent = system.spawn([]() -> caf::behavior { return {[](const LinkMessage&) {}}; });

@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/tests/node/support.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A supervisor, with stand-ins for the agent of its process and for components.
-class SupervisorTest : public testing::Test, protected TestingSystem {
+class SupervisorTest : public testing::Test, protected simulation::TestingSystem {
 protected:
   SupervisorTest() {
     set_log_level(LogLevel::off);

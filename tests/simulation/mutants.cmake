@@ -3,12 +3,12 @@
 
 # castor_system_mutant(<name> <source> FROM <text> TO <text>)
 #
-# castor_mutant_system_<name>, a `castor_system_simulation` in which <text> says something else.
+# castor_mutant_system_<name>, a `castor_system_simulation`, which is `castor simulate`, in which <text> says something else.
 function(castor_system_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
   castor_add_mutant(system_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
-    SOURCES $<TARGET_OBJECTS:castor_system_simulation> $<TARGET_OBJECTS:castor_simulation_parts>
-    DEPENDS castor_progress castor_system_simulation_parts CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
+    SOURCES $<TARGET_OBJECTS:castor_system_simulation>
+    DEPENDS castor_simulator CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
 endfunction()
 
 # -- supervision
@@ -97,3 +97,72 @@ castor_system_mutant(requests_to_the_lost_stay_open actors/link/mesh.cpp
 castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
   FROM "port->tell_end(name);"
   TO "(void)port;")
+
+# -- journals
+
+castor_system_mutant(unsynced_changes_are_told wm/working_memory_journal.cpp
+  FROM "    return {options.most_unsynced, options.most_unsynced_bytes};
+  return {};"
+  TO "    return {options.most_unsynced, options.most_unsynced_bytes};
+  return {100, 100'000};")
+
+castor_system_mutant(journals_are_not_written wm/journal_writer.cpp
+  FROM "parts_.file->append(under_way_);"
+  TO "")
+
+castor_system_mutant(journals_forget_deletions wm/journal_image.cpp
+  FROM "    entries_.erase(i);
+    bury(record.id, record.version, record.sequence);"
+  TO "    bury(record.id, record.version, record.sequence);")
+
+castor_system_mutant(sessions_repeat_tokens wm/working_memory_journal.cpp
+  FROM "leases.first_token = opened.session * numbers_per_incarnation + 1;"
+  TO "leases.first_token = numbers_per_incarnation + 1;")
+
+castor_system_mutant(journals_bring_back_what_has_ended wm/entry_store.cpp
+  FROM "    if (x.entry->life.ephemeral)
+      set_due(slot, now, owner_ended_source);"
+  TO "")
+
+# -- clocks that jump
+
+castor_system_mutant(clocks_jump_twice wm/working_memory.cpp
+  FROM "self->state.clock_jump += x.by;"
+  TO "self->state.clock_jump += 2 * x.by;")
+
+# -- tasks
+
+castor_system_mutant(budgets_are_exceeded actors/task_manager/task_schedule.cpp
+  FROM "return used + cost <= rules_.budget * (1 + 1e-9);"
+  TO "return cost <= rules_.budget * (1 + 1e-9);")
+
+castor_system_mutant(tasks_overtake_their_predecessors actors/task_manager/task_schedule.cpp
+  FROM "  if (added.awaited.empty())
+    ready_"
+  TO "  ready_")
+
+castor_system_mutant(tasks_that_are_over_cost_on actors/task_manager/task_schedule.cpp
+  FROM "  running_.erase(id);
+  ready_"
+  TO "  ready_")
+
+castor_system_mutant(successors_are_forgotten actors/task_manager/task_schedule.cpp
+  FROM "        ready_.emplace(place_of(task), y);"
+  TO "        static_cast<void>(task);")
+
+castor_system_mutant(retractions_let_nobody_in actors/task_manager/task_schedule.cpp
+  FROM "    end(id, End::retracted, out);
+    adopt_what_fits(out);"
+  TO "    end(id, End::retracted, out);")
+
+# -- calls
+
+castor_system_mutant(calls_are_taken_again wm/entry_store.cpp
+  FROM "if (life.only_once && tombstones_.count(address.id) > 0)"
+  TO "if (false)")
+
+castor_system_mutant(the_dead_leave_their_entries wm/entry_store.cpp
+  FROM "    if (*slot.owner == owner)
+      set_due"
+  TO "    if (slot.owner == nullptr)
+      set_due")

@@ -1,6 +1,7 @@
-#include "castor/tests/simulation/system_simulation.hpp"
+#include "castor/actors/simulation/system_simulation.hpp"
 
-#include "castor/tests/simulation/system_faults.hpp"
+#include "castor/actors/simulation/simulated_journal.hpp"
+#include "castor/actors/simulation/system_faults.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,12 +16,21 @@ namespace castor::simulation {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::IsSubsetOf;
 using testing::SizeIs;
 
 std::string lines(const SystemResult& x) {
   std::string result;
   for (auto& operation : x.history)
     result += to_string(operation) + "\n";
+  return result;
+}
+
+/// The first seed of a system with so many machines.
+std::uint64_t seed_with(std::size_t machines) {
+  std::uint64_t result = 1;
+  while (machine_count(result) != machines)
+    ++result;
   return result;
 }
 
@@ -35,7 +45,7 @@ faults::FaultPlan plan(Timestamp at, faults::Fault x) {
 /// A quarter of the seeds, so that they are run side by side.
 class SimulatedSystems : public testing::TestWithParam<int> {};
 
-/// More of them, as many as one likes: castor_system_simulation.
+/// More of them, as many as one likes: castor simulate.
 TEST_P(SimulatedSystems, RecoverAndLoseNothingThatIsPromised) {
   constexpr std::uint64_t quarter = CASTOR_SIMULATED_SYSTEMS / 4;
   SystemSimulation simulation;
@@ -43,7 +53,7 @@ TEST_P(SimulatedSystems, RecoverAndLoseNothingThatIsPromised) {
   auto first = GetParam() * quarter + 1;
   for (auto seed = first; seed < first + quarter; ++seed) {
     auto result = simulation.run(seed);
-    ASSERT_FALSE(result.is_wrong()) << "castor_system_simulation --seed " << seed << "\n"
+    ASSERT_FALSE(result.is_wrong()) << "castor simulate --seed " << seed << "\n"
                                     << to_string(result) << "\nwith\n"
                                     << to_string(minimised(simulation, seed, result.faults));
     undecided += !result.ok();
@@ -80,7 +90,7 @@ TEST(SystemSimulation, WithoutFaultsNobodyFails) {
 TEST(SystemSimulation, EveryKindOfFaultHasItsEffect) {
   SystemSimulation simulation;
   auto failures = [&](faults::Fault x) {
-    auto result = simulation.run(1, plan(500ms, std::move(x)));
+    auto result = simulation.run(seed_with(3), plan(500ms, std::move(x)));
     EXPECT_TRUE(result.ok()) << to_string(result);
     return result.failures;
   };
@@ -119,13 +129,53 @@ TEST(SystemSimulation, RunsShowAllThatCanHappen) {
   EXPECT_GT(losses, 100u);
 }
 
+TEST(SystemSimulation, NothingThatCanHappenNeverDoes) {
+  SystemSimulation simulation;
+  auto all = Happenings::everything();
+  // All but what takes thousands of systems.
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+    all.add(simulation.run(seed).happened);
+  EXPECT_THAT(all.never(), IsSubsetOf({"calls: given up by its server", "calls: not written",
+                                       "calls: not answered in time"}));
+}
+
+TEST(SystemSimulation, AJournalOutlivesItsWorkingMemory) {
+  std::uint64_t seed = 1;
+  while (!keeps_journals(seed) || machine_count(seed) != 1)
+    ++seed;
+  SystemSimulation simulation;
+  auto result = simulation.run(seed, plan(900ms, faults::Crash{{"a_wm", {}}}));
+  EXPECT_TRUE(result.ok()) << to_string(result);
+  EXPECT_EQ(result.losses, 0u);
+  EXPECT_EQ(result.happened.count("journals", "opened"), 3u);
+  EXPECT_EQ(result.happened.count("journals", "opened again"), 1u);
+}
+
+TEST(SimulatedDisk, IsTakenAwayFromWhoeverWritesItAndKeepsWhatWasAppended) {
+  SimulatedDisk disk;
+  auto first = disk.open("a", {}, {});
+  JournalRecord record;
+  record.sequence = 1;
+  record.id = "x";
+  auto group = std::make_shared<JournalGroup>();
+  group->push_back(record);
+  first.file->append({group});
+  auto second = disk.open("a", {}, {});
+  EXPECT_EQ(second.session, 2u);
+  EXPECT_EQ(second.image.sequence, 1u);
+  EXPECT_THAT(second.image.entries, SizeIs(1));
+  EXPECT_THROW(first.file->append({group}), JournalError);
+  EXPECT_THAT(disk.records("a"), SizeIs(1));
+  EXPECT_THAT(disk.records("b"), SizeIs(0));
+}
+
 TEST(SystemFaults, FollowFromTheSeed) {
   EXPECT_EQ(system_faults(7), system_faults(7));
   std::set<std::size_t> kinds;
   for (std::uint64_t seed = 1; seed <= 200; ++seed)
     for (auto& x : system_faults(seed).statements)
       kinds.insert(x.faults.front().index());
-  EXPECT_THAT(kinds, SizeIs(7));
+  EXPECT_THAT(kinds, SizeIs(10));
 }
 
 } // namespace castor::simulation

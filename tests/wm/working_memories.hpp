@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Listener {
 };
 
 /// Working memories of the subarchitectures a, b and c.
-class WorkingMemories : public testing::Test, protected TestingSystem {
+class WorkingMemories : public testing::Test, protected simulation::TestingSystem {
 protected:
   WorkingMemories() {
     Peers peers;

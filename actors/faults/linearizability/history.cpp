@@ -4,30 +4,6 @@ namespace castor::linearizability {
 
 namespace {
 
-std::string to_string(Status x) {
-  switch (x) {
-    case Status::ok:
-      return "ok";
-    case Status::does_not_exist:
-      return "does not exist";
-    case Status::already_exists:
-      return "already exists";
-    case Status::inconsistent:
-      return "inconsistent";
-    case Status::locked:
-      return "locked";
-    case Status::stale:
-      return "stale";
-    case Status::busy:
-      return "busy";
-    case Status::never_existed:
-      return "never existed";
-    case Status::timed_out:
-      return "timed out";
-  }
-  return "?";
-}
-
 std::string arguments(const OperationRecord& x) {
   auto token = x.token == 0 ? "" : " with token " + std::to_string(x.token);
   switch (x.kind) {
@@ -52,6 +28,30 @@ std::string moment(Tick x) {
 }
 
 } // namespace
+
+std::string to_string(Status x) {
+  switch (x) {
+    case Status::ok:
+      return "ok";
+    case Status::does_not_exist:
+      return "does not exist";
+    case Status::already_exists:
+      return "already exists";
+    case Status::inconsistent:
+      return "inconsistent";
+    case Status::locked:
+      return "locked";
+    case Status::stale:
+      return "stale";
+    case Status::busy:
+      return "busy";
+    case Status::never_existed:
+      return "never existed";
+    case Status::timed_out:
+      return "timed out";
+  }
+  return "?";
+}
 
 std::string to_string(OperationKind x) {
   switch (x) {

@@ -118,6 +118,7 @@ using History = std::vector<OperationRecord>;
 
 std::string to_string(OperationKind x);
 std::string to_string(LockLevel x);
+std::string to_string(Status x);
 /// As an operation of that kind would print it.
 std::string to_string(OperationKind kind, const Result& x);
 /// One line.

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "castor/actors/faults/fault_plan.hpp"
-#include "castor/tests/linearizability/simulation.hpp"
+#include "castor/actors/simulation/happenings.hpp"
+#include "castor/actors/simulation/memory_simulation.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace castor::simulation {
 
 struct SystemResult : linearizability::SimulationResult {
   std::uint64_t seed = 0;
-  /// What befell the system.
+  /// What was injected.
   faults::FaultPlan faults;
   /// Stands for all that happened: that of the same seed and faults is the same.
   std::uint64_t digest = 0;
@@ -20,8 +21,13 @@ struct SystemResult : linearizability::SimulationResult {
   std::size_t steps = 0;
   /// How often something went down.
   std::size_t failures = 0;
+  /// How often something came back.
+  std::size_t returns = 0;
   /// How often a working memory lost what it held.
   std::size_t losses = 0;
+  /// Operations of clients.
+  std::size_t operations = 0;
+  Happenings happened;
 };
 
 /// A whole system on CAF's test coordinator: a coordinator and two nodes, three subarchitectures

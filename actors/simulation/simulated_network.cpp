@@ -1,4 +1,4 @@
-#include "castor/tests/simulation/simulated_network.hpp"
+#include "castor/actors/simulation/simulated_network.hpp"
 
 #include "castor/actors/link/link_end.hpp"
 #include "castor/actors/link/send_later.hpp"

@@ -64,6 +64,12 @@ public:
   /// moments. It begins with such versions and tokens.
   void lost(std::uint32_t entry, Tick from, Tick to, Version version, Token token);
 
+  /// A working memory ended and another took its place, which has its entries, but not its leases:
+  /// those with tokens below that ended between these moments.
+  void leases_lost(std::uint32_t entry, Token below, Tick from, Tick to);
+  /// The clock by which the entry's leases end jumps forward, or back.
+  void clock_jumped(std::uint32_t entry, Timestamp by);
+
   /// All that happened; to be called when nothing is under way any more.
   History finish();
 
@@ -76,6 +82,8 @@ private:
 
   struct Lease {
     Client holder = 0;
+    /// When its lock was invoked.
+    Tick invoked = 0;
     /// When it runs out if it is not renewed once more: not before the one, not after the other.
     Timestamp lasts_until{0};
     Timestamp over_by{0};
@@ -88,6 +96,18 @@ private:
   Tick first_tick_at(Timestamp time) const;
   OperationRecord lapse_of(std::uint32_t entry, Token token, const Lease& lease);
 
+  struct Restart {
+    std::uint32_t entry = 0;
+    Tick from = 0;
+    Tick to = 0;
+  };
+
+  struct Jump {
+    std::uint32_t entry = 0;
+    Tick at = 0;
+    Timestamp by{0};
+  };
+
   Timestamp lease_duration_;
   Tick tick_ = 0;
   std::vector<std::pair<Timestamp, Tick>> advances_;
@@ -96,6 +116,9 @@ private:
   std::map<std::pair<std::uint32_t, Token>, Lease> leases_;
   std::map<Client, Tick> deaths_;
   std::map<Client, Tick> may_be_lost_;
+  /// Of working memories that kept their entries.
+  std::vector<Restart> restarts_;
+  std::vector<Jump> jumps_;
 };
 
 } // namespace castor::linearizability

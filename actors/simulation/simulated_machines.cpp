@@ -1,4 +1,4 @@
-#include "castor/tests/simulation/simulated_machines.hpp"
+#include "castor/actors/simulation/simulated_machines.hpp"
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell.hpp"
@@ -24,8 +24,9 @@ void kill_actor(const caf::actor& x) {
 
 } // namespace
 
-SimulatedMachines::SimulatedMachines(caf::actor_system& system, SystemWorld& world)
-  : system_(system), world_(world), network_(system, world.random) {
+SimulatedMachines::SimulatedMachines(caf::actor_system& system, SystemWorld& world,
+                                     std::size_t count)
+  : system_(system), world_(world), count_(count), network_(system, world.random) {
   for (Machine x = 0; x < machines.size(); ++x) {
     processes_[x].life = x;
     machine_of_life_.push_back(x);
@@ -74,6 +75,17 @@ PartSpawn SimulatedMachines::spawn(Machine x) {
   result.component = [this, life = processes_[x].life](caf::actor_system&, ShellParts parts) {
     return spawn_component(parts, life);
   };
+  result.journal = [this, x](const JournalOptions& options, const std::string& subarchitecture) {
+    auto time = std::chrono::duration_cast<UnixTime>(now().time_since_epoch());
+    return disks_[x].open(subarchitecture, options, time);
+  };
+  return result;
+}
+
+caf::actor SimulatedMachines::spawn_journal_writer(Life life) {
+  auto result = system_.spawn(simulated_journal_writer);
+  own(result, life);
+  journal_writers_.emplace_back(result, life);
   return result;
 }
 
@@ -85,7 +97,23 @@ WorkingMemoryActor SimulatedMachines::spawn_working_memory(WorkingMemoryOptions 
   x.incarnation = options.incarnation;
   x.process = life;
   x.begin = world_.recorder.tick();
+  std::shared_ptr<JournalWriterParts> writer;
+  if (auto journal = options.opened_journal) {
+    x.session = journal->session;
+    x.first_sequence = journal->image.sequence + 1;
+    x.recovered = journal->image.entries.size();
+    options.journal.report = [](const std::string&) {};
+    options.journal_writer = spawn_journal_writer(life);
+    writer = std::make_shared<JournalWriterParts>();
+    writer->file = journal->file;
+    writer->mode = options.journal.mode;
+  }
+  auto journal_writer = options.journal_writer;
   x.actor = system_.spawn(working_memory, std::move(options));
+  if (writer) {
+    writer->owner = caf::actor_cast<caf::strong_actor_ptr>(x.actor);
+    caf::anon_send(journal_writer, BeginJournal{writer});
+  }
   own(caf::actor_cast<caf::actor>(x.actor), life);
   caf::actor_cast<caf::abstract_actor*>(x.actor)->attach_functor([this, &lives, number] {
     if (world_.over)
@@ -192,6 +220,9 @@ void SimulatedMachines::kill(Machine x, std::chrono::milliseconds back_after) {
     if (link.life == process.life)
       kill_actor(link.actor);
   std::erase_if(links_, [&](auto& link) { return link.life == process.life; });
+  for (auto& [writer, life] : journal_writers_)
+    if (life == process.life)
+      kill_actor(writer);
   for (auto& [name, lives] : memories_)
     if (!lives.empty() && lives.back().process == process.life && lives.back().alive())
       kill_actor(caf::actor_cast<caf::actor>(lives.back().actor));
@@ -255,6 +286,8 @@ void SimulatedMachines::end() {
         kill_actor(caf::actor_cast<caf::actor>(life.actor));
   for (auto& [name, component] : world_.components)
     kill_actor(caf::actor_cast<caf::actor>(component));
+  for (auto& [writer, life] : journal_writers_)
+    kill_actor(writer);
   for (auto& process : processes_) {
     if (process.listener)
       kill_actor(process.listener);
@@ -281,7 +314,7 @@ void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
       },
       [&](const faults::Partition& x) {
         auto from = machine(x.group.front());
-        for (Machine other = 0; other < machines.size(); ++other)
+        for (Machine other = 0; other < count_; ++other)
           if (other != from)
             silence(from, other, *x.duration);
       },
@@ -291,6 +324,15 @@ void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
       [&](const faults::Drop& x) {
         befall_link(x.link, {LinkFault::Kind::loss, *x.duration, {}, 10 * x.part.thousandths});
       },
+      [&](const faults::FailJournal& x) {
+        if (auto actor = memory(x.memory.subarchitecture))
+          caf::anon_send(actor, JournalFault{JournalFault::Kind::failure, *x.duration, {}});
+      },
+      [&](const faults::SlowJournal& x) {
+        if (auto actor = memory(x.memory.subarchitecture))
+          caf::anon_send(actor, JournalFault{JournalFault::Kind::slowness, *x.duration, x.by});
+      },
+      [&](const faults::JumpClock& x) { jump_clock(x); },
       [](const auto&) {},
     },
     fault);
@@ -308,6 +350,23 @@ void SimulatedMachines::crash(const std::string& name) {
                   caf::make_message(caf::exit_msg{
                     {}, caf::make_error(caf::sec::runtime_error, "it was made to crash")}),
                   nullptr);
+}
+
+WorkingMemoryActor SimulatedMachines::memory(const std::string& subarchitecture) const {
+  auto i = memories_.find(subarchitecture);
+  return i == memories_.end() ? WorkingMemoryActor{} : i->second.back().actor;
+}
+
+void SimulatedMachines::jump_clock(const faults::JumpClock& x) {
+  auto actor = memory(x.memory.subarchitecture);
+  if (!actor)
+    return;
+  for (std::uint32_t entry = 0; entry < world_.entries.size(); ++entry)
+    if (world_.entries[entry].address.subarchitecture == x.memory.subarchitecture)
+      world_.recorder.clock_jumped(entry, x.by);
+  if (x.by.count() < 0)
+    world_.clocks_behind -= x.by;
+  caf::anon_send(actor, JumpClock{x.by});
 }
 
 void SimulatedMachines::hang(const faults::Hang& x) {

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/recorder.hpp"
+#include "castor/actors/simulation/recorder.hpp"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ void Recorder::did_not_happen(Index x) {
 
 void Recorder::obtained(Index lock) {
   auto& [record, sent, dropped] = operations_[lock];
-  Lease lease{record.client, sent + lease_duration_, now() + lease_duration_};
+  Lease lease{record.client, record.invoked, sent + lease_duration_, now() + lease_duration_};
   if (may_be_lost_.contains(record.client))
     lease.may_end_from = record.invoked;
   leases_.try_emplace({record.entry, record.result.token}, lease);
@@ -99,6 +99,19 @@ void Recorder::lost(std::uint32_t entry, Tick from, Tick to, Version version, To
   operations_.push_back({x, now(), false});
 }
 
+void Recorder::leases_lost(std::uint32_t entry, Token below, Tick from, Tick to) {
+  restarts_.push_back({entry, from, to});
+  for (auto& [key, lease] : leases_)
+    if (key.first == entry && key.second < below) {
+      lease.may_end_from = std::min(lease.may_end_from, from);
+      lease.ended_by = std::min(lease.ended_by, to);
+    }
+}
+
+void Recorder::clock_jumped(std::uint32_t entry, Timestamp by) {
+  jumps_.push_back({entry, tick(), by});
+}
+
 void Recorder::deaths_are_known() {
   auto now = tick();
   for (auto& [key, lease] : leases_)
@@ -124,6 +137,12 @@ History Recorder::finish() {
       for (auto* ends : {&deaths_, &may_be_lost_})
         if (auto i = ends->find(record.client); i != ends->end())
           lapse.invoked = std::min(lapse.invoked, i->second);
+      for (auto& x : restarts_)
+        if (x.entry == record.entry && record.invoked < x.to)
+          lapse.invoked = std::min(lapse.invoked, std::max(x.from, record.invoked));
+      for (auto& x : jumps_)
+        if (x.entry == record.entry && record.invoked < x.at && x.by.count() > 0)
+          lapse.invoked = std::min(lapse.invoked, x.at);
       if (lapse.invoked == never)
         continue;
       lapse.returned = end;
@@ -145,9 +164,18 @@ OperationRecord Recorder::lapse_of(std::uint32_t entry, Token token, const Lease
   x.kind = OperationKind::lapse;
   x.token = token;
   x.invoked = std::min(lease.may_end_from, first_tick_at(lease.lasts_until));
+  auto over_by = lease.over_by;
+  for (auto& jump : jumps_) {
+    if (jump.entry != entry || jump.at < lease.invoked)
+      continue;
+    if (jump.by.count() > 0)
+      x.invoked = std::min(x.invoked, jump.at);
+    else
+      over_by -= jump.by;
+  }
   x.returned = lease.ended_by;
   if (lease.renewals_under_way == 0)
-    x.returned = std::min(x.returned, first_tick_at(lease.over_by));
+    x.returned = std::min(x.returned, first_tick_at(over_by));
   x.mandatory = x.returned != never;
   x.returned = std::min(x.returned, tick_);
   return x;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/tests/linearizability/recorder.hpp"
-#include "castor/tests/linearizability/seen.hpp"
+#include "castor/actors/simulation/recorder.hpp"
+#include "castor/actors/simulation/seen.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <caf/event_based_actor.hpp>

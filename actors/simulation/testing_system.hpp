@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace castor::test {
+namespace castor::simulation {
 
 /// An actor system on CAF's test coordinator: nothing runs but when the test says so, and time
 /// passes only there.
@@ -45,4 +45,4 @@ protected:
   caf::scoped_actor outsider{system};
 };
 
-} // namespace castor::test
+} // namespace castor::simulation

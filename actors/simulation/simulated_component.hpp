@@ -3,8 +3,10 @@
 #include "castor/actors/component/neighbours.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/part.hpp"
-#include "castor/tests/linearizability/simulated_client.hpp"
-#include "castor/tests/simulation/simulated_network.hpp"
+#include "castor/actors/simulation/simulated_calls.hpp"
+#include "castor/actors/simulation/simulated_client.hpp"
+#include "castor/actors/simulation/simulated_network.hpp"
+#include "castor/actors/simulation/simulated_tasks.hpp"
 #include "castor/wm/change_event.hpp"
 
 #include <caf/resumable.hpp>
@@ -13,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,8 +53,28 @@ struct SystemWorld : linearizability::SimulatedWorld {
   /// Which process an actor is of.
   std::map<const caf::resumable*, Life> owners;
   bool over = false;
+  TaskLedger tasks;
+  /// Tasks that components may still propose.
+  std::size_t tasks_left = 0;
+  TaskSchedule::Rules task_rules;
+  CallLedger calls;
+  /// Whether components serve calls.
+  bool serves_calls = false;
+  /// By how much clocks of working memories were put back, in all.
+  Timestamp clocks_behind{0};
   /// Runs what is to be done in a process, until nothing is.
   std::function<void(Life)> run_jobs_of;
+};
+
+/// To a component: calls whoever serves in that subarchitecture. It answers whether there was a
+/// reply.
+struct MakeCall {
+  std::string subarchitecture;
+};
+
+/// To the component itself: the task is done.
+struct TaskDone {
+  TaskId id;
 };
 
 /// A component of a simulated system: goes through its phases of life as its supervisor says, hears
@@ -67,6 +90,12 @@ public:
 
   Life process() const { return process_; }
   const ComponentRecord& record() const { return *record_; }
+  ComponentLife life() const {
+    auto& identity = record_->identity();
+    return {identity.name, identity.incarnation, process_};
+  }
+  /// Null for a component that is no task manager.
+  const SimulatedTaskManager* task_manager() const { return manager_ ? &*manager_ : nullptr; }
   using SimulatedClient::number;
 
   void on_exit() override;
@@ -83,6 +112,18 @@ private:
   void register_filter();
   void phase_done(Phase phase);
   void fail(const std::string& why);
+  void started();
+  ClientPtr record_client() const;
+
+  // -- tasks
+  void propose_tasks();
+  void decided(const TaskDecided& x);
+  void complete(const TaskId& id);
+  caf::actor manager_of_tasks() const;
+  void begin_to_manage();
+
+  // -- calls
+  void call(const std::string& subarchitecture, SimulatedCalls::Answered answered);
   void hear(const ChangeNotice& x);
   void trace(const std::string& what) const;
 
@@ -93,7 +134,15 @@ private:
   NeighboursPtr neighbours_;
   WorkingMemoryActor home_;
   caf::actor conductor_;
+  std::optional<SimulatedTaskManager> manager_;
+  /// Proposed, and not over.
+  std::map<TaskId, TaskProposal> tasks_;
+  std::uint64_t last_task_ = 0;
+  std::optional<SimulatedCalls> calls_;
   std::shared_ptr<Told> told_ = std::make_shared<Told>();
 };
 
 } // namespace castor::simulation
+
+CASTOR_LOCAL_MESSAGE(castor::simulation::MakeCall)
+CASTOR_LOCAL_MESSAGE(castor::simulation::TaskDone)

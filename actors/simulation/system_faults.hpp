@@ -4,7 +4,9 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace castor::simulation {
@@ -17,9 +19,19 @@ inline constexpr std::chrono::milliseconds time_of_faults{1500};
 /// How long the links of a simulated system wait for a process to be back.
 inline constexpr std::chrono::milliseconds link_patience{1500};
 
-/// What befalls a simulated system: up to six faults, at given times, which follow from the seed.
-/// Every component, working memory and node may end; what keeps processes apart is much shorter
-/// than the patience of links, or much longer.
+/// How many machines a simulated system has: one, two or three.
+std::size_t machine_count(std::uint64_t seed);
+
+/// Whether the working memories of a simulated system keep journals; of two systems in five they
+/// do.
+bool keeps_journals(std::uint64_t seed);
+
+/// "crash", "fail journal": what a kind of fault is called.
+std::string kind_of(const faults::Fault& x);
+
+/// What is injected into a simulated system: up to six faults, at given times, which follow from
+/// the seed. Every component, working memory and node may end; what keeps processes apart is much
+/// shorter than the patience of links, or much longer.
 faults::FaultPlan system_faults(std::uint64_t seed);
 
 /// How long a process that is killed at that time is not there.

@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/simulated_client.hpp"
+#include "castor/actors/simulation/simulated_client.hpp"
 
 #include <algorithm>
 #include <array>

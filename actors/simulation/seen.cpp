@@ -1,4 +1,4 @@
-#include "castor/tests/linearizability/seen.hpp"
+#include "castor/actors/simulation/seen.hpp"
 
 namespace castor::linearizability {
 

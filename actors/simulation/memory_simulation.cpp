@@ -1,8 +1,8 @@
-#include "castor/tests/linearizability/simulation.hpp"
+#include "castor/actors/simulation/memory_simulation.hpp"
 
 #include "castor/actors/faults/linearizability/change_check.hpp"
-#include "castor/tests/linearizability/simulated_client.hpp"
-#include "castor/tests/support/testing_system.hpp"
+#include "castor/actors/simulation/simulated_client.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Operation operation_of(OperationKind x) {
 } // namespace
 
 /// The actor system, which outlasts a seed, and what plays on it.
-class Simulation::Stage : private test::TestingSystem {
+class Simulation::Stage : private simulation::TestingSystem {
 public:
   SimulationResult run(std::uint64_t seed) {
     SimulatedWorld world{seed, lease_duration};

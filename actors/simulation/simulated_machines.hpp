@@ -2,9 +2,10 @@
 
 #include "castor/actors/faults/fault.hpp"
 #include "castor/actors/node/memberships.hpp"
-#include "castor/tests/simulation/simulated_component.hpp"
-#include "castor/tests/simulation/simulated_network.hpp"
-#include "castor/tests/simulation/system_faults.hpp"
+#include "castor/actors/simulation/simulated_component.hpp"
+#include "castor/actors/simulation/simulated_journal.hpp"
+#include "castor/actors/simulation/simulated_network.hpp"
+#include "castor/actors/simulation/system_faults.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <caf/resumable.hpp>
@@ -26,6 +27,11 @@ struct MemoryLife {
   std::uint64_t incarnation = 1;
   Life process = 0;
   WorkingMemoryActor actor;
+  /// How often its journal was opened by then; 0 without one.
+  std::uint64_t session = 0;
+  /// With a journal: the number of the first change of this life, and the entries it began with.
+  std::uint64_t first_sequence = 0;
+  std::size_t recovered = 0;
   linearizability::Tick begin = 0;
   linearizability::Tick end = linearizability::never;
 
@@ -38,13 +44,15 @@ public:
   using Machine = std::size_t;
   using Clock = std::chrono::steady_clock;
 
-  SimulatedMachines(caf::actor_system& system, SystemWorld& world);
+  /// `count` machines: the coordinator's and nodes'.
+  SimulatedMachines(caf::actor_system& system, SystemWorld& world, std::size_t count);
   SimulatedMachines(const SimulatedMachines&) = delete;
   SimulatedMachines& operator=(const SimulatedMachines&) = delete;
 
   static LinkOptions link_options();
   static Endpoint endpoint_of(Machine x);
 
+  std::size_t count() const { return count_; }
   SimulatedNetwork& network() { return network_; }
 
   /// How actors and links of the process of a machine are made.
@@ -79,6 +87,9 @@ public:
   /// Whether anything befell processes or what is between them.
   bool are_processes_concerned() const { return processes_concerned_; }
 
+  /// The disk of the machine that a process runs on.
+  const SimulatedDisk& disk_of(Life x) const { return disks_[machine_of(x)]; }
+
   /// The end of all processes.
   void end();
 
@@ -110,6 +121,11 @@ private:
   caf::actor spawn_component(const ShellParts& parts, Life life);
   void hear(Life life, const caf::actor& link, const LinkNews& news);
 
+  caf::actor spawn_journal_writer(Life life);
+  /// Null if the working memory is not there.
+  WorkingMemoryActor memory(const std::string& subarchitecture) const;
+  void jump_clock(const faults::JumpClock& x);
+
   void crash(const std::string& name);
   void hang(const faults::Hang& x);
   void kill(Machine x, std::chrono::milliseconds back_after);
@@ -119,11 +135,15 @@ private:
 
   caf::actor_system& system_;
   SystemWorld& world_;
+  const std::size_t count_;
   SimulatedNetwork network_;
   std::array<Process, machines.size()> processes_;
   Life last_life_ = machines.size() - 1;
   std::vector<Machine> machine_of_life_;
   std::vector<Link> links_;
+  std::array<SimulatedDisk, machines.size()> disks_;
+  /// With the processes that they are of.
+  std::vector<std::pair<caf::actor, Life>> journal_writers_;
   std::vector<Silence> silences_;
   std::map<Machine, Clock::time_point> returns_;
   std::map<Life, Clock::time_point> frozen_;

@@ -1,13 +1,13 @@
-#include "castor/tests/simulation/system_simulation.hpp"
+#include "castor/actors/simulation/system_simulation.hpp"
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/minimise.hpp"
 #include "castor/actors/node/part_agent.hpp"
 #include "castor/actors/node/supervisor.hpp"
+#include "castor/actors/simulation/simulated_architecture.hpp"
+#include "castor/actors/simulation/simulated_machines.hpp"
+#include "castor/actors/simulation/testing_system.hpp"
 #include "castor/actors/supervision/health.hpp"
-#include "castor/tests/simulation/simulated_architecture.hpp"
-#include "castor/tests/simulation/simulated_machines.hpp"
-#include "castor/tests/support/testing_system.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <caf/actor_registry.hpp>
@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -42,7 +44,7 @@ constexpr const char* sentinel = "sentinel";
 } // namespace
 
 /// The actor system, which outlasts a seed, and what plays on it.
-class SystemSimulation::Stage : private test::TestingSystem {
+class SystemSimulation::Stage : private TestingSystem {
 public:
   Stage() { set_log_level(LogLevel::off); }
 
@@ -56,7 +58,7 @@ public:
     result.seed = seed;
     result_ = &result;
     begin_ = scheduler.clock().now();
-    SimulatedMachines simulated{system, world};
+    SimulatedMachines simulated{system, world, machine_count(seed)};
     machines_ = &simulated;
     world.run_jobs_of = [this](Life x) { run_jobs_of(x); };
     try {
@@ -64,12 +66,13 @@ public:
       play();
       if (world.findings.empty())
         look_back();
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       world.find(error.what());
     }
     note_losses();
     result.history = world.recorder.finish();
     result.verdict = checker_.check(result.history);
+    count(result);
     for (auto& x : result.history)
       world.note(to_string(x));
     result.digest = world.digest;
@@ -90,11 +93,12 @@ private:
     world.recorder.set_time(Timestamp{0});
     auto strategy = world.pick(3);
     auto escalates = world.chance(30);
-    architecture_ = simulated_architecture(lease_, strategy, escalates, world.chance(40));
+    architecture_ = simulated_architecture({lease_, strategy, escalates, world.chance(40),
+                                            machines_->count(), keeps_journals(result_->seed)});
     for_each_component(architecture_, [&](ComponentDescription& x) {
       auto home = std::size_t(x.subarchitecture.front() - 'a');
       auto strays = x.kind == ComponentKind::managed && world.chance(20);
-      x.host = machines[strays ? world.pick(machines.size()) : home];
+      x.host = machines[(strays ? world.pick(machines.size()) : home) % machines_->count()];
       if (x.host == machines[0])
         x.host = "localhost";
     });
@@ -107,6 +111,16 @@ private:
     }
     world.longest_pause = std::chrono::milliseconds{1 + world.pick(200)};
     world.operations_left = 20 + world.pick(50);
+    if (world.chance(50))
+      world.tasks_left = 3 + world.pick(10);
+    world.task_rules.budget = 2;
+    world.task_rules.backfill = world.chance(50);
+    world.tasks.set_have_lost([this](Life a, Life b) { return machines_->have_lost(a, b); });
+    world.serves_calls = world.chance(40);
+    if (world.serves_calls)
+      world.calls.calls_left = 1 + world.pick(3);
+    world.calls.find = [&world](std::string what) { world.find(std::move(what)); };
+    world.calls.note = [&world](const std::string& what) { world.note(what); };
     machines_->network().set_delays(unsigned(world.pick(50)),
                                     std::chrono::milliseconds{world.pick(20)});
     set_up_processes();
@@ -121,7 +135,7 @@ private:
     options_.link = SimulatedMachines::link_options();
     options_.on_down = [this](const ComponentDown& x) { went_down(x); };
     options_.on_up = [this](const ComponentUp& x) { came_up(x); };
-    for (std::size_t x = 1; x < machines.size(); ++x)
+    for (std::size_t x = 1; x < machines_->count(); ++x)
       machines_->start_node(x);
     processes_.emplace(
       system, options_, "simulated", [this](const LinkNews& x) { caf::anon_send(supervisor_, x); },
@@ -143,7 +157,7 @@ private:
     agent_ = system.spawn(part_agent, std::move(agent));
     processes_->set_own_agent(agent_);
     std::map<std::string, Endpoint> nodes;
-    for (std::size_t x = 1; x < machines.size(); ++x)
+    for (std::size_t x = 1; x < machines_->count(); ++x)
       nodes[std::string{machines[x]}] = SimulatedMachines::endpoint_of(x);
     auto placement = place(architecture_, nodes);
     processes_->open(placement);
@@ -305,6 +319,7 @@ private:
   }
 
   void came_up(const ComponentUp& x) {
+    ++result_->returns;
     world_->note(x.component);
     auto since = down_.extract(x.component);
     if (!since)
@@ -318,13 +333,17 @@ private:
 
   void look_back() {
     world_->operations_left = 0;
+    world_->tasks_left = 0;
+    world_->calls.calls_left = 0;
     auto quiet_since = time() + long_time;
     advance(quiet_since);
     world_->recorder.deaths_are_known();
     check_the_dead();
+    check_calls();
+    check_tasks();
     leave_sentinels();
     // Nobody renews any more.
-    advance(std::max(time(), quiet_since + lease_ + 100ms));
+    advance(std::max(time(), quiet_since + lease_ + world_->clocks_behind + 100ms));
     for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
       look_at(entry);
     for (auto& [name, lives] : machines_->memories())
@@ -332,6 +351,7 @@ private:
     for (auto& told : world_->told)
       check_told(*told);
     check_health();
+    check_journals();
   }
 
   void check_the_dead() {
@@ -341,6 +361,52 @@ private:
           std::ranges::count(world_->dead, *status->holder, [](auto& x) { return *x; }) > 0)
         world_->find(to_string(*status->holder) + " is dead and holds a lease of " +
                      to_string(entry.address));
+  }
+
+  /// Now that everybody is there, a call is replied to, and nothing is left of those that are over.
+  void check_calls() {
+    if (!world_->serves_calls)
+      return;
+    auto& subarchitectures = architecture_.subarchitectures;
+    auto& caller = subarchitectures[world_->pick(3)].components[world_->pick(2)].name;
+    auto& to = subarchitectures[world_->pick(3)].name;
+    auto reply = std::make_shared<std::optional<bool>>();
+    auto component = caf::actor_cast<caf::actor>(world_->components.at(caller));
+    system.spawn([reply, component, to](caf::event_based_actor* self) {
+      self->request(component, caf::infinite, MakeCall{to}).then([reply](bool x) { *reply = x; });
+    });
+    if (!advance_until(time() + long_time, [&] { return reply->has_value(); }) || !**reply)
+      world_->find("the call of " + caller + " to " + to + " is not replied to");
+    advance(time() + 100ms);
+    for (auto& [name, lives] : machines_->memories())
+      for (auto& type : {type_name<Call>(), type_name<CallProgress>(), type_name<Question>(),
+                         type_name<Reply>()})
+        check_nothing_left(name, type, lives.back().actor);
+  }
+
+  void check_nothing_left(const std::string& name, const std::string& type,
+                          const WorkingMemoryActor& memory) {
+    TypeQuery query;
+    query.subarchitecture = name;
+    query.type = type;
+    auto entries = ask<Outcome<std::vector<EntryPtr>>>(memory, QueryRequest{query, {}});
+    if (!entries || !entries->empty())
+      world_->find("of calls that are over there is a " + type + " left in " + name +
+                   (entries ? ": " + to_string(entries->front()->address) : ""));
+  }
+
+  /// Nothing is under way any more, and what waits has a reason to.
+  void check_tasks() {
+    std::vector<ComponentLife> managers;
+    for (auto& [name, component] : world_->components)
+      if (auto* manager = component->task_manager()) {
+        managers.push_back(component->life());
+        if (manager->used() > 0)
+          world_->find(name + " takes tasks for adopted that cost " +
+                       std::to_string(manager->used()) + ", and all are over");
+      }
+    for (auto& x : world_->tasks.overlooked(managers, world_->task_rules.budget))
+      world_->find(x);
   }
 
   /// Everybody has to hear of one last change in every working memory.
@@ -393,11 +459,11 @@ private:
   void check_told(const Told& told) {
     std::map<std::pair<std::string, std::uint64_t>, std::uint64_t> last;
     for (auto& event : told.events) {
-      auto life = event->version / numbers_per_life + 1;
       auto& lives = machines_->memories().at(event->address.subarchitecture);
-      auto memory = std::ranges::find(lives, life, &MemoryLife::incarnation);
+      auto memory = life_of(*event, lives);
       if (memory == lives.end())
         throw std::runtime_error{"nobody has made this change: " + to_string(*event)};
+      auto life = memory->incarnation;
       if (machines_->have_lost(told.process, memory->process))
         continue;
       auto& sequence = last[{event->address.subarchitecture, life}];
@@ -406,6 +472,39 @@ private:
                      std::to_string(event->sequence) + ", after number " +
                      std::to_string(sequence));
       sequence = event->sequence;
+    }
+  }
+
+  /// The life of a working memory in which it made a change.
+  static std::vector<MemoryLife>::const_iterator life_of(const ChangeEvent& event,
+                                                         const std::vector<MemoryLife>& lives) {
+    if (lives.front().session == 0)
+      return std::ranges::find(lives, event.version / numbers_per_life + 1,
+                               &MemoryLife::incarnation);
+    auto later = std::ranges::upper_bound(lives, event.sequence, {}, &MemoryLife::first_sequence);
+    return later == lives.begin() ? lives.end() : std::prev(later);
+  }
+
+  /// Nobody was told of a change that is not in the journal.
+  void check_journals() {
+    for (auto& [name, lives] : machines_->memories()) {
+      if (lives.front().session == 0)
+        continue;
+      std::map<std::uint64_t, const JournalRecord*> records;
+      for (auto& x : machines_->disk_of(lives.front().process).records(name))
+        records[x.sequence] = &x;
+      for (auto& told : world_->told)
+        for (auto& event : told->events) {
+          if (event->address.subarchitecture != name)
+            continue;
+          auto i = records.find(event->sequence);
+          if (i == records.end() || i->second->id != event->address.id ||
+              i->second->version != event->version || i->second->operation != event->operation)
+            world_->find(told->component + " was told of " + to_string(*event) + ", number " +
+                         std::to_string(event->sequence) + ", which is not in the journal");
+          else
+            ++journaled_;
+        }
     }
   }
 
@@ -434,13 +533,48 @@ private:
   void note_losses() {
     for (auto& [name, lives] : machines_->memories())
       for (std::size_t i = 1; i < lives.size(); ++i) {
+        auto from = std::min(lives[i - 1].end, lives[i].begin);
+        auto to = std::max(lives[i - 1].end, lives[i].begin);
+        if (lives[i].session != 0) {
+          for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
+            if (world_->entries[entry].address.subarchitecture == name)
+              world_->recorder.leases_lost(entry, lives[i].session * numbers_per_incarnation, from,
+                                           to);
+          continue;
+        }
         ++result_->losses;
         auto floor = (lives[i].incarnation - 1) * numbers_per_life;
         for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
           if (world_->entries[entry].address.subarchitecture == name)
-            world_->recorder.lost(entry, std::min(lives[i - 1].end, lives[i].begin),
-                                  std::max(lives[i - 1].end, lives[i].begin), floor, floor);
+            world_->recorder.lost(entry, from, to, floor, floor);
       }
+  }
+
+  void count(SystemResult& result) const {
+    auto& happened = result.happened;
+    happened.add("machines", std::to_string(machines_->count()));
+    for (auto& x : result.faults.statements)
+      happened.add("faults", kind_of(x.faults.front()));
+    happened.add("outages", "component down", result.failures);
+    happened.add("outages", "component back", result.returns);
+    happened.add("outages", "working memory lost its entries", result.losses);
+    for (auto& [name, lives] : machines_->memories())
+      for (auto& x : lives)
+        if (x.session != 0) {
+          happened.add("journals", x.session == 1 ? "opened" : "opened again");
+          happened.add("journals", "entry recovered", x.recovered);
+        }
+    happened.add("journals", "change that was told found in the journal", journaled_);
+    happened.add(world_->tasks.happened());
+    happened.add(world_->calls.happened);
+    for (auto& x : result.history) {
+      using enum OperationKind;
+      if (x.kind == lapse || x.kind == loss)
+        continue;
+      ++result.operations;
+      happened.add("operations", to_string(x.kind) + ' ' +
+                                   (x.pending() ? "not answered" : to_string(x.result.status)));
+    }
   }
 
   WorkingMemoryActor owner_of(const SystemWorld::SimulatedEntry& x) const {
@@ -470,6 +604,7 @@ private:
     down_.clear();
     ended_.reset();
     started_ = false;
+    journaled_ = 0;
   }
 
   linearizability::Checker checker_{{.max_states = 1'000'000}};
@@ -490,6 +625,7 @@ private:
   bool started_ = false;
   std::optional<std::string> ended_;
   std::multimap<Timestamp, faults::Fault> due_;
+  std::uint64_t journaled_ = 0;
   /// Since when.
   std::map<std::string, Timestamp> down_;
 };

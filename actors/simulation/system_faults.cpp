@@ -1,0 +1,124 @@
+#include "castor/actors/simulation/system_faults.hpp"
+
+#include "castor/actors/faults/seeded_random.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace castor::simulation {
+
+namespace {
+
+using namespace faults;
+using std::chrono::milliseconds;
+
+/// Apart for a moment, or for good as far as anybody knows.
+Timestamp separation(SeededRandom& random) {
+  auto is_long = random.below(4) == 0;
+  return is_long ? 3 * link_patience + milliseconds{random.between(0, 500)}
+                 : milliseconds{random.between(10, link_patience.count() / 3)};
+}
+
+std::string any_node(SeededRandom& random, std::size_t count) {
+  return std::string{machines[1 + random.below(count - 1)]};
+}
+
+LinkTarget any_link(SeededRandom& random, std::size_t count) {
+  static constexpr std::array<std::pair<int, int>, 3> links{{{0, 1}, {0, 2}, {1, 2}}};
+  auto [a, b] = links[random.below(count == 2 ? 1 : links.size())];
+  return {std::string{machines[std::size_t(a)]}, std::string{machines[std::size_t(b)]}};
+}
+
+/// What can happen within one process.
+Fault local_fault(SeededRandom& random, bool journals) {
+  static const std::array<std::string, 6> components{"a1", "a2", "b1", "b2", "c1", "c2"};
+  static const std::array<std::string, 3> task_managers{"a_tm", "b_tm", "c_tm"};
+  static const std::array<std::string, 3> working_memories{"a_wm", "b_wm", "c_wm"};
+  static const std::array<std::string, 3> subarchitectures{"a", "b", "c"};
+  auto kind = random.below(journals ? 17 : 13);
+  if (kind < 6)
+    return Crash{{random.one_of(components), {}}};
+  if (kind < 7)
+    return Crash{{random.one_of(task_managers), {}}};
+  if (kind < 9)
+    return Crash{{random.one_of(working_memories), {}}};
+  if (kind < 11)
+    return Hang{{random.one_of(components), {}}, milliseconds{random.between(10, 800)}};
+  if (kind < 13)
+    return JumpClock{{random.one_of(subarchitectures)},
+                     random.below(3) == 0 ? -milliseconds{random.between(1, 500)}
+                                          : milliseconds{random.between(1, 2000)}};
+  if (kind < 16)
+    return SlowJournal{{random.one_of(subarchitectures)},
+                       milliseconds{random.between(1, 200)},
+                       milliseconds{random.between(10, 1000)}};
+  return FailJournal{{random.one_of(subarchitectures)}, milliseconds{random.between(1, 200)}};
+}
+
+/// What can happen to processes and what is between them.
+Fault distributed_fault(SeededRandom& random, std::size_t count) {
+  auto kind = random.below(9);
+  if (kind < 2)
+    return Kill{{any_node(random, count)}};
+  if (kind < 4)
+    return Stop{{any_node(random, count)}, separation(random)};
+  if (kind < 6)
+    return Partition{{any_node(random, count)}, {}, separation(random)};
+  if (kind < 8)
+    return Drop{{std::uint32_t(random.between(1'000, 30'000))},
+                any_link(random, count),
+                milliseconds{random.between(10, 500)}};
+  return Delay{milliseconds{random.between(1, 100)}, any_link(random, count),
+               milliseconds{random.between(10, 500)}};
+}
+
+Fault any_fault(SeededRandom& random, std::size_t count, bool journals) {
+  return count == 1 || random.below(20) < 12 ? local_fault(random, journals)
+                                             : distributed_fault(random, count);
+}
+
+} // namespace
+
+std::size_t machine_count(std::uint64_t seed) {
+  SeededRandom random{seed, "machines"};
+  return 1 + random.below(machines.size());
+}
+
+bool keeps_journals(std::uint64_t seed) {
+  SeededRandom random{seed, "journals"};
+  return random.below(5) < 2;
+}
+
+std::string kind_of(const Fault& x) {
+  auto text = to_string(x);
+  // "fail journal of a by 1s", but "crash a1".
+  auto end =
+    text.find(std::holds_alternative<FailJournal>(x) || std::holds_alternative<SlowJournal>(x) ||
+                  std::holds_alternative<JumpClock>(x)
+                ? " of "
+                : " ");
+  return text.substr(0, end);
+}
+
+FaultPlan system_faults(std::uint64_t seed) {
+  FaultPlan result;
+  result.file = "seed " + std::to_string(seed);
+  result.seed = seed;
+  SeededRandom random{seed, "system faults"};
+  auto count = machine_count(seed);
+  auto journals = keeps_journals(seed);
+  for (auto left = random.below(7); left > 0; --left) {
+    At at{milliseconds{random.between(0, time_of_faults.count())}};
+    result.statements.push_back({at, {any_fault(random, count, journals)}, {}, {}});
+  }
+  return result;
+}
+
+milliseconds time_until_return(std::uint64_t seed, Timestamp killed) {
+  SeededRandom random{seed, "return", std::uint64_t(killed.count())};
+  return milliseconds{random.between(5, random.below(3) == 0 ? 4000 : 300)};
+}
+
+} // namespace castor::simulation
