@@ -32,8 +32,10 @@ Failure failed_wait(const WorkingMemoryState& state, const SettledWait& settled,
           address};
 }
 
+/// Its clock may have been put back to before the system's begin: `now` may be negative.
 Timestamp deadline_of(Timestamp now, const Patience& patience) {
-  return patience.at_most < Timestamp::max() - now ? now + patience.at_most : Timestamp::max();
+  auto most = Timestamp::max() - std::max(now, Timestamp{0});
+  return patience.at_most < most ? now + patience.at_most : Timestamp::max();
 }
 
 WorkingMemoryState::WaitKey key_of(const Client& client, WaitNumber number) {

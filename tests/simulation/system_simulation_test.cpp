@@ -151,6 +151,15 @@ TEST(SystemSimulation, AJournalOutlivesItsWorkingMemory) {
   EXPECT_EQ(result.happened.count("journals", "opened again"), 1u);
 }
 
+TEST(SystemSimulation, WaitsEndThoughAClockGoesBackToBeforeTheBeginning) {
+  SystemSimulation simulation;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+    for (auto* memory : {"a", "b", "c"}) {
+      auto result = simulation.run(seed, plan(1ms, faults::JumpClock{{memory}, -700ms}));
+      ASSERT_TRUE(result.ok()) << "seed " << seed << "\n" << to_string(result);
+    }
+}
+
 TEST(SimulatedDisk, IsTakenAwayFromWhoeverWritesItAndKeepsWhatWasAppended) {
   SimulatedDisk disk;
   auto first = disk.open("a", {}, {});
