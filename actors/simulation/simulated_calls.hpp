@@ -68,8 +68,8 @@ public:
   /// Registers its filters; `done` once all are registered, or one could not be.
   void begin(const std::function<void(bool)>& done);
 
-  /// Others have come or gone: what it has answered to callers whose working memory is gone goes,
-  /// too.
+  /// Others have come or gone: removes the answers to callers whose working memory is gone.
+  /// (castor::Calls keeps these until its component ends.)
   void meet(NeighboursPtr neighbours);
 
   /// Calls whoever serves in a subarchitecture; `answered` says whether there was a reply.
