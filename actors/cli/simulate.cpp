@@ -7,6 +7,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/fault_plan.hpp"
 #include "castor/actors/simulation/campaign.hpp"
+#include "castor/actors/simulation/system_faults.hpp"
 #include "castor/actors/simulation/system_simulation.hpp"
 
 #include <CLI/App.hpp>
@@ -166,6 +167,10 @@ private:
       auto read = faults::parse_plan_file(arguments_.faults);
       if (!read.ok()) {
         cli::print(read.diagnostics);
+        return bad_input;
+      }
+      if (auto problems = simulation::check_simulated(*read.plan, seed); !problems.empty()) {
+        cli::print(problems);
         return bad_input;
       }
       plan = *std::move(read.plan);

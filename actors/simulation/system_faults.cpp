@@ -1,9 +1,12 @@
 #include "castor/actors/simulation/system_faults.hpp"
 
+#include "castor/actors/faults/fault_targets.hpp"
 #include "castor/actors/faults/seeded_random.hpp"
+#include "castor/actors/simulation/simulated_architecture.hpp"
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -100,6 +103,62 @@ std::string kind_of(const Fault& x) {
                 ? " of "
                 : " ");
   return text.substr(0, end);
+}
+
+namespace {
+
+/// Why the simulation cannot do what a statement says; empty if it can.
+std::string why_not_simulated(const Statement& x) {
+  if (!std::holds_alternative<At>(x.trigger))
+    return "a simulation injects faults at given times only";
+  if (x.faults.size() != 1)
+    return "a simulation does not draw faults";
+  return std::visit(
+    [](const auto& fault) -> std::string {
+      using T = std::decay_t<decltype(fault)>;
+      constexpr bool is_simulated = !std::is_same_v<T, Throw> && !std::is_same_v<T, Slow> &&
+                                    !std::is_same_v<T, Continue> && !std::is_same_v<T, Duplicate> &&
+                                    !std::is_same_v<T, Reorder>;
+      if (!is_simulated)
+        return "this kind of fault is not simulated";
+      if constexpr (requires { fault.duration; })
+        if (!fault.duration)
+          return "a simulation has to know how long it lasts";
+      bool is_any = false;
+      if constexpr (requires { fault.component; })
+        is_any = fault.component.is_any();
+      else if constexpr (requires { fault.process; })
+        is_any = fault.process.is_any();
+      else if constexpr (requires { fault.memory; })
+        is_any = fault.memory.is_any();
+      else if constexpr (requires { fault.link; })
+        is_any = fault.link.is_any();
+      else
+        is_any = fault.group.size() != 1 || !fault.from.empty();
+      return is_any ? "a simulation has to know the one that it concerns" : "";
+    },
+    x.faults.front());
+}
+
+} // namespace
+
+std::vector<cast::Diagnostic> check_simulated(const FaultPlan& plan, std::uint64_t seed) {
+  ArchitectureVariant variant;
+  variant.machines = machine_count(seed);
+  variant.journals = keeps_journals(seed);
+  std::vector<std::string> nodes;
+  for (std::size_t x = 1; x < variant.machines; ++x)
+    nodes.emplace_back(machines[x]);
+  auto result = check_plan(plan, targets_of(simulated_architecture(variant), nodes));
+  for (auto& x : plan.statements)
+    if (auto why = why_not_simulated(x); !why.empty())
+      result.push_back({cast::Severity::error,
+                        x.where,
+                        x.line,
+                        {},
+                        why,
+                        "write it as in `at 300ms crash a1` or `at 1s partition node1 for 2s`"});
+  return result;
 }
 
 FaultPlan system_faults(std::uint64_t seed) {

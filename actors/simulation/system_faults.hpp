@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/faults/fault_plan.hpp"
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace castor::simulation {
 
@@ -28,6 +30,10 @@ bool keeps_journals(std::uint64_t seed);
 
 /// "crash", "fail journal": what a kind of fault is called.
 std::string kind_of(const faults::Fault& x);
+
+/// What of a plan cannot be injected into the system of that seed, or not in a simulation: it takes
+/// one fault at a time, `at` given times, of known targets, for as long as the plan says.
+std::vector<cast::Diagnostic> check_simulated(const faults::FaultPlan& plan, std::uint64_t seed);
 
 /// What is injected into a simulated system: up to six faults, at given times, which follow from
 /// the seed. Every component, working memory and node may end; what keeps processes apart is much

@@ -90,6 +90,15 @@ TEST_F(Simulate, ShowsOneSystemWithFaultsOfAFile) {
   EXPECT_THAT(answer.errors, HasSubstr("[a1]"));
 }
 
+TEST_F(Simulate, RefusesFaultsThatItCannotInject) {
+  for (auto* line : {"at 1s crash zebra", "every 1s crash a1", "at 1s crash any component",
+                     "at 1s kill node7", "at 1s hang a1", "at 1s slow a1 by 1s for 1s"}) {
+    auto answer = ask({"simulate", "--seed", "5", "--faults", write("one.plan", line)});
+    EXPECT_EQ(answer.status, 2) << line << answer.output;
+    EXPECT_THAT(answer.errors, HasSubstr("one.plan:1: error: ")) << line;
+  }
+}
+
 TEST_F(Simulate, KeepsItsComponentsToItself) {
   EXPECT_THAT(ask({"components"}).output, Not(HasSubstr("Simulated")));
 }
