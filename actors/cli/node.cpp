@@ -6,7 +6,6 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/dial.hpp"
-#include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/node/placement.hpp"
 
 #include <CLI/App.hpp>
@@ -128,7 +127,7 @@ int node(Arguments arguments) {
   } else if (arguments.insecure && !is_socket_path(at.host)) {
     note(LogLevel::warning, "INSECURE: whoever reaches " + to_string(at) +
                               (is_loopback(at.host) ? ", every user of this machine," : "") +
-                              " can run what they like as " + user_called(geteuid()));
+                              " can run what they like on this machine");
   } else if (!is_loopback(at.host)) {
     fmt::print(stderr,
                "castor: whoever reaches {} could run what they like on this machine: give the "

@@ -146,9 +146,8 @@ std::string why_no_own_node(const Endpoint& at, const sockaddr& address) {
            "(scripts/make-certs makes certificates), or, if every user of this machine may be "
            "trusted, both with --insecure";
   return "what listens at " + to_string(at) +
-         " is yours, but no node that takes systems of its own user alone: a node with --tls needs "
-         "--tls here too, and a tunnel, or a node that does not see the folder " +
-         nodes_folder().string() + ", needs --insecure on both sides";
+         " is yours, but no node for systems of its own user alone: a node with --tls needs --tls "
+         "here, too; a tunnel, or a node with a /tmp of its own, needs --insecure on both sides";
 }
 
 } // namespace castor

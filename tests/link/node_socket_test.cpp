@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr uid_t nobody = 65534;
+constexpr uid_t other_user = 65534;
 
 sockaddr_storage address_of(const char* ip, std::uint16_t port) {
   sockaddr_storage result{};
@@ -94,7 +94,8 @@ TEST(NodeSocket, OneThatAKilledNodeLeftLeadsNowhere) {
   int tcp = listen_at({"127.0.0.1", 0});
   auto left = listen_beside(tcp);
   close(left.socket);
-  EXPECT_THAT(problem_at(port_of(tcp)), HasSubstr("is yours, but no node"));
+  EXPECT_THAT(problem_at(port_of(tcp)),
+              HasSubstr("is yours, but no node for systems of its own user"));
   auto next = listen_beside(tcp);
   EXPECT_EQ(next.file, left.file);
   EXPECT_EQ(problem_at(port_of(tcp)), "");
@@ -120,7 +121,7 @@ TEST(NodeSocket, APortOfAnotherUserIsNotTalkedTo) {
   ASSERT_EQ(pipe(listens), 0);
   auto child = fork();
   if (child == 0) {
-    if (setresuid(nobody, nobody, nobody) != 0)
+    if (setresuid(other_user, other_user, other_user) != 0)
       _exit(1);
     int fd = listen_at({"127.0.0.1", port});
     [[maybe_unused]] auto written = write(listens[1], "", 1);
