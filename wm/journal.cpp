@@ -1,6 +1,7 @@
 #include "castor/wm/journal.hpp"
 
 #include "castor/wm/encoding.hpp"
+#include "castor/wm/journal_lock.hpp"
 #include "castor/wm/journal_tables.hpp"
 #include "castor/wm/sqlite.hpp"
 
@@ -8,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <system_error>
 #include <type_traits>
@@ -33,12 +33,6 @@ constexpr std::uint64_t remembered_sessions = 1000;
 
 UnixTime unix_now() {
   return std::chrono::duration_cast<UnixTime>(std::chrono::system_clock::now().time_since_epoch());
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
 }
 
 /// What a power cut would otherwise take back: that there is a file of that name.
@@ -95,7 +89,11 @@ public:
       auto folder = options_.file.parent_path();
       if (!folder.empty() && std::filesystem::create_directories(folder))
         sync_directory(folder.parent_path());
+      lock_.emplace(options_.file, owner_, options_.returning);
       if (!std::filesystem::exists(options_.file)) {
+        if (options_.returning)
+          throw JournalError("it has been removed or moved since the system began: put it back, or "
+                             "start the system again, which then begins without its entries");
         // It would be taken for that of the new file.
         if (std::filesystem::exists(options_.file.string() + "-wal"))
           throw JournalCorrupt("there is a file of the same name that ends with -wal, but not the "
@@ -113,6 +111,8 @@ public:
       database_->run(options_.shared ? "PRAGMA journal_mode=TRUNCATE" : "PRAGMA journal_mode=WAL");
       database_->count_log_pages();
       take_up();
+      files_.emplace(std::vector<std::filesystem::path>{
+        options_.file, options_.file.string() + "-wal", options_.file.string() + "-shm"});
       database_->checkpoint_on_close(true);
     });
   }
@@ -129,6 +129,7 @@ public:
 
   void append(const std::vector<JournalGroupPtr>& groups) override {
     guarded("written", [&] {
+      files_->check();
       sqlite::Transaction transaction{*database_};
       check_session();
       auto meta = meta_;
@@ -140,11 +141,14 @@ public:
       write(meta);
       transaction.commit();
       meta_ = meta;
+      // What went into files that nobody will find again is not to be acknowledged.
+      files_->check();
     });
   }
 
   bool tidy() override {
     return guarded("written", [&] {
+      lock_->renew();
       if (database_->log_pages() >= checkpoint_pages)
         database_->checkpoint();
       auto used = used_bytes();
@@ -168,6 +172,7 @@ public:
       insert_.reset();
       write_meta_.reset();
       database_.reset();
+      lock_->release();
     });
   }
 
@@ -244,8 +249,8 @@ private:
     Session x;
     x.number = meta_.session;
     x.opened = unix_now();
-    x.host = host_name();
-    x.process = static_cast<std::uint64_t>(getpid());
+    x.host = owner_.host;
+    x.process = owner_.process;
     x.mode = static_cast<std::uint64_t>(options_.mode);
     x.before = meta_.last;
     x.incarnation = meta_.incarnation;
@@ -452,6 +457,9 @@ private:
 
   JournalOptions options_;
   std::string subarchitecture_;
+  const JournalOwner owner_ = JournalOwner::here(options_.system);
+  std::optional<JournalLock> lock_;
+  std::optional<JournalFiles> files_;
   std::optional<sqlite::Database> database_;
   std::optional<sqlite::Statement> insert_;
   std::optional<sqlite::Statement> write_meta_;

@@ -67,6 +67,11 @@ struct JournalOptions {
   std::size_t remembered_deletions = 100'000;
   /// On a thread of its own; without, whoever runs actors writes the file.
   bool own_thread = true;
+  /// The name of the system that writes it, which differs from those of all others: no other system
+  /// is given the journal meanwhile.
+  std::string system = {};
+  /// The system has written it before, so it has to be there, and nobody else may have had it since.
+  bool returning = false;
   /// The way to the file, for SQLite (its VFS); empty for the usual one.
   std::string vfs = {};
   /// Is told what goes wrong.
@@ -138,8 +143,8 @@ struct OpenedJournal {
   UnixTime time{0};
 };
 
-/// Opens the journal for writing, or makes it, and takes it away from whoever writes it. Throws
-/// JournalError if that cannot be; with `go_on_without` a file that is not sound is moved aside,
+/// Opens the journal for writing, or makes it, and takes it away from whoever of the same system
+/// writes it. Throws JournalError if that cannot be, or another system writes it; with `go_on_without` a file that is not sound is moved aside,
 /// and the result may have no file.
 OpenedJournal open_journal(const JournalOptions& options, const std::string& subarchitecture);
 

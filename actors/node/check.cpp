@@ -42,17 +42,25 @@ std::string keyword(ComponentKind kind) {
   return {};
 }
 
-std::string remedy_for(std::string_view name, const std::set<std::string, std::less<>>& known,
-                       std::string_view kind, std::string otherwise) {
+constexpr std::size_t most_listed = 20;
+
+/// What to do about a name that is not known.
+std::string remedy_for(const Diagnostics& out, std::string_view name,
+                       const std::set<std::string, std::less<>>& known, std::string_view kind,
+                       std::string otherwise) {
+  if (known.empty() || out.size() >= cast::most_explained)
+    return otherwise;
   auto guess = cast::did_you_mean(name, {known.begin(), known.end()});
   if (!guess.empty())
     return guess;
-  if (known.empty())
-    return otherwise;
-  std::string all;
-  for (auto& x : known)
-    all += (all.empty() ? "" : ", ") + x;
-  return otherwise + "; the " + std::string{kind} + " are: " + all;
+  otherwise += "; the " + std::string{kind} + " are: ";
+  std::size_t count = 0;
+  for (auto& x : known) {
+    if (++count > most_listed)
+      return otherwise + " and " + std::to_string(known.size() - most_listed) + " more";
+    otherwise += (count == 1 ? "" : ", ") + x;
+  }
+  return otherwise;
 }
 
 /// An option names something that the system has to have.
@@ -74,7 +82,7 @@ void check_reference(Diagnostics& out, const ComponentDescription& x, const Opti
     case Reference::subarchitecture:
       if (!names.subarchitectures.contains(name))
         add(out, x, says + "names a subarchitecture that the system does not have",
-            remedy_for(name, names.subarchitectures, "subarchitectures",
+            remedy_for(out, name, names.subarchitectures, "subarchitectures",
                        "give --" + option.name() + " the name of one that it has"));
       return;
     case Reference::standalone:
@@ -85,7 +93,7 @@ void check_reference(Diagnostics& out, const ComponentDescription& x, const Opti
             "only components of COMPONENT lines can be pulled from");
       else
         add(out, x, says + "names a stand-alone component that the system does not have",
-            remedy_for(name, names.standalone, "stand-alone components",
+            remedy_for(out, name, names.standalone, "stand-alone components",
                        "add the line: COMPONENT CPP " + name + " Class"));
       return;
     case Reference::component:
@@ -94,7 +102,7 @@ void check_reference(Diagnostics& out, const ComponentDescription& x, const Opti
       auto all = names.standalone;
       all.insert(names.in_subarchitectures.begin(), names.in_subarchitectures.end());
       add(out, x, says + "names a component that the system does not have",
-          remedy_for(name, all, "components",
+          remedy_for(out, name, all, "components",
                      "give --" + option.name() + " the name of one that it has"));
       return;
   }

@@ -49,8 +49,11 @@ caf::resumable* as_resumable(const WorkingMemoryActor& x) {
   return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
 
-JournalOptions journal_options(const ComponentDescription& x) {
+JournalOptions journal_options(const ComponentDescription& x, const PartPlan& plan,
+                               std::uint64_t incarnation) {
   auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
+  result.system = plan.system;
+  result.returning = incarnation > 1;
   result.report = [](const std::string& what) { note(LogLevel::error, what); };
   return result;
 }
@@ -61,9 +64,10 @@ bool keeps_journal(const SubarchitectureDescription& x) {
 
 /// The journal that a WM line asks for; null if it asks for none, or can do without.
 std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
-                                               const PartSpawn& spawn,
+                                               const PartSpawn& spawn, const PartPlan& plan,
+                                               std::uint64_t incarnation,
                                                std::vector<cast::Diagnostic>& problems) {
-  auto options = journal_options(x);
+  auto options = journal_options(x, plan, incarnation);
   if (options.mode == JournalMode::off)
     return nullptr;
   try {
@@ -136,7 +140,8 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::map<std::string, std::shared_ptr<OpenedJournal>> journals;
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
-      journals[x->subarchitecture] = take_up_journal(*x, spawn_, problems);
+      journals[x->subarchitecture] =
+        take_up_journal(*x, spawn_, plan, wanted.at(x->name), problems);
   make_folder_for_pushes(plan, self_, problems);
   if (!problems.empty())
     return problems;
@@ -245,7 +250,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
   options.writers = writers(name);
   options.incarnation = incarnation;
-  options.journal = journal_options(x);
+  options.journal = journal_options(x, plan, incarnation);
   options.opened_journal = std::move(journal);
   auto actor = spawn_.working_memory(system_, std::move(options));
   working_memories_[name] = {actor, incarnation};

@@ -43,6 +43,8 @@ inline ProcessNumber process_of(const std::map<std::string, ProcessNumber>& plac
 
 /// What a process needs to know in order to make its part of a system.
 struct PartPlan {
+  /// The name of the system, which differs from those of all others.
+  std::string system;
   ArchitectureDescription architecture;
   /// By their numbers; the first is the coordinator's own, which nobody needs to reach.
   std::vector<ProcessDescription> processes;

@@ -40,6 +40,9 @@ public:
 
   void set_own_agent(const caf::actor& agent);
 
+  /// The name of the system.
+  const std::string& name() const { return name_; }
+
   /// Null if the actor system has no network.
   const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
 

@@ -153,6 +153,7 @@ private:
 
   PartPlan plan() const {
     PartPlan result;
+    result.system = processes_.name();
     result.architecture = architecture_;
     result.processes = processes_.descriptions();
     result.placement = placement_.of;

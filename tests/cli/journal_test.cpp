@@ -75,6 +75,39 @@ TEST_F(JournalCommand, EntriesOutliveAProcessThatIsKilled) {
   EXPECT_EQ(numbers().front(), static_cast<int>(changes) - 1);
 }
 
+TEST_F(JournalCommand, IsNotWrittenByASecondSystemMeanwhile) {
+  auto file = journaled("CPP UM ticker Ticker\n");
+  Process first{command({"run", file, "--trace"})};
+  ASSERT_TRUE(first.wait_for_output("v1\n"));
+  auto second = ask({"run", file});
+  EXPECT_EQ(second.status, 2);
+  EXPECT_THAT(second.errors, HasSubstr("journaled.cast:3"));
+  EXPECT_THAT(second.errors, HasSubstr("system journaled-" + std::to_string(first.pid())));
+  EXPECT_THAT(second.errors, HasSubstr("process " + std::to_string(first.pid())));
+  first.send_signal(SIGINT);
+  EXPECT_EQ(first.wait(), 0) << first.errors();
+}
+
+TEST_F(JournalCommand, ThatIsRemovedEndsTheSystemWithTheReason) {
+  Process castor{command({"run", journaled("CPP UM ticker Ticker\n"), "--trace"})};
+  ASSERT_TRUE(castor.wait_for_output("v1\n"));
+  std::filesystem::remove_all(folder / "journals");
+  EXPECT_NE(castor.wait(), 0);
+  EXPECT_THAT(castor.errors(), HasSubstr("removed or moved"));
+  EXPECT_FALSE(std::filesystem::exists(journal()));
+}
+
+TEST_F(JournalCommand, ThatIsRemovedIsDoneWithoutIfTheWorkingMemoryIsToGoOn) {
+  Process castor{command(
+    {"run", journaled("CPP UM ticker Ticker\n", "full --journal-failure continue"), "--trace"})};
+  ASSERT_TRUE(castor.wait_for_output("v1\n"));
+  std::filesystem::remove_all(folder / "journals");
+  ASSERT_TRUE(castor.wait_for_output("removed or moved"));
+  ASSERT_TRUE(castor.wait_for_output("v40\n"));
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+}
+
 TEST_F(JournalCommand, ShowsWhatAFilterAsksFor) {
   EXPECT_EQ(ask({"run", journaled("CPP UM clock Clock --status 0\n")}).status, 0);
   auto changes =
