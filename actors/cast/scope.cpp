@@ -16,7 +16,9 @@ constexpr const char* too_long_remedy = "look for variables that contain others 
 
 void report_undefined_host(const HostTable& hosts, std::string_view name, const SourceLine& line,
                            DiagnosticLog& log) {
-  auto remedy = did_you_mean(name, hosts.names(most_candidates));
+  std::string remedy;
+  if (log.has_room(Severity::warning))
+    remedy = did_you_mean(name, hosts.names(most_candidates));
   if (remedy.empty())
     remedy = "define it before the first section: HOSTNAME " +
              shorten(name, longest_name_in_remedy) + " address";

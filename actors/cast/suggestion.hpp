@@ -15,6 +15,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 /// expensive.
 inline constexpr std::size_t most_candidates = 4096;
 
+/// Where so many mistakes were found already, no names are suggested for further ones: explaining
+/// them would take longer than finding them.
+inline constexpr std::size_t most_explained = 200;
+
 /// The candidate that a misspelt word was probably meant to be: at most a third of its letters are
 /// wrong. Empty if none comes near. Upper and lower case count as nearly the same.
 /// Names of more than 64 bytes are not compared.

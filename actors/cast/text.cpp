@@ -1,6 +1,7 @@
 #include "castor/actors/cast/text.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace castor::cast {
 
@@ -11,6 +12,33 @@ constexpr std::size_t longest_quotation = 80;
 constexpr bool is_control(char c) noexcept {
   auto byte = static_cast<unsigned char>(c);
   return byte < 0x20 || byte == 0x7f;
+}
+
+/// The length of the character of UTF-8 with which the text begins; 0 if it begins with none, or
+/// with one that a terminal obeys instead of showing it.
+std::size_t shown_character(std::string_view text) noexcept {
+  auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  auto first = byte(0);
+  if (first < 0x80)
+    return is_control(text.front()) ? 0 : 1;
+  std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length)
+    return 0;
+  char32_t code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80)
+      return 0;
+    code = code << 6U | (byte(i) & 0x3fU);
+  }
+  constexpr std::array<char32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
+  bool is_surrogate = code >= 0xd800 && code < 0xe000;
+  bool is_control = code < 0xa0 || code == 0x2028 || code == 0x2029;
+  // These show what follows in another order than it has.
+  bool turns_text = code == 0x200e || code == 0x200f || code == 0x61c ||
+                    (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+  bool is_shown = code >= smallest[length] && code <= 0x10ffff && !is_surrogate && !is_control &&
+                  !turns_text;
+  return is_shown ? length : 0;
 }
 
 } // namespace
@@ -69,17 +97,19 @@ std::string printable(std::string_view text) {
   static constexpr std::string_view digits = "0123456789abcdef";
   std::string result;
   result.reserve(text.size());
-  for (char c : text) {
-    if (!is_control(c)) {
-      result += c;
-    } else if (c == '\t') {
+  while (!text.empty()) {
+    auto length = shown_character(text);
+    if (length > 0) {
+      result += text.substr(0, length);
+    } else if (text.front() == '\t') {
       result += ' ';
     } else {
-      auto byte = static_cast<unsigned char>(c);
+      auto byte = static_cast<unsigned char>(text.front());
       result += "\\x";
       result += digits[byte >> 4U];
       result += digits[byte & 0xfU];
     }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result;
 }

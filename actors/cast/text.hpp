@@ -38,7 +38,8 @@ std::string in_quotes(std::string_view text);
 /// The lines of a text as one, without indentation and empty ones, separated by semicolons.
 std::string on_one_line(std::string_view text);
 
-/// Replaces control characters, which could drive a terminal, by visible escapes.
+/// Replaces what could drive a terminal or disguise the text by visible escapes: control characters,
+/// also those of Unicode, and bytes that are not UTF-8. A tab becomes a blank.
 std::string printable(std::string_view text);
 
 std::string lower_case(std::string_view text);

@@ -1,5 +1,6 @@
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/cast/json.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
@@ -54,7 +55,7 @@ int check(const Arguments& arguments) {
   print(findings);
   if (arguments.expand)
     for (auto& line : parsed.expansions)
-      std::puts(line.c_str());
+      std::puts(cast::printable(line).c_str());
   if (!architecture)
     return 1;
   if (arguments.spread > 0)

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     return cli::bad_input;
   }
   try {
-    return action();
+    return cli::finish_output(action());
   } catch (const SystemError& e) {
     cli::print(e.diagnostics());
     return cli::bad_input;

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +16,13 @@
 #include <string_view>
 
 namespace castor::cli {
+
+namespace {
+
+/// What kept a line from being written to standard output (errno); 0 for nothing.
+std::atomic<int> lost_output{0};
+
+} // namespace
 
 void print(const std::vector<cast::Diagnostic>& problems) {
   std::fputs(cast::render(problems, isatty(STDERR_FILENO) != 0).c_str(), stderr);
@@ -51,11 +59,23 @@ void JsonOutput::print(const nlohmann::ordered_json& x) {
     auto written = write(output_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR)
       continue;
-    // Who does not read any more does not want to know.
-    if (written < 0)
+    if (written < 0) {
+      lost_output = errno;
       return;
+    }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+int finish_output(int status) {
+  errno = 0;
+  bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  int why = lost_output != 0 ? lost_output.load() : errno;
+  if ((!failed && lost_output == 0) || why == EPIPE)
+    return status;
+  std::fprintf(stderr, "castor: what it printed is not complete: %s\n",
+               why != 0 ? std::strerror(why) : "standard output cannot be written");
+  return status != 0 ? status : 1;
 }
 
 } // namespace castor::cli

@@ -35,4 +35,9 @@ private:
   int output_;
 };
 
+/// The exit status of a command that wants to end with `status`, once all that it has printed is
+/// out: 1, and the reason on standard error, if it could not be printed. That nobody reads on is no
+/// failure.
+int finish_output(int status);
+
 } // namespace castor::cli

@@ -1,5 +1,7 @@
 #include "castor/actors/cli/table.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -26,11 +28,13 @@ Table::Table(std::vector<std::string> headings) {
 
 void Table::add(std::vector<std::string> row) {
   row.resize(right_.size());
+  for (auto& cell : row)
+    cell = cast::printable(cell);
   rows_.push_back({std::move(row), {}});
 }
 
 void Table::remark(std::string text) {
-  rows_.push_back({{}, std::move(text)});
+  rows_.push_back({{}, cast::printable(cast::on_one_line(text))});
 }
 
 std::string Table::text() const {

@@ -1,5 +1,7 @@
 #include "castor/actors/cli/timeline.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -51,7 +53,7 @@ std::string in_columns(std::string_view time, std::string_view subarchitecture,
   auto line = fmt::format("{:>11}  {:<12} {:<14}  {:<18} {:<10} {:<20} {}", time, subarchitecture,
                           what, of, id, component, detail);
   line.erase(line.find_last_not_of(' ') + 1);
-  return line;
+  return cast::printable(line);
 }
 
 std::string painted(const std::string& line, std::string_view colour, bool coloured) {

@@ -1,5 +1,7 @@
 #include "castor/actors/component/log.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -44,6 +46,23 @@ spdlog::level::level_enum to_spdlog(LogLevel x) {
   return spdlog::level::info;
 }
 
+/// What begins the further lines of a message, so that none of them looks like a message.
+constexpr std::string_view continuation = "\n    ";
+
+/// Text of components and of other processes, which may be anything: it can neither drive the
+/// terminal nor pass for further messages.
+std::string as_logged(std::string_view text) {
+  std::string result;
+  for (auto rest = text;;) {
+    auto end = rest.find('\n');
+    result += cast::printable(rest.substr(0, end));
+    if (end == rest.npos || rest.substr(end + 1).empty())
+      return result;
+    result += continuation;
+    rest.remove_prefix(end + 1);
+  }
+}
+
 } // namespace
 
 void set_log_level(LogLevel level) {
@@ -58,7 +77,7 @@ void log(LogLevel level, std::string_view who, std::string_view what) {
   if (log_level() == LogLevel::off)
     return;
   auto guard = make_guard ? make_guard() : nullptr;
-  logger().log(to_spdlog(level), "[{}] {}", who, what);
+  logger().log(to_spdlog(level), "[{}] {}", cast::printable(who), as_logged(what));
 }
 
 void note(LogLevel level, std::string_view who, std::string_view what) {

@@ -179,7 +179,9 @@ private:
   }
 
   void unknown(std::string_view what, const std::string& name, const Names& names) {
-    auto remedy = cast::did_you_mean(name, names);
+    std::string remedy;
+    if (out_.size() < cast::most_explained)
+      remedy = cast::did_you_mean(name, names);
     if (remedy.empty() && !names.empty() && names.size() <= most_listed)
       remedy = "there are: " + list(names);
     report("there is no " + std::string{what} + " " + in_quotes(name), std::move(remedy));

@@ -1,5 +1,6 @@
 #include "castor_fixture.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -415,6 +416,23 @@ TEST_F(Castor, AClassCanBeNamedWithItsLibrary) {
   auto file = system("CPP UM clock Clock@" CASTOR_TEST_PLUGIN " --status 4\n");
   Process castor{{CASTOR_EXECUTABLE, "run", file}};
   EXPECT_EQ(castor.wait(), 4) << castor.errors();
+}
+
+TEST_F(Castor, LoggedTextNeitherDrivesTheTerminalNorPassesForOtherLines) {
+  auto answer = ask({"run", system("CPP UM forger Forger\n")});
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_THAT(answer.errors, testing::HasSubstr("seen\\x1b[2J\n    12:00:00.000 error"));
+}
+
+TEST_F(Castor, OutputThatCannotBeWrittenIsAFailure) {
+  auto file = system("CPP UM clock Clock\n");
+  for (std::string how : {"check", "check --json"}) {
+    Process shell{{"/bin/sh", "-c",
+                   std::string{CASTOR_EXECUTABLE} + " --plugin " + CASTOR_TEST_PLUGIN + ' ' + how +
+                     ' ' + file + " > /dev/full"}};
+    EXPECT_NE(shell.wait(), 0) << how;
+    EXPECT_THAT(shell.errors(), testing::HasSubstr("No space left")) << how;
+  }
 }
 
 } // namespace

@@ -58,6 +58,15 @@ class Broken final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Broken, "fails at once")
 
+/// Logs what would drive a terminal, or pass for a message of the system.
+class Forger final : public UnmanagedComponent {
+  void start() override {
+    warning("seen\x1b[2J\n12:00:00.000 error   [castor] all is lost");
+    end_system(0, "done");
+  }
+};
+CASTOR_COMPONENT(Forger, "logs lines of others")
+
 class Endless final : public UnmanagedComponent {
   void run() override {
     info("busy for ever");
