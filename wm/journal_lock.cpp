@@ -55,6 +55,9 @@ JournalLock::JournalLock(const std::filesystem::path& journal, JournalOwner owne
     // Whoever wrote it last has signed it, also if that one is gone.
     auto last = read_owner();
     auto result = attempt();
+    if (result == Attempt::failed)
+      throw JournalError("its lock " + file_.string() +
+                         " cannot be opened: " + std::strerror(errno));
     bool by_another = last && last->system != owner_.system;
     if (returning && by_another)
       refuse(to_string(*last), " has taken it over");
@@ -70,13 +73,16 @@ JournalLock::JournalLock(const std::filesystem::path& journal, JournalOwner owne
   }
 }
 
-JournalLock::~JournalLock() { close(); }
+JournalLock::~JournalLock() {
+  close();
+}
 
 void JournalLock::renew() {
   if (is_in_place())
     return;
   close();
-  if (attempt() != Attempt::held)
+  auto result = attempt();
+  if (result == Attempt::taken || result == Attempt::unsupported)
     write_owner();
 }
 
@@ -92,9 +98,10 @@ void JournalLock::release() {
 /// locks it is open all the same.
 JournalLock::Attempt JournalLock::attempt() {
   for (;;) {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
+    descriptor_ =
+      ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
     if (descriptor_ < 0)
-      throw JournalError("its lock " + file_.string() + " cannot be opened: " + std::strerror(errno));
+      return Attempt::failed;
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK && errno != EINTR)
         return Attempt::unsupported;
@@ -110,7 +117,9 @@ JournalLock::Attempt JournalLock::attempt() {
   }
 }
 
-bool JournalLock::is_in_place() const { return descriptor_ >= 0 && is_same_file(descriptor_, file_); }
+bool JournalLock::is_in_place() const {
+  return descriptor_ >= 0 && is_same_file(descriptor_, file_);
+}
 
 void JournalLock::write_owner() const {
   std::ostringstream text;

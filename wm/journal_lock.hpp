@@ -25,8 +25,8 @@ struct JournalOwner {
 /// "system vision-1234-77, process 1234 on robot"
 std::string to_string(const JournalOwner& x);
 
-/// The lock of a journal: a file beside it, `NAME.lock`, which the writing process keeps locked (flock) and
-/// which names it. The lock ends with the process, however that ends.
+/// The lock of a journal: a file beside it, `NAME.lock`, which the writing process keeps locked
+/// (flock) and which names it. The lock ends with the process, however that ends.
 ///
 /// One system may open its journal again while its earlier holder still has the lock, as it does
 /// when a working memory is started again or moves to another node: whoever opened the journal
@@ -43,14 +43,16 @@ public:
   ~JournalLock();
 
   /// Tries to take what its predecessor of the same system has let go of since, or what somebody
-  /// removed; costs a system call if there is nothing to do.
+  /// removed; costs two system calls if there is nothing to do. Whether there is still a folder for
+  /// it is for others to find out.
   void renew();
 
   /// Lets go of it and removes the file: the end is an orderly one.
   void release();
 
 private:
-  enum class Attempt : std::uint8_t { taken, held, unsupported };
+  /// `failed`: the file cannot be opened, as errno says.
+  enum class Attempt : std::uint8_t { taken, held, unsupported, failed };
 
   Attempt attempt();
   /// Whether the lock file is still that which was locked.

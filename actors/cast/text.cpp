@@ -36,8 +36,8 @@ std::size_t shown_character(std::string_view text) noexcept {
   // These show what follows in another order than it has.
   bool turns_text = code == 0x200e || code == 0x200f || code == 0x61c ||
                     (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-  bool is_shown = code >= smallest[length] && code <= 0x10ffff && !is_surrogate && !is_control &&
-                  !turns_text;
+  bool is_shown =
+    code >= smallest[length] && code <= 0x10ffff && !is_surrogate && !is_control && !turns_text;
   return is_shown ? length : 0;
 }
 

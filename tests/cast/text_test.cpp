@@ -41,8 +41,12 @@ TEST(Text, IsMadePrintable) {
   EXPECT_EQ(printable("a\tb\x7f\x01 \xc3\xa4"), "a b\\x7f\\x01 \xc3\xa4");
   EXPECT_EQ(printable("\xe2\x82\xac \xf0\x9f\x98\x80"), "\xe2\x82\xac \xf0\x9f\x98\x80");
   // A control sequence introducer of eight bits, and the order of writing turned round.
-  EXPECT_EQ(printable("\xc2\x9b" "2J"), "\\xc2\\x9b2J");
-  EXPECT_EQ(printable("\xe2\x80\xae" "a"), "\\xe2\\x80\\xaea");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\xc2\\x9b2J");
+  EXPECT_EQ(printable("\xe2\x80\xae"
+                      "a"),
+            "\\xe2\\x80\\xaea");
   // Not UTF-8: a byte alone, one cut off, one longer than it need be, a surrogate.
   EXPECT_EQ(printable("\xff"), "\\xff");
   EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");

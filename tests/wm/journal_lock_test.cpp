@@ -8,8 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -55,10 +55,10 @@ protected:
 
 TEST_F(JournalLocks, RefuseASecondSystemByNameAndProcess) {
   JournaledStore first{options};
-  EXPECT_THAT(refusal(other), AllOf(HasSubstr(options.file.string()),
-                                    HasSubstr("system first-1-1, process " +
-                                              std::to_string(getpid()) + " on "),
-                                    HasSubstr("--journal-dir")));
+  EXPECT_THAT(refusal(other),
+              AllOf(HasSubstr(options.file.string()),
+                    HasSubstr("system first-1-1, process " + std::to_string(getpid()) + " on "),
+                    HasSubstr("--journal-dir")));
   first.set(0, 1);
   first.sync(); // nothing was taken away from it
 }
