@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/lexicon_reader.hpp"
 
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/communication/parsing/family.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -349,11 +350,15 @@ private:
 
 std::string to_string(const LexiconProblem& problem) {
   std::string text = problem.file + ":" + std::to_string(problem.line) + ":" +
-                     std::to_string(problem.column) + ": error: " + problem.message + "\n";
-  if (!problem.text.empty())
-    text += "  " + problem.text + "\n  " +
-            std::string(static_cast<std::size_t>(std::max(problem.column - 1, 0)), ' ') + "^\n";
-  return text + "  " + problem.remedy + "\n";
+                     std::to_string(problem.column) +
+                     ": error: " + cast::printable(problem.message) + "\n";
+  using cast::printable;
+  if (!problem.text.empty()) {
+    auto before = problem.text.substr(0, static_cast<std::size_t>(std::max(problem.column - 1, 0)));
+    text +=
+      "  " + printable(problem.text) + "\n  " + std::string(printable(before).size(), ' ') + "^\n";
+  }
+  return text + "  " + printable(problem.remedy) + "\n";
 }
 
 LexiconText read_lexicon(std::string_view text, const std::string& file_name) {

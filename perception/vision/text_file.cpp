@@ -1,5 +1,7 @@
 #include "castor/perception/vision/text_file.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -93,10 +95,11 @@ std::string to_string(const TextProblem& problem) {
   if (problem.line > 0)
     result += ":" + std::to_string(problem.line);
   result += problem.severity == TextProblem::Severity::error ? ": error: " : ": warning: ";
-  result += problem.message + "\n";
+  using cast::printable;
+  result += printable(problem.message) + "\n";
   if (!problem.text.empty())
-    result += "    " + problem.text + "\n";
-  return result + "  " + problem.remedy + "\n";
+    result += "    " + printable(problem.text) + "\n";
+  return result + "  " + printable(problem.remedy) + "\n";
 }
 
 std::string to_string(std::span<const TextProblem> problems) {
