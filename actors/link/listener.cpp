@@ -31,6 +31,8 @@ struct Stranger {
   std::shared_ptr<Channel> channel;
   Bytes received;
   Clock::time_point until;
+  /// Of this user, such as one that looks whether anybody listens here.
+  bool is_own = false;
 };
 
 class Listener : public std::enable_shared_from_this<Listener> {
@@ -46,7 +48,7 @@ public:
       [listener](const caf::io::new_data_msg& x) { listener->hear(x); },
       [listener](const caf::io::connection_closed_msg& x) {
         if (auto stranger = listener->strangers_.extract(x.handle))
-          note(LogLevel::info,
+          note(stranger.mapped().is_own ? LogLevel::debug : LogLevel::info,
                "a connection from " + stranger.mapped().from + " left without a word");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
@@ -75,7 +77,8 @@ private:
       std::move(from),
       std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::accepts),
       {},
-      Clock::now() + parts_.patience};
+      Clock::now() + parts_.patience,
+      peer.has_value()};
     self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
   }
 
