@@ -1,15 +1,14 @@
 #include "castor/actors/plugin.hpp"
 
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <dlfcn.h>
 #include <elf.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <set>
 #include <string>
@@ -47,34 +46,31 @@ struct Machine {
   friend bool operator==(const Machine&, const Machine&) = default;
 };
 
-std::optional<Machine> machine_of(const std::string& file) {
+std::optional<Machine> machine_of(const InputFile& file) {
   Elf32_Ehdr head{};
-  std::ifstream in{file, std::ios::binary};
+  auto bytes = file.read(sizeof(head));
   // Up to the number, both kinds of head are alike.
-  if (!in.read(reinterpret_cast<char*>(&head), sizeof(head)) ||
-      std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0)
+  if (bytes.size() < sizeof(head) || std::memcmp(bytes.data(), ELFMAG, SELFMAG) != 0)
     return std::nullopt;
+  std::memcpy(&head, bytes.data(), sizeof(head));
   return Machine{head.e_ident[EI_CLASS], head.e_machine};
 }
 
 /// What makes a file no library that this process could load; empty if nothing is seen.
 std::string why_no_library(const std::string& file) {
-  std::error_code error;
-  auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    return error && status.type() != std::filesystem::file_type::not_found
-             ? error.message()
-             : "there is no such file; build it, or write where it is";
-  if (std::filesystem::is_directory(status))
-    return "it is a folder; name the library in it";
-  errno = 0;
-  if (!std::ifstream{file, std::ios::binary})
-    return std::strerror(errno);
-  auto machine = machine_of(file);
-  if (!machine)
-    return "it is no shared library; CMake makes one with add_library(NAME MODULE ...)";
-  if (auto own = machine_of("/proc/self/exe"); own && machine != own)
-    return "it is made for another machine than this one; build it here";
+  try {
+    auto machine = machine_of(InputFile{file});
+    if (!machine)
+      return "it is no shared library; CMake makes one with add_library(NAME MODULE ...)";
+    if (auto own = machine_of(InputFile{"/proc/self/exe"}); own && machine != own)
+      return "it is made for another machine than this one; build it here";
+  } catch (const InputFileError& e) {
+    if (e.reason() == InputFileError::Reason::missing)
+      return "there is no such file; build it, or write where it is";
+    if (e.reason() == InputFileError::Reason::folder)
+      return "it is a folder; name the library in it";
+    return e.what();
+  }
   return {};
 }
 

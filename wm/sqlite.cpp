@@ -1,5 +1,7 @@
 #include "castor/wm/sqlite.hpp"
 
+#include "castor/wm/input_file.hpp"
+
 #include <sqlite3.h>
 
 #include <system_error>
@@ -67,6 +69,17 @@ std::string uri(const std::filesystem::path& file, Access access) {
   return access == Access::read_unchanging ? result + "?immutable=1" : result;
 }
 
+/// SQLite would open a named pipe, and wait for what comes from it.
+void refuse_special(const std::filesystem::path& file) {
+  try {
+    require_input_file(file);
+  } catch (const InputFileError& e) {
+    // Of the rest SQLite knows more.
+    if (e.reason() == InputFileError::Reason::special)
+      throw Error(SQLITE_CANTOPEN, e.what());
+  }
+}
+
 } // namespace
 
 bool Error::is_corruption() const {
@@ -77,6 +90,7 @@ bool Error::is_corruption() const {
 }
 
 Database::Database(const std::filesystem::path& file, Access access, const std::string& vfs) {
+  refuse_special(file);
   sqlite3* opened = nullptr;
   auto flags =
     SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX |

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/node/recording.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,11 +37,14 @@ bool RecordingFolder::is_one(const fs::path& folder) {
 }
 
 RunFacts RecordingFolder::facts() const {
-  std::ifstream in{facts_file()};
-  if (!in)
-    throw std::runtime_error("cannot read " + facts_file().string());
+  std::string text;
   try {
-    auto x = Json::parse(in);
+    text = read_input_file(facts_file());
+  } catch (const InputFileError& e) {
+    throw std::runtime_error("cannot read " + facts_file().string() + ": " + e.what());
+  }
+  try {
+    auto x = Json::parse(text);
     if (auto format = x.at("format").get<int>(); format != format_version)
       throw std::runtime_error(fmt::format("{} is a recording of format {}; this castor reads {}",
                                            folder_.string(), format, format_version));

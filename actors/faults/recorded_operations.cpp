@@ -4,6 +4,7 @@
 #include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/actors/faults/linearizability/lapses.hpp"
 #include "castor/wm/entry_store.hpp"
+#include "castor/wm/input_file.hpp"
 #include "castor/wm/working_memory.hpp"
 
 #include <fmt/core.h>
@@ -183,6 +184,7 @@ void RecordingReader::read(std::istream& in) {
 Recording read_operations(const std::filesystem::path& folder) {
   RecordingReader reader;
   for (auto& x : std::filesystem::directory_iterator{folder}) {
+    require_input_file(x.path());
     std::ifstream in{x.path()};
     reader.read(in);
   }

@@ -2,6 +2,7 @@
 
 #include "castor/actors/link/certificate.hpp"
 #include "castor/actors/link/error_queue.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <openssl/pem.h>
 #include <openssl/pemerr.h>
@@ -9,8 +10,6 @@
 #include <openssl/x509_vfy.h>
 #include <openssl/x509v3.h>
 
-#include <cerrno>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 
@@ -36,22 +35,31 @@ using Verification = std::unique_ptr<X509_STORE_CTX, Deleter<X509_STORE_CTX_free
 constexpr auto make_certs = "scripts/make-certs makes ca.pem, node.pem and node.key for each node";
 constexpr auto make_anew = "scripts/make-certs --force makes a new one";
 
+/// Bytes of a file with certificates: some thousands of them.
+constexpr std::size_t longest_pem = std::size_t{4} << 20;
+
 [[noreturn]] void refuse(const path& file, const std::string& problem, const std::string& remedy) {
   throw SecurityError{file.string() + ": " + problem + "; " + remedy};
 }
 
 std::string text_of(const path& file) {
-  std::error_code error;
-  auto type = std::filesystem::status(file, error).type();
-  if (type == std::filesystem::file_type::not_found)
-    refuse(file, "there is no such file", make_certs);
-  if (!error && type != std::filesystem::file_type::regular)
-    refuse(file, "this is not a file", make_certs);
-  std::ifstream in{file, std::ios::binary};
-  if (!in)
-    refuse(file, "cannot be read: " + std::generic_category().message(errno),
+  try {
+    return read_input_file(file, longest_pem);
+  } catch (const InputFileError& e) {
+    switch (e.reason()) {
+      case InputFileError::Reason::missing:
+        refuse(file, e.what(), make_certs);
+      case InputFileError::Reason::folder:
+      case InputFileError::Reason::special:
+        refuse(file, std::string{"this is not a file: "} + e.what(), make_certs);
+      case InputFileError::Reason::too_long:
+        refuse(file, e.what(), make_certs);
+      case InputFileError::Reason::unreadable:
+        break;
+    }
+    refuse(file, std::string{"cannot be read: "} + e.what(),
            "it must be readable for the user that runs the node");
-  return {std::istreambuf_iterator<char>{in}, {}};
+  }
 }
 
 Bio reader_of(const std::string& text) {

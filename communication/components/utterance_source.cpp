@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -13,10 +14,8 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -94,13 +93,15 @@ class UtteranceSource final : public UnmanagedComponent {
     }
   }
 
+  /// Bytes of --file, of which each sentence has some tens.
+  static constexpr std::size_t longest_file = std::size_t{16} << 20;
+
   static std::string content_of(const std::string& path) {
-    std::ifstream file{path};
-    if (!file)
-      throw std::runtime_error("--file " + path + " cannot be read");
-    std::ostringstream result;
-    result << file.rdbuf();
-    return result.str();
+    try {
+      return read_input_file(path, longest_file);
+    } catch (const InputFileError& e) {
+      throw std::runtime_error("--file " + path + " cannot be read: " + e.what());
+    }
   }
 
   void listen(int descriptor) {

@@ -1,6 +1,7 @@
 #include "castor/perception/vision/text_file.hpp"
 
 #include "castor/actors/cast/text.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -15,7 +16,7 @@ namespace castor::vision {
 
 namespace {
 
-constexpr std::uintmax_t max_text_bytes = 1 << 20;
+constexpr std::size_t max_text_bytes = 1 << 20;
 
 bool is_space(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
@@ -121,25 +122,25 @@ TextFileError::TextFileError(std::vector<TextProblem> problems)
 }
 
 std::string load_text(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    throw unreadable(path, "there is no such file", "Check the name and the folder.");
-  if (std::filesystem::is_directory(path, ignored))
-    throw unreadable(path, "this is a folder, not a file", "Name a file in it.");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw unreadable(path, "the file cannot be opened", "Check that you may read it.");
-  std::string text;
-  char buffer[4096];
-  while (file.read(buffer, sizeof buffer) || file.gcount() > 0) {
-    text.append(buffer, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_text_bytes)
-      throw unreadable(path, "the file is longer than 1 MiB",
-                       "Check that it is the right file; such a text has a few lines.");
+  try {
+    return read_input_file(path, max_text_bytes);
+  } catch (const InputFileError& e) {
+    switch (e.reason()) {
+      case InputFileError::Reason::missing:
+        throw unreadable(path, e.what(), "Check the name and the folder.");
+      case InputFileError::Reason::folder:
+        throw unreadable(path, "this is a folder, not a file", "Name a file in it.");
+      case InputFileError::Reason::special:
+        throw unreadable(path, e.what(), "Write into a file what comes from it, and name that.");
+      case InputFileError::Reason::too_long:
+        throw unreadable(path, "the file is longer than 1 MiB",
+                         "Check that it is the right file; such a text has a few lines.");
+      case InputFileError::Reason::unreadable:
+        break;
+    }
+    throw unreadable(path, std::string{"the file cannot be read ("} + e.what() + ")",
+                     "Check that you may read it.");
   }
-  if (file.bad())
-    throw unreadable(path, "reading the file failed", "Check the disk it is on.");
-  return text;
 }
 
 void save_text(const std::filesystem::path& path, std::string_view text) {

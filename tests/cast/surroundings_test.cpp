@@ -47,7 +47,7 @@ TEST_F(Surroundings, StopsOneByteBehindTheLimit) {
 TEST_F(Surroundings, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(read_file((directory_ / "missing").string(), 10).error, "no such file");
   EXPECT_EQ(read_file(directory_.string(), 10).error, "it is a directory");
-  EXPECT_EQ(read_file("/dev/zero", 10).error, "it is not a regular file");
+  EXPECT_EQ(read_file("/dev/zero", 10).error, "it is a character device, not a regular file");
   EXPECT_FALSE(read_file((directory_ / "a" / "b").string(), 10).text);
   EXPECT_FALSE(read_file(std::string(10'000, 'x'), 10).error.empty());
 }

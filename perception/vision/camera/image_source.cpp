@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
+#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 
@@ -47,11 +47,12 @@ std::filesystem::path resolve(const std::string& name, const ImageSourceOptions&
 
 /// By its first bytes, as a file may have any name.
 bool looks_like_image(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<std::uint8_t> start(64);
-  file.read(reinterpret_cast<char*>(start.data()), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
-  return probe_image(start).has_value();
+  try {
+    const auto start = InputFile{path}.read(64);
+    return probe_image(std::vector<std::uint8_t>{start.begin(), start.end()}).has_value();
+  } catch (const InputFileError&) {
+    return false;
+  }
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "castor/perception/vision/camera/image_source_probe.hpp"
+#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 
@@ -35,31 +36,33 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path, const ImageLimits& limits) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    throw ImageSourceError(ImageFault::not_found, path.string(), "there is no such file",
-                           "Check the name and the folder.");
-  if (!std::filesystem::is_regular_file(status))
-    throw ImageSourceError(ImageFault::not_an_image, path.string(), "this is not a file",
-                           "Name a picture file.");
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > limits.max_bytes)
-    throw ImageSourceError(ImageFault::too_large, path.string(),
-                           "the file has " + std::to_string(size) +
-                             " bytes, more than the limit of " + std::to_string(limits.max_bytes),
-                           "Use a smaller picture or raise the limit.");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  try {
+    const InputFile file{path};
+    if (file.size() > limits.max_bytes)
+      throw ImageSourceError(ImageFault::too_large, path.string(),
+                             "the file has " + std::to_string(file.size()) +
+                               " bytes, more than the limit of " + std::to_string(limits.max_bytes),
+                             "Use a smaller picture or raise the limit.");
+    const auto bytes = file.read(file.size());
+    return {bytes.begin(), bytes.end()};
+  } catch (const InputFileError& e) {
+    switch (e.reason()) {
+      case InputFileError::Reason::missing:
+        throw ImageSourceError(ImageFault::not_found, path.string(), e.what(),
+                               "Check the name and the folder.");
+      case InputFileError::Reason::folder:
+      case InputFileError::Reason::special:
+        throw ImageSourceError(ImageFault::not_an_image, path.string(),
+                               std::string{"this is not a file: "} + e.what(),
+                               "Name a picture file.");
+      case InputFileError::Reason::too_long:
+      case InputFileError::Reason::unreadable:
+        break;
+    }
     throw ImageSourceError(ImageFault::unreadable, path.string(),
-                           std::string("the file cannot be opened (") + std::strerror(errno) + ")",
-                           "Check that you may read it.");
-  std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad() || static_cast<std::size_t>(file.gcount()) != bytes.size())
-    throw ImageSourceError(ImageFault::unreadable, path.string(), "reading the file failed",
-                           "Check the disk that it is on.");
-  return bytes;
+                           std::string{"the file cannot be read ("} + e.what() + ")",
+                           "Check that you may read it, and the disk that it is on.");
+  }
 }
 
 void check_header(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes,

@@ -10,6 +10,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
+#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 
@@ -112,10 +113,16 @@ private:
   static constexpr int max_failures = 5;
 
   void open() {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path_, ignored))
-      throw ImageSourceError(ImageFault::not_found, path_.string(), "the video is gone",
-                             "Check the folder it was in.");
+    try {
+      require_input_file(path_);
+    } catch (const InputFileError& e) {
+      if (e.reason() == InputFileError::Reason::missing)
+        throw ImageSourceError(ImageFault::not_found, path_.string(), "the video is gone",
+                               "Check the folder it was in.");
+      throw ImageSourceError(ImageFault::unreadable, path_.string(),
+                             std::string{"the video cannot be read ("} + e.what() + ")",
+                             "Check that it is a file, and that you may read it.");
+    }
     bool opened = false;
     try {
       opened = capture_.open(path_.string());
