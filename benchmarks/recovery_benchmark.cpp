@@ -228,10 +228,11 @@ void measure(const Case& x, int times) {
   std::condition_variable hung;
   bool over = false;
   bool is_hung = false;
-  options.kill_isolated = [&](const std::string&) {
+  options.kill_child = [&](const std::string&, std::chrono::steady_clock::time_point) {
     std::lock_guard guard{mutex};
     is_hung = true;
     hung.notify_all();
+    return true;
   };
   std::thread killer{[&] {
     std::unique_lock guard{mutex};

@@ -11,6 +11,24 @@
 
 namespace castor {
 
+/// Where the reply to a request arrives; gives it back at the end of its life.
+class Connections::ReplySlot {
+public:
+  ReplySlot(ComponentShell& shell, std::uint64_t id) : shell_(shell), id_(id) {
+    shell_.open_slot(id_);
+  }
+  ReplySlot(const ReplySlot&) = delete;
+  ReplySlot& operator=(const ReplySlot&) = delete;
+  ~ReplySlot() { shell_.close_slot(id_); }
+
+  /// Null until it has arrived.
+  const caf::mailbox_element_ptr& reply() const { return shell_.slot(id_); }
+
+private:
+  ComponentShell& shell_;
+  std::uint64_t id_;
+};
+
 // -- of one that provides
 
 void Connections::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
@@ -112,45 +130,83 @@ void Connections::work_off_push_request(caf::mailbox_element& x, const PushReque
 // -- of one that receives
 
 caf::actor Connections::find_provider(const std::string& name) const {
-  auto& providers = shell_.neighbours().providers;
-  auto i = providers.find(name);
-  if (i != providers.end())
+  auto& neighbours = shell_.neighbours();
+  if (auto i = neighbours.providers.find(name); i != neighbours.providers.end())
     return i->second;
-  std::vector<std::string_view> names;
-  for (auto& [known, actor] : providers)
-    names.push_back(known);
+  if (neighbours.known_providers.contains(name))
+    return nullptr;
+  std::vector<std::string_view> names{neighbours.known_providers.begin(),
+                                      neighbours.known_providers.end()};
   auto guess = cast::did_you_mean(name, names);
   throw ConnectionError(
     "there is no stand-alone component " + name + "; " +
     (guess.empty() ? "add a COMPONENT line for it to the system's .cast file" : guess));
 }
 
-Outcome<Value> Connections::ask(const std::string& provider, std::uint64_t id) {
-  shell_.open_slot(id);
-  return shell_.finish<Value>(id, {provider, {}});
+caf::actor Connections::await_provider(const std::string& name, const caf::actor_addr& gone,
+                                       const std::string& task,
+                                       ComponentShell::Clock::time_point until) const {
+  caf::actor result;
+  auto failure = shell_.wait_until(
+    [&] {
+      result = find_provider(name);
+      return result && result.address() != gone;
+    },
+    until, {});
+  if (!failure)
+    return result;
+  auto cannot = "cannot " + task + " " + name + ": ";
+  if (failure->kind != FailureKind::no_answer)
+    throw ConnectionError(cannot + failure->message);
+  throw ProviderDown(name, cannot + name + " is down, and was not started again within " +
+                             detail::print_option(shell_.deadline()) + ". The --deadline of " +
+                             shell_.identity().full_name() + " can be raised");
+}
+
+template <class Request>
+Connections::Answer Connections::ask(const std::string& provider, const Request& request,
+                                     const std::string& task) {
+  auto until = ComponentShell::Clock::now() + shell_.deadline();
+  for (caf::actor_addr gone;;) {
+    auto actor = await_provider(provider, gone, task, until);
+    const ReplySlot slot{shell_,
+                         shell_.request(actor, caf::infinite, request).id().integer_value()};
+    // If its process is lost, nobody answers.
+    auto failure = shell_.wait_until(
+      [&] { return slot.reply() || find_provider(provider) != actor; }, until, {});
+    auto cannot = "cannot " + task + " " + provider + ": ";
+    if (const auto& reply = slot.reply()) {
+      auto& content = reply->content();
+      bool has_ended = content.match_elements<caf::error>() &&
+                       content.get_as<caf::error>(0) == caf::sec::request_receiver_down;
+      if (!has_ended) {
+        auto outcome = shell_.take<Outcome<Value>>(*reply, {provider, {}});
+        if (!outcome)
+          throw ConnectionError(cannot + outcome.failure().message);
+        return {std::move(actor), *std::move(outcome)};
+      }
+    } else if (failure) {
+      throw ConnectionError(cannot + (failure->kind == FailureKind::no_answer
+                                        ? shell_.identity().full_name() + " got no answer within " +
+                                            detail::print_option(shell_.deadline()) +
+                                            ". Its --deadline can be raised"
+                                        : failure->message));
+    }
+    gone = actor.address();
+  }
 }
 
 Value Connections::pull(const std::string& provider, const TypeDescriptorPtr& type) {
-  auto actor = find_provider(provider);
-  auto id = shell_.request(actor, caf::infinite, PullRequest{type}).id().integer_value();
-  auto outcome = ask(provider, id);
-  if (!outcome)
-    throw ConnectionError("cannot pull a " + type->name() + " from " + provider + ": " +
-                          outcome.failure().message);
-  return *std::move(outcome);
+  return ask(provider, PullRequest{type}, "pull a " + type->name() + " from").value;
 }
 
 void Connections::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
                             std::function<void(const Value&)> callback) {
-  auto limit = shell_.push_limit();
   auto known = receptions_.find({provider, type->name()});
   if (known == receptions_.end()) {
-    auto actor = find_provider(provider);
-    auto id = shell_.request(actor, caf::infinite, push_request(type)).id().integer_value();
-    auto outcome = ask(provider, id);
-    if (!outcome)
-      throw ConnectionError("cannot receive pushes of " + type->name() + " from " + provider +
-                            ": " + outcome.failure().message);
+    auto limit = shell_.push_limit();
+    auto actor =
+      ask(provider, push_request(type), "receive pushes of " + type->name() + " from").provider;
     known =
       receptions_
         .emplace(std::pair{provider, type->name()}, Reception{type, actor, {}, Receipts{limit}})

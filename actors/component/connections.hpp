@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/component.hpp"
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/wm/caf.hpp"
@@ -10,7 +11,7 @@
 
 #include <caf/mailbox_element.hpp>
 
-#include <cstdint>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <string>
@@ -20,6 +21,19 @@
 namespace castor {
 
 class ComponentShell;
+
+/// A stand-alone component is down, and was not back in time. Where it is the end of the component
+/// that waited for it, that is not the failure of that component.
+class ProviderDown : public ConnectionError {
+public:
+  ProviderDown(std::string provider, const std::string& what)
+    : ConnectionError(what), provider_(std::move(provider)) {}
+
+  const std::string& provider() const { return provider_; }
+
+private:
+  std::string provider_;
+};
 
 /// A component's push and pull connections, at either end. Used on the component's own thread only.
 class Connections {
@@ -33,7 +47,8 @@ public:
 
   // -- of one that receives
 
-  /// Both throw ConnectionError.
+  /// Both throw ConnectionError; ProviderDown if the provider has ended and is not back within the
+  /// component's deadline.
   Value pull(const std::string& provider, const TypeDescriptorPtr& type);
   void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
                  std::function<void(const Value&)> callback);
@@ -82,9 +97,24 @@ private:
   void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
   void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);
   void send(const Subscriber& to, Value x);
+  /// Null if it is down. Throws ConnectionError if the system has no such component.
   caf::actor find_provider(const std::string& name) const;
+  /// Another than the one that is `gone`; `task` completes "cannot ...".
+  caf::actor await_provider(const std::string& name, const caf::actor_addr& gone,
+                            const std::string& task,
+                            std::chrono::steady_clock::time_point until) const;
   PushRequest push_request(const TypeDescriptorPtr& type) const;
-  Outcome<Value> ask(const std::string& provider, std::uint64_t id);
+
+  class ReplySlot;
+
+  struct Answer {
+    caf::actor provider;
+    Value value;
+  };
+
+  /// Asks the provider, and if it ends before it has answered the one that takes its place.
+  template <class Request>
+  Answer ask(const std::string& provider, const Request& request, const std::string& task);
 
   ComponentShell& shell_;
   /// By type.

@@ -40,6 +40,9 @@ struct ThreadNote {
 
 std::atomic<bool> installed{false};
 
+/// In one that was forked nobody is to be told.
+std::atomic<pid_t> reporting_process{-1};
+
 /// Of an exception that nobody has caught; empty if the process was aborted for another reason.
 std::array<char, 400> uncaught{};
 std::atomic<bool> has_uncaught{false};
@@ -92,6 +95,10 @@ private:
   std::array<char, 2000> text_{};
   std::size_t size_ = 0;
 };
+
+constexpr std::string_view isolation_remedy =
+  "castor: This ends the process with all its components. With --isolate on its line in the .cast "
+  "file, the component has a process of its own, and the others go on.\n";
 
 std::string_view name_of(int signal) {
   switch (signal) {
@@ -157,8 +164,7 @@ void report(int signal, siginfo_t* info, void*) {
   text << "\n";
   const auto* component = this_thread.component;
   if (info->si_code != SI_USER && component && !component->is_isolated())
-    text << "castor: This ends the process with all its components. With --isolate on its line in "
-            "the .cast file, the component has a process of its own, and the others go on.\n";
+    text << isolation_remedy;
   text.print();
   errno = error;
   // The default action was restored when the handler was called: what has faulted faults again, and
@@ -226,6 +232,7 @@ void find_guard(ThreadNote& thread) {
 } // namespace
 
 void report_crashes() {
+  reporting_process = getpid();
   if (sanitizers_report || installed.exchange(true))
     return;
   std::set_terminate(terminate);
@@ -243,6 +250,21 @@ void report_crashes() {
   }
 }
 
+bool report_exit(const char* call, int status) {
+  const auto* component = this_thread.component;
+  if (getpid() != reporting_process || (!component && gettid() == getpid()))
+    return false;
+  SafeText text;
+  text << "castor: " << call << "(" << (status < 0 ? "-" : "")
+       << static_cast<std::uintptr_t>(std::abs(status)) << ") was called";
+  add_place(text);
+  text << "\n";
+  if (component && !component->is_isolated())
+    text << isolation_remedy;
+  text.print();
+  return true;
+}
+
 void CrashNote::describe(const std::string& component, const std::string& class_name,
                          const std::string& where, bool isolated) {
   auto text = component + " (class " + class_name + (where.empty() ? "" : ", " + where) + ")";
@@ -251,18 +273,18 @@ void CrashNote::describe(const std::string& component, const std::string& class_
 }
 
 CrashWatch::CrashWatch(const CrashNote& note) {
+  this_thread.component = &note;
   if (!installed)
     return;
   stack_ = std::make_unique<char[]>(handler_stack_size());
   set_handler_stack(stack_.get(), handler_stack_size());
   find_guard(this_thread);
-  this_thread.component = &note;
 }
 
 CrashWatch::~CrashWatch() {
+  this_thread = {};
   if (!stack_)
     return;
-  this_thread = {};
   set_handler_stack(nullptr, 0);
 }
 

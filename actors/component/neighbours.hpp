@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace castor {
@@ -16,6 +17,8 @@ struct Neighbours {
   std::map<std::string, caf::actor> task_managers;
   /// Stand-alone components, by name.
   std::map<std::string, caf::actor> providers;
+  /// The names of those that the system has, of which some may be down.
+  std::set<std::string> known_providers;
 };
 
 using NeighboursPtr = std::shared_ptr<const Neighbours>;

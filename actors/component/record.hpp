@@ -85,6 +85,18 @@ public:
   bool is_orphaned() const { return orphaned_.load(); }
   void set_orphaned() { orphaned_.store(true); }
 
+  /// Who was down, so that the component could not go on: a stand-alone component, or the working
+  /// memory of another subarchitecture. Empty if that is not why it failed.
+  std::string waited_for() const {
+    std::lock_guard guard{mutex_};
+    return waited_for_;
+  }
+
+  void set_waited_for(std::string name) {
+    std::lock_guard guard{mutex_};
+    waited_for_ = std::move(name);
+  }
+
   /// Why the component failed; empty if it did not.
   std::string failure() const {
     std::lock_guard guard{mutex_};
@@ -166,6 +178,7 @@ private:
   std::atomic<std::int64_t> user_code_since_{0};
   mutable std::mutex mutex_;
   std::string failure_;
+  std::string waited_for_;
   /// Of the component's thread, while there is one.
   std::optional<clockid_t> clock_;
   std::chrono::nanoseconds cpu_{0};

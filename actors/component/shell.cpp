@@ -1,6 +1,8 @@
 #include "castor/actors/component/shell.hpp"
 
+#include "castor/actors/cast/description.hpp"
 #include "castor/actors/component/managed_component.hpp"
+#include "castor/actors/component/running_components.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
 #include "castor/wm/plain_words.hpp"
 
@@ -77,6 +79,7 @@ void ComponentShell::act() {
   context(unit_);
   record_->thread_begins();
   CrashWatch watch{crash_note_};
+  RunningComponent running{*record_};
   AtExit thread_ends{[this] { record_->thread_ends(); }};
   try {
     live();
@@ -90,8 +93,14 @@ void ComponentShell::act() {
     in_configure_ = false;
     fail("it was made to crash");
   } catch (const WorkingMemoryLostException& e) {
+    auto& lost = e.address().subarchitecture;
     if (working_memory_lost_)
       record_->set_orphaned();
+    else if (!lost.empty() && lost != identity().subarchitecture)
+      record_->set_waited_for(working_memory_of(lost));
+    fail(e.what());
+  } catch (const ProviderDown& e) {
+    record_->set_waited_for(e.provider());
     fail(e.what());
   } catch (const std::exception& e) {
     fail(plain_words(e));
@@ -113,7 +122,11 @@ void ComponentShell::act() {
   record_->set_idle();
   // Leases that are members of the component are given back without waiting for the answers.
   stopping_ = true;
+  // A destructor may take its time, too.
+  running.begin_destructor();
+  record_->enter_user_code(Clock::now());
   component_.reset();
+  record_->set_idle();
   let_go();
   if (record_->state() != ComponentState::failed)
     record_->set_state(ComponentState::stopped);

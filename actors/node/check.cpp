@@ -8,9 +8,15 @@
 #include "castor/actors/supervision/health.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <future>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace castor {
@@ -144,7 +150,65 @@ void SystemNames::add(const ArchitectureDescription& architecture) {
     standalone.insert(x.name);
 }
 
-void check_class(const ComponentDescription& x, const SystemNames& names, Diagnostics& out) {
+namespace {
+
+/// Makes a component, has it looked at, and destroys it. Returns what does not come to an end; empty
+/// if everything does.
+using Inspect = std::string (*)(const ComponentClass&, const std::function<void(Component&)>& look);
+
+std::string inspect_here(const ComponentClass& x, const std::function<void(Component&)>& look) {
+  look(*x.make());
+  return {};
+}
+
+/// How long a constructor or a destructor may take.
+constexpr std::chrono::seconds patience{5};
+
+/// In a thread of its own, which is left behind if it does not come back.
+std::string inspect_elsewhere(const ComponentClass& x,
+                              const std::function<void(Component&)>& look) {
+  struct Steps {
+    std::promise<Component*> made;
+    std::promise<void> looked_at;
+    std::promise<void> destroyed;
+  };
+  auto steps = std::make_shared<Steps>();
+  auto made = steps->made.get_future();
+  auto destroyed = steps->destroyed.get_future();
+  std::thread thread{[steps, make = x.make] {
+    try {
+      auto component = make();
+      steps->made.set_value(component.get());
+      steps->looked_at.get_future().wait();
+    } catch (...) {
+      steps->made.set_exception(std::current_exception());
+    }
+    steps->destroyed.set_value();
+  }};
+  auto seconds = std::to_string(patience.count()) + " s";
+  if (made.wait_for(patience) != std::future_status::ready) {
+    thread.detach();
+    return "the constructor does not come back within " + seconds;
+  }
+  std::exception_ptr problem;
+  try {
+    look(*made.get());
+  } catch (...) {
+    problem = std::current_exception();
+  }
+  steps->looked_at.set_value();
+  if (destroyed.wait_for(patience) != std::future_status::ready) {
+    thread.detach();
+    return "the destructor does not come back within " + seconds;
+  }
+  thread.join();
+  if (problem)
+    std::rethrow_exception(problem);
+  return {};
+}
+
+void check_class_with(Inspect inspect, const ComponentDescription& x, const SystemNames& names,
+                      Diagnostics& out) {
   if (x.kind == ComponentKind::working_memory) {
     WorkingMemoryClass wm;
     if (x.class_name != wm.name)
@@ -165,14 +229,25 @@ void check_class(const ComponentDescription& x, const SystemNames& names, Diagno
           keyword(lookup.found->kind));
     return;
   }
-  auto component = lookup.found->make();
-  check_options(out, x, component->options(), names);
+  auto problem = inspect(*lookup.found, [&](Component& component) {
+    check_options(out, x, component.options(), names);
+  });
+  if (!problem.empty())
+    add(out, x, x.class_name + " of " + x.name + ": " + problem,
+        "constructors declare options, and destructors give back what the component has: neither "
+        "may wait");
+}
+
+} // namespace
+
+void check_class(const ComponentDescription& x, const SystemNames& names, Diagnostics& out) {
+  check_class_with(inspect_here, x, names, out);
 }
 
 std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture) {
   auto out = place(architecture, {}).problems;
   const SystemNames names{architecture};
-  for_each_described(architecture, [&](auto& x) { check_class(x, names, out); });
+  for_each_described(architecture, [&](auto& x) { check_class_with(inspect_elsewhere, x, names, out); });
   cast::sort_by_line(out);
   return out;
 }
@@ -190,7 +265,7 @@ std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes cl
   names.is_incomplete = understood.is_incomplete;
   for_each_described(understood.architecture, [&](auto& x) {
     if (classes == Classes::all || !placement.of.contains(x.name))
-      check_class(x, names, out);
+      check_class_with(inspect_elsewhere, x, names, out);
   });
   cast::sort_by_line(out);
   return out;
@@ -204,7 +279,7 @@ std::vector<cast::Diagnostic> problems_of(const Placement& placement,
   const SystemNames names{architecture};
   for_each_described(architecture, [&](auto& x) {
     if (!placement.of.contains(x.name))
-      check_class(x, names, out);
+      check_class_with(inspect_elsewhere, x, names, out);
   });
   cast::sort_by_line(out);
   return out;

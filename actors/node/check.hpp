@@ -31,11 +31,14 @@ struct SystemNames {
 
 /// Adds what stands in the way of running a component in this process: a class that does not exist
 /// or does not belong where it stands, options that it does not have or that are no such values, or
-/// that name what the system does not have. Loads the library that the class is in.
+/// that name what the system does not have. Loads the library that the class is in. Makes such a
+/// component, in this thread: whatever it does there has to come to an end.
 void check_class(const ComponentDescription& x, const SystemNames& names,
                  std::vector<cast::Diagnostic>& problems);
 
-/// The same for all components of a system, and whether their hosts are addresses.
+/// The same for all components of a system, and whether their hosts are addresses. Here, as below,
+/// a constructor or destructor that takes more than 5 s is one of the findings; its thread is left
+/// behind.
 std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture);
 
 /// The findings of the parser, and those of further checks of what it could understand of a file

@@ -343,9 +343,11 @@ void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors
   for (auto& x : architecture_.subarchitectures)
     if (auto i = actors.find(x.task_manager.name); i != actors.end())
       neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(i->second);
-  for (auto& x : architecture_.standalone)
+  for (auto& x : architecture_.standalone) {
+    neighbours->known_providers.insert(x.name);
     if (auto i = actors.find(x.name); i != actors.end())
       neighbours->providers[x.name] = caf::actor_cast<caf::actor>(i->second);
+  }
   neighbours_ = std::move(neighbours);
   for (auto& x : running_)
     caf::anon_send(x.actor, neighbours_);

@@ -85,9 +85,10 @@ void report_end(Self self, const caf::down_msg& x) {
   if (state.unanswered.erase(x.source) > 0)
     answer_if_joined(self);
   auto& [name, incarnation, record] = watched.mapped();
-  ComponentEnded ended{name, incarnation, ComponentEnded::How::stopped, {}};
+  ComponentEnded ended{name, incarnation, ComponentEnded::How::stopped, {}, {}};
   if (record) {
     ended.failure = record->failure();
+    ended.waited_for = record->waited_for();
     if (record->state() == ComponentState::failed)
       ended.how =
         record->is_orphaned() ? ComponentEnded::How::orphaned : ComponentEnded::How::failed;

@@ -111,6 +111,8 @@ struct ComponentEnded {
   How how = How::stopped;
   /// Why it failed.
   std::string failure;
+  /// Who was down, so that it could not go on; empty if that is not why it failed.
+  std::string waited_for = {};
 };
 
 /// To the supervisor: a component has not come back from its own code within its budget.

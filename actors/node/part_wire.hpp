@@ -94,7 +94,7 @@ void wire(A& a, WirePart<A, RestartComponent>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, ComponentEnded>& x) {
-  a(x.name, x.incarnation, x.how, x.failure);
+  a(x.name, x.incarnation, x.how, x.failure, x.waited_for);
 }
 
 template <class A>

@@ -172,6 +172,8 @@ void Processes::hear(const LinkNews& news) {
                (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") + news.reason);
     }
     x.joined = x.joined || news.state == LinkState::up;
+    if (news.state == LinkState::up)
+      x.last_up = Clock::now();
     changed_.notify_all();
   }
   on_news_(news);
@@ -208,6 +210,11 @@ Processes::State Processes::state(ProcessNumber x) const {
   std::lock_guard guard{mutex_};
   auto& process = processes_[x];
   return {process.description, process.news.state, process.news.reason};
+}
+
+Clock::time_point Processes::last_up(ProcessNumber x) const {
+  std::lock_guard guard{mutex_};
+  return processes_[x].last_up;
 }
 
 std::vector<ProcessDescription> Processes::descriptions() const {

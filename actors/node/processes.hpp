@@ -5,6 +5,7 @@
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -62,6 +63,8 @@ public:
   caf::actor agent(ProcessNumber x) const;
   State state(ProcessNumber x) const;
   bool is_up(ProcessNumber x) const { return state(x).link == LinkState::up; }
+  /// When it was last found in reach; the clock's beginning if it never was.
+  std::chrono::steady_clock::time_point last_up(ProcessNumber x) const;
   std::vector<ProcessDescription> descriptions() const;
 
   /// What changes from now on is nobody's concern.
@@ -76,8 +79,9 @@ private:
     caf::actor agent;
     caf::actor link;
     LinkNews news{0, LinkState::down, "no answer yet", {}};
-    /// Whether it was ever reached.
+    /// Whether it was ever reached, and when last.
     bool joined = false;
+    std::chrono::steady_clock::time_point last_up{};
   };
 
   void check_security(const ArchitectureDescription& architecture, const Placement& placement,

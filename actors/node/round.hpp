@@ -43,6 +43,8 @@ struct Round {
   std::vector<cast::Diagnostic> problems;
   /// Whose process was lost meanwhile.
   Names gone;
+  /// Who is not to be configured once it is made.
+  Names withdrawn;
   std::vector<std::string> stopped;
   std::vector<std::string> stuck;
   std::function<void(const Round&)> done;
@@ -56,6 +58,30 @@ struct Round {
   bool concerns(const std::string& name) const {
     return std::count(stop.begin(), stop.end(), name) > 0 ||
            std::count(start.begin(), start.end(), name) > 0;
+  }
+
+  /// It does not start these any more, wherever it is. Those that are just being made are made.
+  void withdraw(const std::vector<std::string>& names) {
+    if (step == Step::make) {
+      withdrawn.insert(names.begin(), names.end());
+      return;
+    }
+    auto is_withdrawn = [&](auto& name) { return std::count(names.begin(), names.end(), name) > 0; };
+    if (step == Step::configure || step == Step::start) {
+      auto& present = order();
+      auto now = present.begin() + static_cast<std::ptrdiff_t>(std::min(at, present.size()));
+      auto earlier = std::count_if(present.begin(), now, is_withdrawn);
+      if (now != present.end() && is_withdrawn(*now)) {
+        asked = nullptr;
+        ++steps;
+      }
+      at -= static_cast<std::size_t>(earlier);
+    }
+    // Who was to be stopped for it has been.
+    if (step != Step::stop)
+      stop.clear();
+    std::erase_if(start, is_withdrawn);
+    std::erase_if(configure, is_withdrawn);
   }
 
   bool overlaps(const Round& other) const {

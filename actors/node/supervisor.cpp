@@ -64,6 +64,8 @@ struct Child {
   bool isolated = false;
   /// Nobody will start it again.
   bool given_up = false;
+  /// Its process was killed because it did not stop.
+  bool killed = false;
 };
 
 /// What runs in a process that takes the place of a lost one.
@@ -245,7 +247,13 @@ private:
     round.done = [promise](const Round& x) mutable {
       promise.deliver(ComponentsStopped{x.stopped, x.stuck});
     };
+    // Whoever blocks in configure() or start() is not waited for: it is told to stop.
+    for (auto* list : {&rounds_, &waiting_})
+      for (auto& x : *list)
+        if (!round.includes(x))
+          x.withdraw(round.stop);
     begin_round(std::move(round));
+    ask_again();
     return promise;
   }
 
@@ -347,6 +355,8 @@ private:
       auto patience = i->second.shutdown;
       if (options_.interrupted && options_.interrupted())
         patience = std::min<std::chrono::milliseconds>(patience, 1s);
+      if (time() - round.since >= patience && kill_to_stop(round, name))
+        return false;
       if (time() - round.since >= patience) {
         note(LogLevel::error, name, "did not stop: it has not come back from its own code");
         round.stuck.push_back(name);
@@ -361,6 +371,23 @@ private:
       remind_later(round, std::min<Timestamp>(patience, 250ms));
       return false;
     }
+    return true;
+  }
+
+  /// Ends the process of an isolated component that does not stop. False if it has none, or was not
+  /// ended by that either.
+  bool kill_to_stop(Round& round, const std::string& name) {
+    auto& child = children_.at(name);
+    if (child.killed || !has_own_process(child) ||
+        !options_.kill_child(architecture_.component(name)->host, Clock::now()))
+      return false;
+    note(LogLevel::error, name,
+         "did not stop: it has not come back from its own code; its process is killed");
+    child.killed = true;
+    if (!round.makes)
+      round.stuck.push_back(name);
+    round.since = time();
+    remind_later(round, 100ms);
     return true;
   }
 
@@ -450,6 +477,7 @@ private:
 
   void begin_to_configure(Round& round) {
     enter(round, Round::Step::configure);
+    round.withdraw({round.withdrawn.begin(), round.withdrawn.end()});
     round.configure = round.start;
     std::stable_partition(round.configure.begin(), round.configure.end(), [&](auto& x) {
       return children_.at(x).kind != ComponentKind::standalone;
@@ -481,7 +509,8 @@ private:
     return true;
   }
 
-  /// Whoever was made without our knowledge, in a process that was out of reach, is known now.
+  /// Goes on with rounds that may have waited for somebody who is known now, or who does not count
+  /// any more.
   void ask_again() {
     std::vector<std::uint64_t> ids;
     for (auto& round : rounds_)
@@ -636,6 +665,7 @@ private:
       return;
     }
     auto decision = x.how == ComponentEnded::How::stopped ? tree_.ended(x.name, now())
+                    : is_coming_back(x.waited_for)        ? tree_.failed_without(x.name, now())
                                                           : tree_.failed(x.name, now());
     auto reason = x.how == ComponentEnded::How::stopped ? "ended with its work done" : x.failure;
     switch (decision.kind) {
@@ -654,6 +684,12 @@ private:
     }
   }
 
+  /// Whether somebody is there, or will be: whoever waits for one that will not be has failed.
+  bool is_coming_back(const std::string& name) const {
+    auto i = children_.find(name);
+    return i != children_.end() && !i->second.given_up;
+  }
+
   /// It has gone too far.
   void end_system(const SupervisionDecision& decision, const std::string& name,
                   const std::string& reason) {
@@ -669,7 +705,7 @@ private:
         !has_own_process(i->second))
       return;
     note(LogLevel::warning, x.name, "hangs; its process is killed");
-    options_.kill_isolated(x.name);
+    options_.kill_child(architecture_.component(x.name)->host, Clock::now());
   }
 
   void look_after_orphan(const OrphanDue& x) {
@@ -763,7 +799,18 @@ private:
                        [&](auto& x) { return std::ranges::count(x.second.names, name) > 0; });
   }
 
-  bool has_own_process(const Child& x) const { return x.isolated && options_.kill_isolated; }
+  bool has_own_process(const Child& x) const { return x.isolated && options_.kill_child; }
+
+  /// A process that this one has started, and that is lost though it has not ended: it is stopped,
+  /// or has no connections any more. Another one will take its place.
+  void end_lost_child(ProcessNumber lost) {
+    if (!options_.kill_child)
+      return;
+    for (auto& [host, process] : placement_.hosts)
+      if (process == lost && options_.kill_child(host, processes_.last_up(lost)))
+        note(LogLevel::warning, processes_.state(lost).description.name,
+             "does not answer; its process is killed");
+  }
 
   /// Another process where a component may run, if its own is lost.
   std::optional<ProcessNumber> refuge_of(const std::string& name) const {
@@ -792,6 +839,7 @@ private:
 
   void lose(ProcessNumber lost, const std::string& why) {
     awaited_.erase(lost);
+    end_lost_child(lost);
     std::vector<std::string> moving;
     Awaited staying;
     for (auto& name : tree_.order()) {
@@ -800,9 +848,11 @@ private:
         continue;
       auto reason = "its node " + processes_.state(lost).description.name + " is lost: " + why;
       auto was_alive = std::exchange(child.alive, false);
-      child.given_up = tree_.restart_type(name) == RestartType::temporary;
+      // One that was killed because it did not stop goes on as one that has stopped.
+      auto was_killed = std::exchange(child.killed, false);
+      child.given_up = !was_killed && tree_.restart_type(name) == RestartType::temporary;
       // The loss of a node is nobody's failure, but that of a component's own process is.
-      if (was_alive && !child.given_up && has_own_process(child)) {
+      if (was_alive && !was_killed && !child.given_up && has_own_process(child)) {
         staying.decision = tree_.failed(name, now());
         child.given_up = staying.decision->kind == SupervisionDecision::Kind::give_up;
         if (child.given_up) {

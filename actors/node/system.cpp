@@ -179,11 +179,8 @@ public:
     processes_.be_silent();
     refuse_orders();
     if (started_) {
-      auto known = roster();
-      std::vector<std::string> all;
-      for (auto& x : known->components)
-        all.push_back(x.identity.name);
-      stop_components(all);
+      // With the working memories, whatever else is done to anybody is over.
+      stop_components(names_of(architecture_));
     }
     if (observer_)
       flush_observer();
@@ -237,6 +234,7 @@ public:
                                     parts[i]->usage, parts[i]->links});
     result.working_memories = ask_working_memories();
     result.components = component_statuses(*roster(), parts);
+    result.unstopped = stuck_;
     for (auto& name : stuck_)
       if (process_of(name) == 0)
         result.stuck.push_back(name);

@@ -110,9 +110,11 @@ struct SystemOptions {
   std::function<void(const ComponentDown&)> on_down;
   std::function<void(const ComponentUp&)> on_up;
 
-  /// Kills the process of an isolated component that does not come back from its own code. Called
-  /// from any thread.
-  std::function<void(const std::string& component)> kill_isolated;
+  /// Kills the process of a host that is a child of this process, as those of isolated components
+  /// and local nodes are, if it was started before this moment: not one that has taken its place
+  /// since. False if there is none. Whoever gives this starts it again. Called from any thread.
+  std::function<bool(const std::string& host, std::chrono::steady_clock::time_point started_before)>
+    kill_child;
 
   /// Asked now and then during lengthy work; true makes the system give up waiting.
   std::function<bool()> interrupted;
@@ -135,6 +137,9 @@ struct SystemSummary {
   /// Components of this process that did not stop when they were told to; their threads are still
   /// running, so the process has to leave without destroying the system: see `System::abandon`.
   std::vector<std::string> stuck;
+  /// Components of any process that did not stop when the system did, with those whose processes
+  /// had to be killed for that.
+  std::vector<std::string> unstopped;
 };
 
 /// Why `System::wait` returned.

@@ -75,6 +75,12 @@ SupervisionDecision SupervisionTree::failed(const std::string& component, Timest
   return restart_child(component, now);
 }
 
+SupervisionDecision SupervisionTree::failed_without(const std::string& component, Timestamp now) {
+  if (restart_type(component) == RestartType::temporary)
+    return {};
+  return restart_with_siblings(component, now);
+}
+
 SupervisionDecision SupervisionTree::ended(const std::string& component, Timestamp now) {
   if (restart_type(component) != RestartType::permanent)
     return {};
@@ -101,6 +107,14 @@ SupervisionDecision SupervisionTree::restart_child(const std::string& component,
       return {SupervisionDecision::Kind::give_up, {}, {}, {}, {}, because};
     return escalate(child.subarchitecture, because, now);
   }
+  return restart_with_siblings(component, now);
+}
+
+SupervisionDecision SupervisionTree::restart_with_siblings(const std::string& component,
+                                                           Timestamp now) {
+  auto& child = children_.at(component);
+  auto& supervisor =
+    child.subarchitecture.empty() ? system_ : subarchitectures_.at(child.subarchitecture);
   SupervisionDecision result{SupervisionDecision::Kind::restart};
   result.delay = delay_of(supervisor.policy, child.failures, now);
   auto affected_children = affected(supervisor, component);

@@ -56,6 +56,10 @@ public:
   /// A child has failed.
   SupervisionDecision failed(const std::string& component, Timestamp now);
 
+  /// A child has failed because another one was down, which is supervised itself: it is started
+  /// again as any other, with growing delays, but this does not count against the limit of restarts.
+  SupervisionDecision failed_without(const std::string& component, Timestamp now);
+
   /// A child has ended of itself, with its work done.
   SupervisionDecision ended(const std::string& component, Timestamp now);
 
@@ -88,6 +92,8 @@ private:
   /// Whether one more restart is within the supervisor's limit.
   static bool may_restart(Supervisor& x, Timestamp now);
   SupervisionDecision restart_child(const std::string& component, Timestamp now);
+  /// Within the limits of its supervisor.
+  SupervisionDecision restart_with_siblings(const std::string& component, Timestamp now);
   SupervisionDecision escalate(const std::string& subarchitecture, const std::string& because,
                                Timestamp now);
   /// Of a supervisor's children, those that go down with one of them.

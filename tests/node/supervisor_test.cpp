@@ -151,21 +151,60 @@ TEST_F(SupervisorTest, WhoEndsBeforeItIsKnownToHaveBeenMadeIsStartedAgainToo) {
 }
 
 TEST_F(SupervisorTest, TheTimeThatARoundWaitsForAnotherIsNotTimeToStop) {
+  end("m", ComponentEnded::How::failed);
+  run();
+  ++lives["m"];
+  ASSERT_EQ(restarts.size(), 1u);
+  // Who is just being made cannot be stopped.
+  caf::anon_send(asker, StopComponents{{"m", "u"}});
+  caf::anon_send(asker, StopComponents{{"u"}});
+  let_time_pass(options.stop_patience + 1s);
+  EXPECT_FALSE(stopped);
+  answer_restart();
+  ASSERT_TRUE(stopped);
+  EXPECT_THAT(stopped->stuck, IsEmpty());
+}
+
+TEST_F(SupervisorTest, WhoBlocksInConfigureIsStoppedAllTheSame) {
   slow = "m";
   end("a_tm", ComponentEnded::How::failed);
   run();
   ++lives["a_tm"];
   ++lives["m"];
   ASSERT_TRUE(late);
-  // It concerns `m` too, so it has to wait.
   caf::anon_send(asker, StopComponents{{"m", "u"}});
-  let_time_pass(options.stop_patience + 1s);
-  EXPECT_FALSE(stopped);
-  caf::anon_send(supervisor, *late);
   run();
   ASSERT_TRUE(stopped);
   EXPECT_THAT(stopped->stuck, IsEmpty());
   EXPECT_THAT(stopped->stopped, ElementsAre("u", "m"));
+  // The others have not waited for it either.
+  EXPECT_THAT(ups, testing::Contains(testing::Field(&ComponentUp::component, "a_tm")));
+}
+
+TEST_F(SupervisorTest, AWholeSystemIsStoppedWhileSomebodyBlocksInConfigure) {
+  slow = "m";
+  end("a_wm", ComponentEnded::How::failed);
+  run();
+  for (auto* name : {"a_wm", "a_tm", "m", "u"})
+    ++lives[name];
+  ASSERT_TRUE(late);
+  caf::anon_send(asker, StopComponents{names});
+  run();
+  ASSERT_TRUE(stopped);
+  EXPECT_THAT(stopped->stuck, IsEmpty());
+  EXPECT_THAT(stopped->stopped, ElementsAre("u", "m", "a_tm"));
+}
+
+TEST_F(SupervisorTest, WhoFailsBecauseAnotherIsDownDoesNotUseUpItsRestarts) {
+  // Three are allowed in ten seconds.
+  for (int i = 0; i < 6; ++i) {
+    caf::anon_send(supervisor,
+                   ComponentEnded{"u", ++lives["u"], ComponentEnded::How::failed, "it is dark", "m"});
+    let_time_pass(1s);
+    answer_restart();
+    ASSERT_EQ(restarts.size(), static_cast<std::size_t>(i) + 1);
+    EXPECT_EQ(restarts.back().name, "u");
+  }
 }
 
 } // namespace

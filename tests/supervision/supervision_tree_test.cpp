@@ -50,6 +50,27 @@ TEST(SupervisionTree, StartsInOrder) {
                                           "b_wm", "b_tm", "other"));
 }
 
+TEST(SupervisionTree, WhoFailsBecauseAnotherIsDownIsRestartedWithoutALimit) {
+  auto x = tree("SUPERVISE a RESTARTS 1 IN 10s DELAY 100ms TO 400ms\n");
+  EXPECT_EQ(x.failed_without("first", 1s).delay, 0s);
+  Timestamp last{0};
+  for (int i = 0; i < 20; ++i) {
+    auto decision = x.failed_without("first", 2s);
+    EXPECT_EQ(decision.kind, Kind::restart);
+    EXPECT_THAT(decision.start, ElementsAre("first"));
+    EXPECT_GE(decision.delay, 75ms);
+    last = decision.delay;
+  }
+  EXPECT_GE(last, 300ms);
+  // Its own failures count as before.
+  EXPECT_EQ(x.failed("first", 3s).escalated, "");
+  EXPECT_EQ(x.failed("first", 3s).escalated, "a");
+}
+
+TEST(SupervisionTree, WhoIsNeverRestartedStaysDownWhateverItWaitedFor) {
+  EXPECT_EQ(tree({}, "--restart temporary").failed_without("second", 1s).kind, Kind::leave);
+}
+
 TEST(SupervisionTree, RestartsWhoHasFailedAtOnce) {
   auto decision = tree().failed("first", 1s);
   EXPECT_EQ(decision.kind, Kind::restart);
