@@ -212,18 +212,23 @@ private:
   }
 
   std::vector<std::string> run_in_peace(ArchitectureDescription architecture) {
+    TimeLimit destruction;
     auto options = this->options();
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
     System system{std::move(architecture), options};
     std::vector<std::string> result;
     if (system.start())
       result = come_to_rest(system);
+    if (nodes)
+      nodes->end_restarts();
     system.stop();
+    destruction.begin(destruction_limit, a_component_failed);
     return result;
   }
 
   void run_with_faults(ArchitectureDescription architecture) {
     show_step("starting the system");
+    TimeLimit destruction;
     auto options = this->options();
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
     std::map<std::string, std::string> hosts;
@@ -256,6 +261,7 @@ private:
     auto begin = Clock::now();
     if (!system.start()) {
       system.stop();
+      destruction.begin(destruction_limit, a_component_failed);
       return;
     }
     faults::FaultSchedule schedule{plan_, targets_, seed_, duration_};
@@ -295,6 +301,8 @@ private:
     look_at_components(system.summary());
     histories.end();
     show_step("stopping the system");
+    if (nodes)
+      nodes->end_restarts();
     system.stop();
     {
       std::lock_guard guard{mutex};
@@ -302,6 +310,7 @@ private:
     }
     look_at_histories(histories);
     look_at_resources(watch.stop());
+    destruction.begin(destruction_limit, a_component_failed);
   }
 
   void look_at_survival(EndReason reason, const std::optional<std::pair<int, std::string>>& ended) {

@@ -239,6 +239,7 @@ bool has_components(const ArchitectureDescription& architecture) {
 /// Runs the system of a file, or that of the recording, without those whose writes are replayed.
 int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescription architecture) {
   Signals signals;
+  TimeLimit destruction;
   auto& source = plan.source;
   std::set<std::string> left_out;
   if (plan.replayed)
@@ -296,8 +297,11 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
     system->stop();
     if (finished && !arguments.output.empty())
       create(arguments.output / "entries.json") << entries_as_json(*system);
-    if (!finished)
+    if (!finished) {
+      destruction.begin(destruction_limit, a_component_failed);
       system.reset();
+      destruction.end();
+    }
     replay.join();
   }
   json.reset();
@@ -308,7 +312,10 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
   auto summary = system->summary();
   if (!arguments.json)
     fmt::print("\n{}", report(summary));
-  return status == success && any_failed(summary) ? a_component_failed : status;
+  if (status == success && (any_failed(summary) || !summary.unstopped.empty()))
+    status = a_component_failed;
+  destruction.begin(destruction_limit, std::max(status, int{a_component_failed}));
+  return status;
 }
 
 int replay(const Arguments& arguments) {

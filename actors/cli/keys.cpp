@@ -14,8 +14,10 @@ Keys::Keys() {
     return;
   auto before = now;
   now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-  if (tcsetattr(STDIN_FILENO, TCSANOW, &now) == 0)
-    before_ = before;
+  if (tcsetattr(STDIN_FILENO, TCSANOW, &now) != 0)
+    return;
+  before_ = before;
+  at_forced_end_.emplace([before] { tcsetattr(STDIN_FILENO, TCSANOW, &before); });
 }
 
 Keys::~Keys() {

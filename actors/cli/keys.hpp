@@ -1,5 +1,7 @@
 #pragma once
 
+#include "castor/actors/cli/signals.hpp"
+
 #include <optional>
 
 #include <termios.h>
@@ -23,6 +25,7 @@ public:
 
 private:
   std::optional<termios> before_;
+  std::optional<AtForcedEnd> at_forced_end_;
 };
 
 } // namespace castor::cli

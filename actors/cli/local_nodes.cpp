@@ -11,14 +11,15 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace castor::cli {
@@ -55,7 +56,18 @@ public:
     for (auto& x : arguments)
       pointers.push_back(x.data());
     pointers.push_back(nullptr);
-    return posix_spawn(&id, "/proc/self/exe", &actions_, &attributes_, pointers.data(), environ);
+    auto mark = new_child_mark();
+    std::vector<char*> environment{mark.data()};
+    auto name = mark.substr(0, mark.find('=') + 1);
+    for (auto** x = environ; *x; ++x)
+      if (!std::string_view{*x}.starts_with(name))
+        environment.push_back(*x);
+    environment.push_back(nullptr);
+    auto error = posix_spawn(&id, "/proc/self/exe", &actions_, &attributes_, pointers.data(),
+                             environment.data());
+    if (error == 0)
+      add_child(id, mark);
+    return error;
   }
 
 private:
@@ -70,14 +82,17 @@ std::array<int, 2> make_pipe() {
   return result;
 }
 
-/// The first line that comes; empty if none does in time.
-std::string first_line(int from) {
+/// The first line that comes; empty if none does in time, or before there is something to read from
+/// `wake`.
+std::string first_line(int from, int wake) {
   std::string result;
   auto until = Clock::now() + 10s;
   while (Clock::now() < until) {
-    pollfd x{from, POLLIN, 0};
-    if (poll(&x, 1, 100) <= 0)
+    std::array<pollfd, 2> x{{{from, POLLIN, 0}, {wake, POLLIN, 0}}};
+    if (poll(x.data(), x.size(), 100) <= 0)
       continue;
+    if (x[1].revents != 0)
+      return {};
     char c = 0;
     if (read(from, &c, 1) != 1)
       return {};
@@ -101,18 +116,18 @@ std::string how_it_ended(int status) {
 LocalNodes::LocalNodes(const std::map<std::string, LocalNode>& nodes,
                        std::vector<std::string> plugins, std::string tls)
   : plugins_(std::move(plugins)), tls_(std::move(tls)) {
+  if (pipe2(wake_, O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
   for (auto& [host, node] : nodes) {
     auto& x = processes_[host];
     x.node = node;
     x.at.host = folder_.path() / std::to_string(processes_.size());
     start(x);
   }
-  if (pipe2(wake_, O_CLOEXEC) != 0)
-    throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
   watch_ = std::thread{[this] { watch(); }};
 }
 
-void LocalNodes::start(Process& x) {
+void LocalNodes::start(Process& x) const {
   auto input = make_pipe();
   auto announcement = make_pipe();
   // What the node announces is not for the user; what its components print is.
@@ -131,6 +146,7 @@ void LocalNodes::start(Process& x) {
   if (x.node.memory_limit > 0)
     arguments.insert(arguments.end(), {"--memory-limit", std::to_string(x.node.memory_limit)});
   x.id = -1;
+  x.started = Clock::now();
   int error = attributes.spawn(x.id, std::move(arguments));
   close(input[0]);
   close(announcement[1]);
@@ -138,11 +154,16 @@ void LocalNodes::start(Process& x) {
     x.input = input[1];
   else
     close(input[1]);
-  auto line = error == 0 ? first_line(announcement[0]) : std::string{};
+  auto line = error == 0 ? first_line(announcement[0], wake_[0]) : std::string{};
   close(announcement[0]);
-  if (line.empty())
+  if (line.empty()) {
+    if (error == 0) {
+      close(std::exchange(x.input, -1));
+      end_child(std::exchange(x.id, -1));
+    }
     throw std::runtime_error("the node " + x.node.name + " could not be started on this machine" +
                              (error ? std::string{": "} + std::strerror(error) : std::string{}));
+  }
   x.at = parse_endpoint(line, 0);
   x.end = static_cast<int>(syscall(SYS_pidfd_open, x.id, 0));
 }
@@ -161,9 +182,11 @@ void LocalNodes::watch() {
       }
     }
     poll(ends.data(), ends.size(), -1);
-    std::lock_guard guard{mutex_};
-    if (ending_)
-      return;
+    {
+      std::lock_guard guard{mutex_};
+      if (ending_)
+        return;
+    }
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (ends[i].revents != 0)
         restart(hosts[i]);
@@ -171,19 +194,25 @@ void LocalNodes::watch() {
 }
 
 void LocalNodes::restart(const std::string& host) {
+  std::unique_lock guard{mutex_};
   auto& x = processes_.at(host);
-  int status = 0;
-  waitpid(x.id, &status, 0);
-  close(x.input);
-  close(x.end);
-  x.id = x.input = x.end = -1;
-  note(LogLevel::warning,
-       "the process of " + x.node.name + ' ' + how_it_ended(status) + "; it is started again");
+  auto status = end_child(std::exchange(x.id, -1));
+  close(std::exchange(x.input, -1));
+  close(std::exchange(x.end, -1));
+  note(LogLevel::warning, "the process of " + x.node.name + ' ' + how_it_ended(status) +
+                            (restarts_ ? "; it is started again" : ""));
+  if (!restarts_)
+    return;
+  // Nobody waits for a process that takes its time.
+  auto started = x;
+  guard.unlock();
   try {
-    start(x);
+    start(started);
   } catch (const std::runtime_error& e) {
     note(LogLevel::error, e.what());
   }
+  guard.lock();
+  x = std::move(started);
 }
 
 std::map<std::string, Endpoint> LocalNodes::endpoints() const {
@@ -198,6 +227,19 @@ bool LocalNodes::signal(const std::string& host, int signal) {
   std::lock_guard guard{mutex_};
   auto i = processes_.find(host);
   return i != processes_.end() && i->second.id > 0 && kill(i->second.id, signal) == 0;
+}
+
+bool LocalNodes::kill_older(const std::string& host, Clock::time_point than) {
+  std::lock_guard guard{mutex_};
+  auto i = processes_.find(host);
+  if (i == processes_.end() || i->second.id <= 0 || i->second.started >= than)
+    return false;
+  return kill(i->second.id, SIGKILL) == 0;
+}
+
+void LocalNodes::end_restarts() {
+  std::lock_guard guard{mutex_};
+  restarts_ = false;
 }
 
 std::map<std::string, pid_t> LocalNodes::processes() const {
@@ -223,10 +265,12 @@ LocalNodes::~LocalNodes() {
       close(x.input);
   auto until = Clock::now() + 3s;
   for (auto& [host, x] : processes_) {
-    while (x.id > 0 && waitpid(x.id, nullptr, WNOHANG) == 0) {
-      if (Clock::now() > until)
-        kill(x.id, SIGKILL);
-      poll(nullptr, 0, 10);
+    if (x.id > 0) {
+      // What tells of its end is readable then.
+      pollfd end{x.end, POLLIN, 0};
+      auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
+      poll(&end, 1, static_cast<int>(std::max(left, 0ms).count()));
+      end_child(x.id);
     }
     if (x.end >= 0)
       close(x.end);
@@ -278,8 +322,8 @@ std::unique_ptr<LocalNodes> start_local_nodes(ArchitectureDescription& architect
     return nullptr;
   auto result = std::make_unique<LocalNodes>(nodes, plugins, tls);
   options.nodes.merge(result->endpoints());
-  options.kill_isolated = [&started = *result](const std::string& component) {
-    started.signal(isolated_host(component), SIGKILL);
+  options.kill_child = [&started = *result](const std::string& host, Clock::time_point than) {
+    return started.kill_older(host, than);
   };
   return result;
 }

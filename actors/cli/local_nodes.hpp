@@ -1,11 +1,13 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
+#include "castor/actors/cli/child_processes.hpp"
+#include "castor/actors/cli/signals.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/system.hpp"
 
-#include <condition_variable>
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -43,6 +45,13 @@ public:
   /// Sends a signal to the process of a host; false if it has none.
   bool signal(const std::string& host, int signal);
 
+  /// Kills the process of a host, with all that it has started, if it was started before this
+  /// moment; false if there is none such.
+  bool kill_older(const std::string& host, std::chrono::steady_clock::time_point than);
+
+  /// Processes that end from now on are not started again.
+  void end_restarts();
+
   /// The processes that there are now, by host.
   std::map<std::string, pid_t> processes() const;
 
@@ -50,6 +59,7 @@ private:
   struct Process {
     LocalNode node;
     pid_t id = -1;
+    std::chrono::steady_clock::time_point started{};
     /// Its standard input, and what tells of its end.
     int input = -1;
     int end = -1;
@@ -57,7 +67,7 @@ private:
   };
 
   /// Throws std::runtime_error.
-  void start(Process& x);
+  void start(Process& x) const;
   void watch();
   void restart(const std::string& host);
 
@@ -68,8 +78,10 @@ private:
   mutable std::mutex mutex_;
   std::map<std::string, Process> processes_;
   bool ending_ = false;
+  bool restarts_ = true;
   /// Written to when the watch is over.
   int wake_[2] = {-1, -1};
+  AtForcedEnd at_forced_end_{kill_children};
   std::thread watch_;
 };
 

@@ -2,6 +2,8 @@
 #include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cli/standard_descriptors.hpp"
 #include "castor/actors/cli/usage_errors.hpp"
 #include "castor/actors/component/crash_report.hpp"
 #include "castor/actors/component/log.hpp"
@@ -21,6 +23,8 @@
 
 int main(int argc, char** argv) {
   using namespace castor;
+  cli::open_standard_descriptors();
+  cli::end_with_output();
   CLI::App app{
     "Castor runs information-processing architectures for robots: components that meet on "
     "shared working memories, as a .cast file describes them."};

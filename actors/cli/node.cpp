@@ -1,4 +1,5 @@
 #include "castor/actors/node/node.hpp"
+#include "castor/actors/cli/child_processes.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
@@ -21,7 +22,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -35,6 +36,8 @@ namespace castor::cli {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 struct Arguments {
   std::string name;
   std::string listen = "127.0.0.1";
@@ -46,15 +49,6 @@ struct Arguments {
   bool verbose = false;
   bool json = false;
 };
-
-/// Whether everybody who could write to our standard input is gone.
-bool input_has_ended() {
-  pollfd x{STDIN_FILENO, POLLIN, 0};
-  if (poll(&x, 1, 0) <= 0)
-    return false;
-  std::array<char, 256> ignored;
-  return read(STDIN_FILENO, ignored.data(), ignored.size()) == 0;
-}
 
 /// To people, or to the program that started the node.
 void announce(const Arguments& arguments, const std::string& name, const Endpoint& at) {
@@ -95,7 +89,10 @@ std::shared_ptr<void> erase_progress() {
 }
 
 int node(Arguments arguments) {
-  Signals signals;
+  // Components that do not come back from their own code must not keep the process.
+  Signals signals{{arguments.end_with_input, 5s}};
+  // Whoever has started the node may be gone, and looks after nobody.
+  const AtForcedEnd at_forced_end{kill_own_descendants};
   std::optional<JsonOutput> json;
   if (arguments.json)
     json.emplace();
@@ -153,11 +150,10 @@ int node(Arguments arguments) {
   auto result = std::make_unique<Node>(options);
   if (!json)
     announce(arguments, name, at);
-  while (signals.count() == 0 && !(arguments.end_with_input && input_has_ended()))
+  while (signals.count() == 0)
     poll(nullptr, 0, 50);
-  // Components that do not come back from their own code must not keep the process.
-  alarm(5);
   result.reset();
+  kill_own_descendants();
   return success;
 }
 

@@ -1,6 +1,7 @@
 #include "castor/actors/cli/output.hpp"
 
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/cli/signals.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -43,11 +44,13 @@ JsonOutput::JsonOutput() {
   if (output_ < 0)
     throw std::runtime_error(std::string{"--json needs standard output: "} + std::strerror(errno));
   dup2(STDERR_FILENO, STDOUT_FILENO);
+  set_moved_output(output_);
 }
 
 JsonOutput::~JsonOutput() {
   std::fflush(stdout);
   dup2(output_, STDOUT_FILENO);
+  set_moved_output(-1);
   close(output_);
 }
 

@@ -207,8 +207,8 @@ std::string nodes_of(const ArchitectureDescription& architecture) {
 }
 
 int run(Arguments arguments, const std::vector<std::string>& plugins) {
-  // Before any thread is made, so that none of them takes the signals.
   Signals signals;
+  TimeLimit destruction;
   std::optional<JsonOutput> json;
   if (arguments.json)
     json.emplace();
@@ -275,6 +275,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     was_started = system->start();
     progress.reset();
   } catch (const SystemError& e) {
+    destruction.begin(destruction_limit, bad_input);
     system.reset();
     progress.reset();
     print(e.diagnostics());
@@ -286,7 +287,9 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (was_started)
     reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
   if (reason == EndReason::interrupted)
-    note(LogLevel::info, "interrupted: stopping (once more to leave at once)");
+    note(LogLevel::info, signals.has_output_ended()
+                           ? "nobody reads the output any more: stopping"
+                           : "interrupted: stopping (once more to leave at once)");
   if (auto ended = system->ended()) {
     status = ended->first;
     why_ended = ended->second;
@@ -294,6 +297,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   }
   if (picture)
     picture->end(*system);
+  if (local_nodes)
+    local_nodes->end_restarts();
   system->stop();
   timeline.close();
   auto summary = system->summary();
@@ -307,7 +312,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     picture->write(arguments.timelines, title, system->subarchitectures());
     run_report.add_files(arguments.timelines);
   }
-  if (status == success && any_failed(summary))
+  if (status == success && (any_failed(summary) || !summary.unstopped.empty()))
     status = a_component_failed;
   if (!summary.stuck.empty()) {
     if (status == success)
@@ -320,12 +325,13 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     std::fflush(stdout);
     std::_Exit(status);
   }
-  if (recording) {
-    // What still waits to be written is written when they are gone.
-    system.reset();
-    local_nodes.reset();
+  destruction.begin(destruction_limit, a_component_failed);
+  system.reset();
+  local_nodes.reset();
+  destruction.end();
+  // What still waited to be written has been when they are gone.
+  if (recording)
     run_report.add(recording->finish(plugins));
-  }
   run_report.finish(reason, why_ended, status);
   return status;
 }
