@@ -1,5 +1,5 @@
-// exit() and its like, as all libraries that this executable loads find them: a component that ends the
-// process is named, and the status says that something was wrong.
+// exit() and its like, as all libraries that this executable loads find them: a component that ends
+// the process is named, and the status says that something was wrong.
 #include "castor/actors/cli/exits.hpp"
 
 #include "castor/actors/component/crash_report.hpp"

@@ -232,9 +232,10 @@ Signals::Signals(const Options& options) {
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
   try {
-    std::thread{[watch = Watch{options.end_with_input, options.end_with_input ? getppid() : 0}]()
-                  mutable { watch.run(); }}
-      .detach();
+    std::thread{[watch = Watch{options.end_with_input,
+                               options.end_with_input ? getppid() : 0}]() mutable {
+      watch.run();
+    }}.detach();
   } catch (const std::system_error& e) {
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     throw std::runtime_error(std::string{"there may be no further thread ("} + e.code().message() +

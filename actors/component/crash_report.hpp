@@ -15,10 +15,10 @@ namespace castor {
 /// sanitizers, which have handlers of their own.
 void report_crashes();
 
-/// Says who ends the process, if a component does so with exit() or the like, or a thread that it may
-/// have started; `call` is the function's name. False if it is not such a call: it was made by the
-/// main thread, or in a process that was forked. To be called instead of the function itself, which
-/// says nothing.
+/// Says who ends the process, if a component does so with exit() or the like, or a thread that it
+/// may have started; `call` is the function's name. False if it is not such a call: it was made by
+/// the main thread, or in a process that was forked. To be called instead of the function itself,
+/// which says nothing.
 bool report_exit(const char* call, int status);
 
 /// What is known of a component when it crashes. Written by the component's own thread; read by a

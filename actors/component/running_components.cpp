@@ -55,9 +55,9 @@ std::vector<std::string> components_in_own_code() {
   for (auto* component : x.components) {
     auto& record = component->record_;
     if (record.in_user_code_for(now).count() > 0)
-      result.push_back(record.identity().full_name() + " in " +
-                       (component->in_destructor_ ? "its destructor"
-                                                  : part_of_code(record.state())));
+      result.push_back(
+        record.identity().full_name() + " in " +
+        (component->in_destructor_ ? "its destructor" : part_of_code(record.state())));
   }
   return result;
 }

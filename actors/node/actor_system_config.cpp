@@ -1,9 +1,12 @@
 #include "castor/actors/node/actor_system_config.hpp"
 
+#include "castor/actors/node/threads.hpp"
+
 #include <caf/io/middleman.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <thread>
 
 namespace castor {
@@ -11,7 +14,11 @@ namespace castor {
 ActorSystemConfig::ActorSystemConfig(bool networked) {
   // The default policy polls with sleeps, which costs several times the latency.
   set("scheduler.policy", caf::atom("sharing"));
-  set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
+  const auto workers = std::max<std::size_t>(2, std::thread::hardware_concurrency());
+  set("scheduler.max-threads", workers);
+  // Its clock, its network, and some to spare.
+  if (auto problem = why_no_threads(workers + 4); !problem.empty())
+    throw std::runtime_error(problem);
   if (networked) {
     load<caf::io::middleman>();
     set("middleman.workers", 0);

@@ -152,8 +152,8 @@ void SystemNames::add(const ArchitectureDescription& architecture) {
 
 namespace {
 
-/// Makes a component, has it looked at, and destroys it. Returns what does not come to an end; empty
-/// if everything does.
+/// Makes a component, has it looked at, and destroys it. Returns what does not come to an end;
+/// empty if everything does.
 using Inspect = std::string (*)(const ComponentClass&, const std::function<void(Component&)>& look);
 
 std::string inspect_here(const ComponentClass& x, const std::function<void(Component&)>& look) {
@@ -247,7 +247,8 @@ void check_class(const ComponentDescription& x, const SystemNames& names, Diagno
 std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture) {
   auto out = place(architecture, {}).problems;
   const SystemNames names{architecture};
-  for_each_described(architecture, [&](auto& x) { check_class_with(inspect_elsewhere, x, names, out); });
+  for_each_described(architecture,
+                     [&](auto& x) { check_class_with(inspect_elsewhere, x, names, out); });
   cast::sort_by_line(out);
   return out;
 }

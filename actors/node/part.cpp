@@ -6,6 +6,7 @@
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"
+#include "castor/actors/node/threads.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/plugin.hpp"
 #include "castor/actors/supervision/health.hpp"
@@ -115,7 +116,8 @@ PartSpawn::PartSpawn()
     }),
     component([](caf::actor_system& system, ShellParts parts) -> caf::actor {
       return system.spawn<ComponentShell>(std::move(parts));
-    }) {}
+    }),
+    why_no_threads(castor::why_no_threads) {}
 
 std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
   std::vector<cast::Diagnostic> problems;
@@ -143,6 +145,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
       journals[x->subarchitecture] =
         take_up_journal(*x, spawn_, plan, wanted.at(x->name), problems);
   make_folder_for_pushes(plan, self_, problems);
+  check_threads(missing, problems);
   if (!problems.empty())
     return problems;
   begin(plan);
@@ -155,6 +158,26 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
     if (x->kind != ComponentKind::working_memory)
       spawn_component(*x, wanted.at(x->name));
   return problems;
+}
+
+void SystemPart::check_threads(const std::vector<const ComponentDescription*>& missing,
+                               std::vector<cast::Diagnostic>& problems) const {
+  std::size_t count = 0;
+  const ComponentDescription* last = nullptr;
+  for (auto* x : missing)
+    if (x->kind != ComponentKind::working_memory) {
+      ++count;
+      last = x;
+    }
+  if (count == 0 || !spawn_.why_no_threads)
+    return;
+  if (auto problem = spawn_.why_no_threads(count); !problem.empty())
+    problems.push_back({cast::Severity::error,
+                        last->where,
+                        last->line,
+                        {},
+                        "each component has a thread of its own: " + problem,
+                        {}});
 }
 
 void SystemPart::list_working_memories() {
@@ -174,6 +197,11 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
     caf::anon_send_exit(y.actor, caf::exit_reason::user_shutdown);
     return true;
   });
+  if (auto problem = spawn_.why_no_threads ? spawn_.why_no_threads(1) : std::string{};
+      !problem.empty()) {
+    note(LogLevel::error, component, problem);
+    return;
+  }
   spawn_component(*x, incarnation);
   if (!neighbours_)
     return;

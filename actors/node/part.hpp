@@ -28,6 +28,8 @@ struct PartSpawn {
   std::function<caf::actor(caf::actor_system&, ShellParts)> component;
   /// Takes up the journal of a subarchitecture. Throws JournalError.
   std::function<OpenedJournal(const JournalOptions&, const std::string&)> journal = open_journal;
+  /// Why there cannot be threads for so many components; null if they have none.
+  std::function<std::string(std::size_t components)> why_no_threads;
 };
 
 /// What one process contributes to a system: the working memories and components that the plan
@@ -104,6 +106,9 @@ private:
   void spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
                             std::uint64_t incarnation, std::shared_ptr<OpenedJournal> journal);
   void spawn_component(const ComponentDescription& x, std::uint64_t incarnation);
+  /// Each component needs one.
+  void check_threads(const std::vector<const ComponentDescription*>& missing,
+                     std::vector<cast::Diagnostic>& problems) const;
   void list_working_memories();
   void spawn_keeper();
 

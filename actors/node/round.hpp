@@ -66,7 +66,9 @@ struct Round {
       withdrawn.insert(names.begin(), names.end());
       return;
     }
-    auto is_withdrawn = [&](auto& name) { return std::count(names.begin(), names.end(), name) > 0; };
+    auto is_withdrawn = [&](auto& name) {
+      return std::count(names.begin(), names.end(), name) > 0;
+    };
     if (step == Step::configure || step == Step::start) {
       auto& present = order();
       auto now = present.begin() + static_cast<std::ptrdiff_t>(std::min(at, present.size()));

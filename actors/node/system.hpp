@@ -78,7 +78,8 @@ struct SystemOptions {
   std::filesystem::path operations;
 
   /// Every process records in this folder of its machine what its stand-alone components hand out
-  /// (push_log.hpp); empty for none. Of what takes more than the limit in all, the oldest is dropped.
+  /// (push_log.hpp); empty for none. Of what takes more than the limit in all, the oldest is
+  /// dropped.
   std::filesystem::path pushes;
   std::uint64_t pushes_limit = std::uint64_t{1} << 30;
 

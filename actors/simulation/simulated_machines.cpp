@@ -79,6 +79,8 @@ PartSpawn SimulatedMachines::spawn(Machine x) {
     auto time = std::chrono::duration_cast<UnixTime>(now().time_since_epoch());
     return disks_[x].open(subarchitecture, options, time);
   };
+  // None of them has a thread.
+  result.why_no_threads = nullptr;
   return result;
 }
 

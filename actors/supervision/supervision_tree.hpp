@@ -57,7 +57,8 @@ public:
   SupervisionDecision failed(const std::string& component, Timestamp now);
 
   /// A child has failed because another one was down, which is supervised itself: it is started
-  /// again as any other, with growing delays, but this does not count against the limit of restarts.
+  /// again as any other, with growing delays, but this does not count against the limit of
+  /// restarts.
   SupervisionDecision failed_without(const std::string& component, Timestamp now);
 
   /// A child has ended of itself, with its work done.

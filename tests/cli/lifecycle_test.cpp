@@ -93,7 +93,8 @@ TEST_P(BlockedIn, OneInterruptEndsTheSystemAndTheOthersInOrder) {
   castor.send_signal(SIGINT);
   EXPECT_EQ(castor.wait(), 1) << castor.errors();
   EXPECT_LT(Clock::now() - begin, 5s);
-  EXPECT_THAT(castor.errors(), AllOf(HasSubstr("blocker] did not stop"), HasSubstr("ticker, a_tm")));
+  EXPECT_THAT(castor.errors(),
+              AllOf(HasSubstr("blocker] did not stop"), HasSubstr("ticker, a_tm")));
 }
 
 TEST_P(BlockedIn, ASecondSignalEndsTheProcessAtOnce) {
@@ -197,7 +198,8 @@ TEST_F(Lifecycle, AnIsolatedComponentThatDoesNotStopIsKilledAndStartedAgainWithT
 }
 
 TEST_F(Lifecycle, TheStatusTellsOfAnIsolatedComponentThatHadToBeKilled) {
-  auto x = ask({"run", system("CPP UM blocker Blocker --isolate --shutdown 300ms\n"), "--for", "1s"});
+  auto x =
+    ask({"run", system("CPP UM blocker Blocker --isolate --shutdown 300ms\n"), "--for", "1s"});
   EXPECT_EQ(x.status, 1) << x.errors;
   EXPECT_THAT(x.errors, HasSubstr("its process is killed"));
 }
@@ -221,11 +223,11 @@ INSTANTIATE_TEST_SUITE_P(Lifecycle, Unreachable, testing::Values("stop", "close"
                          [](auto& x) { return std::string{x.param}; });
 
 TEST_F(Lifecycle, ALocalNodeThatIsStoppedIsKilledAndBack) {
-  auto arguments = command({"run",
-                            write("system.cast", "HOSTNAME one one.test\n" +
-                                                   subarchitecture("a", "one") +
-                                                   "CPP UM blocker Blocker --phase never\n"),
-                            "--local-nodes", "--lost-after", "1s", "--for", "60s"});
+  auto arguments =
+    command({"run",
+             write("system.cast", "HOSTNAME one one.test\n" + subarchitecture("a", "one") +
+                                    "CPP UM blocker Blocker --phase never\n"),
+             "--local-nodes", "--lost-after", "1s", "--for", "60s"});
   Process castor{std::move(arguments)};
   ASSERT_TRUE(castor.wait_for_output("a.blocker] runs")) << castor.errors();
   for (auto x : processes_with(CASTOR_TEST_PLUGIN))
@@ -279,26 +281,24 @@ INSTANTIATE_TEST_SUITE_P(Lifecycle, ExitBy, testing::Values("exit", "quick_exit"
 TEST_F(Lifecycle, WhatAnIsolatedComponentHasStartedEndsWithIt) {
   // A number of seconds that nobody else sleeps.
   auto seconds = std::to_string(100'000 + getpid());
-  Process castor{
-    run("CPP UM blocker Blocker --isolate --how daemon --seconds " + seconds + "\n")};
+  Process castor{run("CPP UM blocker Blocker --isolate --how daemon --seconds " + seconds + "\n")};
   ASSERT_TRUE(eventually([&] {
     auto all = processes_with(seconds);
     return std::ranges::any_of(all, [](auto x) { return getpgid(x) == getsid(x); }) && !all.empty();
-  })) << castor.errors();
+  }))
+    << castor.errors();
   castor.send_signal(SIGINT);
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
-  EXPECT_TRUE(eventually([&] {
-    return shell("pgrep -f '^sleep " + seconds + "'").status != 0;
-  }));
+  EXPECT_TRUE(eventually([&] { return shell("pgrep -f '^sleep " + seconds + "'").status != 0; }));
 }
 
 TEST_F(Lifecycle, WhoPullsFromACameraThatIsStartedAgainWaitsForIt) {
-  auto file = write(
-    "system.cast",
-    "SUPERVISE SYSTEM RESTARTS 100 IN 1s DELAY 1s TO 1s\n"
-    "COMPONENT CPP provider Provider --isolate\n"
-    "SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\n"
-    "CPP TM AlwaysPositiveTaskManager\nCPP UM puller Puller --from provider --count 300\n");
+  auto file =
+    write("system.cast",
+          "SUPERVISE SYSTEM RESTARTS 100 IN 1s DELAY 1s TO 1s\n"
+          "COMPONENT CPP provider Provider --isolate\n"
+          "SUBARCHITECTURE a localhost\nCPP WM SubarchitectureWorkingMemory\n"
+          "CPP TM AlwaysPositiveTaskManager\nCPP UM puller Puller --from provider --count 300\n");
   Process castor{command({"run", file, "--for", "60s"})};
   for (int kills = 0; kills < 3; ++kills) {
     ASSERT_TRUE(eventually([&] { return count(castor.errors(), "provider] provides") > kills; }))
@@ -308,8 +308,9 @@ TEST_F(Lifecycle, WhoPullsFromACameraThatIsStartedAgainWaitsForIt) {
         kill(x, SIGKILL);
   }
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
-  EXPECT_THAT(castor.errors(), AllOf(HasSubstr("has pulled enough"), Not(HasSubstr("COMPONENT line")),
-                                     Not(HasSubstr("puller] failed"))));
+  EXPECT_THAT(castor.errors(),
+              AllOf(HasSubstr("has pulled enough"), Not(HasSubstr("COMPONENT line")),
+                    Not(HasSubstr("puller] failed"))));
 }
 
 } // namespace

@@ -198,8 +198,8 @@ TEST_F(SupervisorTest, AWholeSystemIsStoppedWhileSomebodyBlocksInConfigure) {
 TEST_F(SupervisorTest, WhoFailsBecauseAnotherIsDownDoesNotUseUpItsRestarts) {
   // Three are allowed in ten seconds.
   for (int i = 0; i < 6; ++i) {
-    caf::anon_send(supervisor,
-                   ComponentEnded{"u", ++lives["u"], ComponentEnded::How::failed, "it is dark", "m"});
+    caf::anon_send(supervisor, ComponentEnded{"u", ++lives["u"], ComponentEnded::How::failed,
+                                              "it is dark", "m"});
     let_time_pass(1s);
     answer_restart();
     ASSERT_EQ(restarts.size(), static_cast<std::size_t>(i) + 1);

@@ -86,8 +86,9 @@ TEST_F(InputFiles, ANamedPipeThatNobodyWritesIsRefused) {
 
 TEST_F(InputFiles, WhatIsNoFileIsRefused) {
   EXPECT_EQ(refusal_of(folder_), std::pair(Reason::folder, std::string{"it is a directory"}));
-  EXPECT_EQ(refusal_of("/dev/zero"),
-            std::pair(Reason::special, std::string{"it is a character device, not a regular file"}));
+  EXPECT_EQ(
+    refusal_of("/dev/zero"),
+    std::pair(Reason::special, std::string{"it is a character device, not a regular file"}));
   auto socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{AF_UNIX, {}};
   auto path = (folder_ / "socket").string();
