@@ -138,7 +138,9 @@ public:
     auto before = std::exchange(architecture_, std::move(joined));
     observe();
     auto problems = start_components(added);
-    if (!problems || problems->empty())
+    if (!problems)
+      return {{cast::Severity::error, {}, {}, {}, "the system ends before they have started", {}}};
+    if (problems->empty())
       return {};
     send_stop(names_of(added));
     architecture_ = std::move(before);
