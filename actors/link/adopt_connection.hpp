@@ -10,12 +10,18 @@
 
 namespace castor {
 
-/// To a link: a connection that the peer has made, and what came over it so far.
-struct AdoptConnection {
+/// A connection that the peer has made, and what came over it so far. It is closed with the last
+/// reference to it, unless a link has taken it.
+struct AcceptedConnection {
   caf::io::scribe_ptr connection;
   std::shared_ptr<Channel> channel;
   Hello hello;
   Bytes received;
+};
+
+/// To a link: it may take the connection; what it leaves there belongs to the sender.
+struct AdoptConnection {
+  std::shared_ptr<AcceptedConnection> accepted;
 };
 
 } // namespace castor

@@ -1,6 +1,7 @@
 #include "castor/actors/link/link.hpp"
 
 #include "castor/actors/link/adopt_connection.hpp"
+#include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/link_end.hpp"
 #include "castor/actors/link/send_later.hpp"
 
@@ -22,9 +23,26 @@ namespace {
 
 constexpr std::size_t read_at_once = 128 * 1024;
 
-/// The outcome of dialling: a socket, or -1 and why.
+/// A socket that nobody has taken is closed.
+class DialledSocket {
+public:
+  explicit DialledSocket(int socket) : socket_(socket) {}
+  DialledSocket(const DialledSocket&) = delete;
+  DialledSocket& operator=(const DialledSocket&) = delete;
+  ~DialledSocket() {
+    if (socket_ >= 0)
+      ::close(socket_);
+  }
+
+  int take() { return std::exchange(socket_, -1); }
+
+private:
+  int socket_;
+};
+
+/// The outcome of dialling: a socket, or nothing and why.
 struct Dialled {
-  int socket = -1;
+  std::shared_ptr<DialledSocket> socket;
   std::string problem;
 };
 
@@ -73,7 +91,7 @@ public:
       [link](LinkReminder x) { link->end_.remind(x); },
       [link](const LinkFault& x) { link->end_.befall(x); },
       [link](const Dialled& x) { link->dialled(x); },
-      [link](AdoptConnection& x) { link->adopt(std::move(x)); },
+      [link](const AdoptConnection& x) { link->adopt(*x.accepted); },
       [link](const LinkPatience& x) { link->end_.set_patience(x.patience); },
       [link](const CloseLink& x) { link->end_.close(x.reason); },
     };
@@ -93,9 +111,9 @@ public:
        link = caf::actor_cast<caf::actor>(self_)](caf::blocking_actor*) {
         auto result = castor::dial(to, trust, until, [&] { return over->load(); });
         if (auto* socket = std::get_if<int>(&result))
-          caf::anon_send(link, Dialled{*socket, {}});
+          caf::anon_send(link, Dialled{std::make_shared<DialledSocket>(*socket), {}});
         else
-          caf::anon_send(link, Dialled{-1, std::get<std::string>(result)});
+          caf::anon_send(link, Dialled{nullptr, std::get<std::string>(result)});
       });
   }
 
@@ -120,19 +138,20 @@ public:
 
 private:
   void dialled(const Dialled& x) {
-    if (x.socket < 0) {
+    if (!x.socket)
       end_.not_dialled(x.problem);
-    } else if (end_.is_silent()) {
-      ::close(x.socket);
+    else if (end_.is_silent())
       end_.not_dialled("no sign of life");
-    } else {
-      end_.dialled(self_->add_scribe(x.socket).id());
-    }
+    else
+      end_.dialled(add_connection(*self_, x.socket->take()).id());
   }
 
-  void adopt(AdoptConnection x) {
+  void adopt(AcceptedConnection& x) {
+    // It was closed meanwhile, because the link took too long.
+    if (!x.connection)
+      return;
     auto connection = x.connection->hdl().id();
-    self_->move_scribe(std::move(x.connection));
+    self_->move_scribe(std::exchange(x.connection, nullptr));
     end_.adopt(connection, std::move(x.channel), x.hello, std::move(x.received));
   }
 

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
+#include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/send_later.hpp"
@@ -40,7 +41,12 @@ public:
   Listener(caf::io::broker* self, ListenerParts parts) : self_(self), parts_(std::move(parts)) {}
 
   caf::behavior begin() {
-    self_->add_doorman(parts_.socket);
+    add_acceptor(*self_, {parts_.socket, farewell(), [](const DescriptorShortage& x) {
+                            note(LogLevel::warning,
+                                 "turned away " + std::to_string(x.turned_away) +
+                                   " connections: " + x.problem +
+                                   "; `ulimit -n` is how many file descriptors a process may have");
+                          }});
     send_later(self_, period, TickAtom::value);
     auto listener = shared_from_this();
     return {
@@ -52,11 +58,21 @@ public:
                "a connection from " + stranger.mapped().from + " left without a word");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
+      [listener](const ResumeAccepting& x) { listener->self_->trigger(x.acceptor); },
       [listener](TickAtom) { listener->tick(); },
     };
   }
 
 private:
+  /// What those are told that the process has no file descriptor for. Over TLS it would take a
+  /// handshake.
+  std::vector<char> farewell() const {
+    std::vector<char> result;
+    if (!parts_.credentials)
+      write_greeting(result, Refusal{"it has no file descriptors left", false});
+    return result;
+  }
+
   void admit(connection_handle handle) {
     // CAF numbers connections by their sockets.
     auto peer = local_peer(static_cast<int>(handle.id()));
@@ -121,12 +137,29 @@ private:
       turn_away(handle, refusal->reason, refusal->final ? LogLevel::warning : LogLevel::debug);
       return;
     }
+    give(handle, stranger, *hello, std::get<caf::actor>(link));
+  }
+
+  /// Gives a connection to a link, and remembers it until the link has taken it: one that has ended
+  /// never does.
+  void give(connection_handle handle, Stranger& stranger, const Hello& hello,
+            const caf::actor& link) {
     // Nothing may arrive while the connection belongs to nobody.
     self_->halt(handle);
-    AdoptConnection gift{self_->take(handle), std::move(stranger.channel), *hello,
-                         std::move(stranger.received)};
+    auto accepted = std::make_shared<AcceptedConnection>(AcceptedConnection{
+      self_->take(handle), std::move(stranger.channel), hello, std::move(stranger.received)});
+    given_.emplace_back(Clock::now() + parts_.patience, accepted);
     strangers_.erase(handle);
-    caf::anon_send(std::get<caf::actor>(link), std::move(gift));
+    caf::anon_send(link, AdoptConnection{std::move(accepted)});
+  }
+
+  void take_back_given(Clock::time_point now) {
+    std::erase_if(given_, [&](auto& x) {
+      auto& [until, accepted] = x;
+      if (now > until)
+        accepted->connection = nullptr;
+      return !accepted->connection;
+    });
   }
 
   void turn_away(connection_handle handle, const std::string& why,
@@ -140,6 +173,7 @@ private:
   void tick() {
     send_later(self_, period, TickAtom::value);
     auto now = Clock::now();
+    take_back_given(now);
     std::vector<connection_handle> late;
     for (auto& [handle, stranger] : strangers_)
       if (now > stranger.until)
@@ -151,6 +185,8 @@ private:
   caf::io::broker* self_;
   ListenerParts parts_;
   std::unordered_map<connection_handle, Stranger> strangers_;
+  /// What links may take, and until when.
+  std::vector<std::pair<Clock::time_point, std::shared_ptr<AcceptedConnection>>> given_;
 };
 
 caf::behavior listener(caf::io::broker* self, ListenerParts parts) {

@@ -1,6 +1,7 @@
 #include "castor/actors/node/local_endpoint.hpp"
 
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/private_folder.hpp"
 #include "castor/actors/node/inspection.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 namespace castor {
@@ -22,6 +24,8 @@ namespace fs = std::filesystem;
 using caf::io::connection_handle;
 
 constexpr std::size_t most_connections = 64;
+constexpr std::string_view no_descriptors =
+  "{\"error\":\"the system has no file descriptors left; try again later\"}\n";
 
 /// As much of a text as fits into so many bytes, without half a character.
 std::string beginning(const std::string& text, std::size_t bytes) {
@@ -143,7 +147,13 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
                        std::function<void(SystemOrder)> give_order) {
   self->state.socket = std::move(path);
   self->state.give_order = std::move(give_order);
-  self->add_doorman(socket);
+  add_acceptor(
+    *self,
+    {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
+       note(LogLevel::warning, "refused " + std::to_string(x.turned_away) +
+                                 " who look on: " + x.problem +
+                                 "; `ulimit -n` is how many file descriptors a process may have");
+     }});
   return {
     [self](const SystemRosterPtr& x) {
       self->state.roster = x;
@@ -160,6 +170,7 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
     [self](const caf::io::data_transferred_msg& x) { written(self, x); },
     [self](const caf::io::connection_closed_msg& x) { leave(self, x.handle); },
     [](const caf::io::acceptor_closed_msg&) {},
+    [self](const ResumeAccepting& x) { self->trigger(x.acceptor); },
   };
 }
 
