@@ -1,6 +1,7 @@
 #include "castor/wm/entry_store.hpp"
 
 #include "castor/wm/bound_predicate.hpp"
+#include "castor/wm/value_limit.hpp"
 
 #include <algorithm>
 #include <queue>
@@ -341,14 +342,8 @@ std::optional<Failure> EntryStore::check_address(const WriteRequest& request) co
 }
 
 std::optional<Failure> EntryStore::check_value(const WriteRequest& request) const {
-  if (auto size = request.value.encoded_size(); size > options_.largest_value)
-    return Failure{FailureKind::too_large,
-                   to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
-                     " " + to_string(request.address) + ": its " + request.value.type_name() +
-                     " takes " + std::to_string(size) + " bytes, but " + subarchitecture_ +
-                     " takes at most " + std::to_string(options_.largest_value) +
-                     ". Put --largest-entry on its WM line to allow more",
-                   request.address};
+  if (auto failure = value_too_large(request, subarchitecture_, options_.largest_value))
+    return failure;
   return check_type(request);
 }
 

@@ -1,12 +1,16 @@
 #include "castor/actors/component/log.hpp"
 
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/component/repeated_messages.hpp"
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <atomic>
+#include <chrono>
+#include <map>
 #include <memory>
+#include <mutex>
 
 namespace castor {
 
@@ -89,11 +93,56 @@ void note(LogLevel level, std::string_view what) {
   note(level, "castor", what);
 }
 
+namespace {
+
+/// By level.
+struct Repeated {
+  std::mutex mutex;
+  std::map<LogLevel, RepeatedMessages> messages;
+};
+
+/// Never destroyed, as the logger.
+Repeated& repeated() {
+  static auto* result = new Repeated;
+  return *result;
+}
+
+} // namespace
+
+void note_repeated(LogLevel level, std::string_view what) {
+  if (level < log_level())
+    return;
+  auto& all = repeated();
+  std::unique_lock guard{all.mutex};
+  auto text = all.messages[level].add(what, std::chrono::steady_clock::now());
+  guard.unlock();
+  if (text)
+    note(level, *text);
+}
+
+void write_repeated() {
+  auto now = std::chrono::steady_clock::now();
+  auto& all = repeated();
+  std::lock_guard guard{all.mutex};
+  for (auto& [level, messages] : all.messages)
+    for (auto& text : messages.take_due(now))
+      note(level, text);
+}
+
 void guard_log_lines(std::shared_ptr<void> (*make)()) {
   make_guard = make;
 }
 
 void flush_log() {
+  {
+    auto& all = repeated();
+    // Whoever holds it may never go on.
+    std::unique_lock guard{all.mutex, std::try_to_lock};
+    if (guard)
+      for (auto& [level, messages] : all.messages)
+        for (auto& text : messages.take_all())
+          note(level, text);
+  }
   logger().flush();
 }
 

@@ -22,6 +22,13 @@ void log(LogLevel level, std::string_view who, std::string_view what);
 void note(LogLevel level, std::string_view who, std::string_view what);
 void note(LogLevel level, std::string_view what);
 
+/// Logs what others cause, and could cause at will, such as those who connect: of messages that
+/// differ in their digits only, a few are written every ten seconds, and the others are counted.
+void note_repeated(LogLevel level, std::string_view what);
+
+/// Writes what was counted, where it is time; to be called now and then.
+void write_repeated();
+
 /// What is made before each line and destroyed after it, such as something that keeps a line of
 /// progress off the terminal meanwhile. Before any thread logs.
 void guard_log_lines(std::shared_ptr<void> (*make)());

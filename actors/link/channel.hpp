@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/link/credentials.hpp"
+#include "castor/actors/link/handshake.hpp"
 #include "castor/actors/link/secure_channel.hpp"
 #include "castor/wm/type_descriptor.hpp"
 
@@ -8,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace castor {
@@ -33,6 +35,11 @@ public:
   std::span<const std::uint8_t> receive(std::span<const std::uint8_t> from_network) {
     if (!secure_)
       return from_network;
+    if (!std::exchange(has_heard_, true) && !from_network.empty() &&
+        is_begin_of_greeting(static_cast<char>(from_network.front())))
+      throw SecurityError(
+        "it does not use TLS, but this process was started with --tls: both sides "
+        "need --tls DIR, or neither");
     said_.clear();
     secure_->receive(from_network, said_);
     return said_;
@@ -54,6 +61,7 @@ public:
 
 private:
   std::optional<SecureChannel> secure_;
+  bool has_heard_ = false;
   Bytes said_;
 };
 

@@ -41,7 +41,14 @@ void write_greeting(std::vector<char>& out, const Greeting& x) {
   out.insert(out.end(), frame.begin(), frame.end());
 }
 
+bool is_begin_of_greeting(char first) {
+  return static_cast<std::uint8_t>(first) == magic.front();
+}
+
 std::optional<Greeting> read_greeting(Bytes& bytes) {
+  // The record types of TLS: an alert, and a handshake.
+  if (!bytes.empty() && (bytes.front() == 0x15 || bytes.front() == 0x16))
+    throw LinkError("it uses TLS, but this process was started without --tls DIR");
   auto known = std::min(bytes.size(), version_at);
   if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(known), magic.begin()))
     throw LinkError("it does not speak Castor's protocol");

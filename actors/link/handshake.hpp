@@ -44,6 +44,9 @@ using Greeting = std::variant<Hello, Refusal>;
 /// Appends a greeting in its wire form.
 void write_greeting(std::vector<char>& out, const Greeting& x);
 
+/// Whether a greeting may begin so. What uses TLS never does.
+bool is_begin_of_greeting(char first);
+
 /// Takes a greeting from the beginning of `bytes`, and removes it there; nothing while it is
 /// incomplete. Throws LinkError (session.hpp) at once if it cannot be one of ours.
 std::optional<Greeting> read_greeting(Bytes& bytes);

@@ -188,8 +188,10 @@ caf::actor spawn_link(LinkParts parts) {
   auto peer = parts.peer;
   auto record = std::make_shared<LinkRecord>(peer);
   parts.self.receiver = peer;
+  auto largest_message = parts.options.session.largest_message;
   auto result = mesh->system().middleman().spawn_broker(link, std::move(parts), record);
-  mesh->add_port(std::make_shared<LinkPort>(mesh, peer, result, std::move(record)));
+  mesh->add_port(
+    std::make_shared<LinkPort>(mesh, peer, result, std::move(record), largest_message));
   return result;
 }
 

@@ -159,6 +159,8 @@ template <class F>
 void LinkEnd::guarded(F&& f) {
   try {
     f();
+  } catch (const BusyPeerError& e) {
+    disconnected(e.what());
   } catch (const SecurityError& e) {
     // Once it was the right peer, it is the way to it that is at fault.
     if (incarnation_ != 0)

@@ -11,9 +11,13 @@
 #include <caf/io/broker.hpp>
 #include <caf/io/middleman.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace castor {
 
@@ -28,24 +32,35 @@ constexpr std::chrono::milliseconds period{250};
 
 /// A connection that has not said what it wants.
 struct Stranger {
-  std::string from;
+  /// Of the machine, or the process on this one.
+  std::string address;
+  /// 0 on this machine's own sockets.
+  std::uint16_t port = 0;
   std::shared_ptr<Channel> channel;
-  Bytes received;
-  Clock::time_point until;
+  Bytes received = {};
+  /// Whether anything came.
+  bool has_spoken = false;
+
+  std::string from() const { return port == 0 ? address : address + ':' + std::to_string(port); }
   /// Of this user, such as one that looks whether anybody listens here.
-  bool is_own = false;
+  bool is_own() const { return port == 0; }
 };
+
+/// What arrives first over a connection that uses TLS.
+constexpr char tls_handshake = 0x16;
 
 class Listener : public std::enable_shared_from_this<Listener> {
 public:
-  Listener(caf::io::broker* self, ListenerParts parts) : self_(self), parts_(std::move(parts)) {}
+  Listener(caf::io::broker* self, ListenerParts parts)
+    : self_(self), parts_(std::move(parts)), admission_(parts_.admission) {}
 
   caf::behavior begin() {
     add_acceptor(*self_, {parts_.socket, farewell(), [](const DescriptorShortage& x) {
-                            note(LogLevel::warning,
-                                 "turned away " + std::to_string(x.turned_away) +
-                                   " connections: " + x.problem +
-                                   "; `ulimit -n` is how many file descriptors a process may have");
+                            note_repeated(
+                              LogLevel::warning,
+                              "turned away " + std::to_string(x.turned_away) +
+                                " connections: " + x.problem +
+                                "; `ulimit -n` is how many file descriptors a process may have");
                           }});
     send_later(self_, period, TickAtom::value);
     auto listener = shared_from_this();
@@ -53,9 +68,9 @@ public:
       [listener](const caf::io::new_connection_msg& x) { listener->admit(x.handle); },
       [listener](const caf::io::new_data_msg& x) { listener->hear(x); },
       [listener](const caf::io::connection_closed_msg& x) {
-        if (auto stranger = listener->strangers_.extract(x.handle))
-          note(stranger.mapped().is_own ? LogLevel::debug : LogLevel::info,
-               "a connection from " + stranger.mapped().from + " left without a word");
+        if (auto stranger = listener->forget(x.handle))
+          note_repeated(stranger->is_own() ? LogLevel::debug : LogLevel::info,
+                        "a connection from " + stranger->from() + " left without a word");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
       [listener](const ResumeAccepting& x) { listener->self_->trigger(x.acceptor); },
@@ -67,42 +82,51 @@ private:
   /// What those are told that the process has no file descriptor for. Over TLS it would take a
   /// handshake.
   std::vector<char> farewell() const {
+    return parts_.credentials ? busy_alert()
+                              : as_bytes(Refusal{"it has no file descriptors left", false});
+  }
+
+  static std::vector<char> as_bytes(const Refusal& x) {
     std::vector<char> result;
-    if (!parts_.credentials)
-      write_greeting(result, Refusal{"it has no file descriptors left", false});
+    write_greeting(result, x);
     return result;
   }
 
   void admit(connection_handle handle) {
     // CAF numbers connections by their sockets.
     auto peer = local_peer(static_cast<int>(handle.id()));
-    auto from = peer
-                  ? to_string(*peer)
-                  : self_->remote_addr(handle) + ':' + std::to_string(self_->remote_port(handle));
+    Stranger stranger{peer ? to_string(*peer) : self_->remote_addr(handle),
+                      peer ? std::uint16_t{0} : self_->remote_port(handle),
+                      std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::accepts)};
     if (peer && !peer->is_of_this_user()) {
-      note(LogLevel::warning, "turned away " + from + ": it belongs to another user");
+      note_repeated(LogLevel::warning,
+                    "turned away " + stranger.from() + ": it belongs to another user");
       self_->close(handle);
       return;
     }
-    if (strangers_.size() >= parts_.most_strangers) {
-      note(LogLevel::warning, "turned away " + from + ": too many connections that say nothing");
-      self_->close(handle);
-      return;
-    }
-    strangers_[handle] = {
-      std::move(from),
-      std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::accepts),
-      {},
-      Clock::now() + parts_.patience,
-      peer.has_value()};
+    auto out = admission_.admit(handle.id(), stranger.address, Clock::now());
+    strangers_.emplace(handle, std::move(stranger));
     self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
+    if (out)
+      refuse_for_want_of_room(connection_handle::from_int(*out));
+  }
+
+  void refuse_for_want_of_room(connection_handle handle) {
+    const std::string why = "too many unauthenticated connections";
+    say_plainly(handle, parts_.credentials ? busy_alert()
+                                           : as_bytes(Refusal{why + "; it is tried again", false}));
+    turn_away(handle, why);
   }
 
   void hear(const caf::io::new_data_msg& x) {
     auto i = strangers_.find(x.handle);
-    if (i == strangers_.end())
+    if (i == strangers_.end() || x.buf.empty())
       return;
     auto& stranger = i->second;
+    admission_.hear(x.handle.id());
+    bool is_first = !std::exchange(stranger.has_spoken, true);
+    if (is_first && speaks_otherwise(x.handle, x.buf.front()))
+      return;
     try {
       auto words = stranger.channel->receive(
         {reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()});
@@ -116,6 +140,33 @@ private:
     } catch (const LinkError& e) {
       turn_away(x.handle, e.what());
     }
+  }
+
+  /// Turns away who uses TLS where nobody does, or does not where everybody has to, and says so in
+  /// a way that it understands.
+  bool speaks_otherwise(connection_handle handle, char first) {
+    if (!parts_.credentials && first == tls_handshake) {
+      // Whoever expects TLS knows Castor's own greeting (`Channel`).
+      say_plainly(handle, as_bytes(Refusal{"it takes no encrypted connections", true}));
+      turn_away(handle, "it uses TLS, but this process was started without --tls DIR");
+      return true;
+    }
+    if (parts_.credentials && is_begin_of_greeting(first)) {
+      say_plainly(handle, as_bytes(Refusal{"it takes encrypted connections only: --tls DIR is "
+                                           "missing here, or too much there",
+                                           true}));
+      turn_away(handle, "it does not use TLS, but this process was started with --tls: both sides "
+                        "need --tls DIR, or neither");
+      return true;
+    }
+    return false;
+  }
+
+  /// Past encryption, if there is any.
+  void say_plainly(connection_handle handle, const std::vector<char>& bytes) {
+    auto& out = self_->wr_buf(handle);
+    out.insert(out.end(), bytes.begin(), bytes.end());
+    self_->flush(handle);
   }
 
   void say(connection_handle handle, Channel& channel, std::vector<char> words) {
@@ -148,8 +199,9 @@ private:
     self_->halt(handle);
     auto accepted = std::make_shared<AcceptedConnection>(AcceptedConnection{
       self_->take(handle), std::move(stranger.channel), hello, std::move(stranger.received)});
-    given_.emplace_back(Clock::now() + parts_.patience, accepted);
-    strangers_.erase(handle);
+    given_.emplace_back(Clock::now() + parts_.admission.patience, accepted);
+    admission_.remember(stranger.address);
+    forget(handle);
     caf::anon_send(link, AdoptConnection{std::move(accepted)});
   }
 
@@ -164,26 +216,29 @@ private:
 
   void turn_away(connection_handle handle, const std::string& why,
                  LogLevel level = LogLevel::warning) {
-    auto stranger = strangers_.extract(handle);
-    if (stranger)
-      note(level, "turned away " + stranger.mapped().from + ": " + why);
+    if (auto stranger = forget(handle))
+      note_repeated(level, "turned away " + stranger->from() + ": " + why);
     self_->close(handle);
+  }
+
+  std::optional<Stranger> forget(connection_handle handle) {
+    admission_.remove(handle.id());
+    auto node = strangers_.extract(handle);
+    return node ? std::optional{std::move(node.mapped())} : std::nullopt;
   }
 
   void tick() {
     send_later(self_, period, TickAtom::value);
     auto now = Clock::now();
     take_back_given(now);
-    std::vector<connection_handle> late;
-    for (auto& [handle, stranger] : strangers_)
-      if (now > stranger.until)
-        late.push_back(handle);
-    for (auto& handle : late)
-      turn_away(handle, "it did not say what it wants");
+    for (auto id : admission_.late(now))
+      turn_away(connection_handle::from_int(id), "it did not say what it wants");
+    write_repeated();
   }
 
   caf::io::broker* self_;
   ListenerParts parts_;
+  Admission admission_;
   std::unordered_map<connection_handle, Stranger> strangers_;
   /// What links may take, and until when.
   std::vector<std::pair<Clock::time_point, std::shared_ptr<AcceptedConnection>>> given_;

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "castor/actors/link/admission.hpp"
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/handshake.hpp"
 #include "castor/wm/caf.hpp"
 
-#include <chrono>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <variant>
@@ -19,10 +18,8 @@ struct ListenerParts {
   std::function<std::variant<caf::actor, Refusal>(const Hello&)> route;
   /// With them, connections have to be encrypted and names proved.
   std::optional<Credentials> credentials = {};
-  /// How long a new connection may take to say what it wants.
-  std::chrono::milliseconds patience{3000};
-  /// How many may keep silent at the same time; more are turned away.
-  std::size_t most_strangers = 64;
+  /// How many connections may be there that have not introduced themselves, and for how long.
+  AdmissionLimits admission = {};
 };
 
 /// Takes connections, hears who they are from, and gives them to the links they are for. Whoever

@@ -1,7 +1,9 @@
 #include "castor/actors/link/mesh.hpp"
 
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/remote_actor.hpp"
+#include "castor/wm/value_limit.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <caf/detail/sync_request_bouncer.hpp>
@@ -47,6 +49,54 @@ Lane lane_of(ActorName sender, std::uint32_t receiver) {
   return sender == 0 ? 0 : ((sender * odd) ^ receiver) | 1;
 }
 
+/// What somebody who waits for the outcome of an operation gets instead: as an answer to a request,
+/// or in place of an answer. Nothing if it is none that can tell of a failure.
+std::optional<caf::message> outcome_of(const caf::type_erased_tuple& x, const Failure& failure) {
+  auto outcome = [&]<class T>(Outcome<T> result) { return caf::make_message(std::move(result)); };
+  if (x.match_elements<WriteRequest>())
+    return outcome(Outcome<Version>{failure});
+  if (x.match_elements<BatchRequest>())
+    return outcome(Outcome<std::vector<Version>>{failure});
+  if (x.match_elements<Subscribe>())
+    return outcome(Outcome<Acknowledged>{failure});
+  if (x.match_elements<ReadRequest>() || x.match_elements<Outcome<EntryPtr>>())
+    return outcome(Outcome<EntryPtr>{failure});
+  if (x.match_elements<QueryRequest>() || x.match_elements<Outcome<std::vector<EntryPtr>>>())
+    return outcome(Outcome<std::vector<EntryPtr>>{failure});
+  return std::nullopt;
+}
+
+/// What a message that is too large is about, in words, and the entry if it is about one.
+std::pair<std::string, Address> subject_of(const caf::type_erased_tuple& x) {
+  auto of_write = [](const WriteRequest& w) {
+    return (w.client ? to_string(*w.client) + ": " : std::string{}) + to_string(w.address);
+  };
+  if (x.match_elements<WriteRequest>()) {
+    auto& request = x.get_as<WriteRequest>(0);
+    return {of_write(request), request.address};
+  }
+  if (x.match_elements<BatchRequest>()) {
+    auto& request = x.get_as<BatchRequest>(0);
+    return {std::to_string(request.writes.size()) + " writes for " + request.subarchitecture,
+            {request.subarchitecture, {}}};
+  }
+  if (x.match_elements<Outcome<EntryPtr>>())
+    if (auto& entry = x.get_as<Outcome<EntryPtr>>(0); entry && *entry)
+      return {"what was read, " + to_string((*entry)->address), (*entry)->address};
+  if (x.match_elements<Pushed>())
+    return {"what " + x.get_as<Pushed>(0).provider + " pushes", {}};
+  return {std::string{"a message, "} + name_of_type(x), {}};
+}
+
+Failure too_large_for_link(const caf::type_erased_tuple& x, std::size_t size, std::size_t largest) {
+  auto [what, address] = subject_of(x);
+  return {FailureKind::too_large,
+          what + " takes " + std::to_string(size) + " bytes or more, but at most " +
+            std::to_string(largest) +
+            " travel to another process at once. Write it in parts, or have both in one process",
+          address};
+}
+
 /// Answers a request to an actor that has ended; any other message needs no answer.
 void receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id) {
   caf::detail::sync_request_bouncer{caf::make_error(caf::sec::request_receiver_down)}(sender, id);
@@ -57,8 +107,43 @@ void receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id) {
 // -- LinkPort
 
 void LinkPort::send(ActorName to, caf::mailbox_element& x) {
+  try {
+    if (auto failure = mesh_->refuse_large_value(to, x.content()))
+      refuse(to, x, *failure);
+    else
+      send_checked(to, x);
+  } catch (const MessageTooLarge& e) {
+    refuse(to, x, too_large_for_link(x.content(), e.size(), largest_message_));
+  }
+}
+
+void LinkPort::refuse(ActorName to, caf::mailbox_element& x, const Failure& why) {
+  auto outcome = outcome_of(x.content(), why);
+  if (x.mid.is_request()) {
+    auto answer = outcome
+                    ? std::move(*outcome)
+                    : caf::make_message(caf::make_error(caf::sec::runtime_error, why.message));
+    if (x.sender)
+      x.sender->enqueue(nullptr, x.mid.response_id(), std::move(answer), nullptr);
+  } else if (x.mid.is_response()) {
+    auto instead = outcome
+                     ? std::move(*outcome)
+                     : caf::make_message(caf::make_error(caf::sec::runtime_error, why.message));
+    send_checked(to, *caf::make_mailbox_element(x.sender, x.mid, {}, std::move(instead)));
+  } else {
+    note_repeated(LogLevel::warning, "not sent: " + why.message);
+    // It would count as under way for ever.
+    if (x.sender && x.content().match_elements<Pushed>())
+      x.sender->enqueue(
+        mesh_->actor_of(to), caf::make_message_id(),
+        caf::make_message(PushesTaken{x.content().get_as<Pushed>(0).value.type_name(), 1}),
+        nullptr);
+  }
+}
+
+void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
   auto& content = x.content();
-  WireWriter out{*mesh_};
+  WireWriter out{*mesh_, largest_message_};
   auto sender = mesh_->name_of(x.sender);
   auto number = static_cast<std::uint32_t>(to);
   if (content.match_elements<caf::exit_msg>()) {
@@ -75,6 +160,7 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
                                                                                        x.mid);
       return;
     }
+    out.check_size();
     if (!mesh_->open_request(peer_, x)) {
       receiver_down(x.sender, x.mid);
       return;
@@ -127,6 +213,33 @@ void Mesh::set_well_known(WellKnownActor number, const caf::strong_actor_ptr& wh
     locals_[static_cast<std::uint32_t>(number)] = who;
   }
   watch(who, make_actor_name(self_, static_cast<std::uint32_t>(number)));
+}
+
+void Mesh::set_largest_value(ActorName working_memory, std::string subarchitecture,
+                             std::size_t bytes) {
+  std::lock_guard guard{mutex_};
+  largest_values_[working_memory] = {std::move(subarchitecture), bytes};
+}
+
+std::optional<Failure> Mesh::refuse_large_value(ActorName to,
+                                                const caf::type_erased_tuple& x) const {
+  bool is_write = x.match_elements<WriteRequest>();
+  if (!is_write && !x.match_elements<BatchRequest>())
+    return std::nullopt;
+  std::pair<std::string, std::size_t> limit;
+  {
+    std::lock_guard guard{mutex_};
+    auto i = largest_values_.find(to);
+    if (i == largest_values_.end())
+      return std::nullopt;
+    limit = i->second;
+  }
+  if (is_write)
+    return value_too_large(x.get_as<WriteRequest>(0), limit.first, limit.second);
+  for (auto& write : x.get_as<BatchRequest>(0).writes)
+    if (auto failure = value_too_large(write, limit.first, limit.second))
+      return failure;
+  return std::nullopt;
 }
 
 void Mesh::set_event_sink(EventSink sink) {
@@ -271,6 +384,7 @@ void Mesh::end_of_remote(ProcessNumber process, std::uint32_t number) {
     if (i == processes_.end())
       return;
     i->second.ended.insert(number);
+    largest_values_.erase(make_actor_name(process, number));
     if (auto known = i->second.representatives.find(number);
         known != i->second.representatives.end())
       representative = known->second;
@@ -287,6 +401,7 @@ void Mesh::end_process(ProcessNumber process) {
     std::lock_guard guard{mutex_};
     if (auto x = processes_.extract(process))
       lost = std::move(x.mapped());
+    std::erase_if(largest_values_, [&](auto& x) { return process_of(x.first) == process; });
     std::erase_if(open_requests_, [&](auto& x) {
       if (x.second.process != process)
         return false;
@@ -317,9 +432,35 @@ void Mesh::close() {
     end_process(process);
 }
 
+/// Of a message that a link did not take, what is known of it is told to whoever waits for it.
+void Mesh::drop_too_large(WireReader& in, std::uint64_t size, caf::execution_unit* context) {
+  auto why = "a message of " + std::to_string(size) + " bytes is more than a link takes";
+  note_repeated(LogLevel::warning, why);
+  // Its head was too large, too.
+  if (in.at_end())
+    return;
+  auto subject = in.take<Subject>();
+  if (subject != Subject::message && subject != Subject::error)
+    return;
+  auto sender = in.take<caf::strong_actor_ptr>();
+  auto receiver = actor_of(make_actor_name(self_, in.take<std::uint32_t>()));
+  caf::message_id id{in.take<std::uint64_t>()};
+  auto error = caf::make_error(caf::sec::runtime_error, why);
+  if (id.is_request() && sender) {
+    caf::detail::sync_request_bouncer{std::move(error)}(sender, id);
+  } else if (id.is_response() && receiver) {
+    close_request(receiver, id);
+    receiver->enqueue(std::move(sender), id, caf::make_message(std::move(error)), context);
+  }
+}
+
 void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context) {
   WireReader in{*this, message.head, std::move(message.contents)};
   auto local = [&](std::uint32_t number) { return actor_of(make_actor_name(self_, number)); };
+  if (message.too_large > 0) {
+    drop_too_large(in, message.too_large, context);
+    return;
+  }
   auto subject = in.take<Subject>();
   switch (subject) {
     case Subject::message:

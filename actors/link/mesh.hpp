@@ -6,6 +6,7 @@
 #include "castor/actors/link/wire_table.hpp"
 #include "castor/wm/caf.hpp"
 #include "castor/wm/event_flow.hpp"
+#include "castor/wm/failure.hpp"
 
 #include <caf/mailbox_element.hpp>
 #include <caf/message.hpp>
@@ -16,6 +17,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -54,21 +57,29 @@ class Mesh;
 /// thread.
 class LinkPort {
 public:
+  /// The peer takes messages of up to `largest_message` bytes.
   LinkPort(std::shared_ptr<Mesh> mesh, ProcessNumber peer, caf::actor link,
-           std::shared_ptr<LinkRecord> record)
-    : mesh_(std::move(mesh)), peer_(peer), link_(std::move(link)), record_(std::move(record)) {}
+           std::shared_ptr<LinkRecord> record,
+           std::size_t largest_message = SessionLimits{}.largest_message)
+    : mesh_(std::move(mesh)), peer_(peer), link_(std::move(link)), record_(std::move(record)),
+      largest_message_(largest_message) {}
 
   ProcessNumber peer() const { return peer_; }
   const std::shared_ptr<LinkRecord>& record() const { return record_; }
   const caf::actor& link() const { return link_; }
 
   /// Sends what was sent to the actor of that name; answers a request that cannot travel itself.
+  /// What is too large for its receiver, or for any link, is refused here: whoever waits for it is
+  /// told why, and nothing else is affected.
   void send(ActorName to, caf::mailbox_element& x);
 
   /// Tells the peer that an actor here has ended.
   void tell_end(ActorName who);
 
 private:
+  void send_checked(ActorName to, caf::mailbox_element& x);
+  /// Does what becomes of a message that is not sent because it is too large.
+  void refuse(ActorName to, caf::mailbox_element& x, const Failure& why);
   void hand_over(LinkMessage message);
 
   /// Tells a working memory that the peer has its events, now and then.
@@ -79,6 +90,7 @@ private:
   const ProcessNumber peer_;
   const caf::actor link_;
   const std::shared_ptr<LinkRecord> record_;
+  const std::size_t largest_message_;
   std::mutex mutex_;
   /// By working memory.
   std::unordered_map<caf::actor_id, std::shared_ptr<Receipts>> receipts_;
@@ -103,6 +115,10 @@ public:
 
   void set_well_known(WellKnownActor number, const caf::strong_actor_ptr& who);
   void set_event_sink(EventSink sink);
+
+  /// A working memory of another process takes values of up to so many bytes: larger ones are
+  /// refused before they are sent.
+  void set_largest_value(ActorName working_memory, std::string subarchitecture, std::size_t bytes);
 
   /// The link that leads to a process.
   void add_port(std::shared_ptr<LinkPort> port);
@@ -152,7 +168,9 @@ private:
 
   /// Remembers a request until it is answered; false if its process is lost.
   bool open_request(ProcessNumber to, const caf::mailbox_element& x);
+  std::optional<Failure> refuse_large_value(ActorName to, const caf::type_erased_tuple& x) const;
   void close_request(const caf::strong_actor_ptr& sender, caf::message_id response);
+  void drop_too_large(WireReader& in, std::uint64_t size, caf::execution_unit* context);
   void introduce(TypeDescriptorPtr type);
   void watch(const caf::strong_actor_ptr& who, ActorName name);
   void end_of_local(ActorName name);
@@ -173,6 +191,8 @@ private:
   /// By the sender, and the number of the answer.
   std::map<std::pair<caf::actor_id, std::uint64_t>, OpenRequest> open_requests_;
   std::unordered_map<std::uint64_t, TypeDescriptorPtr> types_;
+  /// By working memory: its subarchitecture, and the largest value that it takes.
+  std::map<ActorName, std::pair<std::string, std::size_t>> largest_values_;
 };
 
 } // namespace castor

@@ -33,6 +33,8 @@ std::string explain_alert(int alert) {
     case SSL_AD_CERTIFICATE_REVOKED:
     case SSL_AD_CERTIFICATE_UNKNOWN:
       return std::string{"the peer refuses our certificate: "} + SSL_alert_desc_string_long(alert);
+    case SSL_AD_USER_CANCELLED:
+      return "the peer has too many unauthenticated connections; it is tried again";
     case SSL_AD_PROTOCOL_VERSION:
       return "the peer does not speak TLS 1.3";
     default:
@@ -61,6 +63,11 @@ std::string explain(const ErrorQueue& errors, bool established) {
 }
 
 } // namespace
+
+std::vector<char> busy_alert() {
+  // A record of TLS 1.2, as TLS 1.3 has it, with a fatal alert.
+  return {SSL3_RT_ALERT, 3, 3, 0, 2, SSL3_AL_FATAL, SSL_AD_USER_CANCELLED};
+}
 
 struct SecureChannel::State {
   State(SSL_CTX* context, Role role);
@@ -132,6 +139,8 @@ void SecureChannel::State::fail(int result, const ErrorQueue& errors) {
   else
     failure = refusal.empty() ? explain(errors, established) : refusal;
   incoming = {};
+  if (!established && errors.ssl_reason() == SSL_AD_REASON_OFFSET + SSL_AD_USER_CANCELLED)
+    throw BusyPeerError{failure};
   throw SecurityError{failure};
 }
 

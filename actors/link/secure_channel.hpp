@@ -12,6 +12,16 @@
 
 namespace castor {
 
+/// The peer has no room for another connection; the next attempt may find some.
+class BusyPeerError : public SecurityError {
+  using SecurityError::SecurityError;
+};
+
+/// What tells a peer that expects TLS that there is no room for its connection: an alert in the
+/// clear
+/// ("user canceled", RFC 8446, section 6.1), for which no handshake is needed.
+std::vector<char> busy_alert();
+
 /// One end of an encrypted connection: mutual TLS 1.3 without a socket. It is told what arrived
 /// from the network and gives what to write there, in pieces of any size. For one thread at a time.
 ///

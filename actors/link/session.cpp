@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace castor {
@@ -14,6 +16,10 @@ constexpr std::uint8_t first_part = 1;
 constexpr std::uint8_t last_part = 2;
 constexpr std::size_t part_header = sizeof(std::uint32_t) + 1;
 constexpr std::size_t longest_goodbye = 4096;
+/// Of what is too large to be taken, only a head of at most so many bytes is kept.
+constexpr std::size_t largest_head_alone = 64 * 1024;
+/// What a peer announces is believed up to here before it has arrived.
+constexpr std::size_t reserved_at_most = std::size_t{4} << 20;
 /// Acknowledgements are owed after so many parts or bytes, and at every reminder.
 constexpr std::uint64_t parts_per_ack = 32;
 constexpr std::size_t bytes_per_ack = 256 * 1024;
@@ -81,6 +87,10 @@ struct LinkSession::Unfinished {
   bool begun = false;
   std::vector<std::uint64_t> lengths;
   std::vector<Bytes> pieces;
+  /// Of all pieces, if that is more than is taken; otherwise 0.
+  std::uint64_t too_large = 0;
+  /// Of a message that is too large: what has not arrived.
+  std::uint64_t missing = 0;
 
   /// Takes bytes of the message. Throws LinkError.
   void take(std::span<const std::uint8_t> in, std::size_t largest) {
@@ -97,7 +107,18 @@ struct LinkSession::Unfinished {
   }
 
   bool complete() const {
+    if (too_large > 0)
+      return missing == 0;
     return begun && pieces.size() == lengths.size() && is_full(pieces.size() - 1);
+  }
+
+  IncomingMessage result() {
+    if (too_large > 0)
+      return {pieces.empty() ? Bytes{} : std::move(pieces.front()), {}, too_large};
+    IncomingMessage result{std::move(pieces.front()), {}};
+    result.contents.assign(std::move_iterator{pieces.begin() + 1},
+                           std::move_iterator{pieces.end()});
+    return result;
   }
 
 private:
@@ -106,26 +127,47 @@ private:
       return false;
     std::span<const std::uint8_t> in{begin};
     auto count = castor::take<std::uint32_t>(in);
-    if (count == 0 || count > largest / sizeof(std::uint64_t))
+    if (count == 0 || count > std::min(most_pieces, largest / sizeof(std::uint64_t)))
       throw LinkError("a message of " + std::to_string(count) + " pieces");
     if (in.size() < count * sizeof(std::uint64_t))
       return false;
     std::uint64_t total = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       lengths.push_back(castor::take<std::uint64_t>(in));
-      if (lengths.back() > largest || (total += lengths.back()) > largest)
-        throw LinkError("a message of more than " + std::to_string(largest) + " bytes");
+      if (lengths.back() > std::numeric_limits<std::uint64_t>::max() - total)
+        throw LinkError("a message of more bytes than can be counted");
+      total += lengths.back();
     }
+    if (total > largest)
+      too_large = missing = total;
     return true;
   }
 
+  /// Keeps the head, which says whom to tell, and counts the rest.
+  void skip_pieces(std::span<const std::uint8_t> in) {
+    if (in.size() > missing)
+      throw LinkError("a message is longer than it said");
+    auto arrived = too_large - missing;
+    missing -= in.size();
+    if (lengths.front() > largest_head_alone || arrived >= lengths.front())
+      return;
+    if (pieces.empty())
+      pieces.emplace_back();
+    auto part = in.first(std::min<std::size_t>(in.size(), lengths.front() - arrived));
+    pieces.front().insert(pieces.front().end(), part.begin(), part.end());
+  }
+
   void take_pieces(std::span<const std::uint8_t> in) {
+    if (too_large > 0) {
+      skip_pieces(in);
+      return;
+    }
     for (;;) {
       if (pieces.empty() || is_full(pieces.size() - 1)) {
         if (pieces.size() == lengths.size())
           break;
         auto length = lengths[pieces.size()];
-        pieces.emplace_back().reserve(length);
+        pieces.emplace_back().reserve(std::min<std::size_t>(length, reserved_at_most));
       }
       auto& piece = pieces.back();
       auto n = std::min<std::size_t>(in.size(), lengths[pieces.size() - 1] - piece.size());
@@ -340,10 +382,7 @@ void LinkSession::take_part(std::span<const std::uint8_t> content,
   if (!message->complete())
     return;
   unfinished_.erase(known);
-  IncomingMessage result{std::move(message->pieces.front()), {}};
-  result.contents.assign(std::move_iterator{message->pieces.begin() + 1},
-                         std::move_iterator{message->pieces.end()});
-  deliver(std::move(result));
+  deliver(message->result());
 }
 
 } // namespace castor

@@ -40,14 +40,20 @@ struct OutgoingMessage {
 struct IncomingMessage {
   Bytes head;
   std::vector<Bytes> contents;
+  /// Not 0 if the message was larger than is taken: its size in bytes. Its contents are gone then,
+  /// and so is its head if that alone was too large to be kept.
+  std::uint64_t too_large = 0;
 };
+
+/// Pieces of a message, its head included, at most.
+inline constexpr std::size_t most_pieces = std::size_t{1} << 20;
 
 struct SessionLimits {
   /// The most that one frame carries.
   std::size_t chunk = 64 * 1024;
   /// What the peer may leave unacknowledged before nothing more is sent.
   std::size_t window = 4 * 1024 * 1024;
-  /// The largest message that is taken.
+  /// The largest message that is taken, in bytes; of a larger one only the head arrives.
   std::size_t largest_message = std::size_t{1} << 30;
   /// Messages that may be under way from the peer at the same time.
   std::size_t unfinished_messages = 4096;

@@ -14,13 +14,18 @@ void WireWriter::put(const Value& x) {
   if (!x.has_value())
     return;
   put(x.type_ptr());
+  auto size = x.encoded_size();
+  if (head_.size() + content_bytes_ + size > largest_)
+    throw MessageTooLarge{head_.size() + content_bytes_ + size};
   auto& bytes = x.bytes();
   bool shared = bytes.size() >= shared_content;
   put(shared);
-  if (shared)
+  if (shared) {
     contents_.push_back(x);
-  else
+    content_bytes_ += bytes.size();
+  } else {
     encoder_.put(bytes);
+  }
 }
 
 void WireReader::get(TypeDescriptorPtr& x) {

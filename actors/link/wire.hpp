@@ -7,12 +7,15 @@
 #include "castor/wm/value.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -38,11 +41,33 @@ public:
 /// Contents of at least so many bytes are shared with the message rather than copied into it.
 inline constexpr std::size_t shared_content = 4096;
 
+/// What is written would take more than a message may.
+class MessageTooLarge : public std::length_error {
+public:
+  explicit MessageTooLarge(std::size_t size)
+    : length_error("a message of " + std::to_string(size) + " bytes"), size_(size) {}
+
+  /// In bytes, as far as it was counted: at least so many.
+  std::size_t size() const { return size_; }
+
+private:
+  std::size_t size_;
+};
+
 class WireWriter {
 public:
   static constexpr bool writes = true;
 
-  explicit WireWriter(WireNames& names) : names_(names) {}
+  /// Takes messages of up to `largest` bytes.
+  explicit WireWriter(WireNames& names,
+                      std::size_t largest = std::numeric_limits<std::size_t>::max())
+    : names_(names), largest_(largest) {}
+
+  /// Throws MessageTooLarge if what was written so far is more than a message may be.
+  void check_size() const {
+    if (auto size = head_.size() + content_bytes_; size > largest_)
+      throw MessageTooLarge{size};
+  }
 
   template <class... Ts>
   void operator()(const Ts&... xs) {
@@ -58,6 +83,7 @@ public:
   template <class T>
   void put(const T& x);
   void put(const std::string& x) { encoder_.put(x); }
+  /// Throws MessageTooLarge before its bytes are made.
   void put(const Value& x);
   void put(const TypeDescriptorPtr& x);
   void put(const caf::strong_actor_ptr& x) { put(names_.name_of(x)); }
@@ -114,15 +140,18 @@ private:
   }
 
   WireNames& names_;
+  const std::size_t largest_;
   Bytes head_;
   Encoder encoder_{head_};
   std::vector<Value> contents_;
+  std::size_t content_bytes_ = 0;
   std::vector<TypeDescriptorPtr> types_;
 };
 
 /// Throws DecodeError at whatever cannot be.
 class WireReader {
 public:
+  bool at_end() const { return decoder_.remaining() == 0; }
   static constexpr bool writes = false;
 
   WireReader(WireNames& names, std::span<const std::uint8_t> head, std::vector<Bytes> contents)

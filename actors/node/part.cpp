@@ -59,6 +59,11 @@ JournalOptions journal_options(const ComponentDescription& x, const PartPlan& pl
   return result;
 }
 
+/// In bytes.
+std::size_t largest_value(const WorkingMemoryClass& x) {
+  return static_cast<std::size_t>(x.largest_entry.get()) << 20;
+}
+
 bool keeps_journal(const SubarchitectureDescription& x) {
   return WorkingMemoryClass{x.working_memory}.journal != JournalMode::off;
 }
@@ -275,7 +280,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.epoch = services_->epoch;
   options.broadcast = plan.broadcast;
   options.leases.duration = wm_class.lease.get();
-  options.store.largest_value = static_cast<std::size_t>(wm_class.largest_entry.get()) << 20;
+  options.store.largest_value = largest_value(wm_class);
   options.writers = writers(name);
   options.incarnation = incarnation;
   options.journal = journal_options(x, plan, incarnation);
@@ -336,6 +341,13 @@ SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>&
       result[x.name] = i->second;
   if (auto i = actors.find(health_working_memory().name); i != actors.end())
     result[health_subarchitecture] = i->second;
+  return result;
+}
+
+std::map<std::string, std::size_t> SystemPart::largest_values() const {
+  std::map<std::string, std::size_t> result;
+  for (auto& x : architecture_.subarchitectures)
+    result[x.name] = largest_value(WorkingMemoryClass{x.working_memory});
   return result;
 }
 

@@ -58,6 +58,10 @@ public:
   /// By the names of the components.
   std::map<std::string, caf::strong_actor_ptr> actors() const;
 
+  /// What the working memories of the last plan take, wherever they are: the largest value by
+  /// subarchitecture, in bytes.
+  std::map<std::string, std::size_t> largest_values() const;
+
   /// Something that runs here.
   struct Resident {
     std::string name;

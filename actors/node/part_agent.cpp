@@ -155,9 +155,13 @@ caf::response_promise join(Self self, JoinParts others) {
   peers.working_memories = state.part->subarchitectures(others.actors);
   peers.absent = state.part->absent(peers.working_memories);
   if (auto& mesh = state.parts.mesh) {
+    auto largest = state.part->largest_values();
     for (auto& [name, actor] : peers.working_memories)
-      if (auto* remote = dynamic_cast<RemoteActor*>(actor->get()))
+      if (auto* remote = dynamic_cast<RemoteActor*>(actor->get())) {
         peers.routes[name] = routes.at(process_of(remote->actor()));
+        if (auto i = largest.find(name); i != largest.end())
+          mesh->set_largest_value(remote->actor(), name, i->second);
+      }
     mesh->set_event_sink([here = state.part->working_memories()](auto& message, auto* context) {
       deliver_events(here, message, context);
     });

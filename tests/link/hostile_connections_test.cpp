@@ -1,5 +1,7 @@
+#include "castor/actors/link/channel.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/link/handshake.hpp"
+#include "castor/actors/link/session.hpp"
 #include "castor/actors/node/node.hpp"
 #include "castor/tests/link/certificates.hpp"
 #include "castor/tests/link/raw_connection.hpp"
@@ -52,8 +54,19 @@ std::string frame(std::uint8_t kind, const std::string& content) {
 const std::string bad_frame = frame(77, "nonsense");
 const std::string goodbye = frame(3, "that was all");
 
+/// The certificates of one CA.
+class HostileCertificates : public testing::Test {
+protected:
+  std::filesystem::path certificate(const std::string& name) {
+    return authority.issue(folder / name, {.common_name = name, .dns_names = {name}});
+  }
+
+  test::TemporaryFolder folder;
+  test::Authority authority;
+};
+
 /// A node of this process, and peers that mean no good.
-class HostileConnections : public testing::TestWithParam<bool> {
+class HostileConnections : public HostileCertificates, public testing::WithParamInterface<bool> {
 protected:
   void start() {
     auto socket = listen_at({"127.0.0.1", 0});
@@ -70,10 +83,6 @@ protected:
   }
 
   bool uses_tls() const { return GetParam(); }
-
-  std::filesystem::path certificate(const std::string& name) {
-    return authority.issue(folder / name, {.common_name = name, .dns_names = {name}});
-  }
 
   /// Says it in one segment, over TLS if the node wants that, and waits until the node ends the
   /// connection.
@@ -103,8 +112,6 @@ protected:
     ASSERT_TRUE(connection.is_ended_by_peer());
   }
 
-  test::TemporaryFolder folder;
-  test::Authority authority;
   std::filesystem::path peers_certificate = certificate("run");
   std::uint16_t port = 0;
   std::optional<Node> node;
@@ -221,6 +228,72 @@ TEST_P(HostileConnections, WithoutDescriptorsConnectionsAreTurnedAwayAndNothingS
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("ulimit -n"));
   // There are descriptors again.
   say_and_wait_for_the_end(greeting("system") + goodbye);
+}
+
+TEST_P(HostileConnections, IdleStrangersKeepNobodyOut) {
+  start();
+  std::vector<std::unique_ptr<RawConnection>> idle;
+  for (int i = 0; i < 40; ++i)
+    idle.push_back(std::make_unique<RawConnection>(port));
+  // There is room for 32 from one address: the first have to go, and are told why.
+  auto said = idle.front()->receive_all();
+  if (uses_tls()) {
+    auto alert = busy_alert();
+    EXPECT_EQ(said, std::string(alert.begin(), alert.end()));
+  } else {
+    EXPECT_THAT(said, HasSubstr("too many unauthenticated connections"));
+  }
+  say_and_wait_for_the_end(greeting("system") + goodbye);
+  // The others are there no longer than silence is borne.
+  for (auto& x : idle)
+    EXPECT_TRUE(x->is_ended_by_peer());
+}
+
+TEST_P(HostileConnections, WhoeverComesWithOrWithoutTlsByMistakeIsTold) {
+  start();
+  RawConnection connection{port};
+  connection.send(uses_tls() ? greeting("system") : std::string("\x16\x03\x01\x02\x00\x01", 6));
+  auto said = connection.receive_all();
+  EXPECT_THAT(said, HasSubstr("CASTOR"));
+  EXPECT_THAT(said, HasSubstr(uses_tls() ? "encrypted connections only" : "no encrypted"));
+}
+
+TEST_P(HostileConnections, AFloodIsCountedInTheLog) {
+  start();
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 300; ++i) {
+    RawConnection connection{port};
+    connection.send("GET / HTTP/1.1\r\n\r\n");
+    ASSERT_TRUE(connection.is_ended_by_peer());
+  }
+  auto log = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(log, HasSubstr("turned away 127.0.0.1"));
+  EXPECT_LT(std::count(log.begin(), log.end(), '\n'), 30);
+}
+
+TEST_F(HostileCertificates, WhoeverDialsIsToldWhatIsWrong) {
+  auto problem = [&](const std::string& said) -> std::string {
+    Channel channel{Credentials::load(certificate("run")), SecureChannel::Role::dials};
+    try {
+      channel.receive({reinterpret_cast<const std::uint8_t*>(said.data()), said.size()});
+    } catch (const BusyPeerError& e) {
+      return std::string{"busy: "} + e.what();
+    } catch (const SecurityError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(problem(greeting("system")), HasSubstr("both sides need --tls"));
+  auto alert = busy_alert();
+  EXPECT_THAT(problem({alert.begin(), alert.end()}), HasSubstr("busy: the peer has too many"));
+  // Who expects no encryption.
+  Bytes handshake{0x16, 3, 1};
+  try {
+    read_greeting(handshake);
+    ADD_FAILURE();
+  } catch (const LinkError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("uses TLS"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Channels, HostileConnections, testing::Bool(),

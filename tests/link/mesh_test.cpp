@@ -32,12 +32,14 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::eventually;
+using testing::HasSubstr;
 
 const WireTable& table() {
   static const auto result =
-    WireTable::of<WriteRequest, ReadRequest, QueryRequest, Outcome<Version>, Outcome<EntryPtr>,
-                  Outcome<std::vector<EntryPtr>>, Subscribe, Outcome<Acknowledged>, ChangeNotice,
-                  StatusQuery, WorkingMemoryStatus>();
+    WireTable::of<WriteRequest, BatchRequest, Outcome<std::vector<Version>>, ReadRequest,
+                  QueryRequest, Outcome<Version>, Outcome<EntryPtr>, Outcome<std::vector<EntryPtr>>,
+                  Subscribe, Outcome<Acknowledged>, ChangeNotice, StatusQuery,
+                  WorkingMemoryStatus>();
   return result;
 }
 
@@ -65,6 +67,8 @@ struct Part {
     x.self = hello();
     x.options.patience = 3s;
     x.options.connecting = 500ms;
+    // The coordinator says more at once than the robot takes.
+    x.options.session.largest_message = mesh->self() == 0 ? 2'000'000 : 1'000'000;
     x.on_news = [this](const LinkNews& news) {
       if (news.state == LinkState::up)
         ++ups;
@@ -229,6 +233,71 @@ TEST_F(TwoProcesses, WhoeverIsOutOfReachForTooLongIsLostAndWillNotAnswer) {
   caf::error problem;
   open.receive([](const WorkingMemoryStatus&) {}, [&](const caf::error& e) { problem = e; });
   EXPECT_EQ(problem, caf::sec::request_receiver_down);
+}
+
+TEST_F(TwoProcesses, WhatIsTooLargeForALinkFailsAloneInTheWritersProcess) {
+  auto refused = add("x", {"", Bytes(3'000'000)});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.failure().kind, FailureKind::too_large);
+  for (auto part : {"vision/x", "tester", "3000", "2000000"})
+    EXPECT_THAT(refused.failure().message, HasSubstr(part));
+  BatchRequest batch{"vision", {}};
+  for (auto id : {"a", "b"}) {
+    WriteRequest x;
+    x.address = {"vision", id};
+    x.value = Value::of(Box{"", Bytes(1'500'000)});
+    x.client = client;
+    batch.writes.push_back(x);
+  }
+  auto none = ask<Outcome<std::vector<Version>>>(batch);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.failure().kind, FailureKind::too_large);
+  EXPECT_EQ(*add("y", {"", Bytes(900'000)}), 0u);
+  EXPECT_FALSE(run.lost);
+  EXPECT_EQ(run.ups, 1);
+}
+
+TEST_F(TwoProcesses, WhatALinkDoesNotTakeIsAnErrorForItsSenderAlone) {
+  WriteRequest x;
+  x.address = {"vision", "x"};
+  x.value = Value::of(Box{"", Bytes(1'500'000)});
+  x.client = client;
+  std::string problem;
+  self->request(remote, 10s, x)
+    .receive([](const Outcome<Version>&) {},
+             [&](const caf::error& e) { problem = run.system.render(e); });
+  EXPECT_THAT(problem, HasSubstr("more than a link takes"));
+  EXPECT_EQ(*add("y", {}), 0u);
+  EXPECT_FALSE(run.lost);
+  EXPECT_EQ(run.ups, 1);
+}
+
+TEST_F(TwoProcesses, AnEntryThatIsTooLargeToBeReadFromAfarFailsAlone) {
+  WriteRequest x;
+  x.address = {"vision", "x"};
+  x.value = Value::of(Box{"", Bytes(1'500'000)});
+  x.client = client;
+  caf::scoped_actor here{robot.system};
+  here->request(wm, 10s, x)
+    .receive([](const Outcome<Version>& y) { EXPECT_TRUE(y); },
+             [](const caf::error&) { ADD_FAILURE(); });
+  auto refused = read("x");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.failure().kind, FailureKind::too_large);
+  EXPECT_THAT(refused.failure().message, HasSubstr("vision/x"));
+  EXPECT_FALSE(run.lost);
+}
+
+TEST_F(TwoProcesses, WhatItsWorkingMemoryDoesNotTakeIsNotSent) {
+  run.mesh->set_largest_value(make_actor_name(1, static_cast<std::uint32_t>(WellKnownActor::agent)),
+                              "vision", 1000);
+  auto refused = add("x", {"", Bytes(2000)});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.failure().message, HasSubstr("--largest-entry"));
+  EXPECT_EQ(*add("y", {"", Bytes(500)}), 0u);
+  // Nothing but the requests that were allowed has reached the other process.
+  EXPECT_EQ(run.mesh->links().at(0).messages_out, robot.mesh->links().at(0).messages_in);
+  EXPECT_LT(run.mesh->links().at(0).bytes_out, 2000u);
 }
 
 TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {

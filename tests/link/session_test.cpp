@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <string>
@@ -176,10 +177,34 @@ TEST(LinkSession, RefusesWhatCannotBe) {
   EXPECT_THAT(problem(x, "\x9\0\0\0\1\1\0\0\0\0\0\0\0"sv), HasSubstr("never sent"));
   EXPECT_THAT(problem(x, "\2\0\0\0\2x"sv), HasSubstr("longer than it should be"));
   EXPECT_THAT(problem(x, "\6\0\0\0\0\1\0\0\0\0"sv), HasSubstr("out of order"));
-  // A message of one piece of 2^40 bytes, and one of so many pieces.
-  EXPECT_THAT(problem(x, "\x12\0\0\0\0\1\0\0\0\1\1\0\0\0\0\0\0\0\0\1\0\0"sv),
-              HasSubstr("more than 4096 bytes"));
+  // A message of two pieces that take 2^64 bytes and some, and one of very many pieces.
+  EXPECT_THAT(problem(x, "\x1a\0\0\0\0\1\0\0\0\1\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xff"
+                         "\xff\0\0\0\0\0\0\0"sv),
+              HasSubstr("than can be counted"));
   EXPECT_THAT(problem(x, "\x0a\0\0\0\0\1\0\0\0\1\xff\xff\xff\xff"sv), HasSubstr("pieces"));
+}
+
+TEST(LinkSession, OfAMessageThatIsTooLargeTheHeadArrivesAndOthersAreNotAffected) {
+  LinkSession a{{.chunk = 1024}};
+  LinkSession b{{.chunk = 1024, .largest_message = 4096}};
+  a.send({bytes("too large"), {picture(3000), picture(3000)}});
+  a.send({Bytes(100'000, 'x'), {picture(5000)}});
+  a.send({bytes("next"), {picture(3000)}});
+  std::vector<IncomingMessage> got;
+  auto data = everything(a);
+  // Cut anywhere.
+  for (std::size_t i = 0; i < data.size(); i += 7)
+    b.receive(as_bytes(std::string_view{data}.substr(i, 7)),
+              [&](IncomingMessage x) { got.push_back(std::move(x)); });
+  ASSERT_EQ(got.size(), 3u);
+  std::sort(got.begin(), got.end(), [](auto& x, auto& y) { return x.too_large < y.too_large; });
+  EXPECT_EQ(text(got[0].head), "next");
+  EXPECT_EQ(got[0].contents.size(), 1u);
+  EXPECT_EQ(text(got[1].head), "too large");
+  EXPECT_GT(got[1].too_large, 6000u);
+  EXPECT_TRUE(got[1].contents.empty());
+  EXPECT_TRUE(got[2].head.empty());
+  EXPECT_GT(got[2].too_large, 105'000u);
 }
 
 TEST(LinkSession, RefusesToResumeWhatNeverWas) {
