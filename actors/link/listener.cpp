@@ -79,8 +79,7 @@ public:
   }
 
 private:
-  /// What those are told that the process has no file descriptor for. Over TLS it would take a
-  /// handshake.
+  /// What those are told that the process has no file descriptor for.
   std::vector<char> farewell() const {
     return parts_.credentials ? busy_alert()
                               : as_bytes(Refusal{"it has no file descriptors left", false});
@@ -152,9 +151,10 @@ private:
       return true;
     }
     if (parts_.credentials && is_begin_of_greeting(first)) {
-      say_plainly(handle, as_bytes(Refusal{"it takes encrypted connections only: --tls DIR is "
-                                           "missing here, or too much there",
-                                           true}));
+      say_plainly(handle,
+                  as_bytes(Refusal{"it takes encrypted connections only: start this side with "
+                                   "--tls DIR, too (scripts/make-certs makes certificates)",
+                                   true}));
       turn_away(handle, "it does not use TLS, but this process was started with --tls: both sides "
                         "need --tls DIR, or neither");
       return true;

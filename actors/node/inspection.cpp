@@ -55,7 +55,7 @@ private:
     context_->guarded([&] {
       if (!parts_.roster)
         throw InspectionError("the system is not ready yet");
-      auto request = Json::parse(text);
+      auto request = parse_request(text);
       auto what = request.value("do", "");
       if (std::exchange(is_asked_, true))
         return control(what);
@@ -113,7 +113,7 @@ private:
     auto done = when_all_have_answered([this, result] {
       std::sort(result->working_memories.begin(), result->working_memories.end(),
                 [](auto& a, auto& b) { return a.subarchitecture < b.subarchitecture; });
-      say(to_json(*result, *parts_.roster).dump() + '\n', true);
+      say(as_line(to_json(*result, *parts_.roster)), true);
     });
     for (std::size_t i = 0; i < result->parts.size(); ++i)
       if (auto& agent = parts_.roster->agents[i])
@@ -130,7 +130,7 @@ private:
     auto done = when_all_have_answered([this, result] {
       std::string text;
       for (auto& x : *result)
-        text += to_json(x).dump() + '\n';
+        text += as_line(to_json(x));
       say(text, true);
     });
     for (auto& [name, wm] : parts_.roster->working_memories)
@@ -220,7 +220,7 @@ private:
         find_type(name, types);
       for (auto& [other, type] : types)
         if (name.empty() || type->is_a(name))
-          text += to_json(*type).dump() + '\n';
+          text += as_line(to_json(*type));
       say(std::move(text), true);
     });
   }
@@ -340,7 +340,7 @@ private:
     parts->speed = request.value("speed", 1.0);
     parts->rounds = request.value("rounds", std::uint64_t{1});
     auto reply = [to = parts_.endpoint, connection = parts_.connection](Json x, bool last) {
-      caf::anon_send(to, InspectionReply{connection, x.dump() + '\n', last});
+      caf::anon_send(to, InspectionReply{connection, as_line(x), last});
     };
     if (request.value("progress", false))
       parts->on_progress = [reply](const ReplayProgress& x) { reply(to_json(x), false); };
@@ -374,7 +374,7 @@ private:
       return;
     }
     if (!result.diagnostics.empty())
-      say(Json{{"remarks", cast::render(result.diagnostics)}}.dump() + '\n');
+      say(as_line(Json{{"remarks", cast::render(result.diagnostics)}}));
     auto news = members_of(*result.architecture);
     order(*std::move(result.architecture), std::move(news));
   }
@@ -406,7 +406,7 @@ private:
       result["done"] = true;
       result.update(news);
     }
-    return result.dump() + '\n';
+    return as_line(result);
   }
 
   void order(std::variant<ArchitectureDescription, std::string> what, Json news) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/node/request_lines.hpp"
 
 #include <caf/event_based_actor.hpp>
 
@@ -10,9 +11,6 @@
 #include <string>
 
 namespace castor {
-
-/// Bytes of a request, at most.
-inline constexpr std::size_t longest_request = std::size_t{1} << 20;
 
 /// To an inspection: what somebody has asked for, a JSON object.
 struct InspectionRequest {

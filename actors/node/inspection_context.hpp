@@ -42,7 +42,7 @@ public:
 
   void say(std::string text, bool last = false);
   /// The whole answer.
-  void answer(const Json& x) { say(x.dump() + '\n', true); }
+  void answer(const Json& x) { say(as_line(x), true); }
   void refuse(const std::string& why) { answer({{"error", why}}); }
 
   /// Calls `f`; what it throws is the answer.

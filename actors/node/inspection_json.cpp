@@ -124,7 +124,7 @@ Json to_json(const WorkingMemoryStatus& x, const std::string& node) {
 
 /// The object with one member more, which is JSON already.
 std::string with_value(const Json& object, const std::string& value) {
-  auto result = object.dump();
+  auto result = to_text(object);
   result.pop_back();
   return result + ",\"value\":" + value + "}";
 }
@@ -256,7 +256,7 @@ std::string entry_as_json(const Entry& x, bool wanted, std::size_t max_bytes) {
               {"writer", x.writer},
               {"bytes", x.value.bytes().size()}};
   if (!wanted)
-    return result.dump();
+    return to_text(result);
   JsonOptions options;
   options.max_bytes = max_bytes;
   return with_value(result, castor::to_json(x.value, options));
@@ -264,7 +264,7 @@ std::string entry_as_json(const Entry& x, bool wanted, std::size_t max_bytes) {
 
 std::string change_as_json(const ChangeEvent& x, const Value& value, std::size_t max_bytes) {
   if (!value.has_value())
-    return to_json(x).dump();
+    return to_text(to_json(x));
   JsonOptions options;
   options.max_bytes = max_bytes;
   return with_value(to_json(x), castor::to_json(value, options));
@@ -285,6 +285,14 @@ Json to_json(const ReplayProgress& x) {
           {"values", x.outcome.values},
           {"paused", x.paused},
           {"round", x.round}};
+}
+
+std::string to_text(const Json& x) {
+  return x.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string as_line(const Json& x) {
+  return to_text(x) + '\n';
 }
 
 } // namespace castor

@@ -15,6 +15,12 @@ namespace castor {
 
 using Json = nlohmann::ordered_json;
 
+/// As JSON in UTF-8 whatever its strings are: bytes that are none become U+FFFD.
+std::string to_text(const Json& x);
+
+/// The same as a line.
+std::string as_line(const Json& x);
+
 /// Everything about a system at one moment: what `castor ps` shows.
 struct SystemReport {
   PartStatuses parts;

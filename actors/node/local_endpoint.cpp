@@ -4,7 +4,10 @@
 #include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/private_folder.hpp"
+#include "castor/actors/link/send_later.hpp"
 #include "castor/actors/node/inspection.hpp"
+#include "castor/actors/node/inspection_json.hpp"
+#include "castor/actors/node/request_lines.hpp"
 
 #include <caf/io/broker.hpp>
 #include <caf/io/middleman.hpp>
@@ -20,10 +23,28 @@ namespace castor {
 
 namespace {
 
+/// To an endpoint from itself: a connection should have said what it wants.
+struct RequestDue {
+  caf::io::connection_handle connection;
+  std::uint64_t number = 0;
+};
+
+} // namespace
+
+} // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::RequestDue)
+
+namespace castor {
+
+namespace {
+
 namespace fs = std::filesystem;
 using caf::io::connection_handle;
 
 constexpr std::size_t most_connections = 64;
+/// How long a connection may take for its request.
+constexpr std::chrono::seconds time_for_request{10};
 constexpr std::string_view no_descriptors =
   "{\"error\":\"the system has no file descriptors left; try again later\"}\n";
 
@@ -40,8 +61,12 @@ struct EndpointState {
   static constexpr const char* name = "local_endpoint";
 
   struct Connection {
-    std::string received;
+    RequestLines lines;
     caf::actor inspection;
+    /// Tells it from others of the same handle.
+    std::uint64_t number = 0;
+    /// Whether it was answered that no more is taken.
+    bool refused = false;
     /// Whether something was said that has not been taken, and whether that was the last.
     bool busy = false;
     bool last = false;
@@ -51,6 +76,7 @@ struct EndpointState {
   SystemRosterPtr roster;
   std::function<void(SystemOrder)> give_order;
   std::map<connection_handle, Connection> connections;
+  std::uint64_t last_number = 0;
 
   ~EndpointState() {
     unlink(socket.c_str());
@@ -84,22 +110,32 @@ void say(Self* self, connection_handle handle, const std::string& text, bool las
   self->flush(handle);
 }
 
+/// Answers why it is not heard, and ends the connection.
+void refuse(Self* self, connection_handle handle, const std::string& why) {
+  self->state.connections.at(handle).refused = true;
+  say(self, handle, as_line(Json{{"error", why}}), true);
+}
+
 void admit(Self* self, connection_handle handle) {
   // CAF numbers connections by their sockets.
   auto peer = local_peer(static_cast<int>(handle.id()));
   if (!peer || !peer->is_of_this_user()) {
-    note(LogLevel::warning, "turned away " + (peer ? to_string(*peer) : "a process") + " from " +
-                              self->state.socket.string() + ": it belongs to another user");
+    note_repeated(LogLevel::warning, "turned away " + (peer ? to_string(*peer) : "a process") +
+                                       " from " + self->state.socket.string() +
+                                       ": it belongs to another user");
     self->close(handle);
     return;
   }
-  if (self->state.connections.size() >= most_connections) {
-    self->close(handle);
-    return;
-  }
-  self->state.connections[handle];
+  bool is_full = self->state.connections.size() >= most_connections;
+  auto& connection = self->state.connections[handle];
+  connection.number = ++self->state.last_number;
   self->configure_read(handle, caf::io::receive_policy::at_most(4096));
   self->ack_writes(handle, true);
+  if (is_full)
+    refuse(self, handle,
+           std::to_string(most_connections) + " others are connected; try again later");
+  else
+    send_later(self, time_for_request, RequestDue{handle, connection.number});
 }
 
 /// The first line of a connection is what it is for.
@@ -120,16 +156,24 @@ void hear(Self* self, const caf::io::new_data_msg& x) {
   auto i = self->state.connections.find(x.handle);
   if (i == self->state.connections.end())
     return;
-  auto& received = i->second.received;
-  received.append(x.buf.data(), x.buf.size());
-  // What came before has no line break.
-  auto fresh = received.size() - x.buf.size();
-  for (auto end = received.find('\n', fresh); end != std::string::npos; end = received.find('\n')) {
-    ask(self, x.handle, i->second, received.substr(0, end));
-    received.erase(0, end + 1);
+  auto& connection = i->second;
+  if (connection.refused)
+    return;
+  try {
+    for (auto& line : connection.lines.take({x.buf.data(), x.buf.size()}))
+      ask(self, x.handle, connection, std::move(line));
+  } catch (const BadRequest& e) {
+    refuse(self, x.handle, e.what());
   }
-  if (received.size() > longest_request)
-    leave(self, x.handle);
+}
+
+void check_request(Self* self, const RequestDue& x) {
+  auto i = self->state.connections.find(x.connection);
+  if (i != self->state.connections.end() && i->second.number == x.number && !i->second.inspection &&
+      !i->second.refused)
+    refuse(self, x.connection,
+           "there was no request within " + std::to_string(time_for_request.count()) +
+             " s; a request is a line, with a line break at its end");
 }
 
 void written(Self* self, const caf::io::data_transferred_msg& x) {
@@ -139,7 +183,7 @@ void written(Self* self, const caf::io::data_transferred_msg& x) {
   i->second.busy = false;
   if (i->second.last)
     leave(self, x.handle);
-  else
+  else if (i->second.inspection)
     caf::anon_send(i->second.inspection, InspectionTaken{});
 }
 
@@ -150,9 +194,9 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
   add_acceptor(
     *self,
     {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
-       note(LogLevel::warning, "refused " + std::to_string(x.turned_away) +
-                                 " who look on: " + x.problem +
-                                 "; `ulimit -n` is how many file descriptors a process may have");
+       note_repeated(LogLevel::warning,
+                     "refused " + std::to_string(x.turned_away) + " who look on: " + x.problem +
+                       "; `ulimit -n` is how many file descriptors a process may have");
      }});
   return {
     [self](const SystemRosterPtr& x) {
@@ -170,6 +214,7 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
     [self](const caf::io::data_transferred_msg& x) { written(self, x); },
     [self](const caf::io::connection_closed_msg& x) { leave(self, x.handle); },
     [](const caf::io::acceptor_closed_msg&) {},
+    [self](const RequestDue& x) { check_request(self, x); },
     [self](const ResumeAccepting& x) { self->trigger(x.acceptor); },
   };
 }

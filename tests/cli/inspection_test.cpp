@@ -530,7 +530,14 @@ TEST_F(Inspection, StrangeRequestsAreRefused) {
   EXPECT_THAT((Reader{socket_of_system(), "nonsense\n"}.line()), HasSubstr("cannot be read"));
   EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"sing\"}\n"}.line()),
               HasSubstr("there is no request sing"));
-  EXPECT_THAT((Reader{socket_of_system(), std::string(2'000'000, 'x')}.line()), IsEmpty());
+  EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"\xff\"}\n"}.line()), HasSubstr("not UTF-8"));
+  EXPECT_THAT((Reader{socket_of_system(), std::string(100'000, '[') + '\n'}.line()),
+              HasSubstr("within one another"));
+  EXPECT_THAT((Reader{socket_of_system(), std::string(1'100'000, 'x')}.line()),
+              HasSubstr("longer than 1048576 bytes"));
+  // Without a line break for ever.
+  EXPECT_THAT((Reader{socket_of_system(), "{\"do\": \"ps\"}"}.line()),
+              HasSubstr("no request within 10 s"));
   EXPECT_EQ(ask({"ps"}).status, 0);
 }
 

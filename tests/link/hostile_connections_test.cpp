@@ -74,6 +74,7 @@ protected:
     NodeOptions options;
     options.name = "robot";
     options.socket = socket;
+    options.insecure = !uses_tls();
     if (uses_tls())
       options.credentials = Credentials::load(certificate("robot"));
     node.emplace(options);
