@@ -382,7 +382,8 @@ void LinkSession::take_part(std::span<const std::uint8_t> content,
   if (!message->complete())
     return;
   unfinished_.erase(known);
-  deliver(message->result());
+  auto result = message->result();
+  deliver(std::move(result));
 }
 
 } // namespace castor
