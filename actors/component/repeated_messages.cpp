@@ -34,17 +34,19 @@ std::optional<std::string> RepeatedMessages::add(std::string_view message, Time 
 
 std::vector<std::string> RepeatedMessages::take_due(Time now) {
   std::vector<std::string> result;
-  std::erase_if(kinds_, [&](auto& x) {
-    auto& kind = x.second;
-    if (now - kind.since < limits_.period)
-      return false;
-    if (kind.counted == 0)
-      return true;
-    result.push_back(summary(kind));
-    // That was one; nobody who goes on gets more than one in each period.
-    kind = Kind{now, limits_.written};
-    return false;
-  });
+  for (auto i = kinds_.begin(); i != kinds_.end();) {
+    auto& kind = i->second;
+    if (now - kind.since >= limits_.period) {
+      if (kind.counted == 0) {
+        i = kinds_.erase(i);
+        continue;
+      }
+      result.push_back(summary(kind));
+      // That was one; nobody who goes on gets more than one in each period.
+      kind = Kind{now, limits_.written};
+    }
+    ++i;
+  }
   return result;
 }
 
