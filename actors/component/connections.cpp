@@ -135,8 +135,9 @@ caf::actor Connections::find_provider(const std::string& name) const {
     return i->second;
   if (neighbours.known_providers.contains(name))
     return nullptr;
-  std::vector<std::string_view> names{neighbours.known_providers.begin(),
-                                      neighbours.known_providers.end()};
+  std::vector<std::string_view> names;
+  for (auto& [known, restarts] : neighbours.known_providers)
+    names.push_back(known);
   auto guess = cast::did_you_mean(name, names);
   throw ConnectionError(
     "there is no stand-alone component " + name + "; " +
@@ -146,6 +147,10 @@ caf::actor Connections::find_provider(const std::string& name) const {
 caf::actor Connections::await_provider(const std::string& name, const caf::actor_addr& gone,
                                        const std::string& task,
                                        ComponentShell::Clock::time_point until) const {
+  auto cannot = "cannot " + task + " " + name + ": ";
+  auto& known = shell_.neighbours().known_providers;
+  if (auto i = known.find(name); gone && i != known.end() && !i->second)
+    throw ConnectionError(cannot + "it has ended with no result, and is not started again");
   caf::actor result;
   auto failure = shell_.wait_until(
     [&] {
@@ -155,7 +160,6 @@ caf::actor Connections::await_provider(const std::string& name, const caf::actor
     until, {});
   if (!failure)
     return result;
-  auto cannot = "cannot " + task + " " + name + ": ";
   if (failure->kind != FailureKind::no_answer)
     throw ConnectionError(cannot + failure->message);
   throw ProviderDown(name, cannot + name + " is down, and was not started again within " +

@@ -5,7 +5,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 
 namespace castor {
@@ -17,8 +16,9 @@ struct Neighbours {
   std::map<std::string, caf::actor> task_managers;
   /// Stand-alone components, by name.
   std::map<std::string, caf::actor> providers;
-  /// The names of those that the system has, of which some may be down.
-  std::set<std::string> known_providers;
+  /// The names of those that the system has, of which some may be down; and whether they are started
+  /// again if they fail.
+  std::map<std::string, bool> known_providers;
 };
 
 using NeighboursPtr = std::shared_ptr<const Neighbours>;

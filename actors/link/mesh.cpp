@@ -447,7 +447,7 @@ void Mesh::drop_too_large(WireReader& in, std::uint64_t size, caf::execution_uni
   caf::message_id id{in.take<std::uint64_t>()};
   auto error = caf::make_error(caf::sec::runtime_error, why);
   if (id.is_request() && sender) {
-    caf::detail::sync_request_bouncer{std::move(error)}(sender, id);
+    sender->enqueue(nullptr, id.response_id(), caf::make_message(std::move(error)), context);
   } else if (id.is_response() && receiver) {
     close_request(receiver, id);
     receiver->enqueue(std::move(sender), id, caf::make_message(std::move(error)), context);

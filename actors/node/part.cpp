@@ -216,6 +216,7 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
 
 void SystemPart::begin(const PartPlan& plan) {
   architecture_ = plan.architecture;
+  temporary_ = plan.temporary;
   open_access_ = plan.open_access;
   supervisor_ = plan.supervisor;
   if (services_->run == 0 && std::ranges::any_of(architecture_.subarchitectures, keeps_journal))
@@ -384,7 +385,7 @@ void SystemPart::join(const std::map<std::string, caf::strong_actor_ptr>& actors
     if (auto i = actors.find(x.task_manager.name); i != actors.end())
       neighbours->task_managers[x.name] = caf::actor_cast<caf::actor>(i->second);
   for (auto& x : architecture_.standalone) {
-    neighbours->known_providers.insert(x.name);
+    neighbours->known_providers.emplace(x.name, !temporary_.contains(x.name));
     if (auto i = actors.find(x.name); i != actors.end())
       neighbours->providers[x.name] = caf::actor_cast<caf::actor>(i->second);
   }

@@ -120,6 +120,7 @@ private:
   const ProcessNumber self_;
   const PartSpawn spawn_;
   ArchitectureDescription architecture_;
+  std::set<std::string> temporary_;
   bool open_access_ = false;
   caf::actor supervisor_;
   /// Who is told by components that the system is to end, and who watches tasks; null for nobody.

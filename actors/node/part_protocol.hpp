@@ -53,6 +53,8 @@ struct PartPlan {
   /// Which of its lives each of them is to live, by name; the first where nothing is said. One that
   /// lives another one is ended and made anew.
   std::map<std::string, std::uint64_t> incarnations;
+  /// The components that are not started again if they fail.
+  std::set<std::string> temporary;
   /// Every subarchitecture may write to every other.
   bool open_access = false;
   /// Every change is told to every working memory.

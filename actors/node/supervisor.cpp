@@ -162,6 +162,8 @@ private:
     for (auto& [name, child] : children_) {
       if (child.incarnation != 1)
         result.incarnations[name] = child.incarnation;
+      if (tree_.restart_type(name) == RestartType::temporary)
+        result.temporary.insert(name);
       // It is made in its next life, once that has begun.
       if (moved_.count(name) > 0 || is_awaited(name))
         result.placement[name] = nowhere;
