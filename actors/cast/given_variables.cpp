@@ -6,6 +6,7 @@
 #include "castor/actors/cast/variables.hpp"
 
 #include <cstddef>
+#include <ranges>
 #include <string_view>
 #include <vector>
 
@@ -18,17 +19,6 @@ constexpr std::size_t most_listed = 40;
 bool is_set_by_parser(std::string_view name) noexcept {
   return name == current_dir_variable || name == current_file_variable ||
          name == config_dir_variable || name == main_dir_variable;
-}
-
-std::string list_of(const std::set<std::string, std::less<>>& names) {
-  std::string result;
-  std::size_t count = 0;
-  for (auto& x : names) {
-    if (++count > most_listed)
-      return result + " and " + std::to_string(names.size() - most_listed) + " more";
-    result += (result.empty() ? "" : ", ") + shorten(x, 80);
-  }
-  return result;
 }
 
 } // namespace
@@ -74,11 +64,12 @@ void check_given_variables(const Source& source, const ParseOptions& options, Di
     }
     if (!is_identifier(name) || known.find(name) != known.end())
       continue;
+    auto shortened = known | std::views::transform([](auto& x) { return shorten(x, 80); });
     auto remedy = did_you_mean(name, {known.begin(), known.end()});
     if (!remedy.empty())
       remedy += ' ';
-    remedy +=
-      known.empty() ? "the file uses no variables" : "the file's variables are: " + list_of(known);
+    remedy += known.empty() ? "the file uses no variables"
+                            : "the file's variables are: " + list_of(shortened, most_listed);
     log.report(Severity::error, where, "the file has no variable " + in_quotes(name),
                std::move(remedy));
   }

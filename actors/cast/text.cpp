@@ -9,36 +9,16 @@ namespace {
 
 constexpr std::size_t longest_quotation = 80;
 
-constexpr bool is_control(char c) noexcept {
-  auto byte = static_cast<unsigned char>(c);
-  return byte < 0x20 || byte == 0x7f;
+/// Whether a terminal shows it, instead of obeying it or showing what follows in another order.
+constexpr bool is_shown(char32_t x) noexcept {
+  bool is_control = x < 0x20 || (x >= 0x7f && x < 0xa0) || x == 0x2028 || x == 0x2029;
+  bool turns_text = x == 0x200e || x == 0x200f || x == 0x61c || (x >= 0x202a && x <= 0x202e) ||
+                    (x >= 0x2066 && x <= 0x2069);
+  return !is_control && !turns_text;
 }
 
-/// The length of the character of UTF-8 with which the text begins; 0 if it begins with none, or
-/// with one that a terminal obeys instead of showing it.
-std::size_t shown_character(std::string_view text) noexcept {
-  auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  auto first = byte(0);
-  if (first < 0x80)
-    return is_control(text.front()) ? 0 : 1;
-  std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < length)
-    return 0;
-  char32_t code = first & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0U) != 0x80)
-      return 0;
-    code = code << 6U | (byte(i) & 0x3fU);
-  }
-  constexpr std::array<char32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
-  bool is_surrogate = code >= 0xd800 && code < 0xe000;
-  bool is_control = code < 0xa0 || code == 0x2028 || code == 0x2029;
-  // These show what follows in another order than it has.
-  bool turns_text = code == 0x200e || code == 0x200f || code == 0x61c ||
-                    (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-  bool is_shown =
-    code >= smallest[length] && code <= 0x10ffff && !is_surrogate && !is_control && !turns_text;
-  return is_shown ? length : 0;
+constexpr bool is_continuation(char c) noexcept {
+  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
 } // namespace
@@ -67,14 +47,51 @@ std::string_view take_word(std::string_view& rest) noexcept {
   return word;
 }
 
-std::string shorten(std::string_view text, std::size_t max_bytes) {
+Utf8Character first_character(std::string_view text) noexcept {
+  if (text.empty())
+    return {};
+  auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  auto first = byte(0);
+  if (first < 0x80)
+    return {first, 1};
+  std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length)
+    return {};
+  char32_t code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!is_continuation(text[i]))
+      return {};
+    code = code << 6U | (byte(i) & 0x3fU);
+  }
+  constexpr std::array<char32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
+  bool is_surrogate = code >= 0xd800 && code < 0xe000;
+  if (code < smallest[length] || code > 0x10ffff || is_surrogate)
+    return {};
+  return {code, length};
+}
+
+bool is_utf8(std::string_view text) noexcept {
+  while (!text.empty()) {
+    auto bytes = first_character(text).bytes;
+    if (bytes == 0)
+      return false;
+    text.remove_prefix(bytes);
+  }
+  return true;
+}
+
+std::string_view whole_characters(std::string_view text, std::size_t max_bytes) noexcept {
   if (text.size() <= max_bytes)
-    return std::string(text);
-  auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; };
+    return text;
   auto cut = max_bytes;
   while (cut > 0 && max_bytes - cut < 3 && is_continuation(text[cut]))
     --cut;
-  return std::string(text.substr(0, cut)) + "...";
+  return text.substr(0, cut);
+}
+
+std::string shorten(std::string_view text, std::size_t max_bytes) {
+  std::string result{whole_characters(text, max_bytes)};
+  return text.size() <= max_bytes ? result : result + "...";
 }
 
 std::string in_quotes(std::string_view text) {
@@ -98,18 +115,20 @@ std::string printable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    auto length = shown_character(text);
-    if (length > 0) {
-      result += text.substr(0, length);
-    } else if (text.front() == '\t') {
+    auto [code, bytes] = first_character(text);
+    if (bytes > 0 && is_shown(code)) {
+      result += text.substr(0, bytes);
+    } else if (code == '\t') {
       result += ' ';
     } else {
+      // Byte by byte: of a character that is not shown, what follows its first byte is none.
+      bytes = 1;
       auto byte = static_cast<unsigned char>(text.front());
       result += "\\x";
       result += digits[byte >> 4U];
       result += digits[byte & 0xfU];
     }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+    text.remove_prefix(bytes);
   }
   return result;
 }

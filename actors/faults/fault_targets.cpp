@@ -26,13 +26,6 @@ bool has(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-std::string list(const Names& names) {
-  std::string result;
-  for (auto& name : names)
-    result.append(result.empty() ? "" : ", ").append(name);
-  return result;
-}
-
 /// Goes through the faults of one statement.
 class StatementCheck {
 public:
@@ -183,7 +176,7 @@ private:
     if (out_.size() < cast::most_explained)
       remedy = cast::did_you_mean(name, names);
     if (remedy.empty() && !names.empty() && names.size() <= most_listed)
-      remedy = "there are: " + list(names);
+      remedy = "there are: " + cast::list_of(names, most_listed);
     report("there is no " + std::string{what} + " " + in_quotes(name), std::move(remedy));
   }
 

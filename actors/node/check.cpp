@@ -59,14 +59,7 @@ std::string remedy_for(const Diagnostics& out, std::string_view name,
   auto guess = cast::did_you_mean(name, {known.begin(), known.end()});
   if (!guess.empty())
     return guess;
-  otherwise += "; the " + std::string{kind} + " are: ";
-  std::size_t count = 0;
-  for (auto& x : known) {
-    if (++count > most_listed)
-      return otherwise + " and " + std::to_string(known.size() - most_listed) + " more";
-    otherwise += (count == 1 ? "" : ", ") + x;
-  }
-  return otherwise;
+  return otherwise + "; the " + std::string{kind} + " are: " + cast::list_of(known, most_listed);
 }
 
 /// An option names something that the system has to have.

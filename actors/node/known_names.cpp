@@ -1,6 +1,7 @@
 #include "castor/actors/node/known_names.hpp"
 
 #include "castor/actors/cast/suggestion.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/wm/field_access.hpp"
 #include "castor/wm/predicate_tree.hpp"
 
@@ -175,12 +176,7 @@ std::string nearest_known(std::string_view name, const std::set<std::string>& kn
     return "; " + guess;
   if (names.empty())
     return "; there are none";
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most_listed); ++i)
-    list.append(i == 0 ? "" : ", ").append(names[i]);
-  if (names.size() > most_listed)
-    list += " and " + std::to_string(names.size() - most_listed) + " more";
-  return "; there are: " + list;
+  return "; there are: " + cast::list_of(names, most_listed);
 }
 
 bool is_known_type(const std::string& name, const TypeCatalogue& types) {

@@ -1,5 +1,6 @@
 #include "castor/actors/node/local_endpoint.hpp"
 
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/local_socket.hpp"
@@ -47,14 +48,6 @@ constexpr std::size_t most_connections = 64;
 constexpr std::chrono::seconds time_for_request{10};
 constexpr std::string_view no_descriptors =
   "{\"error\":\"the system has no file descriptors left; try again later\"}\n";
-
-/// As much of a text as fits into so many bytes, without half a character.
-std::string beginning(const std::string& text, std::size_t bytes) {
-  auto end = std::min(text.size(), bytes);
-  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-    --end;
-  return text.substr(0, end);
-}
 
 /// The socket's file, and who has connected.
 struct EndpointState {
@@ -225,7 +218,8 @@ fs::path endpoint_of_process(const std::string& system_file) {
   auto folder = runtime_folder();
   auto end = '-' + std::to_string(getpid()) + ".sock";
   auto room = longest_socket_path - folder.string().size() - 1 - end.size();
-  return folder / (beginning(fs::path{system_file}.stem().string(), room) + end);
+  const auto name = fs::path{system_file}.stem().string();
+  return folder / (std::string{cast::whole_characters(name, room)} + end);
 }
 
 caf::actor open_local_endpoint(caf::actor_system& system, const fs::path& socket,

@@ -1,5 +1,7 @@
 #include "castor/actors/node/request_lines.hpp"
 
+#include "castor/actors/cast/text.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,33 +10,6 @@ namespace castor {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Whether they are well-formed UTF-8 (Unicode, table 3-7).
-bool is_utf8(std::string_view x) {
-  auto byte = [&](std::size_t i) { return static_cast<unsigned char>(x[i]); };
-  for (std::size_t i = 0; i < x.size();) {
-    auto first = byte(i);
-    std::size_t more = first < 0x80                    ? 0
-                       : first >= 0xc2 && first < 0xe0 ? 1
-                       : first >= 0xe0 && first < 0xf0 ? 2
-                       : first >= 0xf0 && first < 0xf5 ? 3
-                                                       : x.size();
-    if (more > x.size() - i - 1)
-      return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((byte(i + k) & 0xc0) != 0x80)
-        return false;
-    // Too long, a surrogate, or beyond U+10FFFF.
-    if (more >= 2) {
-      auto second = byte(i + 1);
-      if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
-          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90))
-        return false;
-    }
-    i += more + 1;
-  }
-  return true;
-}
 
 /// Of brackets outside of strings.
 int depth_of(std::string_view x) {
@@ -74,7 +49,7 @@ std::vector<std::string> RequestLines::take(std::string_view arrived) {
 }
 
 Json parse_request(const std::string& line) {
-  if (!is_utf8(line))
+  if (!cast::is_utf8(line))
     throw BadRequest("the request cannot be read: it is not UTF-8");
   if (depth_of(line) > deepest_request)
     throw BadRequest("the request cannot be read: more than " + std::to_string(deepest_request) +
