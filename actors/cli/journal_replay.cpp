@@ -225,11 +225,6 @@ std::optional<Json> replay_into(const RunningSystem& system, const Plan& plan,
   return outcome;
 }
 
-bool any_failed(const SystemSummary& summary) {
-  return std::ranges::any_of(summary.components,
-                             [](auto& x) { return x.state == ComponentState::failed; });
-}
-
 bool has_components(const ArchitectureDescription& architecture) {
   return !architecture.standalone.empty() ||
          std::ranges::any_of(architecture.subarchitectures,
@@ -312,7 +307,7 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
   auto summary = system->summary();
   if (!arguments.json)
     fmt::print("\n{}", report(summary));
-  if (status == success && (any_failed(summary) || !summary.unstopped.empty()))
+  if (status == success && has_failed(summary))
     status = a_component_failed;
   destruction.begin(destruction_limit, std::max(status, int{a_component_failed}));
   return status;

@@ -2,8 +2,7 @@
 
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/signals.hpp"
-
-#include <nlohmann/json.hpp>
+#include "castor/actors/node/inspection_json.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -55,7 +54,7 @@ JsonOutput::~JsonOutput() {
 }
 
 void JsonOutput::print(const nlohmann::ordered_json& x) {
-  auto line = x.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  auto line = as_line(x);
   const ProgressPause pause;
   std::lock_guard guard{mutex_};
   for (std::string_view rest = line; !rest.empty();) {

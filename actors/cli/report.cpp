@@ -3,6 +3,8 @@
 #include "castor/actors/cli/table.hpp"
 #include "castor/wm/json.hpp"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include <map>
@@ -78,6 +80,12 @@ std::string report(const SystemSummary& summary) {
   if (summary.processes.size() > 1)
     result += '\n' + links_as_text(summary);
   return result;
+}
+
+bool has_failed(const SystemSummary& summary) {
+  return !summary.unstopped.empty() || std::ranges::any_of(summary.components, [](auto& x) {
+    return x.state == ComponentState::failed;
+  });
 }
 
 std::string entries_as_json(System& system) {

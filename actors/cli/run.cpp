@@ -174,13 +174,6 @@ private:
   Json recording_;
 };
 
-bool any_failed(const SystemSummary& summary) {
-  for (auto& x : summary.components)
-    if (x.state == ComponentState::failed)
-      return true;
-  return false;
-}
-
 /// Of HOST=ADDRESS[:PORT], by the addresses of the file.
 std::map<std::string, Endpoint> node_addresses(const Arguments& arguments,
                                                const ArchitectureDescription& architecture) {
@@ -312,11 +305,9 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     picture->write(arguments.timelines, title, system->subarchitectures());
     run_report.add_files(arguments.timelines);
   }
-  if (status == success && (any_failed(summary) || !summary.unstopped.empty()))
+  if (status == success && has_failed(summary))
     status = a_component_failed;
   if (!summary.stuck.empty()) {
-    if (status == success)
-      status = a_component_failed;
     // Their threads cannot be ended, and destroying the system would wait for them.
     system->abandon();
     local_nodes.reset();

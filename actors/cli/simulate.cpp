@@ -9,6 +9,7 @@
 #include "castor/actors/simulation/campaign.hpp"
 #include "castor/actors/simulation/system_faults.hpp"
 #include "castor/actors/simulation/system_simulation.hpp"
+#include "castor/wm/input_file.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -20,8 +21,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -66,8 +65,12 @@ CampaignReport read_state(const std::string& file, const simulation::Seeds& seed
   result.seeds = seeds;
   if (file.empty() || !std::filesystem::exists(file))
     return result;
-  std::ifstream in{file};
-  std::string text{std::istreambuf_iterator<char>{in}, {}};
+  std::string text;
+  try {
+    text = read_input_file(file);
+  } catch (const InputFileError& e) {
+    throw std::runtime_error("cannot read " + file + ": " + e.what());
+  }
   if (text.empty())
     return result;
   try {
