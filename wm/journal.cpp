@@ -129,7 +129,6 @@ public:
 
   void append(const std::vector<JournalGroupPtr>& groups) override {
     guarded("written", [&] {
-      files_->check();
       sqlite::Transaction transaction{*database_};
       check_session();
       auto meta = meta_;
@@ -142,7 +141,8 @@ public:
       transaction.commit();
       meta_ = meta;
       // What went into files that nobody will find again is not to be acknowledged.
-      files_->check();
+      if (auto problem = files_->problem(); !problem.empty())
+        throw JournalError(problem);
     });
   }
 
@@ -196,6 +196,7 @@ private:
     const std::string damaged =
       "It is damaged: put a copy in its place, or move it away to begin "
       "without entries; what can still be read shows `castor journal show`";
+    const char* elsewhere = "--journal-dir puts journals elsewhere";
     try {
       return f();
     } catch (const JournalCorrupt& e) {
@@ -205,14 +206,15 @@ private:
     } catch (const sqlite::Error& e) {
       if (e.is_corruption())
         throw JournalCorrupt(message(e.what(), damaged));
-      throw JournalError(message(e.what(), "See to it that there is room, that the file may be "
-                                           "written, and that nobody else keeps it locked"));
+      throw JournalError(files_ && !files_->problem().empty()
+                           ? message(files_->problem(), elsewhere)
+                           : message(e.what(), "See to it that there is room, that the file may be "
+                                               "written, and that nobody else keeps it locked"));
     } catch (const std::filesystem::filesystem_error& e) {
-      throw JournalError(
-        message("the folder " + e.path1().string() + " cannot be used: " + e.code().message(),
-                "--journal-dir puts journals elsewhere"));
+      throw JournalError(message(
+        "the folder " + e.path1().string() + " cannot be used: " + e.code().message(), elsewhere));
     } catch (const JournalError& e) {
-      throw JournalError(message(e.what(), "--journal-dir puts journals elsewhere"));
+      throw JournalError(message(e.what(), elsewhere));
     }
   }
 

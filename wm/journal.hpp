@@ -70,7 +70,8 @@ struct JournalOptions {
   /// The name of the system that writes it, which differs from those of all others: no other system
   /// is given the journal meanwhile.
   std::string system = {};
-  /// The system has written it before, so it has to be there, and nobody else may have had it since.
+  /// The system has written it before, so it has to be there, and nobody else may have had it
+  /// since.
   bool returning = false;
   /// The way to the file, for SQLite (its VFS); empty for the usual one.
   std::string vfs = {};
@@ -144,8 +145,8 @@ struct OpenedJournal {
 };
 
 /// Opens the journal for writing, or makes it, and takes it away from whoever of the same system
-/// writes it. Throws JournalError if that cannot be, or another system writes it; with `go_on_without` a file that is not sound is moved aside,
-/// and the result may have no file.
+/// writes it. Throws JournalError if that cannot be, or another system writes it; with
+/// `go_on_without` a file that is not sound is moved aside, and the result may have no file.
 OpenedJournal open_journal(const JournalOptions& options, const std::string& subarchitecture);
 
 } // namespace castor

@@ -163,15 +163,16 @@ JournalFiles::JournalFiles(const std::vector<std::filesystem::path>& files) {
   }
 }
 
-void JournalFiles::check() const {
+std::string JournalFiles::problem() const {
   for (auto& x : watched_) {
     struct stat state {};
     if (stat(x.path.c_str(), &state) != 0)
-      throw JournalError(x.path.string() + " was removed or moved while it was in use (" +
-                         std::strerror(errno) + ")");
+      return x.path.string() + " was removed or moved while it was in use (" +
+             std::strerror(errno) + ")";
     if (state.st_dev != x.device || state.st_ino != x.inode)
-      throw JournalError(x.path.string() + " was replaced by another file while it was in use");
+      return x.path.string() + " was replaced by another file while it was in use";
   }
+  return {};
 }
 
 } // namespace castor

@@ -72,8 +72,8 @@ public:
   /// Those of these that exist are watched.
   explicit JournalFiles(const std::vector<std::filesystem::path>& files);
 
-  /// Throws JournalError if one of them was removed, moved or replaced since.
-  void check() const;
+  /// Which of them was removed, moved or replaced since; empty if none was.
+  std::string problem() const;
 
 private:
   struct Watched {
