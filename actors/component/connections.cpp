@@ -147,10 +147,10 @@ caf::actor Connections::find_provider(const std::string& name) const {
 caf::actor Connections::await_provider(const std::string& name, const caf::actor_addr& gone,
                                        const std::string& task,
                                        ComponentShell::Clock::time_point until) const {
-  auto cannot = "cannot " + task + " " + name + ": ";
+  auto cannot = [&] { return "cannot " + task + " " + name + ": "; };
   auto& known = shell_.neighbours().known_providers;
   if (auto i = known.find(name); gone && i != known.end() && !i->second)
-    throw ConnectionError(cannot + "it has ended with no result, and is not started again");
+    throw ConnectionError(cannot() + "it has ended with no result, and is not started again");
   caf::actor result;
   auto failure = shell_.wait_until(
     [&] {
@@ -161,8 +161,8 @@ caf::actor Connections::await_provider(const std::string& name, const caf::actor
   if (!failure)
     return result;
   if (failure->kind != FailureKind::no_answer)
-    throw ConnectionError(cannot + failure->message);
-  throw ProviderDown(name, cannot + name + " is down, and was not started again within " +
+    throw ConnectionError(cannot() + failure->message);
+  throw ProviderDown(name, cannot() + name + " is down, and was not started again within " +
                              detail::print_option(shell_.deadline()) + ". The --deadline of " +
                              shell_.identity().full_name() + " can be raised");
 }
@@ -178,7 +178,7 @@ Connections::Answer Connections::ask(const std::string& provider, const Request&
     // If its process is lost, nobody answers.
     auto failure = shell_.wait_until(
       [&] { return slot.reply() || find_provider(provider) != actor; }, until, {});
-    auto cannot = "cannot " + task + " " + provider + ": ";
+    auto cannot = [&] { return "cannot " + task + " " + provider + ": "; };
     if (const auto& reply = slot.reply()) {
       auto& content = reply->content();
       bool has_ended = content.match_elements<caf::error>() &&
@@ -186,15 +186,15 @@ Connections::Answer Connections::ask(const std::string& provider, const Request&
       if (!has_ended) {
         auto outcome = shell_.take<Outcome<Value>>(*reply, {provider, {}});
         if (!outcome)
-          throw ConnectionError(cannot + outcome.failure().message);
+          throw ConnectionError(cannot() + outcome.failure().message);
         return {std::move(actor), *std::move(outcome)};
       }
     } else if (failure) {
-      throw ConnectionError(cannot + (failure->kind == FailureKind::no_answer
-                                        ? shell_.identity().full_name() + " got no answer within " +
-                                            detail::print_option(shell_.deadline()) +
-                                            ". Its --deadline can be raised"
-                                        : failure->message));
+      throw ConnectionError(
+        cannot() + (failure->kind == FailureKind::no_answer
+                      ? shell_.identity().full_name() + " got no answer within " +
+                          detail::print_option(shell_.deadline()) + ". Its --deadline can be raised"
+                      : failure->message));
     }
     gone = actor.address();
   }

@@ -37,9 +37,7 @@ public:
       return from_network;
     if (!std::exchange(has_heard_, true) && !from_network.empty() &&
         is_begin_of_greeting(static_cast<char>(from_network.front())))
-      throw SecurityError(
-        "it does not use TLS, but this process was started with --tls: both sides "
-        "need --tls DIR, or neither");
+      throw SecurityError(peer_lacks_tls);
     said_.clear();
     secure_->receive(from_network, said_);
     return said_;

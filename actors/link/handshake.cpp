@@ -48,7 +48,7 @@ bool is_begin_of_greeting(char first) {
 std::optional<Greeting> read_greeting(Bytes& bytes) {
   // The record types of TLS: an alert, and a handshake.
   if (!bytes.empty() && (bytes.front() == 0x15 || bytes.front() == 0x16))
-    throw LinkError("it uses TLS, but this process was started without --tls DIR");
+    throw LinkError(peer_uses_tls);
   auto known = std::min(bytes.size(), version_at);
   if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(known), magic.begin()))
     throw LinkError("it does not speak Castor's protocol");

@@ -44,6 +44,14 @@ using Greeting = std::variant<Hello, Refusal>;
 /// Appends a greeting in its wire form.
 void write_greeting(std::vector<char>& out, const Greeting& x);
 
+/// Why two sides do not understand each other of which one alone uses TLS, as the other one says
+/// it.
+inline constexpr const char* peer_uses_tls =
+  "it uses TLS, but this process was started without --tls DIR";
+inline constexpr const char* peer_lacks_tls =
+  "it does not use TLS, but this process was started with --tls: both sides need --tls DIR, or "
+  "neither";
+
 /// Whether a greeting may begin so. What uses TLS never does.
 bool is_begin_of_greeting(char first);
 

@@ -147,7 +147,7 @@ private:
     if (!parts_.credentials && first == tls_handshake) {
       // Whoever expects TLS knows Castor's own greeting (`Channel`).
       say_plainly(handle, as_bytes(Refusal{"it takes no encrypted connections", true}));
-      turn_away(handle, "it uses TLS, but this process was started without --tls DIR");
+      turn_away(handle, peer_uses_tls);
       return true;
     }
     if (parts_.credentials && is_begin_of_greeting(first)) {
@@ -155,8 +155,7 @@ private:
                   as_bytes(Refusal{"it takes encrypted connections only: start this side with "
                                    "--tls DIR, too (scripts/make-certs makes certificates)",
                                    true}));
-      turn_away(handle, "it does not use TLS, but this process was started with --tls: both sides "
-                        "need --tls DIR, or neither");
+      turn_away(handle, peer_lacks_tls);
       return true;
     }
     return false;

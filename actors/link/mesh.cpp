@@ -118,18 +118,14 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
 }
 
 void LinkPort::refuse(ActorName to, caf::mailbox_element& x, const Failure& why) {
-  auto outcome = outcome_of(x.content(), why);
+  auto answer = outcome_of(x.content(), why);
+  if (!answer)
+    answer = caf::make_message(caf::make_error(caf::sec::runtime_error, why.message));
   if (x.mid.is_request()) {
-    auto answer = outcome
-                    ? std::move(*outcome)
-                    : caf::make_message(caf::make_error(caf::sec::runtime_error, why.message));
     if (x.sender)
-      x.sender->enqueue(nullptr, x.mid.response_id(), std::move(answer), nullptr);
+      x.sender->enqueue(nullptr, x.mid.response_id(), *std::move(answer), nullptr);
   } else if (x.mid.is_response()) {
-    auto instead = outcome
-                     ? std::move(*outcome)
-                     : caf::make_message(caf::make_error(caf::sec::runtime_error, why.message));
-    send_checked(to, *caf::make_mailbox_element(x.sender, x.mid, {}, std::move(instead)));
+    send_checked(to, *caf::make_mailbox_element(x.sender, x.mid, {}, *std::move(answer)));
   } else {
     note_repeated(LogLevel::warning, "not sent: " + why.message);
     // It would count as under way for ever.

@@ -1,5 +1,6 @@
 #include "castor/actors/link/node_socket.hpp"
 
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/private_folder.hpp"
 
@@ -60,11 +61,8 @@ std::string in_kernel_form(const sockaddr& address) {
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> result;
-  for (auto begin = line.find_first_not_of(' '); begin != line.npos;) {
-    auto end = std::min(line.find(' ', begin), line.size());
-    result.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(' ', end);
-  }
+  for (auto word = cast::take_word(line); !word.empty(); word = cast::take_word(line))
+    result.push_back(word);
   return result;
 }
 

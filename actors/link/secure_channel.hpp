@@ -18,8 +18,7 @@ class BusyPeerError : public SecurityError {
 };
 
 /// What tells a peer that expects TLS that there is no room for its connection: an alert in the
-/// clear
-/// ("user canceled", RFC 8446, section 6.1), for which no handshake is needed.
+/// clear ("user canceled", RFC 8446, section 6.1), for which no handshake is needed.
 std::vector<char> busy_alert();
 
 /// One end of an encrypted connection: mutual TLS 1.3 without a socket. It is told what arrived

@@ -73,9 +73,8 @@ void wire(A& a, WirePart<A, ProcessDescription>& x) {
 template <class A>
 void wire(A& a, WirePart<A, PartPlan>& x) {
   a(x.system, x.architecture, x.processes, x.placement, x.incarnations, x.temporary, x.open_access,
-    x.broadcast,
-    x.operations, x.pushes, x.pushes_limit, x.age, x.patience, x.coordinator, x.supervisor,
-    x.task_observer);
+    x.broadcast, x.operations, x.pushes, x.pushes_limit, x.age, x.patience, x.coordinator,
+    x.supervisor, x.task_observer);
 }
 
 template <class A>
