@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/wm/injected_fault.hpp"
 #include "castor/wm/timestamp.hpp"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct JournalFault {
   Kind kind = Kind::failure;
   Timestamp duration{0};
   Timestamp by{0};
+  FaultTicket ticket = {};
 };
 
 } // namespace castor

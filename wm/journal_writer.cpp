@@ -39,10 +39,12 @@ public:
     switch (x.kind) {
       case JournalFault::Kind::failure:
         fails_until_ = until;
+        failure_ticket_ = x.ticket;
         break;
       case JournalFault::Kind::slowness:
         slowness_ = x.by;
         slow_until_ = until;
+        slowness_ticket_ = x.ticket;
         break;
     }
   }
@@ -54,10 +56,12 @@ public:
       return;
     under_way_ = std::exchange(gathered_, {});
     changes_ = bytes_ = 0;
-    if (self_->clock().now() < slow_until_)
+    if (self_->clock().now() < slow_until_) {
+      report_effect(slowness_ticket_);
       self_->delayed_send(self_, slowness_, AppendAtom::value);
-    else
+    } else {
       append();
+    }
   }
 
   void append() {
@@ -109,8 +113,10 @@ private:
   template <class F>
   void attempt(F&& f) {
     try {
-      if (self_->clock().now() < fails_until_)
+      if (self_->clock().now() < fails_until_) {
+        report_effect(failure_ticket_);
         throw JournalError("the journal cannot be written: it was made to fail");
+      }
       f();
     } catch (const std::exception& e) {
       news_.failure = e.what();
@@ -143,8 +149,10 @@ private:
   std::size_t bytes_ = 0;
   std::vector<JournalGroupPtr> under_way_;
   caf::actor_clock::time_point fails_until_;
+  FaultTicket failure_ticket_;
   caf::actor_clock::time_point slow_until_;
   Timestamp slowness_{0};
+  FaultTicket slowness_ticket_;
   bool sync_is_due_ = false;
   bool tidy_is_due_ = false;
   JournalNews news_;

@@ -238,21 +238,28 @@ private:
       if (x.isolated)
         hosts[x.name] = isolated_host(x.name);
     Notes notes{Clock::now()};
+    std::unique_ptr<faults::Injector> injector;
+    std::mutex mutex;
+    auto with_injector = [&](auto f) {
+      std::lock_guard guard{mutex};
+      if (injector)
+        f(*injector);
+    };
     options.on_down = [&](const ComponentDown& x) {
       notes.add(x.component, faults::LifeNote::Kind::down, x.reason);
       if (!x.will_restart)
         notes.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
+      with_injector([&](auto& injector) { injector.on_down(x.component); });
     };
     options.on_up = [&](const ComponentUp& x) {
       notes.add(x.component, faults::LifeNote::Kind::up, {});
     };
-    std::unique_ptr<faults::Injector> injector;
-    std::mutex mutex;
     options.watched = faults::watched_by(plan_);
     options.on_watched = [&](std::size_t filter, const ChangeEvent&) {
-      std::lock_guard guard{mutex};
-      if (injector)
-        injector->on_change(filter);
+      with_injector([=](auto& x) { x.on_change(filter); });
+    };
+    options.on_fault_happened = [&](std::uint64_t fault) {
+      with_injector([=](auto& x) { x.on_happened(fault); });
     };
     HistoryWatch histories{architecture, clocks_jump()};
     histories.watch(options);
@@ -296,7 +303,6 @@ private:
     if (reason == EndReason::time_over)
       compare(come_to_rest(system));
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
-    result_.faults = injector->records();
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
     histories.end();
@@ -304,6 +310,8 @@ private:
     if (nodes)
       nodes->end_restarts();
     system.stop();
+    injector->conclude();
+    result_.faults = injector->records();
     {
       std::lock_guard guard{mutex};
       injector.reset();

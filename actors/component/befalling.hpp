@@ -32,9 +32,12 @@ private:
   bool crash_ = false;
   /// So many callbacks from now, one throws; 0 for none.
   std::uint32_t failure_in_ = 0;
+  FaultTicket failure_ticket_;
   std::optional<Timestamp> hang_;
+  FaultTicket hang_ticket_;
   Timestamp slowness_{0};
   Clock::time_point slow_until_;
+  FaultTicket slowness_ticket_;
 };
 
 } // namespace castor

@@ -3,6 +3,7 @@
 #include "castor/actors/task_manager/task.hpp"
 #include "castor/wm/caf.hpp"
 #include "castor/wm/failure.hpp"
+#include "castor/wm/injected_fault.hpp"
 #include "castor/wm/timestamp.hpp"
 #include "castor/wm/type_descriptor.hpp"
 #include "castor/wm/value.hpp"
@@ -49,6 +50,7 @@ struct ComponentFault {
   Timestamp by{0};
   /// How long slowness lasts.
   Timestamp duration{0};
+  FaultTicket ticket = {};
 };
 
 /// To a task manager.

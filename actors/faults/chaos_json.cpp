@@ -14,9 +14,13 @@ Json json_of(std::optional<Timestamp> x) {
 }
 
 Json json_of(const FaultRecord& x) {
-  return {{"at_us", json_of(x.at)}, {"until_us", json_of(x.until)},
-          {"target", x.target},     {"fault", x.fault},
-          {"done", x.done},         {"outcome", x.outcome}};
+  return {{"at_us", json_of(x.at)},
+          {"happened_us", json_of(x.happened)},
+          {"until_us", json_of(x.until)},
+          {"target", x.target},
+          {"fault", x.fault},
+          {"state", to_string(x.state)},
+          {"outcome", x.outcome}};
 }
 
 Json json_of(const Outage& x) {

@@ -89,13 +89,12 @@ private:
 };
 
 std::string facts(const ChaosRun& run) {
-  auto done = std::ranges::count_if(run.faults, &FaultRecord::done);
   Table table{{"", ""}};
   table.row({"system", run.system});
   table.row({"again", run.command});
   table.row({"seed", std::to_string(run.seed)});
   table.row({"duration", rounded(run.duration)});
-  table.row({"faults", fmt::format("{} of {} brought about", done, run.faults.size())});
+  table.row({"faults", fault_summary(run)});
   table.row({"outages", recovery_summary(run)});
   for (auto& [name, value] : run.facts)
     table.row({name, value});
@@ -134,7 +133,8 @@ std::string timeline(const ChaosRun& run) {
     return {};
   auto legend =
     legend_item("<path d=\"M9 2l-5 9h10z\" class=\"fault\"/>", "fault") +
-    legend_item("<path d=\"M9 2l-5 9h10z\" class=\"fault undone\"/>", "not brought about") +
+    legend_item("<path d=\"M9 2l-5 9h10z\" class=\"fault undone\"/>",
+                "armed only, or not injected") +
     legend_item("<rect y=\"4\" width=\"18\" height=\"5\" class=\"lasting\"/>",
                 "as long as it lasts") +
     legend_item("<rect width=\"18\" height=\"12\" class=\"down\"/>", "down") +
@@ -176,9 +176,10 @@ std::string resources(const ChaosRun& run) {
 }
 
 std::string fault_list(const ChaosRun& run) {
-  Table table{{" at", "fault", " until", "what came of it"}};
+  Table table{{" at", "fault", "", " happened at", " until", "why not"}};
   for (auto& x : run.faults)
-    table.row({when(x.at), x.fault, when(x.until), (x.done ? "" : "not done: ") + x.outcome});
+    table.row({when(x.at), x.fault, std::string{to_string(x.state)}, when(x.happened),
+               when(x.until), x.outcome});
   return run.faults.empty() ? std::string{} : heading("Faults") + table.take();
 }
 

@@ -72,6 +72,30 @@ std::string verdict_of(const ChaosRun& run) {
                                     : std::to_string(run.violations.size()) + " violations";
 }
 
+std::string_view to_string(FaultState x) {
+  switch (x) {
+    case FaultState::armed:
+      return "armed";
+    case FaultState::happened:
+      return "happened";
+    case FaultState::never:
+      return "never came to it";
+    case FaultState::not_injected:
+      return "not injected";
+  }
+  return {};
+}
+
+std::string fault_summary(const ChaosRun& run) {
+  auto count = [&](FaultState x) { return std::ranges::count(run.faults, x, &FaultRecord::state); };
+  auto result =
+    fmt::format("{} of {} faults happened", count(FaultState::happened), run.faults.size());
+  for (auto x : {FaultState::armed, FaultState::never, FaultState::not_injected})
+    if (auto n = count(x); n > 0)
+      result += fmt::format(", {} {}", n, to_string(x));
+  return result;
+}
+
 std::string recovery_summary(const ChaosRun& run) {
   auto times = recovery_times(run.outages);
   auto given_up =
@@ -87,9 +111,8 @@ std::string recovery_summary(const ChaosRun& run) {
 
 std::string to_text(const ChaosRun& run, bool coloured) {
   Lines out{coloured};
-  auto brought_about = std::ranges::count_if(run.faults, &FaultRecord::done);
-  out.add(fmt::format("{}: {} (seed {}, {}, {} of {} faults)", run.system, verdict_of(run),
-                      run.seed, rounded(run.duration), brought_about, run.faults.size()),
+  out.add(fmt::format("{}: {} (seed {}, {}, {})", run.system, verdict_of(run), run.seed,
+                      rounded(run.duration), fault_summary(run)),
           run.held() ? green : red);
   for (auto& x : run.checks)
     add_check(out, x);

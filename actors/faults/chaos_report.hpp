@@ -21,6 +21,9 @@ std::string to_text(const ChaosRun& run, bool coloured = false);
 /// "held" or "2 violations".
 std::string verdict_of(const ChaosRun& run);
 
+/// "17 of 20 faults happened, 2 never came to it, 1 not injected".
+std::string fault_summary(const ChaosRun& run);
+
 /// "41 back, 1 given up, 0 neither; half within 120ms, 99 % within 800ms, all within 910ms".
 std::string recovery_summary(const ChaosRun& run);
 

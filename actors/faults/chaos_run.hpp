@@ -5,22 +5,40 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace castor::faults {
 
-/// A fault that was brought about, or was to be.
+/// What became of a fault.
+enum class FaultState : std::uint8_t {
+  /// It is to take effect when something comes: a callback, a write, a message over a link.
+  armed,
+  /// It took effect.
+  happened,
+  /// What it was armed for never came.
+  never,
+  /// It could not be injected.
+  not_injected,
+};
+
+/// "armed", "happened", "never came to it", "not injected".
+std::string_view to_string(FaultState x);
+
+/// A fault that was injected, or was to be.
 struct FaultRecord {
   Timestamp at{0};
+  /// When it took effect.
+  std::optional<Timestamp> happened;
   /// Of one that lasted: when it was over.
   std::optional<Timestamp> until;
   /// Component, process, link or subarchitecture.
   std::string target;
   /// As in a plan.
   std::string fault;
-  bool done = true;
-  /// What came of it, or why it could not be brought about.
+  FaultState state = FaultState::happened;
+  /// Why it could not be injected, or never came to it.
   std::string outcome;
 };
 

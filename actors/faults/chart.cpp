@@ -124,17 +124,18 @@ std::string outage_title(const Outage& x) {
 
 /// In the lower half of a row.
 std::string fault_mark(const FaultRecord& x, const Scale& time, double y) {
-  auto title = rounded(x.at) + ": " + x.fault;
+  auto title = fmt::format("{}: {}, {}", rounded(x.at), x.fault, to_string(x.state));
   if (!x.outcome.empty())
     title += " - " + x.outcome;
   std::string result;
   auto begin = time(seconds(x.at));
-  if (x.done && x.until)
+  auto happened = x.state == FaultState::happened;
+  if (happened && x.until)
     result += bar(begin, time(seconds(*x.until)), y + row_height - 8, 4, "lasting", title);
   result +=
     fmt::format("<path d=\"M{0:.1f} {1:.1f}l-5 9h10z\" class=\"{2}\">"
                 "<title>{3}</title></path>\n",
-                begin, y + row_height - 11, x.done ? "fault" : "fault undone", escaped(title));
+                begin, y + row_height - 11, happened ? "fault" : "fault undone", escaped(title));
   return result;
 }
 

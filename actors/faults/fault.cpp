@@ -110,6 +110,35 @@ std::string target_of(const Fault& fault) {
     fault);
 }
 
+namespace {
+
+struct MissedOccasion {
+  static constexpr const char* nothing_passed = "nothing passed its link meanwhile";
+  static constexpr const char* nothing_written = "nothing was written to its journal";
+  static constexpr const char* no_callback = "its component had no such callback";
+
+  const char* operator()(const Crash&) const { return "its component has not ended"; }
+  const char* operator()(const Throw&) const { return no_callback; }
+  const char* operator()(const Hang&) const { return no_callback; }
+  const char* operator()(const Slow&) const { return no_callback; }
+  const char* operator()(const Partition&) const { return nothing_passed; }
+  const char* operator()(const Delay&) const { return nothing_passed; }
+  const char* operator()(const Drop&) const { return "nothing was lost on its link"; }
+  const char* operator()(const FailJournal&) const { return nothing_written; }
+  const char* operator()(const SlowJournal&) const { return nothing_written; }
+
+  template <class T>
+  const char* operator()(const T&) const {
+    return nullptr;
+  }
+};
+
+} // namespace
+
+const char* missed_occasion(const Fault& x) noexcept {
+  return std::visit(MissedOccasion{}, x);
+}
+
 Lasting duration_of(const Fault& fault) {
   return std::visit(
     [](const auto& x) -> Lasting {

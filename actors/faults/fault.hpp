@@ -186,6 +186,11 @@ struct JumpClock {
 using Fault = std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop,
                            Duplicate, Reorder, FailJournal, SlowJournal, JumpClock>;
 
+/// Whether the fault only takes effect when something comes: a callback of its component, a write
+/// to its journal, a message over its link. Then this says what: "its component had no such
+/// callback". Null for faults that take effect when they are injected.
+const char* missed_occasion(const Fault& x) noexcept;
+
 /// As a plan has it: "delay 50ms between coordinator and node1 for 1s".
 std::string to_string(const Fault& x);
 

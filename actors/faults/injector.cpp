@@ -115,20 +115,74 @@ void Injector::work() {
 }
 
 FaultRecord Injector::inject(const Fault& fault) {
-  auto at = now();
-  auto outcome = std::visit([this](auto& x) { return befall(x); }, fault);
   FaultRecord record;
-  record.at = at;
+  record.at = now();
   if (auto duration = duration_of(fault))
-    record.until = at + *duration;
+    record.until = record.at + *duration;
   record.target = target_of(fault);
   record.fault = to_string(fault);
-  record.done = outcome.done;
-  record.outcome = outcome.text;
-  note(LogLevel::info, "faults", record.fault + (record.done ? "" : ", not done: " + outcome.text));
-  std::lock_guard guard{mutex_};
+  record.state = FaultState::armed;
+  std::unique_lock guard{mutex_};
+  auto index = records_.size();
   records_.push_back(record);
-  return record;
+  missed_.push_back(missed_occasion(fault));
+  if (auto crash = std::get_if<Crash>(&fault))
+    armed_crashes_.emplace(crash->component.name, index);
+  guard.unlock();
+  auto outcome = std::visit(
+    [&](auto& x) {
+      if constexpr (requires { this->befall(x, index + 1); })
+        return befall(x, index + 1);
+      else
+        return befall(x);
+    },
+    fault);
+  guard.lock();
+  auto& result = records_[index];
+  if (!outcome.done) {
+    result.state = FaultState::not_injected;
+    result.outcome = outcome.text;
+    note(LogLevel::info, "faults", "not injected: " + result.fault + ": " + result.outcome);
+  } else if (!missed_[index]) {
+    happened(result);
+  } else if (result.state == FaultState::armed) {
+    note(LogLevel::info, "faults", "armed: " + result.fault);
+  }
+  return result;
+}
+
+void Injector::happened(FaultRecord& x) {
+  x.state = FaultState::happened;
+  x.happened = now();
+  note(LogLevel::info, "faults", "happened: " + x.fault);
+}
+
+void Injector::on_happened(std::uint64_t fault) {
+  std::lock_guard guard{mutex_};
+  auto& record = records_.at(fault - 1);
+  if (record.state == FaultState::armed)
+    happened(record);
+}
+
+void Injector::on_down(const std::string& component) {
+  std::lock_guard guard{mutex_};
+  auto [begin, end] = armed_crashes_.equal_range(component);
+  for (auto i = begin; i != end; ++i)
+    if (auto& record = records_[i->second]; record.state == FaultState::armed)
+      happened(record);
+  armed_crashes_.erase(begin, end);
+}
+
+void Injector::conclude() {
+  std::lock_guard guard{mutex_};
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    auto& record = records_[i];
+    if (record.state != FaultState::armed)
+      continue;
+    record.state = FaultState::never;
+    record.outcome = missed_[i];
+    note(LogLevel::info, "faults", "never came to it: " + record.fault + ": " + record.outcome);
+  }
 }
 
 Timestamp Injector::lasting(const Lasting& x) const {
@@ -150,22 +204,25 @@ Injector::Outcome Injector::befall(const Crash& x) {
   return befall_component<Outcome>(*parts_.system, x.component, {});
 }
 
-Injector::Outcome Injector::befall(const Throw& x) {
+Injector::Outcome Injector::befall(const Throw& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::failure};
   fault.callback = x.callback;
+  fault.ticket.number = number;
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::befall(const Hang& x) {
+Injector::Outcome Injector::befall(const Hang& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = lasting(x.duration);
+  fault.ticket.number = number;
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::befall(const Slow& x) {
+Injector::Outcome Injector::befall(const Slow& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::slowness};
   fault.by = x.by;
   fault.duration = lasting(x.duration);
+  fault.ticket.number = number;
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
@@ -191,7 +248,7 @@ Injector::Outcome Injector::befall(const Continue& x) {
   return signal(x.process.name, SIGCONT);
 }
 
-Injector::Outcome Injector::befall(const Partition& x) {
+Injector::Outcome Injector::befall(const Partition& x, std::uint64_t number) {
   auto others = x.from;
   if (others.empty()) {
     others = names_of(*parts_.system->roster());
@@ -200,21 +257,22 @@ Injector::Outcome Injector::befall(const Partition& x) {
     });
   }
   if (!befall_links(*parts_.system, x.group, others,
-                    {LinkFault::Kind::silence, lasting(x.duration)}))
+                    {LinkFault::Kind::silence, lasting(x.duration), {}, 0, {number}}))
     return {false, "there is no link between them"};
   return {};
 }
 
-Injector::Outcome Injector::befall(const Delay& x) {
+Injector::Outcome Injector::befall(const Delay& x, std::uint64_t number) {
   if (!befall_links(*parts_.system, {x.link.first}, {x.link.second},
-                    {LinkFault::Kind::delay, lasting(x.duration), x.by}))
+                    {LinkFault::Kind::delay, lasting(x.duration), x.by, 0, {number}}))
     return {false, "there is no such link"};
   return {};
 }
 
-Injector::Outcome Injector::befall(const Drop& x) {
+Injector::Outcome Injector::befall(const Drop& x, std::uint64_t number) {
   LinkFault fault{LinkFault::Kind::loss, lasting(x.duration)};
   fault.part = x.part.thousandths * 10;
+  fault.ticket.number = number;
   if (!befall_links(*parts_.system, {x.link.first}, {x.link.second}, fault))
     return {false, "there is no such link"};
   return {};
@@ -242,12 +300,13 @@ Injector::Outcome Injector::befall_journal(const MemoryTarget& memory, const Jou
   return {};
 }
 
-Injector::Outcome Injector::befall(const FailJournal& x) {
-  return befall_journal(x.memory, {JournalFault::Kind::failure, lasting(x.duration)});
+Injector::Outcome Injector::befall(const FailJournal& x, std::uint64_t number) {
+  return befall_journal(x.memory, {JournalFault::Kind::failure, lasting(x.duration), {}, {number}});
 }
 
-Injector::Outcome Injector::befall(const SlowJournal& x) {
-  return befall_journal(x.memory, {JournalFault::Kind::slowness, lasting(x.duration), x.by});
+Injector::Outcome Injector::befall(const SlowJournal& x, std::uint64_t number) {
+  return befall_journal(x.memory,
+                        {JournalFault::Kind::slowness, lasting(x.duration), x.by, {number}});
 }
 
 Injector::Outcome Injector::befall(const JumpClock& x) {

@@ -45,35 +45,45 @@ public:
   /// Lets a fault befall the system now, whatever the schedule says. All its targets have names.
   FaultRecord inject(const Fault& fault);
 
+  /// A fault of this number has taken effect (`SystemOptions::on_fault_happened`).
+  void on_happened(std::uint64_t fault);
+
+  /// A component or a working memory is down: so its crash has happened, if one was armed.
+  void on_down(const std::string& component);
+
+  /// What has not happened by now never will.
+  void conclude();
+
   /// No more faults; what was stopped goes on. Links that something befell are left to themselves.
   void stop();
 
-  /// What was done so far.
+  /// Of each fault so far, what became of it.
   std::vector<FaultRecord> records() const;
 
 private:
-  /// What comes of a fault: empty if it was done, or why it could not be.
+  /// Whether a fault was injected, and why not.
   struct Outcome {
     bool done = true;
     std::string text;
   };
 
   void work();
+  void happened(FaultRecord& x);
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
   Outcome befall(const Crash& x);
-  Outcome befall(const Throw& x);
-  Outcome befall(const Hang& x);
-  Outcome befall(const Slow& x);
+  Outcome befall(const Throw& x, std::uint64_t number);
+  Outcome befall(const Hang& x, std::uint64_t number);
+  Outcome befall(const Slow& x, std::uint64_t number);
   Outcome befall(const Kill& x);
   Outcome befall(const Stop& x);
   Outcome befall(const Continue& x);
-  Outcome befall(const Partition& x);
-  Outcome befall(const Delay& x);
-  Outcome befall(const Drop& x);
+  Outcome befall(const Partition& x, std::uint64_t number);
+  Outcome befall(const Delay& x, std::uint64_t number);
+  Outcome befall(const Drop& x, std::uint64_t number);
   Outcome befall(const Duplicate& x);
   Outcome befall(const Reorder& x);
-  Outcome befall(const FailJournal& x);
-  Outcome befall(const SlowJournal& x);
+  Outcome befall(const FailJournal& x, std::uint64_t number);
+  Outcome befall(const SlowJournal& x, std::uint64_t number);
   Outcome befall(const JumpClock& x);
 
   Outcome signal(const std::string& process, int signal);
@@ -89,6 +99,10 @@ private:
   std::vector<DueFault> due_;
   std::multimap<Timestamp, std::function<void()>> later_;
   std::vector<FaultRecord> records_;
+  /// Of each record, why it never came to it if it does not.
+  std::vector<const char*> missed_;
+  /// Of each component, the records of its armed crashes.
+  std::multimap<std::string, std::size_t> armed_crashes_;
   bool over_ = false;
   std::thread thread_;
 };

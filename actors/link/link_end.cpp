@@ -181,22 +181,36 @@ void LinkEnd::befall(const LinkFault& x) {
   switch (x.kind) {
     case LinkFault::Kind::silence:
       silent_until_ = until;
+      silence_ticket_ = x.ticket;
       break;
     case LinkFault::Kind::delay:
       delayed_until_ = until;
       delay_ = x.by;
+      delay_ticket_ = x.ticket;
       break;
     case LinkFault::Kind::loss:
       lossy_until_ = until;
       loss_ = x.part;
+      loss_ticket_ = x.ticket;
       break;
   }
 }
 
+/// Whoever asks has something that passes or does not.
+bool LinkEnd::is_silent() {
+  auto result = driver_.now() < silent_until_;
+  if (result)
+    report_effect(silence_ticket_);
+  return result;
+}
+
 /// Whether the next message is one of those that are lost.
 bool LinkEnd::loses_next() {
-  return driver_.now() < lossy_until_ &&
-         std::uniform_int_distribution<std::uint32_t>{1, 1'000'000}(random_) <= loss_;
+  auto result = driver_.now() < lossy_until_ &&
+                std::uniform_int_distribution<std::uint32_t>{1, 1'000'000}(random_) <= loss_;
+  if (result)
+    report_effect(loss_ticket_);
+  return result;
 }
 
 void LinkEnd::say_delayed() {
@@ -217,6 +231,8 @@ void LinkEnd::say(std::vector<char> words) {
     say_now(std::move(words));
     return;
   }
+  if (is_late)
+    report_effect(delay_ticket_);
   // Never before what is on its way.
   auto due = std::max(is_late ? now + delay_ : now,
                       delayed_.empty() ? Clock::time_point{} : delayed_.back().first);
@@ -333,7 +349,7 @@ void LinkEnd::send(LinkMessage x) {
 }
 
 void LinkEnd::flush() {
-  if (!greeted_ || !connection_ || is_silent())
+  if (!greeted_ || !connection_ || (session_.has_something_to_say() && is_silent()))
     return;
   while (in_buffer_ < buffered && session_.has_something_to_say()) {
     std::vector<char> words;
@@ -349,7 +365,7 @@ void LinkEnd::tick() {
     return;
   driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
   auto now = driver_.now();
-  if (connection_ && !is_silent() && deaf_)
+  if (connection_ && deaf_ && !is_silent())
     disconnected("what was said was not heard");
   if (connection_) {
     if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {

@@ -81,7 +81,7 @@ public:
   // -- what becomes of connections
 
   /// Whether no connection can be made, as far as anybody here can see.
-  bool is_silent() const { return driver_.now() < silent_until_; }
+  bool is_silent();
   void dialled(Connection x);
   void not_dialled(const std::string& problem) { disconnected(problem); }
   /// One that the peer has made, and what came over it so far.
@@ -140,14 +140,17 @@ private:
   std::string reason_;
   Milliseconds backoff_{20};
   Clock::time_point silent_until_;
+  FaultTicket silence_ticket_;
   /// Something was said that was not heard.
   bool deaf_ = false;
   Clock::time_point delayed_until_;
   Clock::duration delay_{0};
+  FaultTicket delay_ticket_;
   /// What is said when its time comes.
   std::deque<std::pair<Clock::time_point, std::vector<char>>> delayed_;
   Clock::time_point lossy_until_;
   std::uint32_t loss_ = 0;
+  FaultTicket loss_ticket_;
   std::minstd_rand random_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/wm/caf.hpp"
+#include "castor/wm/injected_fault.hpp"
 #include "castor/wm/timestamp.hpp"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ struct LinkFault {
   Timestamp by{0};
   /// Of `loss`: the part of the messages, in millionths.
   std::uint32_t part = 0;
+  FaultTicket ticket = {};
 };
 
 } // namespace castor

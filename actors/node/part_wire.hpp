@@ -103,8 +103,18 @@ void wire(A& a, WirePart<A, ComponentHangs>& x) {
 }
 
 template <class A>
+void wire(A& a, WirePart<A, FaultTicket>& x) {
+  a(x.number, x.observer);
+}
+
+template <class A>
+void wire(A& a, WirePart<A, FaultHappened>& x) {
+  a(x.number);
+}
+
+template <class A>
 void wire(A& a, WirePart<A, ComponentFault>& x) {
-  a(x.kind, x.callback, x.by, x.duration);
+  a(x.kind, x.callback, x.by, x.duration, x.ticket);
 }
 
 template <class A>
@@ -114,7 +124,7 @@ void wire(A& a, WirePart<A, BefallComponent>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, LinkFault>& x) {
-  a(x.kind, x.duration, x.by, x.part);
+  a(x.kind, x.duration, x.by, x.part, x.ticket);
 }
 
 template <class A>
@@ -129,7 +139,7 @@ void wire(A& a, WirePart<A, JumpClock>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, JournalFault>& x) {
-  a(x.kind, x.duration, x.by);
+  a(x.kind, x.duration, x.by, x.ticket);
 }
 
 template <class A>

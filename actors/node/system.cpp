@@ -194,7 +194,7 @@ public:
     if (i == known->placement.end() || !processes_.is_up(i->second))
       return false;
     auto agent = processes_.agent(i->second);
-    BefallComponent order{component, x};
+    BefallComponent order{component, observed(x)};
     if (i->second != 0) {
       caf::anon_send(agent, order);
       return true;
@@ -206,18 +206,18 @@ public:
   }
 
   void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
-    caf::anon_send(processes_.agent(a), BefallLink{b, x});
-    caf::anon_send(processes_.agent(b), BefallLink{a, x});
+    caf::anon_send(processes_.agent(a), BefallLink{b, observed(x)});
+    caf::anon_send(processes_.agent(b), BefallLink{a, observed(x)});
   }
 
   /// A fault that a working memory brings about itself; false if there is none in reach.
   template <class WorkingMemoryFault>
-  bool befall_working_memory(const std::string& subarchitecture, const WorkingMemoryFault& x) {
+  bool befall_working_memory(const std::string& subarchitecture, WorkingMemoryFault x) {
     auto known = roster();
     auto i = known->working_memories.find(subarchitecture);
     if (i == known->working_memories.end() || !is_in_reach(working_memory_of(subarchitecture)))
       return false;
-    caf::anon_send(i->second, x);
+    caf::anon_send(i->second, observed(std::move(x)));
     return true;
   }
 
@@ -263,6 +263,15 @@ public:
   Clock::time_point epoch() const { return epoch_; }
 
 private:
+  /// The fault, with somebody to tell when it takes effect if it has a number.
+  template <class InjectedFault>
+  InjectedFault observed(InjectedFault x) const {
+    if constexpr (requires { x.ticket; })
+      if (x.ticket.number != 0)
+        x.ticket.observer = desk_;
+    return x;
+  }
+
   static Placement checked(Placement x, const ArchitectureDescription& architecture) {
     if (auto problems = problems_of(x, architecture); !problems.empty())
       throw SystemError{std::move(problems)};
@@ -306,8 +315,15 @@ private:
 
   void make() {
     // Anybody may end the system, from the moment when there is somebody.
-    desk_ = system_.spawn(
-      [this]() -> caf::behavior { return {[this](const EndSystem& x) { end_asked_for(x); }}; });
+    desk_ = system_.spawn([this]() -> caf::behavior {
+      return {
+        [this](const EndSystem& x) { end_asked_for(x); },
+        [this](const FaultHappened& x) {
+          if (options_.on_fault_happened)
+            options_.on_fault_happened(x.number);
+        },
+      };
+    });
     if (options_.on_task)
       make_observer();
     make_supervisor();

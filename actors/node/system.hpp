@@ -111,6 +111,10 @@ struct SystemOptions {
   std::function<void(const ComponentDown&)> on_down;
   std::function<void(const ComponentUp&)> on_up;
 
+  /// Called when an injected fault with a number (`FaultTicket`) takes effect; on a thread of its
+  /// own, with news of one fault at a time.
+  std::function<void(std::uint64_t fault)> on_fault_happened;
+
   /// Kills the process of a host that is a child of this process, as those of isolated components
   /// and local nodes are, if it was started before this moment: not one that has taken its place
   /// since. False if there is none. Whoever gives this starts it again. Called from any thread.

@@ -193,7 +193,7 @@ public:
   void inject(std::string_view text) {
     auto fault = read_fault(text, targets_, options_.seed + injector_.records().size());
     auto record = injector_.inject(fault);
-    if (!record.done)
+    if (record.state == faults::FaultState::not_injected)
       throw std::runtime_error(record.fault + ": " + record.outcome);
   }
 

@@ -59,8 +59,8 @@ protected:
 };
 
 TEST_F(Chaos, ItsResultIsOneObjectForScripts) {
-  auto answer = ask(arguments(system("CPP UM clock Clock\n"), "at 100ms crash clock\n", "300ms",
-                              {"--json"}));
+  auto answer =
+    ask(arguments(system("CPP UM clock Clock\n"), "at 100ms crash clock\n", "300ms", {"--json"}));
   EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
   auto lines = json_lines(answer.output);
   ASSERT_EQ(lines.size(), 1U);
@@ -72,15 +72,16 @@ TEST_F(Chaos, ASystemThatHoldsIsReportedWithEverythingThatBefellIt) {
                               "at 200ms crash clock\n"
                               "after overwritten Tick in a where number == 3: crash listener\n"
                               "after Tick where number == 4: crash a_tm\n"
-                              "at 400ms slow clock by 1ms for 100ms\n"));
+                              "at 400ms jump clock of a by 1s\n"));
   EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
-  EXPECT_THAT(answer.output, AllOf(HasSubstr("system.cast: held"), HasSubstr("3 of 3 faults"),
-                                   HasSubstr("outages: 2 back, 0 given up, 0 neither")));
+  EXPECT_THAT(answer.output,
+              AllOf(HasSubstr("system.cast: held"), HasSubstr("3 of 3 faults happened"),
+                    HasSubstr("outages: 2 back, 0 given up, 0 neither")));
   auto result = report_as_json();
   EXPECT_EQ(result["held"], true);
   auto page = read(report() / "chaos.html");
-  for (auto fault : {"crash clock", "crash listener", "slow clock by 1ms for 100ms"}) {
-    EXPECT_THAT(answer.errors, HasSubstr(std::string{"[faults] "} + fault));
+  for (auto fault : {"crash clock", "crash listener", "jump clock of a by 1s"}) {
+    EXPECT_THAT(answer.errors, HasSubstr(std::string{"[faults] happened: "} + fault));
     EXPECT_THAT(values(result["faults"], "fault"), Contains(fault));
     EXPECT_THAT(page, HasSubstr(fault));
   }
@@ -89,11 +90,29 @@ TEST_F(Chaos, ASystemThatHoldsIsReportedWithEverythingThatBefellIt) {
     EXPECT_THAT(values(result["outages"], "target"), Contains(who));
   }
   for (auto& x : result["faults"])
-    EXPECT_EQ(x["done"], true) << x;
+    EXPECT_EQ(x["state"], "happened") << x;
   // Everybody's operations were written down, and every change was told.
   EXPECT_THAT(answer.output,
               ContainsRegex("ok +operations on a +[0-9]+ operations on [2-9] entries"));
   EXPECT_THAT(answer.output, ContainsRegex("ok +changes in a +[0-9]+ changes"));
+}
+
+TEST_F(Chaos, AFaultWhoseOccasionDoesNotComeIsNotSaidToHaveHappened) {
+  auto answer = ask(arguments(system("CPP UM clock Clock\nCPP UM listener Listener --count 1000\n"),
+                              "at 100ms throw in callback 1000 of listener\n"
+                              "at 200ms slow clock by 1ms for 100ms\n"
+                              "at 300ms crash clock\n"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("1 of 3 faults happened, 2 never came to it"));
+  EXPECT_THAT(answer.errors,
+              AllOf(HasSubstr("armed: throw in callback 1000 of listener"),
+                    HasSubstr("never came to it: slow clock by 1ms for 100ms: its component had no "
+                              "such callback")));
+  auto faults = report_as_json()["faults"];
+  EXPECT_THAT(values(faults, "state"),
+              testing::ElementsAre("never came to it", "never came to it", "happened"));
+  EXPECT_EQ(faults[0]["happened_us"], nullptr);
+  EXPECT_GE(faults[2]["happened_us"], faults[2]["at_us"]);
 }
 
 TEST_F(Chaos, OneThatDoesNotHoldIsReportedWithTheCommandThatDoesTheSameAgain) {

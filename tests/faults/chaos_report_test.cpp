@@ -23,9 +23,17 @@ ChaosRun small_run() {
   run.seed = 7;
   run.duration = 20s;
   run.plan = "seed 7\nat 2s crash segmentor\n";
-  run.faults = {{2s, {}, "segmentor", "crash segmentor", true, "it ended"},
-                {5s, 6s, "node1", "stop node1 for 1s", true, ""},
-                {9s, {}, "node2", "kill node2", false, "it was down already"}};
+  run.faults = {
+    {2s, 2010ms, {}, "segmentor", "crash segmentor", FaultState::happened, ""},
+    {5s, 5s, 6s, "node1", "stop node1 for 1s", FaultState::happened, ""},
+    {9s, {}, {}, "node2", "kill node2", FaultState::not_injected, "it was down already"},
+    {9s,
+     {},
+     {},
+     "binder",
+     "throw in callback 19 of binder",
+     FaultState::never,
+     "its component had no such callback"}};
   run.outages = {{"segmentor", 2s, 2100ms, 2150ms, {}, 1s, "crash"},
                  {"tracker", 5s, 5400ms, {}, {}, 1s, "node1 is out of reach"},
                  {"binder", 9s, {}, {}, 9500ms, 1s, "five restarts in 10 s"},
@@ -74,7 +82,8 @@ TEST(ChaosReport, ThePageShowsAllThereIs) {
   EXPECT_TRUE(is_well_formed(page));
   for (auto part :
        {"robot.cast", "1 violation", "castor chaos robot.cast --seed 7 --duration 20s",
-        "two holders\nat once", "crash segmentor", "not done: it was down already",
+        "two holders\nat once", "crash segmentor", "not injected", "it was down already",
+        "never came to it", "2 of 4 faults happened, 1 never came to it, 1 not injected",
         "node1 is out of reach", "1203 operations", "undecided", "at 2s crash segmentor", "5120",
         "2 back, 1 given up, 1 neither", "memory in MB", "file descriptors", "threads"})
     EXPECT_THAT(page, HasSubstr(part));
@@ -173,7 +182,7 @@ TEST(Chart, TheTimelineHasARowForEverythingThatFailed) {
   for (auto name : {"segmentor", "node1", "node2", "tracker", "binder", "camera"})
     EXPECT_EQ(count(chart, std::string{">"} + name + "</text>"), 1U) << name;
   EXPECT_EQ(count(chart, "class=\"fault\""), 2U);
-  EXPECT_EQ(count(chart, "class=\"fault undone\""), 1U);
+  EXPECT_EQ(count(chart, "class=\"fault undone\""), 2U);
   EXPECT_EQ(count(chart, "class=\"down\""), 2U);
   EXPECT_EQ(count(chart, "class=\"down forever\""), 2U);
   EXPECT_EQ(count(chart, "class=\"works\""), 1U);
