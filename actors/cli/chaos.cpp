@@ -249,7 +249,7 @@ private:
       notes.add(x.component, faults::LifeNote::Kind::down, x.reason);
       if (!x.will_restart)
         notes.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
-      with_injector([&](auto& injector) { injector.on_down(x.component); });
+      with_injector([&](auto& y) { y.on_down(x.component); });
     };
     options.on_up = [&](const ComponentUp& x) {
       notes.add(x.component, faults::LifeNote::Kind::up, {});
