@@ -9,10 +9,13 @@
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/read_plan.hpp"
+#include "castor/actors/cli/seeds_option.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/writable.hpp"
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/faults/activity.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
+#include "castor/actors/faults/coverage.hpp"
 #include "castor/actors/faults/injector.hpp"
 #include "castor/actors/faults/outages.hpp"
 #include "castor/actors/faults/random_plan.hpp"
@@ -20,6 +23,7 @@
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
+#include "castor/actors/simulation/seeds.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -32,6 +36,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -50,6 +55,9 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
+/// The longest run without faults, if only what components do is wanted.
+constexpr std::chrono::seconds rehearsal{10};
+
 struct Arguments {
   ArchitectureArguments architecture;
   std::string plan;
@@ -61,6 +69,9 @@ struct Arguments {
   std::vector<std::string> but_for;
   std::string settle = "2s";
   std::string bound = "10s";
+  std::optional<double> rate;
+  std::string seeds;
+  bool find_limit = false;
   bool json = false;
 };
 
@@ -116,39 +127,165 @@ public:
       return bad_input;
     if (arguments_.spread > 0)
       spread(*architecture, arguments_.spread);
-    if (!take_plan(*architecture))
-      return bad_input;
-    result_.system = arguments_.architecture.file;
-    result_.command = command();
-    result_.seed = seed_;
-    result_.duration = duration_;
+    targets_ = targets_in(*architecture);
+    if (!arguments_.plan.empty()) {
+      auto plan = read_plan(arguments_.plan, targets_);
+      if (!plan)
+        return bad_input;
+      plan_ = *std::move(plan);
+    }
     progress_.emplace("chaos");
-    if (!question_.types.empty()) {
-      note(LogLevel::info, "first without faults, to see how it ends then");
+    if (!question_.types.empty() || !has_plan()) {
+      note(LogLevel::info, "first without faults, to see what it does and how it ends then");
       show_step("starting the system without faults");
       wanted_ = run_in_peace(*architecture);
       if (signals_.count() > 0)
         return a_component_failed;
     }
-    run_with_faults(*architecture);
+    if (arguments_.find_limit)
+      return find_limit(*architecture);
+    if (!arguments_.seeds.empty())
+      return run_seeds(*architecture);
+    auto seed = arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000));
+    run_once(*architecture, seed, arguments_.report);
+    progress_.reset();
     return finish();
   }
 
 private:
-  /// Of the user's plan, or a random one; false if it cannot be brought about.
-  bool take_plan(const ArchitectureDescription& architecture) {
-    targets_ = targets_in(architecture);
-    if (!arguments_.plan.empty()) {
-      auto plan = read_plan(arguments_.plan, targets_);
-      if (!plan)
-        return false;
-      plan_ = *std::move(plan);
+  bool has_plan() const { return !arguments_.plan.empty(); }
+
+  void run_once(const ArchitectureDescription& architecture, std::uint64_t seed,
+                const std::filesystem::path& report) {
+    seed_ = seed;
+    report_ = report;
+    if (!has_plan())
+      plan_ = faults::random_plan(targets_, seed, duration_, random_options());
+    result_ = {};
+    result_.system = arguments_.architecture.file;
+    result_.command = command();
+    result_.seed = seed_;
+    result_.duration = duration_;
+    result_.targets = targets_;
+    run_with_faults(architecture);
+    if (signals_.count() > 0)
+      violation("interrupted", "the run did not come to its end");
+    write_report();
+  }
+
+  faults::RandomPlanOptions random_options() const {
+    faults::RandomPlanOptions result;
+    result.activity = usual_activity_;
+    if (arguments_.rate) {
+      result.interval = interval_of(*arguments_.rate);
+      result.within_restart_limits = false;
     }
-    seed_ = arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000));
-    if (!arguments_.plan.empty())
-      return true;
-    plan_ = faults::random_plan(targets_, seed_, duration_);
-    return is_possible(plan_, targets_);
+    return result;
+  }
+
+  static Timestamp interval_of(double faults_per_minute) {
+    return std::chrono::duration_cast<Timestamp>(
+      std::chrono::duration<double>{60 / faults_per_minute});
+  }
+
+  static int status_of(const faults::ChaosRun& x) {
+    return !x.held() ? a_component_failed : x.vacuous().empty() ? success : vacuous_run;
+  }
+
+  /// One run after the other, each with the faults of its seed.
+  int run_seeds(const ArchitectureDescription& architecture) {
+    auto seeds = simulation::parse_seeds(arguments_.seeds);
+    faults::Coverage coverage{targets_};
+    std::map<int, std::size_t> counts;
+    for (auto seed = seeds.from; seed <= seeds.to && signals_.count() == 0; ++seed) {
+      run_once(architecture, seed,
+               arguments_.report.empty() ? std::filesystem::path{}
+                                         : arguments_.report / std::to_string(seed));
+      coverage.add(result_.faults);
+      ++counts[status_of(result_)];
+      const ProgressPause pause;
+      if (arguments_.json)
+        json_->print(nlohmann::ordered_json::parse(faults::to_json(result_)));
+      else
+        fmt::print("{}\n", faults::to_line(result_, isatty(STDOUT_FILENO) != 0));
+      std::fflush(stdout);
+    }
+    progress_.reset();
+    if (!arguments_.json)
+      fmt::print("\n{} held, {} violated, {} vacuous; {}", counts[success],
+                 counts[a_component_failed], counts[vacuous_run], faults::to_text(coverage));
+    for (auto status : {a_component_failed, vacuous_run})
+      if (counts[status] > 0)
+        return status;
+    return success;
+  }
+
+  // -- the limit of supervision
+
+  /// Whether the supervisors bear so many failures a minute.
+  bool bears(const ArchitectureDescription& architecture, double failures_per_minute) {
+    faults::RandomPlanOptions options;
+    options.activity = usual_activity_;
+    options.interval = interval_of(failures_per_minute);
+    options.within_restart_limits = false;
+    options.failures_only = true;
+    seed_ = arguments_.seed.value_or(1);
+    plan_ = faults::random_plan(targets_, seed_, duration_, options);
+    result_ = {};
+    run_with_faults(architecture);
+    auto given_up = std::ranges::find_if(result_.outages,
+                                         [](auto& x) { return !x.up && x.escalated.has_value(); });
+    auto survival = std::ranges::find(result_.violations, "survival", &faults::Violation::check);
+    auto result = given_up == result_.outages.end() && survival == result_.violations.end();
+    auto why = result ? std::string{"borne"}
+               : survival != result_.violations.end()
+                 ? survival->text
+                 : given_up->target + " was given up: " + given_up->reason;
+    auto failures = result_.outages.size();
+    const ProgressPause pause;
+    if (arguments_.json)
+      json_->print({{"failures_per_minute", failures_per_minute},
+                    {"outages", failures},
+                    {"borne", result},
+                    {"reason", result ? "" : why}});
+    else
+      fmt::print("{:6.1f} failures a minute, {:3} outages: {}\n", failures_per_minute, failures,
+                 why);
+    std::fflush(stdout);
+    return result;
+  }
+
+  /// Bisects between a rate that is borne and one that is not.
+  int find_limit(const ArchitectureDescription& architecture) {
+    constexpr double lowest = 1;
+    constexpr double highest = 3840;
+    constexpr double close_enough = 1.2;
+    double borne = 0;
+    double too_much = 0;
+    for (double rate = arguments_.rate.value_or(15); signals_.count() == 0;) {
+      (bears(architecture, rate) ? borne : too_much) = rate;
+      if (too_much == 0 ? borne >= highest : too_much <= lowest)
+        break;
+      if (borne > 0 && too_much > 0 && too_much < close_enough * borne)
+        break;
+      rate = too_much == 0 ? 2 * borne : borne == 0 ? too_much / 2 : std::sqrt(borne * too_much);
+    }
+    progress_.reset();
+    if (signals_.count() > 0)
+      return a_component_failed;
+    if (!arguments_.json)
+      fmt::print("\n{}: {}\n", arguments_.architecture.file,
+                 too_much == 0 ? fmt::format("{:.1f} failures a minute are borne", borne)
+                 : borne == 0
+                   ? fmt::format("{:.1f} failures a minute are too many", too_much)
+                   : fmt::format("{:.1f} failures a minute are borne, {:.1f} are too many", borne,
+                                 too_much));
+    return success;
+  }
+
+  /// Where the plan of a run with a report is kept, with nothing left to draw.
+  std::filesystem::path kept_plan() const {
+    return report_.empty() ? std::filesystem::path{} : report_ / "chaos.plan";
   }
 
   /// What makes the same faults once more.
@@ -157,8 +294,12 @@ private:
     for (auto& x : plugins_)
       result += " --plugin " + x;
     result += " chaos " + arguments_.architecture.file;
-    if (!arguments_.plan.empty())
+    if (has_plan())
       result += " --plan " + arguments_.plan;
+    else if (!report_.empty())
+      result += " --plan " + kept_plan().string();
+    else if (arguments_.rate)
+      result += fmt::format(" --rate {}", *arguments_.rate);
     result += fmt::format(" --seed {} --duration {}", seed_, arguments_.duration);
     if (arguments_.spread > 0)
       result += fmt::format(" --spread {}", arguments_.spread);
@@ -217,13 +358,38 @@ private:
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
     System system{std::move(architecture), options};
     std::vector<std::string> result;
-    if (system.start())
+    if (system.start()) {
+      faults::ActivityMeter meter;
+      wait_and_measure(system, std::min<std::chrono::milliseconds>(duration_, rehearsal), meter);
+      usual_activity_ = meter.by_component();
       result = come_to_rest(system);
+    }
     if (nodes)
       nodes->end_restarts();
     system.stop();
     destruction.begin(destruction_limit, a_component_failed);
     return result;
+  }
+
+  /// As System::wait, with a look at what components do, about once a second.
+  EndReason wait_and_measure(System& system, std::chrono::milliseconds at_most,
+                             faults::ActivityMeter& meter) {
+    auto begin = Clock::now();
+    auto passed = [&] { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin); };
+    auto measure = [&] {
+      std::vector<faults::ComponentSample> samples;
+      for (auto& x : system.summary().components)
+        samples.push_back(
+          {x.identity.name, x.identity.incarnation, x.callbacks, x.reads + x.writes});
+      meter.take(passed(), samples);
+    };
+    for (measure(); passed() < at_most;) {
+      auto reason = system.wait({std::min<std::chrono::nanoseconds>(1s, at_most - passed()), {}});
+      if (reason != EndReason::time_over)
+        return reason;
+      measure();
+    }
+    return EndReason::time_over;
   }
 
   void run_with_faults(ArchitectureDescription architecture) {
@@ -296,7 +462,9 @@ private:
         Seconds{Clock::now() - since}.count(), Seconds{duration_}.count(),
         fmt::format("faults: {}, components down: {}", injector->records().size(), notes.down()));
     });
-    auto reason = system.wait({duration_, {}});
+    faults::ActivityMeter meter;
+    auto reason = wait_and_measure(system, duration_, meter);
+    result_.activity = meter.total();
     show_faults_with({});
     injector->stop();
     look_at_survival(reason, system.ended());
@@ -355,6 +523,8 @@ private:
     auto bound = duration(arguments_.bound).value();
     result_.outages =
       faults::outages_of(notes, [&](const std::string&) { return Timestamp{bound}; });
+    for (auto& x : result_.outages)
+      x.kind = faults::word_for(targets_, x.target);
     auto late = faults::late_recoveries(result_.outages, end);
     check("back or given up in time", late.empty(),
           fmt::format("{} outages, bound {}", result_.outages.size(), arguments_.bound));
@@ -414,23 +584,24 @@ private:
     result_.violations.push_back({name, text, {}, seed_, result_.command});
   }
 
+  void write_report() const {
+    if (report_.empty())
+      return;
+    make_folder(report_);
+    create(report_ / "chaos.html") << faults::to_html(result_);
+    create(report_ / "chaos.json") << faults::to_json(result_);
+    create(kept_plan()) << result_.plan;
+  }
+
   int finish() {
-    progress_.reset();
-    if (signals_.count() > 0)
-      violation("interrupted", "the run did not come to its end");
-    if (!arguments_.report.empty()) {
-      make_folder(arguments_.report);
-      create(arguments_.report / "chaos.html") << faults::to_html(result_);
-      create(arguments_.report / "chaos.json") << faults::to_json(result_);
-    }
     if (arguments_.json) {
       json_->print(nlohmann::ordered_json::parse(faults::to_json(result_)));
-      return result_.held() ? success : a_component_failed;
+      return status_of(result_);
     }
     fmt::print("\n{}", faults::to_text(result_, isatty(STDOUT_FILENO) != 0));
-    if (!arguments_.report.empty())
-      fmt::print("\nwrote {}\n", (arguments_.report / "chaos.html").string());
-    return result_.held() ? success : a_component_failed;
+    if (!report_.empty())
+      fmt::print("\nwrote {}\n", (report_ / "chaos.html").string());
+    return status_of(result_);
   }
 
   Signals signals_;
@@ -441,10 +612,15 @@ private:
   const std::chrono::milliseconds duration_;
   const std::chrono::milliseconds settle_;
   const StateQuestion question_;
+  /// The user's, or the random one of the present run.
   faults::FaultPlan plan_;
   faults::FaultTargets targets_;
   std::uint64_t seed_ = 0;
+  std::filesystem::path report_;
+  /// How it ends without faults.
   std::vector<std::string> wanted_;
+  /// What components do without faults.
+  std::optional<faults::ActivityByComponent> usual_activity_;
   faults::ChaosRun result_;
   std::optional<Progress> progress_;
   std::mutex progress_mutex_;
@@ -468,6 +644,25 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
                  "draws what the plan leaves open; the same seed makes "
                  "the same faults")
     ->type_name("N");
+  auto seeds = command
+                 ->add_option("--seeds", arguments->seeds,
+                              "one run for each of these seeds, and what all of them hit")
+                 ->type_name("FROM..TO")
+                 ->check(check_seeds)
+                 ->excludes("--seed");
+  command
+    ->add_option("--rate", arguments->rate,
+                 "faults per minute, whatever restarts that takes; without, 30, but fewer where "
+                 "supervisors would not allow so many restarts")
+    ->type_name("N")
+    ->check(CLI::Range(0.1, 6000.0))
+    ->excludes("--plan");
+  command
+    ->add_flag("--find-limit", arguments->find_limit,
+               "try out how many failures per minute the supervisors bear, by bisection; each try "
+               "lasts --duration")
+    ->excludes("--plan")
+    ->excludes(seeds);
   command->add_option("--duration", arguments->duration, "how long faults happen; by default 1min")
     ->type_name("DURATION")
     ->check(check_duration);
@@ -503,7 +698,8 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
   add_json_flag(*command, arguments->json);
   command->footer(
     "All nodes that the file names are started on this machine.\n"
-    "Exit status: 0 if everything held, 1 if something did not, 2 if the run could not be made.\n"
+    "Exit status: 0 if everything held, 1 if something did not, 2 if the run could not be made,\n"
+    "4 if it shows nothing, because nothing went down or hardly anything was going on.\n"
     "Example: castor chaos configs/vision-three-nodes.cast --duration 30s --report out");
   command->callback([&chosen, &plugins, arguments] {
     chosen = [&plugins, arguments] { return Chaos{*arguments, plugins}.run(); };

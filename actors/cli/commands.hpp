@@ -32,6 +32,12 @@ void add_completion(CLI::App& app, Action& chosen);
 void add_man(CLI::App& app, Action& chosen);
 
 /// Exit statuses besides those that a component ends a system with.
-enum ExitStatus : int { success = 0, a_component_failed = 1, bad_input = 2 };
+enum ExitStatus : int {
+  success = 0,
+  a_component_failed = 1,
+  bad_input = 2,
+  /// A run under faults that shows nothing.
+  vacuous_run = 4,
+};
 
 } // namespace castor::cli

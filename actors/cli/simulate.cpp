@@ -2,6 +2,7 @@
 #include "castor/actors/cli/inspection_command.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/progress.hpp"
+#include "castor/actors/cli/seeds_option.hpp"
 #include "castor/actors/cli/signals.hpp"
 #include "castor/actors/cli/writable.hpp"
 #include "castor/actors/component/log.hpp"
@@ -48,15 +49,6 @@ struct SimulateArguments {
   std::size_t violations = 1;
   bool json = false;
 };
-
-std::string check_seeds(const std::string& text) {
-  try {
-    simulation::parse_seeds(text);
-    return {};
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-}
 
 /// The state that a file keeps, or one of nothing done if there is no such file. Throws
 /// std::runtime_error if it cannot be continued with these seeds.

@@ -1,4 +1,5 @@
 #include "castor/actors/faults/chaos_report.hpp"
+#include "castor/actors/faults/coverage.hpp"
 #include "castor/actors/faults/recovery_times.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,17 +15,15 @@ Json json_of(std::optional<Timestamp> x) {
 }
 
 Json json_of(const FaultRecord& x) {
-  return {{"at_us", json_of(x.at)},
-          {"happened_us", json_of(x.happened)},
-          {"until_us", json_of(x.until)},
-          {"target", x.target},
-          {"fault", x.fault},
-          {"state", to_string(x.state)},
-          {"outcome", x.outcome}};
+  return {{"at_us", json_of(x.at)},       {"happened_us", json_of(x.happened)},
+          {"until_us", json_of(x.until)}, {"kind", x.kind},
+          {"target", x.target},           {"fault", x.fault},
+          {"state", to_string(x.state)},  {"outcome", x.outcome}};
 }
 
 Json json_of(const Outage& x) {
   return {{"target", x.target},
+          {"kind", x.kind},
           {"down_us", json_of(x.down)},
           {"up_us", json_of(x.up)},
           {"first_callback_us", json_of(x.first_callback)},
@@ -68,6 +67,14 @@ Json json_of(const ProcessResources& x) {
   return {{"process", x.process}, {"id", x.id}, {"samples", std::move(samples)}};
 }
 
+Json json_of(const Activity& x) {
+  return {{"duration_us", json_of(x.duration)},
+          {"callbacks", x.callbacks},
+          {"operations", x.operations},
+          {"moments", x.moments},
+          {"busy_moments", x.busy_moments}};
+}
+
 template <class T>
 Json list_of(const std::vector<T>& items) {
   auto result = Json::array();
@@ -87,6 +94,14 @@ Json recovery_of(const ChaosRun& run) {
 } // namespace
 
 std::string to_json(const ChaosRun& run) {
+  auto coverage = Json::array();
+  for (auto& table : coverage_of(run).tables())
+    for (auto& [target, cells] : table.rows)
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        coverage.push_back({{"kind", table.kinds[i]},
+                            {"target", target},
+                            {"hits", cells[i].hits},
+                            {"misses", cells[i].misses}});
   auto facts = Json::object();
   for (auto& [name, value] : run.facts)
     facts[name] = value;
@@ -95,11 +110,14 @@ std::string to_json(const ChaosRun& run) {
               {"seed", run.seed},
               {"duration_us", json_of(run.duration)},
               {"held", run.held()},
+              {"vacuous", run.vacuous()},
+              {"activity", run.activity ? json_of(*run.activity) : Json(nullptr)},
               {"checks", list_of(run.checks)},
               {"violations", list_of(run.violations)},
               {"recovery", recovery_of(run)},
               {"faults", list_of(run.faults)},
               {"outages", list_of(run.outages)},
+              {"coverage", std::move(coverage)},
               {"resources", list_of(run.resources)},
               {"facts", std::move(facts)},
               {"plan", run.plan}};

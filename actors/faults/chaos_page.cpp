@@ -1,6 +1,7 @@
 #include "castor/actors/cast/markup.hpp"
 #include "castor/actors/faults/chaos_report.hpp"
 #include "castor/actors/faults/chart.hpp"
+#include "castor/actors/faults/coverage.hpp"
 #include "castor/actors/faults/rounded.hpp"
 
 #include <fmt/core.h>
@@ -95,7 +96,9 @@ std::string facts(const ChaosRun& run) {
   table.row({"seed", std::to_string(run.seed)});
   table.row({"duration", rounded(run.duration)});
   table.row({"faults", fault_summary(run)});
-  table.row({"outages", recovery_summary(run)});
+  table.row({"outages", outage_summary(run) + "; " + recovery_summary(run)});
+  if (run.activity)
+    table.row({"meanwhile", activity_summary(*run.activity)});
   for (auto& [name, value] : run.facts)
     table.row({name, value});
   return table.take();
@@ -183,6 +186,33 @@ std::string fault_list(const ChaosRun& run) {
   return run.faults.empty() ? std::string{} : heading("Faults") + table.take();
 }
 
+std::string coverage(const ChaosRun& run) {
+  auto all = coverage_of(run);
+  if (all.empty())
+    return {};
+  auto result =
+    heading("What was hit") +
+    fmt::format("<p class=\"quiet\">{} of {} pairs of a fault and a target; faults that "
+                "did not happen behind a minus</p>\n",
+                all.hit(), all.possible());
+  for (auto& x : all.tables()) {
+    std::vector<std::string> titles;
+    for (auto& kind : x.kinds)
+      titles.push_back(' ' + kind);
+    std::vector<std::string_view> columns{""};
+    columns.insert(columns.end(), titles.begin(), titles.end());
+    Table table{columns};
+    for (auto& [target, cells] : x.rows) {
+      std::vector<std::string> row{target};
+      for (auto& cell : cells)
+        row.push_back(to_text(cell));
+      table.row(row);
+    }
+    result += table.take();
+  }
+  return result;
+}
+
 std::string outage_list(const ChaosRun& run) {
   Table table{
     {"who", " down at", " back after", " working after", " given up after", " bound", "why"}};
@@ -209,9 +239,13 @@ std::string to_html(const ChaosRun& run) {
                      "<meta name=\"viewport\" content=\"width=device-width\">\n"
                      "<title>{0}: {1}</title>\n<style>{2}</style></head><body>\n"
                      "<h1>{0}: <span class=\"{3}\">{1}</span></h1>\n",
-                     escaped(run.system), verdict_of(run), styles, run.held() ? "good" : "bad") +
+                     escaped(run.system), verdict_of(run), styles,
+                     !run.held()             ? "bad"
+                     : run.vacuous().empty() ? "good"
+                                             : "quiet") +
          facts(run) + checks(run) + violations(run) + timeline(run) + recovery(run) +
-         resources(run) + fault_list(run) + outage_list(run) + plan(run) + "</body></html>\n";
+         resources(run) + coverage(run) + fault_list(run) + outage_list(run) + plan(run) +
+         "</body></html>\n";
 }
 
 } // namespace castor::faults

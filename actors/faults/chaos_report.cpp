@@ -1,12 +1,14 @@
 #include "castor/actors/faults/chaos_report.hpp"
 
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/faults/coverage.hpp"
 #include "castor/actors/faults/recovery_times.hpp"
 #include "castor/actors/faults/rounded.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 namespace castor::faults {
 
@@ -25,6 +27,15 @@ public:
       text_.append(colour).append(safe(text)).append("\033[0m\n");
     else
       text_.append(safe(text)).append("\n");
+  }
+
+  /// Lines, each indented.
+  void add_lines(std::string_view text) {
+    while (!text.empty()) {
+      auto end = std::min(text.find('\n'), text.size());
+      add("  " + std::string{text.substr(0, end)});
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
   }
 
   std::string take() { return std::move(text_); }
@@ -54,18 +65,25 @@ void add_check(Lines& out, const CheckRecord& x) {
 void add_violation(Lines& out, const Violation& x) {
   out.add("");
   out.add(x.check + (x.at ? " at " + rounded(*x.at) : ""), red);
-  std::string_view rest = x.text;
-  while (!rest.empty()) {
-    auto end = std::min(rest.find('\n'), rest.size());
-    out.add("  " + std::string{rest.substr(0, end)});
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
+  out.add_lines(x.text);
   out.add("  seed " + std::to_string(x.seed) + ", again: " + x.replay);
 }
 
 } // namespace
 
+std::string ChaosRun::vacuous() const {
+  if (outages.empty())
+    return "nothing went down";
+  constexpr std::size_t enough_moments = 10;
+  if (activity && activity->moments >= enough_moments && 2 * activity->busy_moments < activity->moments)
+    return fmt::format("nothing was going on in {} of {} moments",
+                       activity->moments - activity->busy_moments, activity->moments);
+  return {};
+}
+
 std::string verdict_of(const ChaosRun& run) {
+  if (auto reason = run.vacuous(); run.held() && !reason.empty())
+    return "vacuous, " + reason;
   if (run.held())
     return "held";
   return run.violations.size() == 1 ? "1 violation"
@@ -96,6 +114,23 @@ std::string fault_summary(const ChaosRun& run) {
   return result;
 }
 
+std::string outage_summary(const ChaosRun& run) {
+  std::map<std::string_view, std::size_t> counts;
+  for (auto& x : run.outages)
+    ++counts[x.kind];
+  std::string kinds;
+  for (auto& [kind, count] : counts)
+    kinds += fmt::format("{}{} {}", kinds.empty() ? ": " : ", ", kind, count);
+  auto n = run.outages.size();
+  return fmt::format("{} outage{}", n, n == 1 ? "" : "s") + kinds;
+}
+
+std::string activity_summary(const Activity& x) {
+  return fmt::format("{:.1f} callbacks and {:.1f} operations a second, something in {} of {} "
+                     "moments",
+                     x.rate(x.callbacks), x.rate(x.operations), x.busy_moments, x.moments);
+}
+
 std::string recovery_summary(const ChaosRun& run) {
   auto times = recovery_times(run.outages);
   auto given_up =
@@ -109,11 +144,30 @@ std::string recovery_summary(const ChaosRun& run) {
   return result;
 }
 
+namespace {
+
+void add_verdict(Lines& out, const ChaosRun& run) {
+  auto colour = !run.held() ? red : run.vacuous().empty() ? green : yellow;
+  auto activity = run.activity ? "; " + activity_summary(*run.activity) : std::string{};
+  out.add(fmt::format("{}: {} ({}{}; seed {}, {})", run.system, verdict_of(run),
+                      outage_summary(run), activity, run.seed, rounded(run.duration)),
+          colour);
+}
+
+} // namespace
+
+std::string to_line(const ChaosRun& run, bool coloured) {
+  Lines out{coloured};
+  add_verdict(out, run);
+  auto result = out.take();
+  result.pop_back();
+  return result;
+}
+
 std::string to_text(const ChaosRun& run, bool coloured) {
   Lines out{coloured};
-  out.add(fmt::format("{}: {} (seed {}, {}, {})", run.system, verdict_of(run), run.seed,
-                      rounded(run.duration), fault_summary(run)),
-          run.held() ? green : red);
+  add_verdict(out, run);
+  out.add("  faults: " + fault_summary(run));
   for (auto& x : run.checks)
     add_check(out, x);
   if (!run.outages.empty())
@@ -122,6 +176,10 @@ std::string to_text(const ChaosRun& run, bool coloured) {
     out.add("  " + name + ": " + value);
   for (auto& x : run.violations)
     add_violation(out, x);
+  if (auto coverage = coverage_of(run); !coverage.empty()) {
+    out.add("");
+    out.add_lines(to_text(coverage));
+  }
   return out.take();
 }
 

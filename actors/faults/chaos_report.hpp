@@ -18,8 +18,17 @@ std::string to_json(const ChaosRun& run);
 /// @param coloured uses ANSI escape sequences
 std::string to_text(const ChaosRun& run, bool coloured = false);
 
-/// "held" or "2 violations".
+/// The verdict with what it rests on, in one line, with escape sequences or without.
+std::string to_line(const ChaosRun& run, bool coloured = false);
+
+/// "held", "2 violations", or "vacuous, nothing went down".
 std::string verdict_of(const ChaosRun& run);
+
+/// "14 outages: component 11, working memory 3".
+std::string outage_summary(const ChaosRun& run);
+
+/// "11.2 callbacks and 30.1 operations a second, something in 58 of 60 moments".
+std::string activity_summary(const Activity& x);
 
 /// "17 of 20 faults happened, 2 never came to it, 1 not injected".
 std::string fault_summary(const ChaosRun& run);

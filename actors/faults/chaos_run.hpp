@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/faults/fault_targets.hpp"
 #include "castor/wm/timestamp.hpp"
 
 #include <cstdint>
@@ -33,6 +34,8 @@ struct FaultRecord {
   std::optional<Timestamp> happened;
   /// Of one that lasted: when it was over.
   std::optional<Timestamp> until;
+  /// "crash", "fail journal".
+  std::string kind;
   /// Component, process, link or subarchitecture.
   std::string target;
   /// As in a plan.
@@ -55,6 +58,8 @@ struct Outage {
   /// It has to be back, or given up, so long after it went down.
   Timestamp bound{0};
   std::string reason;
+  /// What it is: "component", "working memory".
+  std::string_view kind = "component";
 
   /// How long it took until it worked again; nothing if it never did.
   std::optional<Timestamp> recovery() const {
@@ -102,6 +107,24 @@ struct ProcessResources {
   std::int64_t id = 0;
 };
 
+/// What components did while faults were injected.
+struct Activity {
+  /// Over how long it was measured.
+  Timestamp duration{0};
+  std::uint64_t callbacks = 0;
+  std::uint64_t operations = 0;
+  /// Of so many moments, about one a second, those in which components that had not just been
+  /// started had anything to do.
+  std::size_t moments = 0;
+  std::size_t busy_moments = 0;
+
+  /// Per second.
+  double rate(std::uint64_t count) const {
+    auto seconds = std::chrono::duration<double>(duration).count();
+    return seconds > 0 ? static_cast<double>(count) / seconds : 0;
+  }
+};
+
 /// All that is to be said about one run of `castor chaos`.
 struct ChaosRun {
   /// The .cast file.
@@ -117,11 +140,20 @@ struct ChaosRun {
   std::vector<CheckRecord> checks;
   std::vector<Violation> violations;
   std::vector<ProcessResources> resources;
+  /// What could be hit.
+  FaultTargets targets;
+  /// Nothing if it was not measured.
+  std::optional<Activity> activity;
   /// What else is worth knowing: names and values.
   std::vector<std::pair<std::string, std::string>> facts;
 
   /// Nothing is known that must not be.
   bool held() const { return violations.empty(); }
+
+  /// Why the run shows nothing although nothing is known that must not be: nothing went down, or
+  /// most of the time nothing was going on, as far as it was long enough to tell. Empty if it shows
+  /// something.
+  std::string vacuous() const;
 };
 
 } // namespace castor::faults

@@ -91,6 +91,10 @@ std::string to_string(const Fault& x) {
   return std::visit(Printer{}, x);
 }
 
+std::string_view kind_of(const Fault& fault) noexcept {
+  return std::visit([](const auto& x) { return x.kind; }, fault);
+}
+
 std::string target_of(const Fault& fault) {
   return std::visit(
     [](const auto& x) -> std::string {

@@ -58,6 +58,7 @@ using Lasting = std::optional<Timestamp>;
 /// The component ends at once, as by a fault of the machine. An isolated one takes its process
 /// along.
 struct Crash {
+  static constexpr std::string_view kind = "crash";
   ComponentTarget component;
 
   friend auto operator<=>(const Crash&, const Crash&) = default;
@@ -65,6 +66,7 @@ struct Crash {
 
 /// A callback of the component throws.
 struct Throw {
+  static constexpr std::string_view kind = "throw";
   ComponentTarget component;
   /// Which of those that begin from now on, from 1.
   std::uint32_t callback = 1;
@@ -74,6 +76,7 @@ struct Throw {
 
 /// The component's next callback does not come to an end.
 struct Hang {
+  static constexpr std::string_view kind = "hang";
   ComponentTarget component;
   Lasting duration;
 
@@ -82,6 +85,7 @@ struct Hang {
 
 /// Every callback of the component takes longer.
 struct Slow {
+  static constexpr std::string_view kind = "slow";
   ComponentTarget component;
   Timestamp by{0};
   Lasting duration;
@@ -91,6 +95,7 @@ struct Slow {
 
 /// SIGKILL.
 struct Kill {
+  static constexpr std::string_view kind = "kill";
   ProcessTarget process;
 
   friend auto operator<=>(const Kill&, const Kill&) = default;
@@ -98,6 +103,7 @@ struct Kill {
 
 /// SIGSTOP, and SIGCONT when it is over.
 struct Stop {
+  static constexpr std::string_view kind = "stop";
   ProcessTarget process;
   Lasting duration;
 
@@ -106,6 +112,7 @@ struct Stop {
 
 /// SIGCONT.
 struct Continue {
+  static constexpr std::string_view kind = "continue";
   ProcessTarget process;
 
   friend auto operator<=>(const Continue&, const Continue&) = default;
@@ -113,6 +120,7 @@ struct Continue {
 
 /// Nothing passes between the processes of one group and those of another.
 struct Partition {
+  static constexpr std::string_view kind = "partition";
   std::vector<std::string> group;
   /// Empty: all others.
   std::vector<std::string> from;
@@ -123,6 +131,7 @@ struct Partition {
 
 /// What passes a link passes later.
 struct Delay {
+  static constexpr std::string_view kind = "delay";
   Timestamp by{0};
   LinkTarget link;
   Lasting duration;
@@ -132,6 +141,7 @@ struct Delay {
 
 /// A part of what passes a link is lost.
 struct Drop {
+  static constexpr std::string_view kind = "drop";
   Percent part;
   LinkTarget link;
   Lasting duration;
@@ -141,6 +151,7 @@ struct Drop {
 
 /// A part of what passes a link arrives twice.
 struct Duplicate {
+  static constexpr std::string_view kind = "duplicate";
   Percent part;
   LinkTarget link;
   Lasting duration;
@@ -150,6 +161,7 @@ struct Duplicate {
 
 /// A part of what passes a link is overtaken by what comes after it.
 struct Reorder {
+  static constexpr std::string_view kind = "reorder";
   Percent part;
   LinkTarget link;
   Lasting duration;
@@ -159,6 +171,7 @@ struct Reorder {
 
 /// Writes to the working memory's journal fail.
 struct FailJournal {
+  static constexpr std::string_view kind = "fail journal";
   MemoryTarget memory;
   Lasting duration;
 
@@ -167,6 +180,7 @@ struct FailJournal {
 
 /// Writes to the working memory's journal take longer.
 struct SlowJournal {
+  static constexpr std::string_view kind = "slow journal";
   MemoryTarget memory;
   Timestamp by{0};
   Lasting duration;
@@ -176,6 +190,7 @@ struct SlowJournal {
 
 /// The clock by which the working memory ends leases goes forward, or back.
 struct JumpClock {
+  static constexpr std::string_view kind = "jump clock";
   MemoryTarget memory;
   Timestamp by{0};
 
@@ -185,6 +200,9 @@ struct JumpClock {
 /// Anything that a plan can do to a system.
 using Fault = std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop,
                            Duplicate, Reorder, FailJournal, SlowJournal, JumpClock>;
+
+/// "crash", "fail journal".
+std::string_view kind_of(const Fault& x) noexcept;
 
 /// Whether the fault only takes effect when something comes: a callback of its component, a write
 /// to its journal, a message over its link. Then this says what: "its component had no such

@@ -200,14 +200,47 @@ private:
 
 } // namespace
 
+std::string FaultTargets::supervisor_of(const std::string& component) const {
+  auto i = std::ranges::find(components, component, &Component::name);
+  return i == components.end() ? std::string{} : i->subarchitecture;
+}
+
+FaultTargets::RestartLimit FaultTargets::limit_of(const std::string& supervisor) const {
+  auto i = std::ranges::find(subarchitectures, supervisor, &Subarchitecture::name);
+  return i == subarchitectures.end() ? system_limit : i->limit;
+}
+
+std::string_view word_for(const FaultTargets& targets, const std::string& component) {
+  auto i = std::ranges::find(targets.components, component, &FaultTargets::Component::name);
+  if (i == targets.components.end())
+    return "component";
+  switch (i->kind) {
+    case ComponentKind::working_memory:
+      return "working memory";
+    case ComponentKind::task_manager:
+      return "task manager";
+    case ComponentKind::standalone:
+      return "stand-alone component";
+    case ComponentKind::managed:
+    case ComponentKind::unmanaged:
+      break;
+  }
+  return i->isolated ? "isolated component" : "component";
+}
+
 FaultTargets targets_of(const ArchitectureDescription& architecture,
                         std::vector<std::string> nodes) {
   FaultTargets result;
+  auto limit_of = [&](std::string_view who) {
+    auto policy = architecture.supervision_of(who);
+    return FaultTargets::RestartLimit{policy.restarts, policy.period};
+  };
+  result.system_limit = limit_of(SupervisionRule::system);
   for_each_component(architecture, [&](const ComponentDescription& x) {
     result.components.push_back({x.name, x.subarchitecture, x.kind, x.is_on("isolate")});
   });
   for (auto& x : architecture.subarchitectures)
-    result.subarchitectures.push_back({x.name, has_journal(x.working_memory)});
+    result.subarchitectures.push_back({x.name, has_journal(x.working_memory), limit_of(x.name)});
   result.nodes = std::move(nodes);
   return result;
 }

@@ -5,12 +5,18 @@
 #include "castor/actors/faults/fault_plan.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace castor::faults {
 
 /// What faults may befall in a system.
 struct FaultTargets {
+  /// How many restarts a supervisor allows within a period.
+  struct RestartLimit {
+    std::uint32_t restarts = 0;
+    Timestamp period{0};
+  };
   struct Component {
     std::string name;
     /// Empty for a stand-alone component.
@@ -28,6 +34,7 @@ struct FaultTargets {
     std::string name;
     /// Whether its working memory has a journal.
     bool has_journal = false;
+    RestartLimit limit = {};
   };
 
   /// In the order of the file, working memories and task managers included.
@@ -35,7 +42,17 @@ struct FaultTargets {
   std::vector<Subarchitecture> subarchitectures;
   /// Without the coordinator.
   std::vector<std::string> nodes;
+  /// That of the supervisor of stand-alone components and subarchitectures.
+  RestartLimit system_limit = {};
+
+  /// The subarchitecture that a component or a working memory is of; empty for stand-alone ones.
+  std::string supervisor_of(const std::string& component) const;
+  /// Of a subarchitecture, or of the system if that is empty.
+  RestartLimit limit_of(const std::string& supervisor) const;
 };
+
+/// What a component or a working memory is: "isolated component", "task manager".
+std::string_view word_for(const FaultTargets& targets, const std::string& component);
 
 FaultTargets targets_of(const ArchitectureDescription& architecture,
                         std::vector<std::string> nodes);

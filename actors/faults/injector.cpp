@@ -119,6 +119,7 @@ FaultRecord Injector::inject(const Fault& fault) {
   record.at = now();
   if (auto duration = duration_of(fault))
     record.until = record.at + *duration;
+  record.kind = kind_of(fault);
   record.target = target_of(fault);
   record.fault = to_string(fault);
   record.state = FaultState::armed;

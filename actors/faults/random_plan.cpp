@@ -1,10 +1,13 @@
 #include "castor/actors/faults/random_plan.hpp"
 
-#include "castor/actors/faults/draw.hpp"
+#include "castor/actors/faults/possible_faults.hpp"
+#include "castor/actors/faults/seeded_random.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace castor::faults {
 
@@ -12,138 +15,142 @@ namespace {
 
 constexpr Timestamp millisecond{1000};
 constexpr std::int64_t most_callbacks = 20;
-constexpr std::int64_t highest_percent = 30;
-constexpr std::int64_t longest_jump_ms = 10'000;
 
-/// As often short as long, from 5 ms on.
-Timestamp random_duration(SeededRandom& random, Timestamp longest) {
-  constexpr std::int64_t shortest_ms = 5;
-  auto most_doublings = 0;
-  while ((shortest_ms << (most_doublings + 1)) * millisecond < longest)
-    ++most_doublings;
-  auto shortest = shortest_ms << random.between(0, most_doublings);
-  return std::min(longest, random.between(shortest, 2 * shortest) * millisecond);
-}
+/// Of the restarts that supervisors allow, those that faults have used.
+class RestartBudget {
+public:
+  explicit RestartBudget(const FaultTargets& targets) : targets_(targets) {}
 
-/// What there is to draw from.
-struct Choice {
-  const FaultTargets& targets;
-  SeededRandom& random;
-  Timestamp longest;
-
-  Timestamp duration() const { return random_duration(random, longest); }
-  Timestamp little() const { return random_duration(random, std::min(longest, 100 * millisecond)); }
-  Percent part() const {
-    return {static_cast<std::uint32_t>(1000 * random.between(1, highest_percent))};
+  /// Whether the supervisor of a component bears one more failure then.
+  bool bears(const std::string& component, Timestamp at) const {
+    auto supervisor = targets_.supervisor_of(component);
+    auto failures = failures_.find(supervisor);
+    if (failures == failures_.end())
+      return targets_.limit_of(supervisor).restarts > 0;
+    auto limit = targets_.limit_of(supervisor);
+    // A failure may come some time after its fault: what is within two periods may be within one.
+    auto recent = std::ranges::count_if(failures->second,
+                                        [&](Timestamp x) { return at - x < 2 * limit.period; });
+    return static_cast<std::uint64_t>(recent) < limit.restarts;
   }
+
+  void spend(const std::string& component, Timestamp at) {
+    failures_[targets_.supervisor_of(component)].push_back(at);
+  }
+
+private:
+  const FaultTargets& targets_;
+  std::map<std::string, std::vector<Timestamp>> failures_;
 };
 
-struct Kind {
-  /// Of all kinds that are possible in the system.
-  std::size_t weight;
-  bool (*possible)(const FaultTargets&);
-  Fault (*make)(Choice&);
+/// Whose failure a fault is, if it makes one.
+std::string failing_component(const Fault& fault) {
+  return std::visit(
+    [](const auto& x) -> std::string {
+      if constexpr (requires { x.memory; })
+        return working_memory_of(x.memory.subarchitecture);
+      else if constexpr (requires { x.component; })
+        return x.component.name;
+      else if constexpr (requires { x.process; })
+        return x.process.name;
+      else
+        return {};
+    },
+    fault);
+}
+
+/// Draws one fault after the other.
+class Drawing {
+public:
+  Drawing(const FaultTargets& targets, const RandomPlanOptions& options, SeededRandom& random)
+    : targets_(targets), options_(options), random_(random), budget_(targets) {
+    for (auto& kind : fault_kinds()) {
+      if (options.failures_only && !kind.costs_restart)
+        continue;
+      Possible possible{&kind, {}};
+      for (auto& fault : kind.for_each_target(targets))
+        possible.faults.insert(possible.faults.end(), weight_of(kind, fault), fault);
+      if (possible.faults.empty())
+        continue;
+      drawn_.insert(drawn_.end(), kind.weight, kinds_.size());
+      kinds_.push_back(std::move(possible));
+    }
+  }
+
+  bool has_any() const { return !kinds_.empty(); }
+
+  /// Nothing if what was drawn is more than a supervisor bears, again and again.
+  std::optional<Fault> next(Timestamp at, Timestamp end) {
+    constexpr int tries = 20;
+    for (int i = 0; i < tries; ++i) {
+      auto& [kind, faults] = kinds_[random_.one_of(drawn_)];
+      auto fault = random_.one_of(faults);
+      auto component = failing_component(fault);
+      auto limited = kind->costs_restart && options_.within_restart_limits;
+      if (limited && !budget_.bears(component, at))
+        continue;
+      FaultDraws draws{random_, std::min(options_.longest, end - at),
+                       callbacks_to_come(component, end - at)};
+      kind->complete(fault, draws);
+      if (limited)
+        budget_.spend(component, at);
+      return fault;
+    }
+    return std::nullopt;
+  }
+
+private:
+  /// A kind, with its faults as often as they are to be drawn.
+  struct Possible {
+    const FaultKind* kind;
+    std::vector<Fault> faults;
+  };
+
+  ComponentActivity activity_of(const std::string& component) const {
+    auto i = options_.activity->find(component);
+    return i == options_.activity->end() ? ComponentActivity{} : i->second;
+  }
+
+  /// From 0 to 8: coarse, so that it is the same from run to run.
+  std::size_t weight_of(const FaultKind& kind, const Fault& fault) const {
+    constexpr double per_minute = 60;
+    if (!options_.activity)
+      return 1;
+    auto is_component = std::visit(
+      [](const auto& x) {
+        return requires {
+          x.component;
+        };
+      },
+      fault);
+    if (!is_component)
+      return 1;
+    auto activity = activity_of(failing_component(fault));
+    if (kind.needs_callback && activity.callbacks * per_minute < 1)
+      return 0;
+    auto all = (activity.callbacks + activity.operations) * per_minute;
+    return 1 + static_cast<std::size_t>(std::clamp(std::log10(1 + all) * 2, 0.0, 7.0));
+  }
+
+  /// Of those that are to be expected about half, since not every minute is like the others;
+  /// coarse, too.
+  std::int64_t callbacks_to_come(const std::string& component, Timestamp rest) const {
+    if (!options_.activity)
+      return most_callbacks;
+    auto expected =
+      activity_of(component).callbacks * std::chrono::duration<double>(rest).count() / 2;
+    auto coarse = std::bit_floor(static_cast<std::uint64_t>(expected));
+    return std::clamp(static_cast<std::int64_t>(coarse), std::int64_t{1}, most_callbacks);
+  }
+
+  const FaultTargets& targets_;
+  const RandomPlanOptions& options_;
+  SeededRandom& random_;
+  RestartBudget budget_;
+  std::vector<Possible> kinds_;
+  /// Places in `kinds_`, each as often as its kind is to be drawn.
+  std::vector<std::size_t> drawn_;
 };
-
-bool has_component(const FaultTargets& x) {
-  return std::ranges::any_of(x.components, &FaultTargets::Component::is_any);
-}
-bool has_isolated(const FaultTargets& x) {
-  return std::ranges::any_of(x.components, &FaultTargets::Component::isolated);
-}
-bool has_node(const FaultTargets& x) {
-  return !x.nodes.empty();
-}
-bool has_memory(const FaultTargets& x) {
-  return !x.subarchitectures.empty();
-}
-bool has_journal(const FaultTargets& x) {
-  return std::ranges::any_of(x.subarchitectures, &FaultTargets::Subarchitecture::has_journal);
-}
-
-Fault kill_isolated(Choice& x) {
-  std::vector<std::string> names;
-  for (auto& y : x.targets.components)
-    if (y.isolated)
-      names.push_back(y.name);
-  return Kill{{x.random.one_of(names)}};
-}
-
-Fault crash_memory_with_journal(Choice& x) {
-  std::vector<std::string> names;
-  for (auto& y : x.targets.components)
-    for (auto& z : x.targets.subarchitectures)
-      if (y.kind == ComponentKind::working_memory && y.subarchitecture == z.name && z.has_journal)
-        names.push_back(y.name);
-  return Crash{{x.random.one_of(names), {}}};
-}
-
-Fault jump(Choice& x) {
-  auto ms = x.random.between(1, longest_jump_ms);
-  return JumpClock{{}, (x.random.below(3) == 0 ? -ms : ms) * millisecond};
-}
-
-Fault throw_somewhere(Choice& x) {
-  return Throw{{}, static_cast<std::uint32_t>(x.random.between(1, most_callbacks))};
-}
-
-const std::array kinds{
-  Kind{6, has_component, [](Choice&) -> Fault { return Crash{}; }},
-  Kind{4, has_component, throw_somewhere},
-  Kind{3, has_component,
-       [](Choice& x) -> Fault {
-         return Hang{{}, x.duration()};
-       }},
-  Kind{3, has_component,
-       [](Choice& x) -> Fault {
-         return Slow{{}, x.little(), x.duration()};
-       }},
-  Kind{3, has_isolated, kill_isolated},
-  Kind{2, has_node, [](Choice&) -> Fault { return Kill{}; }},
-  Kind{3, has_node,
-       [](Choice& x) -> Fault {
-         return Stop{{}, x.duration()};
-       }},
-  Kind{3, has_node,
-       [](Choice& x) -> Fault {
-         return Partition{{x.random.one_of(x.targets.nodes)}, {}, x.duration()};
-       }},
-  Kind{3, has_node,
-       [](Choice& x) -> Fault {
-         return Delay{x.little(), {}, x.duration()};
-       }},
-  Kind{2, has_node,
-       [](Choice& x) -> Fault {
-         return Drop{x.part(), {}, x.duration()};
-       }},
-  Kind{1, has_node,
-       [](Choice& x) -> Fault {
-         return Duplicate{x.part(), {}, x.duration()};
-       }},
-  Kind{1, has_node,
-       [](Choice& x) -> Fault {
-         return Reorder{x.part(), {}, x.duration()};
-       }},
-  Kind{2, has_journal, crash_memory_with_journal},
-  Kind{2, has_journal,
-       [](Choice& x) -> Fault {
-         return FailJournal{{}, x.duration()};
-       }},
-  Kind{2, has_journal,
-       [](Choice& x) -> Fault {
-         return SlowJournal{{}, x.little(), x.duration()};
-       }},
-  Kind{2, has_memory, jump},
-};
-
-/// Those that are possible, each as often as its weight says.
-std::vector<const Kind*> possible_kinds(const FaultTargets& targets) {
-  std::vector<const Kind*> result;
-  for (auto& kind : kinds)
-    if (kind.possible(targets))
-      result.insert(result.end(), kind.weight, &kind);
-  return result;
-}
 
 } // namespace
 
@@ -152,20 +159,18 @@ FaultPlan random_plan(const FaultTargets& targets, std::uint64_t seed, Timestamp
   FaultPlan result;
   result.file = "seed " + std::to_string(seed);
   result.seed = seed;
-  auto possible = possible_kinds(targets);
-  if (possible.empty())
-    return result;
   SeededRandom random{seed, "random plan"};
+  Drawing drawing{targets, options, random};
+  if (!drawing.has_any())
+    return result;
   auto end = duration - std::min(options.rest, duration / 4);
   auto most_pause = std::max<std::int64_t>(2 * (options.interval / millisecond), 1);
-  Timestamp at{0};
-  while (true) {
+  for (Timestamp at{0};;) {
     at += random.between(1, most_pause) * millisecond;
     if (at >= end)
       return result;
-    Choice choice{targets, random, std::min(options.longest, end - at)};
-    auto fault = draw_targets(random.one_of(possible)->make(choice), targets, random);
-    result.statements.push_back({At{at}, {std::move(fault)}, {}, {}});
+    if (auto fault = drawing.next(at, end))
+      result.statements.push_back({At{at}, {*std::move(fault)}, {}, {}});
   }
 }
 

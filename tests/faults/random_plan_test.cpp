@@ -5,7 +5,11 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace castor::faults {
 
@@ -38,10 +42,12 @@ RC_GTEST_PROP(RandomPlan, FitsTheSystemAndLeavesItToRest, (std::uint64_t seed)) 
 }
 
 TEST(RandomPlan, HasEverythingThatCanBefallTheSystemAndAnEndToIt) {
-  auto plan = random_plan(test::table_top(), 1, 2000s);
+  RandomPlanOptions options;
+  options.within_restart_limits = false;
+  auto plan = random_plan(test::table_top(), 1, 2000s, options);
   auto kinds = kinds_in(plan);
-  // All but `continue`: stops end by themselves.
-  EXPECT_EQ(kinds.size(), std::variant_size_v<Fault> - 1);
+  // All but `continue`, since stops end by themselves, and what links as streams cannot do.
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Fault> - 3);
   EXPECT_GT(plan.statements.size(), 800U);
   EXPECT_LT(plan.statements.size(), 1200U);
 }
@@ -49,8 +55,90 @@ TEST(RandomPlan, HasEverythingThatCanBefallTheSystemAndAnEndToIt) {
 TEST(RandomPlan, HasNothingForWhatIsNotThere) {
   EXPECT_TRUE(random_plan({}, 1, 100s).statements.empty());
   auto text = to_string(random_plan(test::small_system(), 1, 2000s));
+  EXPECT_NE(text, "");
   for (auto absent : {"kill", "stop", "link", "between", "journal", "only_wm"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent;
+}
+
+/// How many failures a supervisor is asked to bear within its period, at most: of components of a
+/// subarchitecture, or of stand-alone ones if that is empty.
+std::size_t most_failures_within(const FaultPlan& plan, const FaultTargets& targets,
+                                 const std::string& supervisor, Timestamp period) {
+  std::vector<Timestamp> failures;
+  for (auto& x : plan.statements) {
+    auto& fault = x.faults.front();
+    auto name = std::holds_alternative<FailJournal>(fault)
+                  ? working_memory_of(std::get<FailJournal>(fault).memory.subarchitecture)
+                  : target_of(fault);
+    auto fails = std::holds_alternative<Crash>(fault) || std::holds_alternative<Throw>(fault) ||
+                 std::holds_alternative<FailJournal>(fault) ||
+                 (std::holds_alternative<Kill>(fault) && name == "tracker");
+    if (fails && targets.supervisor_of(name) == supervisor)
+      failures.push_back(std::get<At>(x.trigger).time);
+  }
+  std::size_t result = 0;
+  for (auto first : failures)
+    result = std::max(result, static_cast<std::size_t>(std::ranges::count_if(failures, [&](auto x) {
+                        return x >= first && x < first + period;
+                      })));
+  return result;
+}
+
+RC_GTEST_PROP(RandomPlan, AsksNoSupervisorForMoreRestartsThanItAllows, (std::uint64_t seed)) {
+  auto targets = test::table_top();
+  targets.system_limit = {1, 10s};
+  targets.subarchitectures[0].limit = {3, 10s};
+  targets.subarchitectures[1].limit = {2, 5s};
+  auto plan = random_plan(targets, seed, 300s);
+  RC_ASSERT(most_failures_within(plan, targets, "", 10s) <= 1U);
+  RC_ASSERT(most_failures_within(plan, targets, "vision", 10s) <= 3U);
+  RC_ASSERT(most_failures_within(plan, targets, "binding", 5s) <= 2U);
+}
+
+TEST(RandomPlan, WithARateOfItsOwnIgnoresTheLimits) {
+  RandomPlanOptions options;
+  options.interval = 100ms;
+  options.within_restart_limits = false;
+  options.failures_only = true;
+  auto plan = random_plan(test::table_top(), 1, 100s, options);
+  EXPECT_GT(most_failures_within(plan, test::table_top(), "vision", 10s), 20U);
+  for (auto kind : kinds_in(plan))
+    EXPECT_THAT((std::set<std::size_t>{Fault{Crash{}}.index(), Fault{Throw{}}.index(),
+                                       Fault{Kill{}}.index(), Fault{FailJournal{}}.index()}),
+                testing::Contains(kind));
+}
+
+TEST(RandomPlan, GoesToThoseWhoDoMuch) {
+  RandomPlanOptions options;
+  options.within_restart_limits = false;
+  options.activity = ActivityByComponent{{"segmentor", {10, 100}}, {"tracker", {0.01, 0}}};
+  auto plan = random_plan(test::table_top(), 1, 2000s, options);
+  std::map<std::string, std::size_t> crashes;
+  for (auto& x : plan.statements) {
+    auto& fault = x.faults.front();
+    if (std::holds_alternative<Crash>(fault))
+      ++crashes[target_of(fault)];
+    // Nobody else has callbacks.
+    if (std::holds_alternative<Throw>(fault) || std::holds_alternative<Hang>(fault) ||
+        std::holds_alternative<Slow>(fault)) {
+      EXPECT_EQ(target_of(fault), "segmentor");
+    }
+    if (auto thrown = std::get_if<Throw>(&fault)) {
+      EXPECT_LE(thrown->callback, 20U);
+    }
+  }
+  EXPECT_GT(crashes["segmentor"], 3 * crashes["binder"]);
+  EXPECT_GT(crashes["binder"], 0U);
+}
+
+TEST(RandomPlan, WaitsForNoCallbackThatWillHardlyCome) {
+  RandomPlanOptions options;
+  options.within_restart_limits = false;
+  options.activity = ActivityByComponent{{"segmentor", {0.05, 0}}};
+  for (auto& x : random_plan(test::table_top(), 1, 60s, options).statements)
+    if (auto thrown = std::get_if<Throw>(&x.faults.front())) {
+      EXPECT_EQ(thrown->callback, 1U);
+    }
 }
 
 TEST(RandomPlan, FollowsFromTheSeed) {
