@@ -94,17 +94,6 @@ bool keeps_journals(std::uint64_t seed) {
   return random.below(5) < 2;
 }
 
-std::string kind_of(const Fault& x) {
-  auto text = to_string(x);
-  // "fail journal of a by 1s", but "crash a1".
-  auto end =
-    text.find(std::holds_alternative<FailJournal>(x) || std::holds_alternative<SlowJournal>(x) ||
-                  std::holds_alternative<JumpClock>(x)
-                ? " of "
-                : " ");
-  return text.substr(0, end);
-}
-
 namespace {
 
 /// Why the simulation cannot do what a statement says; empty if it can.

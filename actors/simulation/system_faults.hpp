@@ -28,9 +28,6 @@ std::size_t machine_count(std::uint64_t seed);
 /// do.
 bool keeps_journals(std::uint64_t seed);
 
-/// "crash", "fail journal": what a kind of fault is called.
-std::string kind_of(const faults::Fault& x);
-
 /// What of a plan cannot be injected into the system of that seed, or not in a simulation: it takes
 /// one fault at a time, `at` given times, of known targets, for as long as the plan says.
 std::vector<cast::Diagnostic> check_simulated(const faults::FaultPlan& plan, std::uint64_t seed);

@@ -554,7 +554,7 @@ private:
     auto& happened = result.happened;
     happened.add("machines", std::to_string(machines_->count()));
     for (auto& x : result.faults.statements)
-      happened.add("faults", kind_of(x.faults.front()));
+      happened.add("faults", std::string{kind_of(x.faults.front())});
     happened.add("outages", "component down", result.failures);
     happened.add("outages", "component back", result.returns);
     happened.add("outages", "working memory lost its entries", result.losses);
