@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <sstream>
 #include <string>
@@ -113,6 +114,62 @@ TEST_F(Chaos, AFaultWhoseOccasionDoesNotComeIsNotSaidToHaveHappened) {
               testing::ElementsAre("never came to it", "never came to it", "happened"));
   EXPECT_EQ(faults[0]["happened_us"], nullptr);
   EXPECT_GE(faults[2]["happened_us"], faults[2]["at_us"]);
+}
+
+TEST_F(Chaos, ARunInWhichNothingGoesDownIsVacuous) {
+  auto answer =
+    ask(arguments(system("CPP UM ticker Ticker\n"), "at 100ms jump clock of a by 1s\n", "500ms"));
+  EXPECT_EQ(answer.status, 4) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("system.cast: vacuous, nothing went down (0 outages;"));
+  EXPECT_EQ(report_as_json()["vacuous"], "nothing went down");
+}
+
+TEST_F(Chaos, ARunInWhichNothingGoesOnIsVacuous) {
+  auto answer = ask(arguments(system("CPP UM clock Clock\n"), "at 1s crash clock\n", "12s"));
+  EXPECT_EQ(answer.status, 4) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("system.cast: vacuous, nothing was going on in 12 of 12"));
+}
+
+TEST_F(Chaos, WithoutAPlanFaultsKeepWithinTheRestartsThatSupervisorsAllow) {
+  auto file = write("strict.cast", "SUPERVISE a RESTARTS 1 IN 1min\n" +
+                                     read(system("CPP UM ticker Ticker\n"
+                                                 "CPP UM listener Listener --count 1000000\n")));
+  auto answer = ask({"chaos", file, "--duration", "6s", "--seeds", "1..2", "--settle", "300ms",
+                     "--report", report().string()});
+  // A run that happens to hit nobody is vacuous.
+  EXPECT_NE(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(ContainsRegex("strict.cast: .*seed 1,"),
+                                   ContainsRegex("strict.cast: .*seed 2,"),
+                                   ContainsRegex("[0-9]+ of 9 pairs of a fault and a target"),
+                                   ContainsRegex("  listener +[0-9.]")));
+  for (auto seed : {"1", "2"}) {
+    auto result = json::parse(read(report() / seed / "chaos.json"));
+    EXPECT_LE(result["outages"].size(), 1U);
+    EXPECT_GT(result["activity"]["operations"], 0);
+    // The kept plan makes the same faults again.
+    EXPECT_EQ(read(report() / seed / "chaos.plan"), result["plan"]);
+    EXPECT_THAT(result["command"], HasSubstr("--plan"));
+  }
+}
+
+TEST_F(Chaos, FindsTheRateOfFailuresThatSupervisorsDoNotBear) {
+  auto file = write("limited.cast", "SUPERVISE * RESTARTS 2 IN 1min\n"
+                                    "SUPERVISE SYSTEM RESTARTS 0 IN 1min\n" +
+                                      read(system("CPP UM clock Clock\nCPP UM other Clock\n")));
+  auto answer = ask({"chaos", file, "--find-limit", "--rate", "60", "--duration", "2s", "--settle",
+                     "300ms", "--json"});
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  double borne = 0;
+  double too_many = 1e9;
+  for (auto& x : json_lines(answer.output)) {
+    double rate = x["failures_per_minute"];
+    if (x["borne"])
+      borne = std::max(borne, rate);
+    else
+      too_many = std::min(too_many, rate);
+  }
+  EXPECT_LT(borne, too_many);
+  EXPECT_LT(too_many, 1.2 * std::max(borne, 1.0));
 }
 
 TEST_F(Chaos, OneThatDoesNotHoldIsReportedWithTheCommandThatDoesTheSameAgain) {
