@@ -15,7 +15,7 @@ constexpr const char* progress_suffix = ":progress";
 constexpr const char* reply_suffix = ":reply";
 constexpr EntryLife with_its_writer{.ephemeral = true};
 /// Of two servers that take a call the second is refused, even if the first has ended since.
-constexpr EntryLife claim{.ephemeral = true, .only_once = true};
+constexpr EntryLife first_claim{.ephemeral = true, .only_once = true};
 
 } // namespace
 
@@ -168,7 +168,7 @@ std::optional<Address> Calls::obstacle(const std::string& subarchitecture, const
 
 void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
                   Handler handler) {
-  listen_for_cancellations();
+  listen_for_ends();
   auto& subarchitecture = shell_.identity().subarchitecture;
   auto mine = field(&Call::subarchitecture) == subarchitecture &&
               field(&Call::request_type) == request_type.name();
@@ -184,38 +184,56 @@ void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& repl
   }
 }
 
-void Calls::listen_for_cancellations() {
+void Calls::listen_for_ends() {
   if (std::exchange(serving_, true))
     return;
   auto gone =
     deleted<Call>().anywhere().where(&Call::subarchitecture, shell_.identity().subarchitecture);
   shell_.add_listener(gone, [this](const ChangeEvent& event) {
-    if (current_ == event.address)
-      cancelled_.insert(event.address);
+    served_.deleted(event.address);
+    clean_up_later();
   });
-  component_.on_change(gone, [this](const ChangeEvent& event) { clean_up(event.address); });
+  shell_.on_neighbours([this](const Neighbours& before) {
+    for (auto& subarchitecture : lost_working_memories(before, shell_.neighbours()))
+      served_.memory_lost(subarchitecture);
+    clean_up_later();
+  });
 }
 
 void Calls::take(const Address& call_at, const Handler& handler) {
+  if (!served_.begin(call_at))
+    return;
+  auto call = claim(call_at);
+  if (!call)
+    return served_.abandon(call_at);
+  answer(call_at, *call, handler);
+  served_.finish(call_at);
+  clean_up();
+}
+
+std::shared_ptr<const Call> Calls::claim(const Address& call_at) {
   try {
-    auto call = component_.read<Call>(call_at);
-    CallProgress progress{call_at, call->caller, shell_.identity().name, CallState::taken, {}, {}};
-    component_.add(progress_of(call_at), progress, claim);
-    served_.insert(call_at);
-    answer(call_at, *call, std::move(progress), handler);
+    auto call = component_.read<Call>(call_at).object;
+    component_.add(
+      progress_of(call_at),
+      CallProgress{call_at, call->caller, shell_.identity().name, CallState::taken, {}, {}},
+      first_claim);
+    return call;
   } catch (const DoesNotExistOnWM&) {
     // Taken back before it was taken.
   } catch (const AlreadyExistsOnWM&) {
-    // Somebody else was faster.
+    // Another server was faster.
+  } catch (const WorkingMemoryLostException&) {
+    // Its caller's, with the call; or the own one, of which the next operation tells.
   }
+  return nullptr;
 }
 
-void Calls::answer(const Address& call_at, const Call& call, CallProgress progress,
-                   const Handler& handler) {
+void Calls::answer(const Address& call_at, const Call& call, const Handler& handler) {
   auto outer = std::exchange(current_, call_at);
+  CallProgress progress{call_at, call.caller, shell_.identity().name, CallState::done, {}, {}};
   try {
     auto reply = handler(component_.read_entry(call.request)->value);
-    progress.state = CallState::done;
     progress.reply = component_.here(call_at.id + reply_suffix);
     component_.write(WriteBatch{}
                        .add_value(progress.reply, reply, with_its_writer)
@@ -224,18 +242,23 @@ void Calls::answer(const Address& call_at, const Call& call, CallProgress progre
     progress.state = CallState::failed;
     progress.reply = {};
     progress.error = e.what();
-    component_.overwrite(progress_of(call_at), progress);
+    // Operators can delete it.
+    if (component_.exists(progress_of(call_at)))
+      component_.overwrite(progress_of(call_at), progress);
   }
-  cancelled_.erase(call_at);
   current_ = outer;
 }
 
-void Calls::clean_up(const Address& call_at) {
-  if (served_.erase(call_at) == 0)
-    return;
-  for (auto& address : {progress_of(call_at), component_.here(call_at.id + reply_suffix)})
-    if (component_.exists(address))
-      component_.delete_entry(address);
+/// Not at once: operations would have to wait for their answers in the middle of other operations.
+void Calls::clean_up_later() {
+  shell_.call_in_turn("the end of a call", [this] { clean_up(); });
+}
+
+void Calls::clean_up() {
+  for (auto& call_at : served_.take_ended())
+    for (auto& address : {progress_of(call_at), component_.here(call_at.id + reply_suffix)})
+      if (component_.exists(address))
+        component_.delete_entry(address);
 }
 
 Address Calls::progress_of(const Address& call) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/call_types.hpp"
+#include "castor/actors/component/served_calls.hpp"
 #include "castor/wm/address.hpp"
 #include "castor/wm/failure.hpp"
 #include "castor/wm/timestamp.hpp"
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -44,7 +46,7 @@ public:
   void serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type, Handler handler);
 
   /// Whether the call that is being served has been taken back.
-  bool is_cancelled() const { return current_ && cancelled_.count(*current_) > 0; }
+  bool is_cancelled() const { return current_ && served_.is_over(*current_); }
 
 private:
   /// A call of this component that is under way.
@@ -75,11 +77,13 @@ private:
   std::optional<Address> obstacle(const std::string& subarchitecture, const Made& made,
                                   const std::string& request_type, const Open& open);
 
-  void listen_for_cancellations();
+  void listen_for_ends();
   void take(const Address& call, const Handler& handler);
-  void answer(const Address& call_at, const Call& call, CallProgress progress,
-              const Handler& handler);
-  void clean_up(const Address& call);
+  /// Takes a call if nobody else has; null if it is gone or another server has it.
+  std::shared_ptr<const Call> claim(const Address& call);
+  void answer(const Address& call_at, const Call& call, const Handler& handler);
+  void clean_up_later();
+  void clean_up();
   Address progress_of(const Address& call) const;
 
   SubarchitectureComponent& component_;
@@ -90,9 +94,7 @@ private:
 
   bool serving_ = false;
   std::optional<Address> current_;
-  /// Calls that this component has taken, and whose entries are still there.
-  std::set<Address> served_;
-  std::set<Address> cancelled_;
+  ServedCalls served_;
 };
 
 } // namespace castor

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace castor {
 
@@ -16,12 +17,16 @@ struct Neighbours {
   std::map<std::string, caf::actor> task_managers;
   /// Stand-alone components, by name.
   std::map<std::string, caf::actor> providers;
-  /// The names of those that the system has, of which some may be down; and whether they are started
-  /// again if they fail.
+  /// The names of those that the system has, of which some may be down; and whether they are
+  /// started again if they fail.
   std::map<std::string, bool> known_providers;
 };
 
 using NeighboursPtr = std::shared_ptr<const Neighbours>;
+
+/// The subarchitectures whose working memory is gone since `before`; another may have taken its
+/// place.
+std::vector<std::string> lost_working_memories(const Neighbours& before, const Neighbours& now);
 
 } // namespace castor
 

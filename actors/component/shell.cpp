@@ -144,8 +144,10 @@ void ComponentShell::let_go() {
 }
 
 void ComponentShell::meet(NeighboursPtr neighbours) {
-  neighbours_ = std::move(neighbours);
+  auto before = std::exchange(neighbours_, std::move(neighbours));
   connections_.meet();
+  if (before && on_neighbours_)
+    on_neighbours_(*before);
   if (identity().subarchitecture.empty() || working_memory_)
     return;
   auto& known = neighbours_->working_memories;
@@ -336,6 +338,8 @@ void ComponentShell::begin_callback() {
 void ComponentShell::work_off(Work& x) {
   if (auto* notice = std::get_if<ChangeNotice>(&x))
     work_off_change(*notice);
+  else if (auto* task = std::get_if<Task>(&x))
+    user_code(task->what, task->run);
   else
     work_off_message(*std::get<caf::mailbox_element_ptr>(x));
 }
@@ -560,6 +564,10 @@ ReceiverId ComponentShell::add_receiver(const ChangeFilter& filter, ChangeCallba
     receivers_.erase(id);
     throw;
   }
+}
+
+void ComponentShell::call_in_turn(std::string what, std::function<void()> f) {
+  work_.emplace_back(std::in_place_type<Task>, std::move(what), std::move(f));
 }
 
 void ComponentShell::add_listener(const ChangeFilter& filter, ChangeCallback f) {

@@ -16,6 +16,7 @@
 #include "castor/wm/working_memory_protocol.hpp"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -127,6 +128,14 @@ public:
   /// Calls `f` as soon as an event that the filter wants arrives, in the middle of whatever the
   /// component does: only for the runtime's own bookkeeping.
   void add_listener(const ChangeFilter& filter, ChangeCallback f);
+  /// Calls `f` as soon as the component's neighbours are others, with those before; as for
+  /// listeners, only for the runtime's own bookkeeping.
+  void on_neighbours(std::function<void(const Neighbours& before)> f) {
+    on_neighbours_ = std::move(f);
+  }
+  /// Calls `f` when the component has worked off all that has arrived so far. `what` is what the
+  /// component then does, for the report if that fails.
+  void call_in_turn(std::string what, std::function<void()> f);
   void abandon(std::uint64_t id) { close_slot(id); }
 
   /// The version of the entry that the component last read or wrote.
@@ -157,8 +166,15 @@ private:
     Priority priority;
   };
 
-  /// Something to be done when there is time: an event to deliver, or another message to answer.
-  using Work = std::variant<ChangeNotice, caf::mailbox_element_ptr>;
+  /// Something that the runtime does in the component's name.
+  struct Task {
+    std::string what;
+    std::function<void()> run;
+  };
+
+  /// Something to be done when there is time: an event to deliver, another message to answer, or
+  /// a task.
+  using Work = std::variant<ChangeNotice, caf::mailbox_element_ptr, Task>;
 
   void act() override;
   void file(caf::mailbox_element_ptr x) override;
@@ -262,6 +278,7 @@ private:
   SeenVersions seen_;
   std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
   std::map<FilterId, ChangeCallback> listeners_;
+  std::function<void(const Neighbours& before)> on_neighbours_;
   FilterId last_filter_ = 0;
 
   WaitNumber last_wait_ = 0;

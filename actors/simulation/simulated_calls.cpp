@@ -54,18 +54,10 @@ void SimulatedCalls::ask(const Request& request, F then) {
 }
 
 void SimulatedCalls::meet(NeighboursPtr neighbours) {
-  neighbours_ = std::move(neighbours);
-  std::vector<Address> gone;
-  for (auto& [call_at, memory] : served_)
-    if (memory_of(call_at) != memory)
-      gone.push_back(call_at);
-  for (auto& call_at : gone)
-    clean_up(call_at);
-}
-
-WorkingMemoryActor SimulatedCalls::memory_of(const Address& call) const {
-  auto i = neighbours_->working_memories.find(call.subarchitecture);
-  return i == neighbours_->working_memories.end() ? WorkingMemoryActor{} : i->second;
+  auto before = std::exchange(neighbours_, std::move(neighbours));
+  for (auto& subarchitecture : lost_working_memories(*before, *neighbours_))
+    served_.memory_lost(subarchitecture);
+  clean_up();
 }
 
 void SimulatedCalls::begin(const std::function<void(bool)>& done) {
@@ -92,8 +84,10 @@ void SimulatedCalls::take(const ChangeNotice& x) {
   auto wanted = [&](FilterId id) { return std::ranges::count(x.filters, id) > 0; };
   if (wanted(made_filter))
     serve(x.event->address);
-  if (wanted(taken_back_filter))
-    clean_up(x.event->address);
+  if (wanted(taken_back_filter)) {
+    served_.deleted(x.event->address);
+    clean_up();
+  }
   if (wanted(progress_filter))
     note_progress(*x.event);
 }
@@ -170,22 +164,25 @@ void SimulatedCalls::settle(const std::string& id, const char* failure) {
 // -- the serving side
 
 void SimulatedCalls::serve(const Address& call_at) {
+  if (!served_.begin(call_at))
+    return;
   ask<EntryPtr>(ReadRequest{call_at, {}}, [this, call_at](const Outcome<EntryPtr>* x) {
     auto call = x && *x ? (**x)->value.as<Call>() : nullptr;
     if (!call)
-      return; // taken back before it was taken
+      return served_.abandon(call_at); // taken back before it was taken
     CallProgress progress{call_at,          call->caller, parts_.client->component,
                           CallState::taken, {},           {}};
     auto request = write(Operation::add, here(call_at.id + progress_suffix), Value::of(progress));
     request.life = claim;
     ask<Version>(request, [this, call_at, call](const Outcome<Version>* taken) {
-      if (!taken || !*taken)
-        return; // another server was faster
+      if (!taken)
+        return finish(call_at); // it may have been taken
+      if (!*taken)
+        return served_.abandon(call_at); // another server was faster
       auto& ledger = *parts_.ledger;
       ledger.happened.add("calls", "taken");
       if (!ledger.taken.emplace(call_at.id, **taken / numbers_per_life).second)
         ledger.find("call " + call_at.id + " was taken twice");
-      served_.emplace(call_at, memory_of(call_at));
       answer(call_at, *call, **taken);
     });
   });
@@ -196,7 +193,7 @@ void SimulatedCalls::answer(const Address& call_at, const Call& call, Version ve
   ask<EntryPtr>(read, [this, call_at, call, version](const Outcome<EntryPtr>* x) {
     auto question = x && *x ? (**x)->value.as<Question>() : nullptr;
     if (!question)
-      return; // taken back, or its caller is gone
+      return finish(call_at); // taken back, or its caller is gone
     auto reply_at = here(call_at.id + reply_suffix);
     CallProgress progress{call_at,         call.caller, parts_.client->component,
                           CallState::done, reply_at,    {}};
@@ -206,23 +203,21 @@ void SimulatedCalls::answer(const Address& call_at, const Call& call, Version ve
     batch.writes.push_back(
       write(Operation::overwrite, here(call_at.id + progress_suffix), Value::of(progress)));
     batch.writes.back().last_seen = version;
-    ask<std::vector<Version>>(batch, [this, call_at](const Outcome<std::vector<Version>>*) {
-      // Taken back while it was worked on.
-      if (served_.count(call_at) == 0)
-        remove_answer(call_at);
-    });
+    ask<std::vector<Version>>(
+      batch, [this, call_at](const Outcome<std::vector<Version>>*) { finish(call_at); });
   });
 }
 
-void SimulatedCalls::clean_up(const Address& call_at) {
-  if (served_.erase(call_at) > 0)
-    remove_answer(call_at);
+void SimulatedCalls::finish(const Address& call_at) {
+  served_.finish(call_at);
+  clean_up();
 }
 
-void SimulatedCalls::remove_answer(const Address& call_at) {
-  for (auto* suffix : {progress_suffix, reply_suffix})
-    ask<Version>(write(Operation::remove, here(call_at.id + suffix)),
-                 [](const Outcome<Version>*) {});
+void SimulatedCalls::clean_up() {
+  for (auto& call_at : served_.take_ended())
+    for (auto* suffix : {progress_suffix, reply_suffix})
+      ask<Version>(write(Operation::remove, here(call_at.id + suffix)),
+                   [](const Outcome<Version>*) {});
 }
 
 } // namespace castor::simulation

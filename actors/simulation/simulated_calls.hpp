@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/call_types.hpp"
 #include "castor/actors/component/neighbours.hpp"
+#include "castor/actors/component/served_calls.hpp"
 #include "castor/actors/simulation/happenings.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
@@ -50,7 +51,7 @@ struct CallLedger {
 };
 
 /// The calls over working memory of one simulated component: writes the entries that
-/// castor::Calls writes, without waiting anywhere.
+/// castor::Calls writes, and deletes those that it deletes, without waiting anywhere.
 class SimulatedCalls {
 public:
   struct Parts {
@@ -68,8 +69,7 @@ public:
   /// Registers its filters; `done` once all are registered, or one could not be.
   void begin(const std::function<void(bool)>& done);
 
-  /// Others have come or gone: removes the answers to callers whose working memory is gone.
-  /// (castor::Calls keeps these until its component ends.)
+  /// Others have come or gone.
   void meet(NeighboursPtr neighbours);
 
   /// Calls whoever serves in a subarchitecture; `answered` says whether there was a reply.
@@ -104,17 +104,14 @@ private:
   // -- the serving side
   void serve(const Address& call);
   void answer(const Address& call_at, const Call& call, Version version);
-  void clean_up(const Address& call);
-  void remove_answer(const Address& call);
-
-  WorkingMemoryActor memory_of(const Address& call) const;
+  void finish(const Address& call);
+  void clean_up();
 
   const Parts parts_;
   NeighboursPtr neighbours_;
   std::uint64_t last_call_ = 0;
   std::map<std::string, Open> open_;
-  /// With the working memory that the call is in.
-  std::map<Address, WorkingMemoryActor> served_;
+  ServedCalls served_;
 };
 
 } // namespace castor::simulation

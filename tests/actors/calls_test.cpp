@@ -1,8 +1,10 @@
 #include "castor/tests/actors/scripted.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -238,6 +240,84 @@ TEST_F(CallsOverWorkingMemory, AreCancelledWhenTheCallerGoes) {
   System system{with({"caller"}, {"server"})};
   EXPECT_EQ(run(system), 0);
   EXPECT_TRUE(taken);
+}
+
+/// Calls whose working memory is lost while they are served: no event tells of their end.
+class CallsOfALostWorkingMemory : public CallsOverWorkingMemory {
+protected:
+  static bool is_left(System& system, const std::string& type) {
+    auto entries = system.entries("b");
+    return std::ranges::any_of(entries, [&](auto& x) { return x->type_name() == type; });
+  }
+
+  void lose_the_callers_memory(const std::string& options) {
+    std::atomic<int> calls{0}, servers{0};
+    std::atomic<bool> was_cancelled{false}, reply{false};
+    script("caller").run = [&](auto& self) {
+      if (++calls == 1)
+        self.template call<Question, Answer>("b", Question{});
+    };
+    script("server").start = [&](auto& self) {
+      ++servers;
+      self.template on_call<Question>([&](const Question&) {
+        while (!reply) {
+          self.is_running();
+          was_cancelled = self.call_cancelled();
+        }
+        return Answer{};
+      });
+    };
+    System system{architecture("SUBARCHITECTURE a\nCPP WM SubarchitectureWorkingMemory" + options +
+                               "\nCPP TM AlwaysPositiveTaskManager\nCPP MG caller Managed\n" +
+                               subarchitecture("b") + "CPP MG server Managed\n")};
+    ASSERT_TRUE(system.start());
+    ASSERT_TRUE(eventually([&] { return is_left(system, "CallProgress"); }));
+    ASSERT_TRUE(system.befall("a_wm", ComponentFault{}));
+    EXPECT_TRUE(eventually([&] { return calls == 2; })) << "the caller is back";
+    EXPECT_TRUE(eventually([&] { return was_cancelled.load(); }));
+    reply = true;
+    EXPECT_TRUE(
+      eventually([&] { return !is_left(system, "CallProgress") && !is_left(system, "Answer"); }));
+    EXPECT_EQ(servers, 1) << "the server goes on";
+    system.stop();
+  }
+};
+
+TEST_F(CallsOfALostWorkingMemory, AreCancelledAndClearedAway) {
+  lose_the_callers_memory("");
+}
+
+TEST_F(CallsOfALostWorkingMemory, AreCancelledAndClearedAwayThoughItHasAJournal) {
+  TemporaryFolder folder;
+  lose_the_callers_memory(" --journal full --journal-dir " + folder.path().string());
+}
+
+TEST_F(CallsOverWorkingMemory, AreClearedAwayByServersThatTakeOnlyTheNewestEvent) {
+  std::atomic<bool> noted{false};
+  script("caller").run = [&](auto& self) {
+    EXPECT_THROW(
+      (self.template call<Question, Answer>("b", Question{}, CallOptions{.timeout = 50ms})),
+      DeadlineException);
+    self.add(Note{});
+    noted = true;
+  };
+  script("server").start = [&](auto& self) {
+    self.on_change(added<Note>().in("a"), [](auto&) {});
+    self.template on_call<Question>([&](const Question&) {
+      while (!noted)
+        self.is_running();
+      // The note has come before the answer, and has displaced what waited.
+      self.exists(self.here("nothing"));
+      return Answer{};
+    });
+  };
+  System system{architecture(subarchitecture("a") + "CPP MG caller Managed\n" +
+                             subarchitecture("b") + "CPP MG server Managed --queue newest\n")};
+  ASSERT_TRUE(system.start());
+  EXPECT_TRUE(eventually([&] { return noted.load(); }));
+  EXPECT_TRUE(eventually([&] { return system.entries("b").size() == 1; }))
+    << "the server's CallServer, and nothing of calls";
+  system.stop();
 }
 
 TEST_F(CallsOverWorkingMemory, WithinOneSubarchitectureToo) {
