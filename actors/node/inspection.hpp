@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace castor {
@@ -39,6 +40,8 @@ struct InspectionParts {
   caf::actor endpoint;
   SystemRosterPtr roster;
   std::function<void(SystemOrder)> give_order;
+  /// Where operations of operators are written down; null where they are not.
+  std::shared_ptr<OperationLog> operations;
 };
 
 /// Answers one request for one connection, which may take for ever (`events`): it then goes on

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/operation_log.hpp"
 #include "castor/actors/node/inspection.hpp"
 #include "castor/actors/node/inspection_json.hpp"
 #include "castor/actors/node/known_names.hpp"
@@ -55,6 +56,27 @@ public:
     } catch (const std::exception& e) {
       refuse(e.what());
     }
+  }
+
+  /// Asks a working memory on behalf of a client, and writes that down where operations are. Calls
+  /// one of the two with what comes of it.
+  template <class Reply, class Request, class Answered, class Failed>
+  void ask(const WorkingMemoryActor& wm, const ClientPtr& client, const Request& request,
+           Answered answered, Failed failed) {
+    std::shared_ptr<OperationRecorder> recorder;
+    if (parts.operations) {
+      recorder = std::make_shared<OperationRecorder>(*parts.operations, client);
+      recorder->sent(0, recorder->begin(request));
+    }
+    self->request(wm, inspection_patience, request)
+      .then(
+        // The log has to outlive the recorder.
+        [recorder, answered, log = parts.operations](const Outcome<Reply>& x) {
+          if (recorder)
+            recorder->end(0, x);
+          answered(x);
+        },
+        [failed](const caf::error&) { failed(); });
   }
 
   /// Throws InspectionError.

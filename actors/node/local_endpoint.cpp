@@ -68,6 +68,7 @@ struct EndpointState {
   fs::path socket;
   SystemRosterPtr roster;
   std::function<void(SystemOrder)> give_order;
+  std::shared_ptr<OperationLog> operations;
   std::map<connection_handle, Connection> connections;
   std::uint64_t last_number = 0;
 
@@ -140,6 +141,7 @@ void ask(Self* self, connection_handle handle, EndpointState::Connection& connec
     parts.endpoint = self;
     parts.roster = self->state.roster;
     parts.give_order = self->state.give_order;
+    parts.operations = self->state.operations;
     connection.inspection = self->system().spawn(inspection, std::move(parts));
   }
   caf::anon_send(connection.inspection, InspectionRequest{std::move(line)});
@@ -181,9 +183,11 @@ void written(Self* self, const caf::io::data_transferred_msg& x) {
 }
 
 caf::behavior endpoint(Self* self, fs::path path, int socket,
-                       std::function<void(SystemOrder)> give_order) {
+                       std::function<void(SystemOrder)> give_order,
+                       std::shared_ptr<OperationLog> operations) {
   self->state.socket = std::move(path);
   self->state.give_order = std::move(give_order);
+  self->state.operations = std::move(operations);
   add_acceptor(
     *self,
     {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
@@ -223,12 +227,14 @@ fs::path endpoint_of_process(const std::string& system_file) {
 }
 
 caf::actor open_local_endpoint(caf::actor_system& system, const fs::path& socket,
-                               std::function<void(SystemOrder)> give_order) {
+                               std::function<void(SystemOrder)> give_order,
+                               std::shared_ptr<OperationLog> operations) {
   // What killed processes have left behind.
   sweep(socket.parent_path());
   const FolderLock lock{socket.parent_path(), std::chrono::seconds{2}};
   auto fd = listen_at_path(socket);
-  return system.middleman().spawn_broker(endpoint, socket, fd, std::move(give_order));
+  return system.middleman().spawn_broker(endpoint, socket, fd, std::move(give_order),
+                                         std::move(operations));
 }
 
 } // namespace castor

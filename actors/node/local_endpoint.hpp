@@ -21,6 +21,8 @@
 /// the requests.
 namespace castor {
 
+class OperationLog;
+
 /// Where a system that this process runs can be found. Throws std::runtime_error if there is no
 /// place that others cannot reach.
 std::filesystem::path endpoint_of_process(const std::string& system_file);
@@ -62,9 +64,11 @@ struct SystemOrder {
 };
 
 /// Listens at the socket, which goes with the actor. It has to be sent a SystemRosterPtr, and again
-/// whenever that has changed. `give_order` is called from any thread. Throws std::runtime_error.
+/// whenever that has changed. `give_order` is called from any thread. What operators ask of working
+/// memories is written down in `operations`, unless it is null. Throws std::runtime_error.
 caf::actor open_local_endpoint(caf::actor_system& system, const std::filesystem::path& socket,
-                               std::function<void(SystemOrder)> give_order);
+                               std::function<void(SystemOrder)> give_order,
+                               std::shared_ptr<OperationLog> operations = nullptr);
 
 } // namespace castor
 

@@ -50,18 +50,18 @@ private:
   template <class Reply, class Request, class F>
   void ask(const Request& request, F f) {
     auto call = shared_from_this();
-    context_->self->request(wm_, inspection_patience, request)
-      .then(
-        [call, f](const Outcome<Reply>& x) {
-          if (call->is_over_)
-            return;
-          if (!x)
-            return call->fail(x.failure().message);
-          call->guarded([&] { f(*x); });
-        },
-        [call](const caf::error&) {
-          call->fail("the working memory of " + call->subarchitecture_ + " does not answer");
-        });
+    context_->ask<Reply>(
+      wm_, client_, request,
+      [call, f](const Outcome<Reply>& x) {
+        if (call->is_over_)
+          return;
+        if (!x)
+          return call->fail(x.failure().message);
+        call->guarded([&] { f(*x); });
+      },
+      [call] {
+        call->fail("the working memory of " + call->subarchitecture_ + " does not answer");
+      });
   }
 
   /// Finds out what the reply is to be.

@@ -39,22 +39,22 @@ constexpr int most_ids = 1000;
 void write(const InspectionContextPtr& context, WriteRequest request, std::string type,
            int other_ids = 0) {
   auto wm = context->working_memory(request.address.subarchitecture);
-  context->self->request(wm, inspection_patience, request)
-    .then(
-      [=](const Outcome<Version>& x) {
-        if (x)
-          return context->answer(written(request, type, *x));
-        if (other_ids > 0 && x.failure().kind == FailureKind::already_exists) {
-          auto again = request;
-          again.address.id = "operator:" + std::to_string(next_number());
-          return context->guarded([&] { write(context, std::move(again), type, other_ids - 1); });
-        }
-        context->refuse(x.failure().message);
-      },
-      [=](const caf::error&) {
-        context->refuse("the working memory of " + request.address.subarchitecture +
-                        " does not answer; whether it has written is not known");
-      });
+  context->ask<Version>(
+    wm, request.client, request,
+    [=](const Outcome<Version>& x) {
+      if (x)
+        return context->answer(written(request, type, *x));
+      if (other_ids > 0 && x.failure().kind == FailureKind::already_exists) {
+        auto again = request;
+        again.address.id = "operator:" + std::to_string(next_number());
+        return context->guarded([&] { write(context, std::move(again), type, other_ids - 1); });
+      }
+      context->refuse(x.failure().message);
+    },
+    [=] {
+      context->refuse("the working memory of " + request.address.subarchitecture +
+                      " does not answer; whether it has written is not known");
+    });
 }
 
 Address address_in(const Json& request) {
@@ -73,17 +73,16 @@ template <class F>
 void with_entry(const InspectionContextPtr& context, const Address& address,
                 const ClientPtr& client, F f) {
   ReadRequest read{address, {client, 1, Timestamp{0}}};
-  context->self
-    ->request(context->working_memory(address.subarchitecture), inspection_patience, read)
-    .then(
-      [=](const Outcome<EntryPtr>& x) {
-        if (!x)
-          return context->refuse(x.failure().message);
-        context->guarded([&] { f(*x); });
-      },
-      [=](const caf::error&) {
-        context->refuse("the working memory of " + address.subarchitecture + " does not answer");
-      });
+  context->ask<EntryPtr>(
+    context->working_memory(address.subarchitecture), client, read,
+    [=](const Outcome<EntryPtr>& x) {
+      if (!x)
+        return context->refuse(x.failure().message);
+      context->guarded([&] { f(*x); });
+    },
+    [=] {
+      context->refuse("the working memory of " + address.subarchitecture + " does not answer");
+    });
 }
 
 /// The type of that name. Throws std::runtime_error.

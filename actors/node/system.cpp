@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/running.hpp"
 #include "castor/actors/component/log.hpp"
+#include "castor/actors/component/operation_log.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/component_statuses.hpp"
@@ -485,11 +486,16 @@ private:
   }
 
   void open_endpoint() {
-    auto endpoint = open_local_endpoint(system_, options_.endpoint, [this](SystemOrder x) {
-      std::lock_guard guard{mutex_};
-      orders_.push_back(std::move(x));
-      changed_.notify_all();
-    });
+    auto operations =
+      options_.operations.empty() ? nullptr : std::make_shared<OperationLog>(options_.operations);
+    auto endpoint = open_local_endpoint(
+      system_, options_.endpoint,
+      [this](SystemOrder x) {
+        std::lock_guard guard{mutex_};
+        orders_.push_back(std::move(x));
+        changed_.notify_all();
+      },
+      std::move(operations));
     std::lock_guard guard{mutex_};
     endpoint_ = endpoint;
     caf::anon_send(endpoint_, roster_);

@@ -74,7 +74,8 @@ struct SystemOptions {
   std::chrono::milliseconds answer_patience{2000};
 
   /// Every process writes down in this folder of its machine what its components ask of working
-  /// memories, and what they are answered (operation_log.hpp); empty for none.
+  /// memories, and what they are answered (operation_log.hpp), and so does the endpoint for
+  /// operators; empty for none.
   std::filesystem::path operations;
 
   /// Every process records in this folder of its machine what its stand-alone components hand out
