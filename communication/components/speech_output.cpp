@@ -22,6 +22,9 @@ class SpeechOutput final : public UnmanagedComponent {
               [this](const ChangeEvent& event) { put_into_words(event.address); });
     on_change(added<SpokenOutputItem>(),
               [this](const ChangeEvent& event) { to_say_.push_back(event.address); });
+    // What a predecessor did not get to.
+    for (auto& x : read_all<ContentPlanningGoal>())
+      put_into_words(x.address);
   }
 
   void run() override {
@@ -44,6 +47,8 @@ class SpeechOutput final : public UnmanagedComponent {
         warning("there are no words for {}", address.id);
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
+    } catch (const AlreadyExistsOnWM&) {
+      trace("{} was put into words before", address.id);
     }
   }
 

@@ -122,6 +122,21 @@ TEST(CommunicationSystem, UnderstandsEverythingOnceWhoeverFails) {
   EXPECT_EQ(all<PhonString>(system).size(), 40u);
 }
 
+TEST(CommunicationSystem, AnswersEverythingOnceWhoeverFails) {
+  std::string text;
+  for (int i = 0; i < 20; ++i)
+    text += "Hello. ";
+  // The first callbacks are those that fail, whatever they are about.
+  TestSystem system{hearing(text + "\" --delay \"300ms")};
+  for (auto* name : {"planner", "speech"})
+    system.inject(std::string{"throw in callback 1 of "} + name);
+  for (auto* name : {"planner", "speech"})
+    system.expect_back(name, 2);
+  system.wait_until("every utterance is answered",
+                    [&] { return all<SpokenOutputItem>(system).size() == 20; });
+  EXPECT_EQ(all<ContentPlanningGoal>(system).size(), 20u);
+}
+
 } // namespace
 
 } // namespace castor::communication::test
