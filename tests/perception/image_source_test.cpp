@@ -346,6 +346,47 @@ TEST_F(ImageSourceTest, SceneIsShownAsItIsAtTheTime) {
   EXPECT_EQ(third.image, render(scene.at(2s), scene.camera, third_frame));
 }
 
+TEST_F(ImageSourceTest, SceneIsShownAsItsFileSaysAfterAnEdit) {
+  const std::string before = "image 64 48\nnoise 0\nred cube at 0 0\n";
+  const std::string after = "image 64 48\nnoise 0\ncamera 0 -0.9 0.8 looking-at 0 0 0\n"
+                            "red cube at 0.1 0.1\nafter 1s add blue square at -0.1 0\n";
+  std::ofstream(path("a.scene")) << before;
+  const auto source = open_image_source("scene:" + path("a.scene"), options_);
+  now_ = 5s;
+  source->next();
+  EXPECT_FALSE(source->next().changed);
+  std::ofstream(path("a.scene")) << after;
+  const auto frame = source->next();
+  const auto scene = parse_tabletop_scene(after, "").scene;
+  EXPECT_TRUE(frame.changed);
+  EXPECT_EQ(frame.image, render(scene.at(5s), scene.camera)) << "its time goes on";
+  EXPECT_EQ(source->camera(), scene.camera);
+  EXPECT_FALSE(source->next().changed);
+}
+
+TEST_F(ImageSourceTest, SceneWhoseEditHasErrorsIsShownAsItWas) {
+  const std::string text = "image 64 48\nnoise 0\nred cube at 0 0\n";
+  std::ofstream(path("a.scene")) << text;
+  const auto source = open_image_source("scene:" + path("a.scene"), options_);
+  const auto first = source->next().image;
+  std::ofstream(path("a.scene")) << "image 64 48\nbleu square at 0 0\n";
+  try {
+    source->next();
+    FAIL() << "the edit has an error";
+  } catch (const ImageSourceError& error) {
+    EXPECT_EQ(error.fault(), ImageFault::bad_edit);
+    EXPECT_TRUE(error.transient());
+    const std::string what = error.what();
+    EXPECT_NE(what.find("a.scene:2"), std::string::npos) << what;
+    EXPECT_NE(what.find("it is shown as it was"), std::string::npos) << what;
+  }
+  EXPECT_EQ(source->next().image, first) << "an error is told once";
+  fs::remove(path("a.scene"));
+  EXPECT_EQ(source->next().image, first);
+  std::ofstream(path("a.scene")) << "image 64 48\nnoise 0\nblue square at 0 0\n";
+  EXPECT_TRUE(source->next().changed);
+}
+
 TEST_F(ImageSourceTest, SceneTellsOfItsWarnings) {
   std::ofstream(path("a.scene")) << "red cube at 0.99 0\n";
   const auto source = open_image_source(path("a.scene"), options_);

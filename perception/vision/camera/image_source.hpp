@@ -75,7 +75,8 @@ public:
 /// - FILE: a picture (it is the same in each frame) or a video,
 /// - FOLDER: its pictures in natural order, 2.png before 10.png, one per frame,
 /// - /dev/videoN, or another character device: a camera,
-/// - scene:FILE, or any FILE.scene: a scene, rendered.
+/// - scene:FILE, or any FILE.scene: a scene, rendered. It is shown as its file says now: edits are
+///   seen at once, and those with errors are a transient error, once.
 ///
 /// \throws ImageSourceError if it cannot be opened: not_found, unknown_kind, unreadable,
 /// not_an_image,

@@ -23,6 +23,8 @@ enum class ImageFault {
   empty_folder,
   /// A scene file with errors.
   bad_scene,
+  /// A scene file that was edited and has errors since; it is shown as it was.
+  bad_edit,
   /// A device that is not there (any more) or delivers nothing.
   device_lost,
   /// A frame of a video or a picture of a folder could not be read; others may be fine.
@@ -53,7 +55,8 @@ public:
   /// Whether it makes sense to try the same again soon, without anybody repairing anything but a
   /// plug.
   bool transient() const {
-    return fault_ == ImageFault::device_lost || fault_ == ImageFault::frame_lost;
+    return fault_ == ImageFault::device_lost || fault_ == ImageFault::frame_lost ||
+           fault_ == ImageFault::bad_edit;
   }
 
 private:
