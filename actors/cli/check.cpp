@@ -5,6 +5,7 @@
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/read_plan.hpp"
+#include "castor/actors/cli/read_workload.hpp"
 #include "castor/actors/node/placement.hpp"
 
 #include <CLI/App.hpp>
@@ -29,6 +30,7 @@ namespace {
 struct Arguments {
   ArchitectureArguments architecture;
   std::string plan;
+  std::string workload;
   int spread = 0;
   bool expand = false;
   bool json = false;
@@ -62,6 +64,8 @@ int check(const Arguments& arguments) {
     spread(*architecture, arguments.spread);
   if (!arguments.plan.empty())
     is_good = read_plan(arguments.plan, targets_in(*architecture)).has_value() && is_good;
+  if (!arguments.workload.empty())
+    is_good = read_workload(arguments.workload, *architecture).has_value() && is_good;
   if (arguments.json)
     fmt::print("{}\n", nlohmann::ordered_json::parse(to_json(*architecture)).dump());
   if (!is_good)
@@ -80,6 +84,8 @@ void add_check(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command->add_option("--plan", arguments->plan, "check a fault plan against the system, too")
+    ->type_name("FILE");
+  command->add_option("--workload", arguments->workload, "check a workload against the system, too")
     ->type_name("FILE");
   command
     ->add_option("--spread", arguments->spread,

@@ -87,8 +87,12 @@ std::vector<ChangeFilter> watched_by(const FaultPlan& x) {
   return result;
 }
 
+std::string to_string(const Trigger& x) {
+  return std::visit(TriggerPrinter{}, x);
+}
+
 std::string to_string(const Statement& x) {
-  auto result = std::visit(TriggerPrinter{}, x.trigger);
+  auto result = to_string(x.trigger);
   std::string_view separator = " ";
   for (auto& fault : x.faults) {
     result.append(separator).append(to_string(fault));

@@ -78,6 +78,9 @@ struct FaultPlan {
 /// Of the statements whose faults come after changes, in their order.
 std::vector<ChangeFilter> watched_by(const FaultPlan& x);
 
+/// As it stands before what is to happen.
+std::string to_string(const Trigger& x);
+
 /// As a line of a plan, without a line break.
 std::string to_string(const Statement& x);
 

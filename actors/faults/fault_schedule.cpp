@@ -1,60 +1,12 @@
 #include "castor/actors/faults/fault_schedule.hpp"
 
+#include "castor/actors/faults/moments.hpp"
+
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace castor::faults {
-
-namespace {
-
-constexpr Timestamp millisecond{1000};
-
-/// Of one statement.
-constexpr std::size_t most_moments = 1'000'000;
-
-/// When a statement's faults come, by time.
-class Moments {
-public:
-  Moments(std::uint64_t seed, std::string_view purpose, Timestamp duration)
-    : random_(seed, purpose), duration_(duration) {}
-
-  std::vector<Timestamp> take() { return std::move(moments_); }
-
-  void operator()(const At& x) { add(x.time); }
-
-  void operator()(const Every& x) {
-    for (auto t = x.period; t < duration_; t += x.period)
-      add(t);
-  }
-
-  /// Each millisecond has the same chance, exactly the same on every machine, as would not be with
-  /// logarithms.
-  void operator()(const AtRandom& x) {
-    constexpr std::uint64_t milliseconds_per_thousand_seconds = 1'000'000;
-    for (Timestamp t{0}; t < duration_; t += millisecond)
-      if (random_.below(milliseconds_per_thousand_seconds) < x.rate.per_thousand_seconds)
-        add(t);
-  }
-
-  void operator()(const After&) {}
-
-private:
-  void add(Timestamp x) {
-    if (moments_.size() == most_moments)
-      throw std::length_error{"a fault would happen more than " + std::to_string(most_moments) +
-                              " times"};
-    if (x < duration_)
-      moments_.push_back(x);
-  }
-
-  SeededRandom random_;
-  Timestamp duration_;
-  std::vector<Timestamp> moments_;
-};
-
-} // namespace
 
 FaultSchedule::FaultSchedule(const FaultPlan& plan, FaultTargets targets, std::uint64_t seed,
                              Timestamp duration)
@@ -64,10 +16,8 @@ FaultSchedule::FaultSchedule(const FaultPlan& plan, FaultTargets targets, std::u
     auto& statement = plan_.statements[i];
     auto text = to_string(statement);
     purposes_.push_back(text + "#" + std::to_string(alike[text]++));
-    Moments moments{seed, "moments of " + purposes_.back(), duration};
-    std::visit(moments, statement.trigger);
     std::uint64_t number = 0;
-    for (auto t : moments.take())
+    for (auto t : moments_of(statement.trigger, seed, purposes_.back(), duration))
       timed_.push_back({t, draw(i, number++), i});
     if (auto after = std::get_if<After>(&statement.trigger))
       watches_.push_back({i, *after});

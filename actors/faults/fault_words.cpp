@@ -25,32 +25,34 @@ std::optional<std::string> take_quoted(std::string_view& rest) {
 
 } // namespace
 
+std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished) {
+  while (!rest.empty() && cast::is_blank(rest.front()))
+    rest.remove_prefix(1);
+  if (rest.empty() || rest.front() == '#')
+    return std::nullopt;
+  if (rest.front() == '"') {
+    auto text = take_quoted(rest);
+    if (!text) {
+      unfinished = true;
+      return std::nullopt;
+    }
+    return Word{std::move(*text), true};
+  }
+  std::size_t size = 1;
+  if (rest.front() != ',')
+    while (size < rest.size() && !cast::is_blank(rest[size]) && rest[size] != ',' &&
+           rest[size] != '"')
+      ++size;
+  Word result{std::string(rest.substr(0, size)), false};
+  rest.remove_prefix(size);
+  return result;
+}
+
 std::vector<Word> split_words(std::string_view rest, bool& unfinished) {
   std::vector<Word> result;
-  while (true) {
-    while (!rest.empty() && cast::is_blank(rest.front()))
-      rest.remove_prefix(1);
-    if (rest.empty() || rest.front() == '#')
-      return result;
-    if (rest.front() == '"') {
-      auto text = take_quoted(rest);
-      if (!text) {
-        unfinished = true;
-        return result;
-      }
-      result.push_back({std::move(*text), true});
-    } else if (rest.front() == ',') {
-      result.push_back({",", false});
-      rest.remove_prefix(1);
-    } else {
-      std::size_t size = 0;
-      while (size < rest.size() && !cast::is_blank(rest[size]) && rest[size] != ',' &&
-             rest[size] != '"')
-        ++size;
-      result.push_back({std::string(rest.substr(0, size)), false});
-      rest.remove_prefix(size);
-    }
-  }
+  while (auto word = take_next_word(rest, unfinished))
+    result.push_back(*std::move(word));
+  return result;
 }
 
 std::size_t end_of_filter(std::string_view text) {

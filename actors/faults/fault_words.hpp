@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,10 @@ struct Word {
   /// A keyword, and no name.
   bool is(std::string_view keyword) const { return !quoted && text == keyword; }
 };
+
+/// Cuts off the next word of a piece of a line; nothing at its end, or at the comment there.
+/// @param unfinished becomes true if a quote has no end; then there is no word
+std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished);
 
 /// The words of a piece of a line, without the comment at its end.
 /// @param unfinished becomes true if a quote has no end

@@ -32,7 +32,7 @@ Trigger at_trigger(std::string_view& rest) {
 Trigger every_trigger(std::string_view& rest) {
   auto period = trigger_time(rest);
   if (period < std::chrono::milliseconds{1})
-    throw StatementError("a fault cannot happen every " + to_text(period),
+    throw StatementError("nothing can happen every " + to_text(period),
                          "write a period of at least 1ms");
   return Every{period};
 }
@@ -92,6 +92,8 @@ using TriggerReader = Trigger (*)(std::string_view&);
 const std::map<std::string_view, TriggerReader> triggers{
   {"at", at_trigger}, {"every", every_trigger}, {"rate", rate_trigger}, {"after", after_trigger}};
 
+} // namespace
+
 Trigger parse_trigger(std::string_view& rest) {
   auto word = cast::take_word(rest);
   auto reader = triggers.find(word);
@@ -102,8 +104,6 @@ Trigger parse_trigger(std::string_view& rest) {
                                     "before the fault"));
   return reader->second(rest);
 }
-
-} // namespace
 
 std::optional<std::uint64_t> parse_seed(std::string_view line) {
   if (cast::take_word(line) != "seed")

@@ -1,0 +1,226 @@
+#include "castor/actors/faults/workload.hpp"
+
+#include "castor/actors/cast/parser.hpp"
+#include "castor/actors/faults/workload_places.hpp"
+#include "castor/actors/faults/workload_schedule.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+
+namespace castor::faults {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* whole_language =
+  "# what somebody does\n"
+  "at 2s say \"Hello.\"   # a greeting\n"
+  "every 4s say \"Where is the ball?\" or \"How   many red things are there?\"\n"
+  "every 10s move red sphere to 0.1 -.2 or add blue cube at 5cm 0 size 0.07 turned 12 or "
+  "remove mug\n"
+  "rate 2/s write Note {\"text\": \"a } b\", \"list\": [1, {}]} to memory or say \"or\"\n"
+  "every 1s write Note {\"text\":\"\\\"\"} to memory/note one\n"
+  "expect answer within 10s\n"
+  "same SceneObject, ROI but for time, object_id\n";
+
+Workload workload_of(const std::string& text) {
+  auto result = parse_workload(text, "test.workload");
+  EXPECT_EQ(cast::render(result.diagnostics), "");
+  return result.workload.value_or(Workload{});
+}
+
+std::string flaws_of(const std::string& text) {
+  auto result = parse_workload(text, "test.workload");
+  EXPECT_FALSE(result.ok()) << text;
+  return cast::render(result.diagnostics);
+}
+
+Workload whole_workload() {
+  std::string text = whole_language;
+  return workload_of(text.replace(text.find("memory/note one"), 15, "\"memory/note one\""));
+}
+
+TEST(Workload, SaysWhatIsDoneAndWhen) {
+  auto x = whole_workload();
+  ASSERT_EQ(x.statements.size(), 5U);
+  EXPECT_EQ(x.statements[0].trigger, Trigger{At{2s}});
+  EXPECT_EQ(x.statements[0].where.line(), 2U);
+  EXPECT_THAT(x.statements[0].actions, ElementsAre(Action{Say{"Hello."}}));
+  EXPECT_EQ(x.statements[1].trigger, Trigger{Every{4s}});
+  EXPECT_THAT(x.statements[1].actions, ElementsAre(Action{Say{"Where is the ball?"}},
+                                                   Action{Say{"How many red things are there?"}}));
+  EXPECT_THAT(x.statements[2].actions,
+              ElementsAre(Action{MoveThing{"red sphere", "0.1", "-.2"}},
+                          Action{AddThing{"blue cube", "5cm 0 size 0.07 turned 12"}},
+                          Action{RemoveThing{"mug"}}));
+  EXPECT_EQ(x.statements[3].trigger, Trigger{AtRandom{{2000}}});
+  EXPECT_THAT(
+    x.statements[3].actions,
+    ElementsAre(Action{WriteEntry{"Note", R"({"text":"a } b","list":[1,{}]})", "memory", {}}},
+                Action{Say{"or"}}));
+  EXPECT_THAT(x.statements[4].actions,
+              ElementsAre(Action{WriteEntry{"Note", R"({"text":"\""})", "memory", "note one"}}));
+  EXPECT_EQ(x.answer_within, 10s);
+  ASSERT_TRUE(x.same);
+  EXPECT_THAT(x.same->types, ElementsAre("SceneObject", "ROI"));
+  EXPECT_THAT(x.same->but_for, ElementsAre("time", "object_id"));
+}
+
+TEST(Workload, IsPrintedAsItIsRead) {
+  auto x = whole_workload();
+  EXPECT_EQ(workload_of(to_string(x)), x);
+  EXPECT_THAT(to_string(x), HasSubstr("every 4s say \"Where is the ball?\" or say \"How many red "
+                                      "things are there?\"\n"));
+  EXPECT_EQ(workload_of("at 1s move \"#ff8000  box\" to 0 0"),
+            workload_of("at 1s move \"#ff8000 box\" to 0 0"));
+}
+
+TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
+  EXPECT_THAT(flaws_of("\nafter added A: say \"Hello.\"\n"),
+              AllOf(HasSubstr("test.workload:2: error:"),
+                    HasSubstr("'after' is not the beginning of a statement"),
+                    HasSubstr("write at TIME, every TIME or rate NUMBER/s")));
+  EXPECT_THAT(flaws_of("evry 1s say \"a\""), HasSubstr("did you mean 'every'?"));
+  EXPECT_THAT(flaws_of("every 1s"), HasSubstr("the action is missing"));
+  EXPECT_THAT(flaws_of("every 1s sing \"a\""), HasSubstr("'sing' is not an action"));
+  EXPECT_THAT(flaws_of("every 1s say Hello"), HasSubstr("does not stand in quotes"));
+  EXPECT_THAT(flaws_of("every 1s say \" \""), HasSubstr("the sentence is empty"));
+  EXPECT_THAT(flaws_of("every 1s say \"a"), HasSubstr("a quote has no end"));
+  EXPECT_THAT(flaws_of("every 1s say \"a\" twice"),
+              HasSubstr("do not know what to do with 'twice'"));
+  EXPECT_THAT(flaws_of("every 1s say \"a\" or"), HasSubstr("the action is missing"));
+  EXPECT_THAT(flaws_of("at 1s write Note {\"a\": } to m"), HasSubstr("is no JSON"));
+  EXPECT_THAT(flaws_of("at 1s write Note [1] to m"), HasSubstr("is not the value of an entry"));
+  EXPECT_THAT(flaws_of("at 1s write Note {} in m"),
+              HasSubstr("there is 'in' where 'to' has to stand"));
+  EXPECT_THAT(flaws_of("at 1s write Note {} to m/"), HasSubstr("neither a subarchitecture nor"));
+  EXPECT_THAT(flaws_of("at 1s write Note " + std::string(65, '[') + " to m"),
+              HasSubstr("more than 64"));
+  EXPECT_THAT(flaws_of("at 1s move red ball 0 0"), HasSubstr("'to' is missing at the end"));
+  EXPECT_THAT(flaws_of("at 1s move red ball to 0 1e3"), HasSubstr("'1e3' is not a length"));
+  EXPECT_THAT(flaws_of("at 1s move red ball to 0 0 over 1s"), HasSubstr("is moved at once"));
+  EXPECT_THAT(flaws_of("at 1s add red ball"), HasSubstr("'at' is missing"));
+  EXPECT_THAT(flaws_of("at 1s remove"), HasSubstr("which thing is missing"));
+  EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));
+  EXPECT_THAT(flaws_of("expect answer within 1s\nexpect answer within 2s"),
+              AllOf(HasSubstr("test.workload:2"), HasSubstr("said twice")));
+  EXPECT_THAT(flaws_of("same A for b"), HasSubstr("do not know what to do with 'for'"));
+}
+
+// -- against a system
+
+WorkloadPlaces places_in(const std::string& text) {
+  auto result = cast::parse_string(text, "test.cast");
+  EXPECT_EQ(cast::render(result.diagnostics), "");
+  return places_of(result.architecture.value());
+}
+
+constexpr const char* talking_system =
+  "HOST localhost\n"
+  "COMPONENT CPP camera Camera --source scene:scenes/a.scene --base configs\n"
+  "SUBARCHITECTURE talk\nCPP WM SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n"
+  "CPP UM parser UtteranceParser\n"
+  "SUBARCHITECTURE closed\nCPP WM SubarchitectureWorkingMemory\n"
+  "CPP TM AlwaysPositiveTaskManager\nCPP UM b B\n"
+  "ACCESS operator WRITES talk\n";
+
+std::string misfits_of(const std::string& workload, const std::string& system = talking_system) {
+  auto places = places_in(system);
+  std::optional<SceneText> scene;
+  if (!places.cameras.empty())
+    scene.emplace("red sphere at 0 0\n");
+  return cast::render(check_workload(
+    workload_of(workload), places, scene,
+    [](const WriteEntry& x) { return x.type == "Note" ? "" : "there is no type " + x.type; },
+    [](const std::string& type) { return type == "Note"; }));
+}
+
+TEST(Workload, OneThatFitsTheSystemHasNoFlaws) {
+  auto places = places_in(talking_system);
+  EXPECT_EQ(places.listening, "talk");
+  ASSERT_EQ(places.cameras.size(), 1U);
+  EXPECT_EQ(places.cameras[0].component, "camera");
+  EXPECT_EQ(places.cameras[0].file, "scenes/a.scene");
+  EXPECT_EQ(places.cameras[0].base, "configs");
+  EXPECT_EQ(misfits_of("at 1s say \"a\" or write Note {} to talk or move Red Sphere to 0 1 or "
+                       "add mug at 0 0\n"
+                       "at 2s remove mug\nexpect answer within 1s\nsame Note\n"),
+            "");
+}
+
+TEST(Workload, WhatTheSystemDoesNotHaveIsFound) {
+  EXPECT_THAT(misfits_of("\nat 1s write Note {} to tlak"),
+              AllOf(HasSubstr("test.workload:2: error: there is no subarchitecture 'tlak'"),
+                    HasSubstr("did you mean 'talk'?")));
+  EXPECT_THAT(misfits_of("at 1s write Note {} to closed"),
+              AllOf(HasSubstr("operators may not write to 'closed'"),
+                    HasSubstr("ACCESS operator WRITES closed")));
+  EXPECT_THAT(misfits_of("at 1s write Nota {} to talk"), HasSubstr("there is no type Nota"));
+  EXPECT_THAT(misfits_of("at 1s move red sphre to 0 0"), HasSubstr("did you mean 'red sphere'?"));
+  EXPECT_THAT(misfits_of("expect answer within 1s"), HasSubstr("nothing is said"));
+  EXPECT_THAT(misfits_of("\nsame Nota"),
+              AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
+  constexpr const char* silent = "HOST localhost\nSUBARCHITECTURE a\n"
+                                 "CPP WM SubarchitectureWorkingMemory\n"
+                                 "CPP TM AlwaysPositiveTaskManager\nCPP UM b B\n";
+  EXPECT_THAT(misfits_of("at 1s say \"a\"", silent), HasSubstr("nobody listens"));
+  EXPECT_THAT(misfits_of("at 1s add mug at 0 0", silent), HasSubstr("no camera sees a scene"));
+}
+
+// -- over time
+
+TEST(Workload, TheSameSeedMakesTheSameActions) {
+  auto x = workload_of("every 1s say \"a\" or \"b\" or \"c\"\nrate 1/s move m to 0 0\n"
+                       "at 1s say \"last\"\nat 60s say \"late\"\n");
+  auto schedule = schedule_of(x, 7, 60s);
+  EXPECT_EQ(schedule_of(x, 7, 60s), schedule);
+  EXPECT_NE(schedule_of(x, 8, 60s), schedule);
+  EXPECT_TRUE(std::ranges::is_sorted(schedule, {}, &DueAction::at));
+  EXPECT_LT(schedule.back().at, 60s);
+  EXPECT_EQ(std::ranges::count(schedule, 0U, &DueAction::statement), 59);
+  EXPECT_EQ(std::ranges::count(schedule, 2U, &DueAction::statement), 1);
+  EXPECT_EQ(std::ranges::count(schedule, 3U, &DueAction::statement), 0);
+  std::set<std::string> said;
+  for (auto& action : schedule)
+    if (action.statement == 0)
+      said.insert(std::get<Say>(action.action).sentence);
+  EXPECT_THAT(said, ElementsAre("a", "b", "c"));
+}
+
+TEST(Workload, OneMoreStatementChangesNothingAboutTheOthers) {
+  const std::string first = "rate 1/s say \"a\" or \"b\"\n";
+  auto alone = schedule_of(workload_of(first), 7, 60s);
+  auto both = schedule_of(workload_of(first + "rate 5/s say \"c\"\n"), 7, 60s);
+  std::erase_if(both, [](auto& x) { return x.statement == 1; });
+  EXPECT_EQ(both, alone);
+}
+
+// -- whatever is written
+
+RC_GTEST_PROP(AnyWorkloadText, IsAWorkloadOrRefused, ()) {
+  auto piece =
+    rc::gen::oneOf(rc::gen::element<std::string>(
+                     "\n", " ", "at 1s ", "every 2s ", "rate 1/s ", "say ", "\"a b\" ", "write ",
+                     "Note ", "{\"a\":[1]} ", "{", "}", "to ", "m/id ", "move ", "red ball ",
+                     "0.1 ", "-2cm ", "add ", "at ", "size ", "remove ", "or ",
+                     "expect answer within 2s", "same A, B ", "but for x", ",", "\"", "\\", "#"),
+                   rc::gen::arbitrary<std::string>());
+  std::string text;
+  for (const auto& each : *rc::gen::container<std::vector<std::string>>(piece))
+    text += each;
+  auto result = parse_workload(text, "test.workload");
+  RC_ASSERT(result.ok() == result.diagnostics.empty());
+  if (result.ok())
+    RC_ASSERT(workload_of(to_string(*result.workload)) == *result.workload);
+}
+
+} // namespace
+
+} // namespace castor::faults
