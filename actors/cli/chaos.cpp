@@ -9,8 +9,10 @@
 #include "castor/actors/cli/progress.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
 #include "castor/actors/cli/read_plan.hpp"
+#include "castor/actors/cli/read_workload.hpp"
 #include "castor/actors/cli/seeds_option.hpp"
 #include "castor/actors/cli/signals.hpp"
+#include "castor/actors/cli/workload_run.hpp"
 #include "castor/actors/cli/writable.hpp"
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/faults/activity.hpp"
@@ -20,6 +22,8 @@
 #include "castor/actors/faults/outages.hpp"
 #include "castor/actors/faults/random_plan.hpp"
 #include "castor/actors/faults/resource_growth.hpp"
+#include "castor/actors/faults/rounded.hpp"
+#include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system.hpp"
@@ -61,6 +65,7 @@ constexpr std::chrono::seconds rehearsal{10};
 struct Arguments {
   ArchitectureArguments architecture;
   std::string plan;
+  std::string workload;
   std::optional<std::uint64_t> seed;
   std::string duration = "1min";
   std::filesystem::path report;
@@ -134,11 +139,16 @@ public:
         return bad_input;
       plan_ = *std::move(plan);
     }
+    if (!take_workload(*architecture))
+      return bad_input;
+    auto first_seed =
+      arguments_.seeds.empty()
+        ? arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000))
+        : simulation::parse_seeds(arguments_.seeds).from;
     progress_.emplace("chaos");
     if (!question_.types.empty() || !has_plan()) {
       note(LogLevel::info, "first without faults, to see what it does and how it ends then");
-      show_step("starting the system without faults");
-      wanted_ = run_in_peace(*architecture);
+      look_at_peace(*architecture, first_seed);
       if (signals_.count() > 0)
         return a_component_failed;
     }
@@ -146,14 +156,23 @@ public:
       return find_limit(*architecture);
     if (!arguments_.seeds.empty())
       return run_seeds(*architecture);
-    auto seed = arguments_.seed.value_or(plan_.seed.value_or(new_incarnation() % 1'000'000));
-    run_once(*architecture, seed, arguments_.report);
+    run_once(*architecture, first_seed, arguments_.report);
     progress_.reset();
     return finish();
   }
 
 private:
   bool has_plan() const { return !arguments_.plan.empty(); }
+
+  /// How the system does without the faults of that seed, and what it does then.
+  void look_at_peace(const ArchitectureDescription& architecture, std::uint64_t seed) {
+    show_step("starting the system without faults");
+    result_ = {};
+    seed_ = seed;
+    peace_seed_ = seed;
+    wanted_ = run_in_peace(architecture);
+    peace_violations_ = std::move(result_.violations);
+  }
 
   void run_once(const ArchitectureDescription& architecture, std::uint64_t seed,
                 const std::filesystem::path& report) {
@@ -167,6 +186,8 @@ private:
     result_.seed = seed_;
     result_.duration = duration_;
     result_.targets = targets_;
+    for (auto& x : peace_violations_)
+      violation(x.check, x.text);
     run_with_faults(architecture);
     if (signals_.count() > 0)
       violation("interrupted", "the run did not come to its end");
@@ -198,6 +219,9 @@ private:
     faults::Coverage coverage{targets_};
     std::map<int, std::size_t> counts;
     for (auto seed = seeds.from; seed <= seeds.to && signals_.count() == 0; ++seed) {
+      // Another seed draws other actions, from which another state follows.
+      if (workload_ && !question_.types.empty() && seed != peace_seed_)
+        look_at_peace(architecture, seed);
       run_once(architecture, seed,
                arguments_.report.empty() ? std::filesystem::path{}
                                          : arguments_.report / std::to_string(seed));
@@ -288,6 +312,36 @@ private:
     return report_.empty() ? std::filesystem::path{} : report_ / "chaos.plan";
   }
 
+  /// The user's, or the one beside the system's file; false if it cannot be done.
+  bool take_workload(const ArchitectureDescription& architecture) {
+    auto file = workload_beside(arguments_.workload, arguments_.architecture.file);
+    if (file.empty())
+      return true;
+    // Loads the libraries that know the entry types that it names.
+    auto problems = check_architecture(architecture);
+    print(problems);
+    if (!problems.empty())
+      return false;
+    workload_ = read_workload(file, architecture);
+    if (!workload_)
+      return false;
+    note(LogLevel::info, "workload: " + file);
+    if (auto& same = workload_->workload.same) {
+      question_.types.insert(same->types.begin(), same->types.end());
+      question_.ignored.insert(same->but_for.begin(), same->but_for.end());
+    }
+    return true;
+  }
+
+  /// Nothing without a workload.
+  std::unique_ptr<WorkloadRun> prepare_work(ArchitectureDescription& architecture) {
+    if (!workload_)
+      return nullptr;
+    auto result = std::make_unique<WorkloadRun>(*workload_, seed_, duration_);
+    result->prepare(architecture);
+    return result;
+  }
+
   /// What makes the same faults once more.
   std::string command() const {
     std::string result = "castor";
@@ -300,6 +354,10 @@ private:
       result += " --plan " + kept_plan().string();
     else if (arguments_.rate)
       result += fmt::format(" --rate {}", *arguments_.rate);
+    if (workload_)
+      result += " --workload " + workload_->workload.file;
+    else if (!arguments_.workload.empty())
+      result += " --workload " + arguments_.workload;
     result += fmt::format(" --seed {} --duration {}", seed_, arguments_.duration);
     if (arguments_.spread > 0)
       result += fmt::format(" --spread {}", arguments_.spread);
@@ -355,14 +413,27 @@ private:
   std::vector<std::string> run_in_peace(ArchitectureDescription architecture) {
     TimeLimit destruction;
     auto options = this->options();
+    auto work = prepare_work(architecture);
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
+    if (work)
+      work->watch(options);
     System system{std::move(architecture), options};
     std::vector<std::string> result;
     if (system.start()) {
       faults::ActivityMeter meter;
-      wait_and_measure(system, std::min<std::chrono::milliseconds>(duration_, rehearsal), meter);
+      if (work)
+        work->begin();
+      // What a workload does and what comes of it takes its time.
+      auto whole = work && !question_.types.empty();
+      wait_and_measure(
+        system, whole ? duration_ : std::min<std::chrono::milliseconds>(duration_, rehearsal),
+        meter);
+      if (work)
+        work->finish_actions();
       usual_activity_ = meter.by_component();
       result = come_to_rest(system);
+      if (work)
+        look_at_work(*work, " without faults");
     }
     if (nodes)
       nodes->end_restarts();
@@ -396,6 +467,7 @@ private:
     show_step("starting the system");
     TimeLimit destruction;
     auto options = this->options();
+    auto work = prepare_work(architecture);
     auto nodes = start_local_nodes(architecture, true, plugins_, {}, options);
     std::map<std::string, std::string> hosts;
     for (auto& [host, name] : other_hosts(architecture))
@@ -429,6 +501,8 @@ private:
     };
     HistoryWatch histories{architecture, clocks_jump()};
     histories.watch(options);
+    if (work)
+      work->watch(options);
     System system{std::move(architecture), options};
     histories.look_at_beginning(system);
     auto begin = Clock::now();
@@ -462,14 +536,20 @@ private:
         Seconds{Clock::now() - since}.count(), Seconds{duration_}.count(),
         fmt::format("faults: {}, components down: {}", injector->records().size(), notes.down()));
     });
+    if (work)
+      work->begin();
     faults::ActivityMeter meter;
     auto reason = wait_and_measure(system, duration_, meter);
     result_.activity = meter.total();
     show_faults_with({});
     injector->stop();
+    if (work)
+      work->finish_actions();
     look_at_survival(reason, system.ended());
     if (reason == EndReason::time_over)
       compare(come_to_rest(system));
+    if (work)
+      result_.workload = look_at_work(*work, {});
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
@@ -517,6 +597,27 @@ private:
     for (auto& name : x)
       result += (result.empty() ? "" : ", ") + name;
     return result;
+  }
+
+  faults::WorkloadRecord look_at_work(WorkloadRun& work, const std::string& when) {
+    auto record = work.end();
+    auto total = record.total();
+    auto undone = faults::actions_missing(record);
+    if (when.empty())
+      check("workload done", undone.empty(),
+            fmt::format("{} of {} actions", total.done, total.due));
+    if (!undone.empty())
+      violation("workload done" + when, undone);
+    auto& within = workload_->workload.answer_within;
+    if (!within)
+      return record;
+    auto missing = faults::answers_missing(work.sentences(), within);
+    if (when.empty())
+      check("sentences answered", missing.empty(),
+            fmt::format("{} sentences, within {}", total.said, faults::rounded(*within)));
+    if (!missing.empty())
+      violation("sentences answered" + when, missing);
+    return record;
   }
 
   void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {
@@ -611,14 +712,17 @@ private:
   const std::vector<std::string>& plugins_;
   const std::chrono::milliseconds duration_;
   const std::chrono::milliseconds settle_;
-  const StateQuestion question_;
+  StateQuestion question_;
   /// The user's, or the random one of the present run.
   faults::FaultPlan plan_;
   faults::FaultTargets targets_;
+  std::optional<CheckedWorkload> workload_;
   std::uint64_t seed_ = 0;
   std::filesystem::path report_;
-  /// How it ends without faults.
+  /// How it ends without faults, with the workload of that seed, and what is wrong even then.
   std::vector<std::string> wanted_;
+  std::uint64_t peace_seed_ = 0;
+  std::vector<faults::Violation> peace_violations_;
   /// What components do without faults.
   std::optional<faults::ActivityByComponent> usual_activity_;
   faults::ChaosRun result_;
@@ -638,6 +742,11 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
     ->add_option("--plan", arguments->plan,
                  "the faults to inject (docs/fault-plans.md); without, a mix of all that it should "
                  "survive")
+    ->type_name("FILE");
+  command
+    ->add_option("--workload", arguments->workload,
+                 "what somebody says and does meanwhile (docs/fault-plans.md); by default the file "
+                 "beside FILE whose name ends with .workload, if there is one; none: nothing")
     ->type_name("FILE");
   command
     ->add_option("--seed", arguments->seed,

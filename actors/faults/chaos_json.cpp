@@ -75,12 +75,34 @@ Json json_of(const Activity& x) {
           {"busy_moments", x.busy_moments}};
 }
 
+Json json_of(const WorkloadCounts& x) {
+  return {{"due", x.due},           {"done", x.done},
+          {"said", x.said},         {"said_again", x.said_again},
+          {"answered", x.answered}, {"apologised", x.apologised},
+          {"late", x.late},         {"unanswered", x.unanswered}};
+}
+
+Json json_of(const StatementRecord& x) {
+  return {{"statement", x.statement}, {"counts", json_of(x.counts)}, {"problem", x.problem}};
+}
+
 template <class T>
 Json list_of(const std::vector<T>& items) {
   auto result = Json::array();
   for (auto& x : items)
     result.push_back(json_of(x));
   return result;
+}
+
+Json json_of(const std::optional<WorkloadRecord>& x) {
+  if (!x)
+    return nullptr;
+  return {{"file", x->file},
+          {"took_us", json_of(x->took)},
+          {"counts", json_of(x->total())},
+          {"answer_p50_us", json_of(percentile(x->answer_times, 50))},
+          {"answer_longest_us", json_of(percentile(x->answer_times, 100))},
+          {"statements", list_of(x->statements)}};
 }
 
 Json recovery_of(const ChaosRun& run) {
@@ -112,6 +134,7 @@ std::string to_json(const ChaosRun& run) {
               {"held", run.held()},
               {"vacuous", run.vacuous()},
               {"activity", run.activity ? json_of(*run.activity) : Json(nullptr)},
+              {"workload", json_of(run.workload)},
               {"checks", list_of(run.checks)},
               {"violations", list_of(run.violations)},
               {"recovery", recovery_of(run)},

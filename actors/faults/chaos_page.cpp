@@ -131,6 +131,21 @@ std::string violations(const ChaosRun& run) {
   return result.empty() ? result : heading("Violations") + result;
 }
 
+std::string workload(const ChaosRun& run) {
+  if (!run.workload)
+    return {};
+  Table table{{"statement", " due", " done", " answered", " apologised for", " late",
+               " not answered", "why it was not done"}};
+  for (auto& x : run.workload->statements)
+    table.row({x.statement, std::to_string(x.counts.due), std::to_string(x.counts.done),
+               std::to_string(x.counts.answered), std::to_string(x.counts.apologised),
+               std::to_string(x.counts.late), std::to_string(x.counts.unanswered), x.problem});
+  return heading("Workload") +
+         fmt::format("<p>{}: {}</p>\n", escaped(run.workload->file),
+                     escaped(summary_of(*run.workload))) +
+         table.take();
+}
+
 std::string timeline(const ChaosRun& run) {
   if (run.faults.empty() && run.outages.empty())
     return {};
@@ -243,9 +258,9 @@ std::string to_html(const ChaosRun& run) {
                      !run.held()             ? "bad"
                      : run.vacuous().empty() ? "good"
                                              : "quiet") +
-         facts(run) + checks(run) + violations(run) + timeline(run) + recovery(run) +
-         resources(run) + coverage(run) + fault_list(run) + outage_list(run) + plan(run) +
-         "</body></html>\n";
+         facts(run) + checks(run) + violations(run) + workload(run) + timeline(run) +
+         recovery(run) + resources(run) + coverage(run) + fault_list(run) + outage_list(run) +
+         plan(run) + "</body></html>\n";
 }
 
 } // namespace castor::faults

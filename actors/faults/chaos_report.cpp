@@ -62,6 +62,13 @@ void add_check(Lines& out, const CheckRecord& x) {
   }
 }
 
+void add_workload(Lines& out, const WorkloadRecord& x) {
+  out.add("  workload: " + x.file + ": " + summary_of(x));
+  if (!x.answer_times.empty())
+    out.add("  answers: half within " + rounded(*percentile(x.answer_times, 50)) + ", all within " +
+            rounded(x.answer_times.back()));
+}
+
 void add_violation(Lines& out, const Violation& x) {
   out.add("");
   out.add(x.check + (x.at ? " at " + rounded(*x.at) : ""), red);
@@ -75,7 +82,8 @@ std::string ChaosRun::vacuous() const {
   if (outages.empty())
     return "nothing went down";
   constexpr std::size_t enough_moments = 10;
-  if (activity && activity->moments >= enough_moments && 2 * activity->busy_moments < activity->moments)
+  if (activity && activity->moments >= enough_moments &&
+      2 * activity->busy_moments < activity->moments)
     return fmt::format("nothing was going on in {} of {} moments",
                        activity->moments - activity->busy_moments, activity->moments);
   return {};
@@ -168,6 +176,8 @@ std::string to_text(const ChaosRun& run, bool coloured) {
   Lines out{coloured};
   add_verdict(out, run);
   out.add("  faults: " + fault_summary(run));
+  if (run.workload)
+    add_workload(out, *run.workload);
   for (auto& x : run.checks)
     add_check(out, x);
   if (!run.outages.empty())

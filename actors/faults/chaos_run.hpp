@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/faults/fault_targets.hpp"
+#include "castor/actors/faults/workload_record.hpp"
 #include "castor/wm/timestamp.hpp"
 
 #include <cstdint>
@@ -144,6 +145,8 @@ struct ChaosRun {
   FaultTargets targets;
   /// Nothing if it was not measured.
   std::optional<Activity> activity;
+  /// What was done to the system besides, if anything was.
+  std::optional<WorkloadRecord> workload;
   /// What else is worth knowing: names and values.
   std::vector<std::pair<std::string, std::string>> facts;
 

@@ -245,6 +245,112 @@ TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   EXPECT_THAT(values(report_as_json()["outages"], "target"), Contains("b_wm"));
 }
 
+// -- workloads
+
+constexpr const char* order = R"({"dish": "soup", "portion": "small", "extras": [], )"
+                              R"("place": {"table": 1, "seat": 2}})";
+
+TEST_F(Chaos, AWorkloadBesideTheSystemIsDoneAndItsWritesAreJudgedAsWell) {
+  auto file = system("CPP UM clock Clock\n");
+  write("system.workload", std::string{"every 100ms write Order "} + order + " to a/order\n" +
+                             "rate 10/s write Order " + order + " to a\n");
+  auto answer = ask(arguments(file, "at 300ms crash clock\n"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.errors, HasSubstr("workload: " + (folder / "system.workload").string()));
+  EXPECT_THAT(answer.output,
+              AllOf(ContainsRegex("workload: .*other actions"), ContainsRegex("ok +workload done"),
+                    ContainsRegex("ok +operations on a "), ContainsRegex("ok +changes in a ")));
+  auto work = report_as_json().at("workload");
+  EXPECT_EQ(work["statements"][0]["counts"]["due"], 9);
+  EXPECT_EQ(work["counts"]["due"], work["counts"]["done"]);
+  // With another, or none.
+  answer = ask(arguments(file, "at 300ms crash clock\n", "400ms", {"--workload", "none"}));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_EQ(report_as_json().at("workload"), nullptr);
+  EXPECT_THAT(answer.output, Not(HasSubstr("workload")));
+}
+
+TEST_F(Chaos, WhatAWorkloadCannotWriteNowIsWrittenWhenTheWorkingMemoryIsBack) {
+  auto file = system("CPP UM clock Clock\n");
+  auto workload = write("w.workload", std::string{"every 20ms write Order "} + order + " to a\n");
+  auto answer = ask(
+    arguments(file, "at 200ms crash a_wm\nat 500ms crash a_wm\n", "1s", {"--workload", workload}));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  auto work = report_as_json().at("workload");
+  EXPECT_EQ(work["counts"]["due"], 49);
+  EXPECT_EQ(work["counts"]["done"], 49);
+  EXPECT_THAT(answer.output, ContainsRegex("ok +operations on a .*lives"));
+}
+
+TEST_F(Chaos, EverySentenceOfAWorkloadIsAnswered) {
+  auto file = write("talk.cast", "HOST localhost\n"
+                                 "SUBARCHITECTURE talk\n"
+                                 "CPP WM SubarchitectureWorkingMemory\n"
+                                 "CPP TM AlwaysPositiveTaskManager\n"
+                                 "CPP UM parser UtteranceParser\n"
+                                 "CPP UM interpreter DialogueInterpreter\n"
+                                 "CPP UM communication-monitor CommunicationBindingMonitor\n"
+                                 "CPP UM content-planner ContentPlanner\n"
+                                 "CPP UM speech SpeechOutput\n"
+                                 "SUPERVISE * RESTARTS 100 IN 1s\n");
+  auto workload = write("w.workload", "every 200ms say \"Hello.\" or \"Zorg the zorg.\"\n"
+                                      "expect answer within 10s\n");
+  auto answer = ask(
+    arguments(file, "every 210ms crash any component\nat 1s crash talk_wm\nat 2s throw in speech\n",
+              "3s", {"--workload", workload, "--seed", "4"}));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, ContainsRegex("ok +sentences answered +14 sentences, within 10"));
+  auto counts = report_as_json().at("workload").at("counts");
+  EXPECT_EQ(counts["said"], 14);
+  EXPECT_EQ(counts["answered"].get<int>() + counts["apologised"].get<int>(), 14);
+  EXPECT_GT(counts["answered"], 0);
+  EXPECT_GT(counts["apologised"], 0);
+}
+
+TEST_F(Chaos, ASentenceThatNobodyAnswersIsAViolation) {
+  auto file = system("CPP UM parser UtteranceParser\n");
+  auto workload = write("w.workload", "at 100ms say \"Hello.\"\nexpect answer within 10s\n");
+  auto answer = ask(arguments(file, "at 50ms crash parser\n", "500ms", {"--workload", workload}));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(ContainsRegex("VIOLATED +sentences answered"),
+                                   ContainsRegex("'Hello.', said at .*, was not answered"),
+                                   ContainsRegex("again: .* --workload " + workload)));
+}
+
+TEST_F(Chaos, AWorkloadChangesACopyOfTheScene) {
+  auto scene = write("table.scene", "image 160 120\nred cube at 0 0\n");
+  auto file =
+    write("see.cast", "HOST localhost\nCOMPONENT CPP camera Camera --source scene:" + scene +
+                        "\nSUBARCHITECTURE vision\nCPP WM SubarchitectureWorkingMemory\n"
+                        "CPP TM AlwaysPositiveTaskManager\n"
+                        "CPP UM change-detector ChangeDetector\nCPP MG segmentor Segmentor\n");
+  auto workload = write("w.workload", "at 1s add blue cube at 0.2 0.1\nat 1s remove red cube\n"
+                                      "at 2s add green cube at -0.2 0.1\n"
+                                      "same SceneChanged, ROI but for time, object_id, box, mask, "
+                                      "contour, region, pose\n");
+  auto before = read(scene);
+  auto answer = ask(arguments(file, "after every 2 added ROI in vision: crash segmentor\n", "3s",
+                              {"--workload", workload}));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(ContainsRegex("ok +workload done +3 of 3 actions"),
+                                   ContainsRegex("ok +state as without faults +3 entries")));
+  EXPECT_EQ(read(scene), before);
+}
+
+TEST_F(Chaos, AFlawedWorkloadIsRefusedWithItsPlace) {
+  auto file = system("CPP UM clock Clock\n");
+  auto flawed = write("w.workload", "at 1s say \"a\"\nat 1s write Oder {} to a\n"
+                                    "at 1s write Order {\"dsh\": 1} to a\n");
+  for (auto& answer : {ask(arguments(file, "", "1s", {"--workload", flawed})),
+                       ask({"check", file, "--workload", flawed})}) {
+    EXPECT_NE(answer.status, 0);
+    EXPECT_THAT(answer.errors,
+                AllOf(HasSubstr("w.workload:1: error: nobody listens"), HasSubstr("w.workload:2"),
+                      HasSubstr("Oder"), HasSubstr("w.workload:3"), HasSubstr("dsh")));
+  }
+  EXPECT_FALSE(std::filesystem::exists(report()));
+}
+
 } // namespace
 
 } // namespace castor::test

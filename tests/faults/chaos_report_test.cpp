@@ -24,12 +24,13 @@ ChaosRun small_run() {
   run.duration = 20s;
   run.plan = "seed 7\nat 2s crash segmentor\n";
   run.faults = {
-    {2s, 2010ms, {}, "segmentor", "crash segmentor", FaultState::happened, ""},
-    {5s, 5s, 6s, "node1", "stop node1 for 1s", FaultState::happened, ""},
-    {9s, {}, {}, "node2", "kill node2", FaultState::not_injected, "it was down already"},
+    {2s, 2010ms, {}, "crash", "segmentor", "crash segmentor", FaultState::happened, ""},
+    {5s, 5s, 6s, "stop", "node1", "stop node1 for 1s", FaultState::happened, ""},
+    {9s, {}, {}, "kill", "node2", "kill node2", FaultState::not_injected, "it was down already"},
     {9s,
      {},
      {},
+     "throw",
      "binder",
      "throw in callback 19 of binder",
      FaultState::never,
@@ -125,7 +126,7 @@ TEST(ChaosReport, ARunInWhichNothingHappenedHasAPageToo) {
   run.system = "robot.cast";
   auto page = to_html(run);
   EXPECT_TRUE(is_well_formed(page));
-  EXPECT_THAT(page, HasSubstr("held"));
+  EXPECT_THAT(page, HasSubstr("vacuous, nothing went down"));
   EXPECT_THAT(page, Not(HasSubstr("<svg")));
   EXPECT_THAT(page, Not(HasSubstr("nan")));
   EXPECT_TRUE(nlohmann::json::parse(to_json(run)).at("held").get<bool>());
@@ -135,7 +136,8 @@ TEST(ChaosReport, JsonSaysTheSame) {
   auto json = nlohmann::json::parse(to_json(small_run()));
   EXPECT_EQ(json.at("seed"), 7);
   EXPECT_EQ(json.at("held"), false);
-  EXPECT_EQ(json.at("faults").size(), 3U);
+  EXPECT_EQ(json.at("faults").size(), 4U);
+  EXPECT_TRUE(json.at("workload").is_null());
   EXPECT_EQ(json.at("faults")[1].at("until_us"), 6'000'000);
   EXPECT_EQ(json.at("outages")[0].at("recovery_us"), 150'000);
   EXPECT_TRUE(json.at("outages")[3].at("up_us").is_null());
@@ -151,7 +153,8 @@ TEST(ChaosReport, JsonSaysTheSame) {
 
 TEST(ChaosReport, TheTerminalIsToldInShort) {
   EXPECT_EQ(to_text(small_run()),
-            "robot.cast: 1 violation (seed 7, 20 s, 2 of 3 faults)\n"
+            "robot.cast: 1 violation (4 outages: component 4; seed 7, 20 s)\n"
+            "  faults: 2 of 4 faults happened, 1 never came to it, 1 not injected\n"
             "  ok         linearizability              1203 operations on 12 entries\n"
             "  VIOLATED   leases                       40 leases\n"
             "  undecided  journal                      no working memory has one\n"
@@ -162,8 +165,49 @@ TEST(ChaosReport, TheTerminalIsToldInShort) {
             "leases at 6 s\n"
             "  two holders\n"
             "  at once\n"
-            "  seed 7, again: castor chaos robot.cast --seed 7 --duration 20s\n");
+            "  seed 7, again: castor chaos robot.cast --seed 7 --duration 20s\n"
+            "\n"
+            "  2 of 4 pairs of a fault and a target were hit\n"
+            "  \n"
+            "                 crash\n"
+            "    segmentor        1\n"
+            "  \n"
+            "              kill\n"
+            "    node2     . -1\n"
+            "  \n"
+            "              stop\n"
+            "    node1        1\n"
+            "  \n"
+            "              throw\n"
+            "    binder     . -1\n");
   EXPECT_GT(count(to_text(small_run(), true), "\x1b[31m"), 0U);
+}
+
+TEST(ChaosReport, WhatBecameOfAWorkloadIsSaidFirst) {
+  auto run = small_run();
+  run.workload.emplace();
+  run.workload->file = "robot.workload";
+  run.workload->took = 20s;
+  run.workload->statements = {{"every 4s say \"Where is <it>?\"",
+                               {.due = 4, .done = 3, .said = 3, .answered = 2, .unanswered = 1},
+                               "there is no subarchitecture talk"}};
+  run.workload->answer_times = {1s, 2s};
+  EXPECT_THAT(
+    to_text(run),
+    HasSubstr("1 not injected\n"
+              "  workload: robot.workload: 3 sentences, 2 answered, 0 apologised for (0.1 "
+              "answers a second), 1 not answered; 1 not done\n"
+              "  answers: half within 1 s, all within 2 s\n"
+              "  ok         linearizability"));
+  auto json = nlohmann::json::parse(to_json(run)).at("workload");
+  EXPECT_EQ(json.at("file"), "robot.workload");
+  EXPECT_EQ(json.at("counts").at("answered"), 2);
+  EXPECT_EQ(json.at("answer_longest_us"), 2'000'000);
+  EXPECT_EQ(json.at("statements")[0].at("counts").at("unanswered"), 1);
+  EXPECT_EQ(json.at("statements")[0].at("problem"), "there is no subarchitecture talk");
+  auto page = to_html(run);
+  EXPECT_TRUE(is_well_formed(page));
+  EXPECT_THAT(page, HasSubstr("every 4s say &quot;Where is &lt;it&gt;?&quot;"));
 }
 
 TEST(Chart, TicksAreRound) {
