@@ -71,9 +71,10 @@ Memberships::Membership& Memberships::enter(const Hello& coordinator) {
   parts.self = coordinator.receiver;
   parts.mesh = result.mesh;
   parts.spawn = parts_.spawn;
-  parts.connect = [node = weak_from_this(), name = coordinator.system](const PartPlan& plan) {
+  parts.connect = [node = weak_from_this(), name = coordinator.system,
+                   incarnation = result.self.incarnation](const PartPlan& plan) {
     if (auto self = node.lock())
-      self->connect(name, plan);
+      self->connect(name, incarnation, plan);
   };
   result.agent = system_.spawn(part_agent, std::move(parts));
   result.mesh->set_well_known(WellKnownActor::agent,
@@ -88,10 +89,11 @@ bool dials(const PartPlan& plan, ProcessNumber self, ProcessNumber peer) {
   return self_is_local != peer_is_local ? self_is_local : self < peer;
 }
 
-void Memberships::connect(const std::string& system, const PartPlan& plan) {
+void Memberships::connect(const std::string& system, std::uint64_t incarnation,
+                          const PartPlan& plan) {
   std::lock_guard guard{mutex_};
   auto i = memberships_.find(system);
-  if (i == memberships_.end())
+  if (i == memberships_.end() || i->second.self.incarnation != incarnation)
     return;
   caf::anon_send(i->second.links.at(0), LinkPatience{plan.patience});
   for (std::size_t p = 1; p < plan.processes.size(); ++p) {
@@ -127,11 +129,12 @@ void Memberships::add_link(Membership& membership, ProcessNumber peer, const std
   if (peer != 0)
     parts.options.patience = std::chrono::hours{24 * 365};
   parts.on_news = [node = weak_from_this(), agent = membership.agent,
-                   system = membership.self.system](const LinkNews& x) {
+                   system = membership.self.system,
+                   incarnation = membership.self.incarnation](const LinkNews& x) {
     caf::anon_send(agent, x);
     auto self = node.lock();
     if (self && x.peer == 0 && x.state == LinkState::lost)
-      self->leave(system, x.reason);
+      self->leave(system, x.reason, incarnation);
   };
   membership.links[peer] = parts_.spawn_link(std::move(parts));
 }
@@ -142,11 +145,15 @@ void Memberships::tell(const MembershipNews& x) {
     parts_.on_news(x);
 }
 
-std::vector<caf::actor> Memberships::leave(const std::string& system, const std::string& why) {
+std::vector<caf::actor> Memberships::leave(const std::string& system, const std::string& why,
+                                           std::optional<std::uint64_t> incarnation) {
   std::map<std::string, Membership>::node_type left;
   {
     std::lock_guard guard{mutex_};
-    left = memberships_.extract(system);
+    auto i = memberships_.find(system);
+    if (i != memberships_.end() &&
+        incarnation.value_or(i->second.self.incarnation) == i->second.self.incarnation)
+      left = memberships_.extract(i);
   }
   std::vector<caf::actor> links;
   if (!left)

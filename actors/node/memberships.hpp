@@ -71,10 +71,13 @@ private:
   /// Whether the coordinator takes this process for a new one.
   bool is_given_up(const Hello& coordinator) const;
   Membership& enter(const Hello& coordinator);
-  void connect(const std::string& system, const PartPlan& plan);
+  /// Unless the node has left the system since it took part in that incarnation.
+  void connect(const std::string& system, std::uint64_t incarnation, const PartPlan& plan);
   void add_link(Membership& membership, ProcessNumber peer, const std::string& name,
                 std::optional<Endpoint> dial);
-  std::vector<caf::actor> leave(const std::string& system, const std::string& why);
+  /// In that incarnation, or in any.
+  std::vector<caf::actor> leave(const std::string& system, const std::string& why,
+                                std::optional<std::uint64_t> incarnation = {});
   void tell(const MembershipNews& x);
 
   caf::actor_system& system_;

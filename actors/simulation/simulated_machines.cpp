@@ -32,6 +32,13 @@ SimulatedMachines::SimulatedMachines(caf::actor_system& system, SystemWorld& wor
     machine_of_life_.push_back(x);
   }
   processes_[0].there = true;
+  // As the coordinator says when it has lost the other process.
+  network_.set_on_close([this](const caf::actor& link) {
+    auto peer = peers_.find(link);
+    auto known = std::ranges::find(links_, link, &Link::actor);
+    if (peer != peers_.end() && known != links_.end())
+      give_up(known->life, peer->second);
+  });
 }
 
 LinkOptions SimulatedMachines::link_options() {
@@ -179,10 +186,12 @@ void SimulatedMachines::hear(Life life, const caf::actor& link, const LinkNews& 
   if (news.state == LinkState::up)
     if (auto peer = network_.peer_of(link))
       peers_[link] = *peer;
-  auto peer = peers_.find(link);
-  if (news.state != LinkState::lost || peer == peers_.end())
-    return;
-  lost_.emplace(life, peer->second);
+  if (auto peer = peers_.find(link); news.state == LinkState::lost && peer != peers_.end())
+    give_up(life, peer->second);
+}
+
+void SimulatedMachines::give_up(Life life, Life other) {
+  lost_.emplace(life, other);
   for (auto& [name, component] : world_.components)
     if (component->process() == peer->second)
       world_.recorder.may_be_lost(component->number());

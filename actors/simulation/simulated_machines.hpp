@@ -127,6 +127,8 @@ private:
   void jump_clock(const faults::JumpClock& x);
 
   void crash(const std::string& name);
+  /// From now on the process takes the other for lost, with all that is in it.
+  void give_up(Life life, Life other);
   void hang(const faults::Hang& x);
   void kill(Machine x, std::chrono::milliseconds back_after);
   void silence(Machine a, Machine b, Clock::duration x);

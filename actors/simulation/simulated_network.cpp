@@ -83,7 +83,10 @@ public:
         link->settle();
       },
       [link](const LinkPatience& x) { link->end_.set_patience(x.patience); },
-      [link](const CloseLink& x) { link->end_.close(x.reason); },
+      [link](const CloseLink& x) {
+        link->network_.link_closed(link->me());
+        link->end_.close(x.reason);
+      },
     };
   }
 
@@ -179,14 +182,15 @@ std::chrono::milliseconds SimulatedNetwork::latency() {
 }
 
 template <class T>
-void SimulatedNetwork::send(End& to, const T& message) {
+void SimulatedNetwork::send(End& to, T message) {
   auto& clock = system_.clock();
   to.due = std::max(to.due, clock.now() + latency());
   if (to.due == clock.now())
-    caf::anon_send(to.actor, message);
+    caf::anon_send(to.actor, std::move(message));
   else
-    clock.schedule_message(to.due, caf::actor_cast<caf::strong_actor_ptr>(to.actor),
-                           caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, message));
+    clock.schedule_message(
+      to.due, caf::actor_cast<caf::strong_actor_ptr>(to.actor),
+      caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, std::move(message)));
 }
 
 SimulatedNetwork::End* SimulatedNetwork::other_end(const caf::actor& from, Connection x) {

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,9 @@ public:
 
   SimulatedNetwork(caf::actor_system& system, std::mt19937_64& random)
     : system_(system), random_(random) {}
+
+  /// Is told of links that are closed for good, by the process that they are in.
+  void set_on_close(std::function<void(const caf::actor&)> x) { on_close_ = std::move(x); }
 
   /// What is said arrives at once, but for so much of it, in percent.
   void set_delays(unsigned percent, std::chrono::milliseconds longest) {
@@ -53,6 +57,7 @@ public:
   void close(const caf::actor& from, Connection x);
   /// The connection is not the listener's any more.
   void hand_over(Connection x, const caf::actor& to);
+  void link_closed(const caf::actor& link) { on_close_(link); }
 
 private:
   struct End {
@@ -70,12 +75,13 @@ private:
   std::size_t pick(std::size_t count) { return random_() % count; }
   std::chrono::milliseconds latency();
   template <class T>
-  void send(End& to, const T& message);
+  void send(End& to, T message);
   /// The side that is not that actor's; null if the connection is closed.
   End* other_end(const caf::actor& from, Connection x);
 
   caf::actor_system& system_;
   std::mt19937_64& random_;
+  std::function<void(const caf::actor&)> on_close_ = [](const caf::actor&) {};
   unsigned delayed_ = 0;
   std::chrono::milliseconds longest_{0};
   Connection last_ = 0;

@@ -110,6 +110,25 @@ TEST_F(MembershipsTest, BeginsAnewWhenTheCoordinatorHasGivenItUp) {
   EXPECT_NE(links[2].self.incarnation, links[0].self.incarnation);
 }
 
+TEST_F(MembershipsTest, WhatIsLeftOfAnEarlierTimeInTheSystemDoesNotTouchThatOfNow) {
+  auto earlier = caf::actor_cast<caf::actor>(
+    links[0].mesh->actor_of(make_actor_name(2, std::uint32_t(WellKnownActor::agent))));
+  PartPlan plan;
+  plan.processes.resize(6);
+  plan.processes[1] = {"other", "other", 7000, false};
+  caf::anon_send(earlier, plan);
+  EXPECT_TRUE(is_taken(coordinator(5)));
+  scheduler.run();
+  EXPECT_THAT(links, SizeIs(3)) << "no link to process 1 as of an old plan";
+  LinkNews lost;
+  lost.peer = 0;
+  lost.state = LinkState::lost;
+  links[0].on_news(lost);
+  EXPECT_THAT(node->systems(), ElementsAre("s"));
+  links[2].on_news(lost);
+  EXPECT_THAT(node->systems(), SizeIs(0));
+}
+
 TEST_F(MembershipsTest, OnlyTheCoordinatorIsLostForItsSilence) {
   EXPECT_EQ(links[0].options.patience, LinkOptions{}.patience);
   EXPECT_GT(links[1].options.patience, std::chrono::hours{24});
