@@ -267,7 +267,7 @@ std::vector<LinkStatus> Mesh::links() const {
 ActorName Mesh::name_of(const caf::strong_actor_ptr& x) {
   if (!x)
     return 0;
-  if (auto* remote = dynamic_cast<RemoteActor*>(x->get()))
+  if (auto* remote = as_remote(x))
     return remote->actor();
   std::unique_lock guard{mutex_};
   if (closed_)
@@ -326,7 +326,7 @@ TypeDescriptorPtr Mesh::type_of(std::uint64_t hash) {
 
 bool Mesh::open_request(ProcessNumber to, const caf::mailbox_element& x) {
   // Those that are only passed on are answered elsewhere.
-  if (!x.mid.is_request() || !x.sender || dynamic_cast<RemoteActor*>(x.sender->get()))
+  if (!x.mid.is_request() || !x.sender || as_remote(x.sender))
     return true;
   std::lock_guard guard{mutex_};
   if (processes_.count(to) == 0)

@@ -14,6 +14,7 @@ enum class FrameKind : std::uint8_t { part, ack, ping, goodbye };
 
 constexpr std::uint8_t first_part = 1;
 constexpr std::uint8_t last_part = 2;
+constexpr std::size_t frame_header = sizeof(std::uint32_t) + 1;
 constexpr std::size_t part_header = sizeof(std::uint32_t) + 1;
 constexpr std::size_t longest_goodbye = 4096;
 /// Of what is too large to be taken, only a head of at most so many bytes is kept.
@@ -244,6 +245,9 @@ bool LinkSession::next_part(Part& part) {
 
 void LinkSession::write_part(std::vector<char>& out, const Part& part) const {
   auto& message = *part.message;
+  auto needed = out.size() + frame_header + part_header + part.size;
+  if (needed > out.capacity())
+    out.reserve(std::max(needed, 2 * out.capacity()));
   put_header(out, FrameKind::part, part_header + part.size);
   put(out, message.number);
   std::uint8_t flags = 0;

@@ -57,11 +57,15 @@ private:
 class WireWriter {
 public:
   static constexpr bool writes = true;
+  /// So many bytes have room for most messages.
+  static constexpr std::size_t usual_head = 128;
 
   /// Takes messages of up to `largest` bytes.
   explicit WireWriter(WireNames& names,
                       std::size_t largest = std::numeric_limits<std::size_t>::max())
-    : names_(names), largest_(largest) {}
+    : names_(names), largest_(largest) {
+    head_.reserve(usual_head);
+  }
 
   /// Throws MessageTooLarge if what was written so far is more than a message may be.
   void check_size() const {

@@ -65,6 +65,8 @@ std::string remedy_for(const Diagnostics& out, std::string_view name,
 /// An option names something that the system has to have.
 void check_reference(Diagnostics& out, const ComponentDescription& x, const OptionBase& option,
                      const SystemNames& names) {
+  if (option.reference() == Reference::none)
+    return;
   auto name = option.text();
   if (name.empty() || names.is_incomplete || names.doubtful.contains(name))
     return;

@@ -50,9 +50,10 @@ caf::resumable* as_resumable(const WorkingMemoryActor& x) {
   return dynamic_cast<caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
 }
 
-JournalOptions journal_options(const ComponentDescription& x, const PartPlan& plan,
+JournalOptions journal_options(const WorkingMemoryClass& wm_class,
+                               const std::string& subarchitecture, const PartPlan& plan,
                                std::uint64_t incarnation) {
-  auto result = WorkingMemoryClass{x}.journal_of(x.subarchitecture);
+  auto result = wm_class.journal_of(subarchitecture);
   result.system = plan.system;
   result.returning = incarnation > 1;
   result.report = [](const std::string& what) { note(LogLevel::error, what); };
@@ -64,16 +65,12 @@ std::size_t largest_value(const WorkingMemoryClass& x) {
   return static_cast<std::size_t>(x.largest_entry.get()) << 20;
 }
 
-bool keeps_journal(const SubarchitectureDescription& x) {
-  return WorkingMemoryClass{x.working_memory}.journal != JournalMode::off;
-}
-
 /// The journal that a WM line asks for; null if it asks for none, or can do without.
 std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
                                                const PartSpawn& spawn, const PartPlan& plan,
                                                std::uint64_t incarnation,
                                                std::vector<cast::Diagnostic>& problems) {
-  auto options = journal_options(x, plan, incarnation);
+  auto options = journal_options(WorkingMemoryClass{x}, x.subarchitecture, plan, incarnation);
   if (options.mode == JournalMode::off)
     return nullptr;
   try {
@@ -219,7 +216,14 @@ void SystemPart::begin(const PartPlan& plan) {
   temporary_ = plan.temporary;
   open_access_ = plan.open_access;
   supervisor_ = plan.supervisor;
-  if (services_->run == 0 && std::ranges::any_of(architecture_.subarchitectures, keeps_journal))
+  auto keeps_journals = false;
+  largest_values_.clear();
+  for (auto& x : architecture_.subarchitectures) {
+    WorkingMemoryClass wm_class{x.working_memory};
+    largest_values_[x.name] = largest_value(wm_class);
+    keeps_journals = keeps_journals || wm_class.journal != JournalMode::off;
+  }
+  if (services_->run == 0 && keeps_journals)
     services_->run = new_incarnation() >> 32;
   if (!services_->working_memories.empty())
     return;
@@ -284,7 +288,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.store.largest_value = largest_value(wm_class);
   options.writers = writers(name);
   options.incarnation = incarnation;
-  options.journal = journal_options(x, plan, incarnation);
+  options.journal = journal_options(wm_class, name, plan, incarnation);
   options.opened_journal = std::move(journal);
   auto actor = spawn_.working_memory(system_, std::move(options));
   working_memories_[name] = {actor, incarnation};
@@ -342,13 +346,6 @@ SystemPart::subarchitectures(const std::map<std::string, caf::strong_actor_ptr>&
       result[x.name] = i->second;
   if (auto i = actors.find(health_working_memory().name); i != actors.end())
     result[health_subarchitecture] = i->second;
-  return result;
-}
-
-std::map<std::string, std::size_t> SystemPart::largest_values() const {
-  std::map<std::string, std::size_t> result;
-  for (auto& x : architecture_.subarchitectures)
-    result[x.name] = largest_value(WorkingMemoryClass{x.working_memory});
   return result;
 }
 

@@ -60,7 +60,7 @@ public:
 
   /// What the working memories of the last plan take, wherever they are: the largest value by
   /// subarchitecture, in bytes.
-  std::map<std::string, std::size_t> largest_values() const;
+  const std::map<std::string, std::size_t>& largest_values() const { return largest_values_; }
 
   /// Something that runs here.
   struct Resident {
@@ -120,6 +120,7 @@ private:
   const ProcessNumber self_;
   const PartSpawn spawn_;
   ArchitectureDescription architecture_;
+  std::map<std::string, std::size_t> largest_values_;
   std::set<std::string> temporary_;
   bool open_access_ = false;
   caf::actor supervisor_;

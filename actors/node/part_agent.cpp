@@ -121,7 +121,7 @@ using Routes = std::map<ProcessNumber, caf::strong_actor_ptr>;
 Routes find_routes(Mesh& mesh, std::map<std::string, caf::strong_actor_ptr>& actors) {
   Routes result;
   std::erase_if(actors, [&](auto& x) {
-    auto* remote = dynamic_cast<RemoteActor*>(x.second->get());
+    auto* remote = as_remote(x.second);
     if (!remote)
       return false;
     auto process = process_of(remote->actor());
@@ -155,9 +155,9 @@ caf::response_promise join(Self self, JoinParts others) {
   peers.working_memories = state.part->subarchitectures(others.actors);
   peers.absent = state.part->absent(peers.working_memories);
   if (auto& mesh = state.parts.mesh) {
-    auto largest = state.part->largest_values();
+    auto& largest = state.part->largest_values();
     for (auto& [name, actor] : peers.working_memories)
-      if (auto* remote = dynamic_cast<RemoteActor*>(actor->get())) {
+      if (auto* remote = as_remote(actor)) {
         peers.routes[name] = routes.at(process_of(remote->actor()));
         if (auto i = largest.find(name); i != largest.end())
           mesh->set_largest_value(remote->actor(), name, i->second);

@@ -258,6 +258,8 @@ void SimulatedMachines::catch_up() {
       back.push_back(x);
   for (auto x : back) {
     returns_.erase(x);
+  if (returns_.empty())
+    return;
     start_node(x);
   }
 }
