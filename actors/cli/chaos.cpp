@@ -219,8 +219,8 @@ private:
     faults::Coverage coverage{targets_};
     std::map<int, std::size_t> counts;
     for (auto seed = seeds.from; seed <= seeds.to && signals_.count() == 0; ++seed) {
-      // Another seed draws other actions, from which another state follows.
-      if (workload_ && !question_.types.empty() && seed != peace_seed_)
+      // Other actions are drawn, from which another state follows.
+      if (!question_.types.empty() && workload_seed(seed) != workload_seed(peace_seed_))
         look_at_peace(architecture, seed);
       run_once(architecture, seed,
                arguments_.report.empty() ? std::filesystem::path{}
@@ -333,11 +333,16 @@ private:
     return true;
   }
 
+  /// What draws the actions of the workload, in a run with this seed.
+  std::uint64_t workload_seed(std::uint64_t seed) const {
+    return workload_ ? workload_->workload.seed.value_or(seed) : 0;
+  }
+
   /// Nothing without a workload.
   std::unique_ptr<WorkloadRun> prepare_work(ArchitectureDescription& architecture) {
     if (!workload_)
       return nullptr;
-    auto result = std::make_unique<WorkloadRun>(*workload_, seed_, duration_);
+    auto result = std::make_unique<WorkloadRun>(*workload_, workload_seed(seed_), duration_);
     result->prepare(architecture);
     return result;
   }

@@ -91,6 +91,8 @@ private:
   void read_statement(const cast::SourceLine& line) {
     auto behind = line.text;
     auto word = cast::take_word(behind);
+    if (auto seed = parse_seed(line.text))
+      return set(workload_.seed, *seed);
     if (word == "expect")
       return set(workload_.answer_within, parse_expectation(behind));
     if (word == "same") {
@@ -102,7 +104,7 @@ private:
     if (std::ranges::find(triggers, word) == triggers.end())
       throw StatementError(
         in_quotes(word) + " is not the beginning of a statement",
-        remedy_for(word, {"at", "every", "rate", "expect", "same"},
+        remedy_for(word, {"at", "every", "rate", "expect", "same", "seed"},
                    "write at TIME, every TIME or rate NUMBER/s before an action, expect answer "
                    "within TIME, or same TYPE"));
     WorkloadStatement statement;
@@ -163,6 +165,8 @@ std::string to_string(const WorkloadStatement& x) {
 
 std::string to_string(const Workload& x) {
   std::string result;
+  if (x.seed)
+    result += "seed " + std::to_string(*x.seed) + "\n";
   for (auto& statement : x.statements)
     result += to_string(statement) + "\n";
   if (x.answer_within)

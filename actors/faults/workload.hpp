@@ -5,6 +5,7 @@
 #include "castor/actors/cast/source_location.hpp"
 #include "castor/actors/faults/fault_plan.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -92,13 +93,16 @@ struct SameEntries {
 /// is described in docs/fault-plans.md.
 struct Workload {
   std::string file;
+  /// Draws what the statements leave open; nothing for the seed of the faults.
+  std::optional<std::uint64_t> seed;
   std::vector<WorkloadStatement> statements;
   /// Every sentence has to be answered, or apologised for, so soon.
   std::optional<Timestamp> answer_within;
   std::optional<SameEntries> same;
 
   friend bool operator==(const Workload& a, const Workload& b) {
-    return a.statements == b.statements && a.answer_within == b.answer_within && a.same == b.same;
+    return a.seed == b.seed && a.statements == b.statements && a.answer_within == b.answer_within &&
+           a.same == b.same;
   }
 };
 

@@ -47,6 +47,15 @@ Workload whole_workload() {
   return workload_of(text.replace(text.find("memory/note one"), 15, "\"memory/note one\""));
 }
 
+TEST(Workload, HasASeedOfItsOwnOrThatOfTheFaults) {
+  EXPECT_EQ(whole_workload().seed, std::nullopt);
+  auto x = workload_of("seed 7\nevery 1s say \"Hello.\"\n");
+  EXPECT_EQ(x.seed, 7U);
+  EXPECT_EQ(workload_of(to_string(x)), x);
+  EXPECT_THAT(flaws_of("seed 7\nseed 8\n"), HasSubstr("this is said twice"));
+  EXPECT_THAT(flaws_of("seed x\n"), HasSubstr("the seed is not one whole number"));
+}
+
 TEST(Workload, SaysWhatIsDoneAndWhen) {
   auto x = whole_workload();
   ASSERT_EQ(x.statements.size(), 5U);
