@@ -40,8 +40,11 @@ template <class T>
 Faults at_isolated(const FaultTargets& x) {
   Faults result;
   for (auto& y : x.components)
-    if (y.isolated)
-      result.push_back(T{{y.name}});
+    if (y.isolated) {
+      T fault{};
+      fault.process.name = y.name;
+      result.push_back(std::move(fault));
+    }
   return result;
 }
 
@@ -138,6 +141,7 @@ constexpr std::array kinds{
   FaultKind{3, at_components<Hang>, draw_duration<Hang>, true, false},
   FaultKind{3, at_components<Slow>, draw_lateness<Slow>, true, false},
   FaultKind{3, at_isolated<Kill>, nothing, false, true},
+  FaultKind{2, at_isolated<Stop>, draw_duration<Stop>},
   FaultKind{2, at_nodes<Kill>, nothing},
   FaultKind{3, at_nodes<Stop>, draw_duration<Stop>},
   FaultKind{3, partitions, draw_duration<Partition>},

@@ -228,6 +228,13 @@ TEST_F(Chaos, AnInterruptEndsTheRunInOrder) {
   EXPECT_EQ(report_as_json()["held"], false);
 }
 
+TEST_F(Chaos, AnIsolatedComponentThatIsStoppedGoesOn) {
+  auto answer = ask(arguments(system("CPP UM clock Clock --isolate\n"),
+                              "at 100ms stop clock for 300ms\n", "600ms"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, AllOf(HasSubstr("1 of 1 faults"), HasSubstr("outages: 0 back")));
+}
+
 TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   auto file =
     write("journaled.cast",

@@ -52,6 +52,12 @@ TEST(RandomPlan, HasEverythingThatCanBefallTheSystemAndAnEndToIt) {
   EXPECT_LT(plan.statements.size(), 1200U);
 }
 
+TEST(RandomPlan, KillsAndStopsIsolatedComponentsAsWellAsNodes) {
+  auto text = to_string(random_plan(test::table_top(), 1, 2000s));
+  for (auto fault : {"kill tracker\n", "kill node1\n", "stop tracker for ", "stop node1 for "})
+    EXPECT_NE(text.find(fault), std::string::npos) << fault;
+}
+
 TEST(RandomPlan, HasNothingForWhatIsNotThere) {
   EXPECT_TRUE(random_plan({}, 1, 100s).statements.empty());
   auto text = to_string(random_plan(test::small_system(), 1, 2000s));
