@@ -471,20 +471,6 @@ private:
   bool folding_ = false;
 };
 
-/// Out of the way, but not out of the world.
-std::filesystem::path move_aside(const std::filesystem::path& file) {
-  for (int i = 1;; ++i) {
-    auto target = file;
-    target += ".corrupt-" + std::to_string(i);
-    if (std::filesystem::exists(target) || std::filesystem::exists(target.string() + "-wal"))
-      continue;
-    for (auto* suffix : {"", "-wal", "-shm"})
-      if (std::filesystem::exists(file.string() + suffix))
-        std::filesystem::rename(file.string() + suffix, target.string() + suffix);
-    return target;
-  }
-}
-
 OpenedJournal take_up(const JournalOptions& options, const std::string& subarchitecture) {
   auto journal = std::make_shared<SqliteJournal>(options, subarchitecture);
   auto result = journal->opened();
@@ -531,14 +517,16 @@ OpenedJournal open_journal(const JournalOptions& options, const std::string& sub
     try {
       return take_up(options, subarchitecture);
     } catch (const JournalCorrupt& e) {
-      auto aside = move_aside(options.file);
+      auto aside = move_aside(options.file, "corrupt");
       options.report(std::string{e.what()} + ". It was moved to " + aside.string() + ", and " +
                      subarchitecture + " begins without entries");
       return take_up(options, subarchitecture);
     }
   } catch (const std::runtime_error& e) {
     options.report(std::string{e.what()} + ". " + subarchitecture + " goes on without a journal");
-    return {};
+    OpenedJournal result;
+    result.failure = e.what();
+    return result;
   }
 }
 

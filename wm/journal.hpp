@@ -142,6 +142,8 @@ struct OpenedJournal {
   std::uint64_t session = 0;
   std::uint64_t incarnation = 0;
   UnixTime time{0};
+  /// Why there is no file, and the working memory goes on without.
+  std::string failure = {};
 };
 
 /// Opens the journal for writing, or makes it, and takes it away from whoever of the same system

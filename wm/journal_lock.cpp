@@ -175,4 +175,17 @@ std::string JournalFiles::problem() const {
   return {};
 }
 
+std::filesystem::path move_aside(const std::filesystem::path& journal, std::string_view why) {
+  for (int i = 1;; ++i) {
+    auto target = journal;
+    target += "." + std::string{why} + "-" + std::to_string(i);
+    if (std::filesystem::exists(target) || std::filesystem::exists(target.string() + "-wal"))
+      continue;
+    for (auto* suffix : {"", "-wal", "-shm"})
+      if (std::filesystem::exists(journal.string() + suffix))
+        std::filesystem::rename(journal.string() + suffix, target.string() + suffix);
+    return target;
+  }
+}
+
 } // namespace castor

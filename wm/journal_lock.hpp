@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What keeps a journal to one system, and notices that its files are not there any more.
@@ -84,5 +85,9 @@ private:
 
   std::vector<Watched> watched_;
 };
+
+/// Moves the files of a journal out of the way, to NAME.WHY-1, or the next number that is free.
+/// Returns where it is now. Throws std::filesystem::filesystem_error.
+std::filesystem::path move_aside(const std::filesystem::path& journal, std::string_view why);
 
 } // namespace castor

@@ -157,7 +157,7 @@ WorkingMemoryStatus status(const WorkingMemoryState& state) {
 WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions options) {
   auto& state = self->state;
   // A journal knows which numbers there were.
-  if (!options.opened_journal) {
+  if (!options.opened_journal || !options.opened_journal->failure.empty()) {
     auto first = (options.incarnation - 1) * numbers_per_life;
     options.store.first_version = first;
     options.leases.first_token = first + 1;

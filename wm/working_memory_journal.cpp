@@ -34,6 +34,11 @@ void begin_journal(Self self) {
   auto& state = self->state;
   auto& opened = *state.options.opened_journal;
   state.journal_status.mode = state.options.journal.mode;
+  if (!opened.failure.empty()) {
+    state.journal_status.failure = std::move(opened.failure);
+    state.options.opened_journal.reset();
+    return;
+  }
   state.journal_status.incarnation = opened.incarnation;
   state.gate = OutputGate{bounds(state.options.journal)};
   state.began = opened.time - now(self);

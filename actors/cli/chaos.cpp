@@ -19,6 +19,7 @@
 #include "castor/actors/faults/chaos_report.hpp"
 #include "castor/actors/faults/coverage.hpp"
 #include "castor/actors/faults/injector.hpp"
+#include "castor/actors/faults/journal_faults.hpp"
 #include "castor/actors/faults/outages.hpp"
 #include "castor/actors/faults/random_plan.hpp"
 #include "castor/actors/faults/resource_growth.hpp"
@@ -504,6 +505,7 @@ private:
     options.on_fault_happened = [&](std::uint64_t fault) {
       with_injector([=](auto& x) { x.on_happened(fault); });
     };
+    auto journals = faults::journals_of(architecture);
     HistoryWatch histories{architecture, clocks_jump()};
     histories.watch(options);
     if (work)
@@ -532,7 +534,8 @@ private:
                                 auto host = hosts.find(process);
                                 return nodes && host != hosts.end() &&
                                        nodes->signal(host->second, signal);
-                              }},
+                              },
+                              std::move(journals)},
         std::move(schedule));
     }
     show_faults_with([&, since = Clock::now()] {

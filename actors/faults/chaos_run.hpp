@@ -42,7 +42,7 @@ struct FaultRecord {
   /// As in a plan.
   std::string fault;
   FaultState state = FaultState::happened;
-  /// Why it could not be injected, or never came to it.
+  /// What came of it, why it could not be injected, or why it never came to it.
   std::string outcome;
 };
 

@@ -74,6 +74,9 @@ struct Printer {
   std::string operator()(const SlowJournal& x) const {
     return "slow journal of " + text_of(x.memory) + " by " + to_text(x.by) + text_of(x.duration);
   }
+  std::string operator()(const RemoveJournal& x) const {
+    return "remove journal of " + text_of(x.memory);
+  }
   std::string operator()(const JumpClock& x) const {
     return "jump clock of " + text_of(x.memory) + " by " + to_text(x.by);
   }

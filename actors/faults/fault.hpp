@@ -188,6 +188,14 @@ struct SlowJournal {
   friend auto operator<=>(const SlowJournal&, const SlowJournal&) = default;
 };
 
+/// The files of the working memory's journal are moved away under it.
+struct RemoveJournal {
+  static constexpr std::string_view kind = "remove journal";
+  MemoryTarget memory;
+
+  friend auto operator<=>(const RemoveJournal&, const RemoveJournal&) = default;
+};
+
 /// The clock by which the working memory ends leases goes forward, or back.
 struct JumpClock {
   static constexpr std::string_view kind = "jump clock";
@@ -199,7 +207,7 @@ struct JumpClock {
 
 /// Anything that a plan can do to a system.
 using Fault = std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop,
-                           Duplicate, Reorder, FailJournal, SlowJournal, JumpClock>;
+                           Duplicate, Reorder, FailJournal, SlowJournal, RemoveJournal, JumpClock>;
 
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;

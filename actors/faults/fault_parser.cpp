@@ -59,6 +59,7 @@ private:
       {"duplicate", &FaultParser::disturbance<Duplicate>},
       {"reorder", &FaultParser::disturbance<Reorder>},
       {"fail", &FaultParser::fail_journal},
+      {"remove", [](FaultParser& x) -> Fault { return RemoveJournal{x.journal()}; }},
       {"jump", &FaultParser::jump}};
     return result;
   }

@@ -22,6 +22,11 @@ bool has_journal(const ComponentDescription& working_memory) {
   return mode != nullptr && mode->value != "off";
 }
 
+bool goes_on_without_journal(const ComponentDescription& working_memory) {
+  auto failure = working_memory.option("journal-failure");
+  return failure != nullptr && failure->value == "continue";
+}
+
 bool has(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -64,6 +69,7 @@ public:
 
   void operator()(const FailJournal& x) { journal(x.memory); }
   void operator()(const SlowJournal& x) { journal(x.memory); }
+  void operator()(const RemoveJournal& x) { journal(x.memory); }
   void operator()(const JumpClock& x) { memory(x.memory); }
 
   template <class T>
@@ -240,7 +246,9 @@ FaultTargets targets_of(const ArchitectureDescription& architecture,
     result.components.push_back({x.name, x.subarchitecture, x.kind, x.is_on("isolate")});
   });
   for (auto& x : architecture.subarchitectures)
-    result.subarchitectures.push_back({x.name, has_journal(x.working_memory), limit_of(x.name)});
+    result.subarchitectures.push_back({x.name, has_journal(x.working_memory),
+                                       goes_on_without_journal(x.working_memory),
+                                       limit_of(x.name)});
   result.nodes = std::move(nodes);
   return result;
 }

@@ -34,6 +34,8 @@ struct FaultTargets {
     std::string name;
     /// Whether its working memory has a journal.
     bool has_journal = false;
+    /// Whether it goes on without the journal if that fails.
+    bool goes_on_without_journal = false;
     RestartLimit limit = {};
   };
 

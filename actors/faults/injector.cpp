@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
+#include "castor/actors/faults/journal_faults.hpp"
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/system.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <csignal>
 #include <optional>
+#include <stdexcept>
 
 namespace castor::faults {
 
@@ -140,9 +142,9 @@ FaultRecord Injector::inject(const Fault& fault) {
     fault);
   guard.lock();
   auto& result = records_[index];
+  result.outcome = outcome.text;
   if (!outcome.done) {
     result.state = FaultState::not_injected;
-    result.outcome = outcome.text;
     note(LogLevel::info, "faults", "not injected: " + result.fault + ": " + result.outcome);
   } else if (!missed_[index]) {
     happened(result);
@@ -155,7 +157,8 @@ FaultRecord Injector::inject(const Fault& fault) {
 void Injector::happened(FaultRecord& x) {
   x.state = FaultState::happened;
   x.happened = now();
-  note(LogLevel::info, "faults", "happened: " + x.fault);
+  note(LogLevel::info, "faults",
+       "happened: " + x.fault + (x.outcome.empty() ? "" : ": " + x.outcome));
 }
 
 void Injector::on_happened(std::uint64_t fault) {
@@ -308,6 +311,17 @@ Injector::Outcome Injector::befall(const FailJournal& x, std::uint64_t number) {
 Injector::Outcome Injector::befall(const SlowJournal& x, std::uint64_t number) {
   return befall_journal(x.memory,
                         {JournalFault::Kind::slowness, lasting(x.duration), x.by, {number}});
+}
+
+Injector::Outcome Injector::befall(const RemoveJournal& x) {
+  auto journal = parts_.journals.find(x.memory.subarchitecture);
+  if (journal == parts_.journals.end())
+    return {false, not_there("journal of " + x.memory.subarchitecture)};
+  try {
+    return {true, "its files are now " + remove_journal(journal->second).string()};
+  } catch (const std::runtime_error& e) {
+    return {false, e.what()};
+  }
 }
 
 Injector::Outcome Injector::befall(const JumpClock& x) {

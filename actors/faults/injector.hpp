@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -25,6 +26,8 @@ struct InjectorParts {
   System* system = nullptr;
   /// Sends a signal to a process, which has the name that plans call it by; false if there is none.
   std::function<bool(const std::string& process, int signal)> signal;
+  /// The files of journals, by subarchitecture (journal_faults.hpp).
+  std::map<std::string, std::filesystem::path> journals = {};
 };
 
 /// Lets the faults of a schedule befall a running system, on a thread of its own.
@@ -61,7 +64,7 @@ public:
   std::vector<FaultRecord> records() const;
 
 private:
-  /// Whether a fault was injected, and why not.
+  /// Whether a fault was injected, and what came of it or why not.
   struct Outcome {
     bool done = true;
     std::string text;
@@ -84,6 +87,7 @@ private:
   Outcome befall(const Reorder& x);
   Outcome befall(const FailJournal& x, std::uint64_t number);
   Outcome befall(const SlowJournal& x, std::uint64_t number);
+  Outcome befall(const RemoveJournal& x);
   Outcome befall(const JumpClock& x);
 
   Outcome signal(const std::string& process, int signal);

@@ -89,6 +89,15 @@ Faults at_journals(const FaultTargets& x) {
   return result;
 }
 
+/// Without its journal, a working memory would end the system, unless it goes on without.
+Faults removals_of_journals(const FaultTargets& x) {
+  Faults result;
+  for (auto& y : x.subarchitectures)
+    if (y.has_journal && y.goes_on_without_journal)
+      result.push_back(RemoveJournal{{y.name}});
+  return result;
+}
+
 /// Working memories that come back with what they held.
 Faults crashes_of_memories_with_journal(const FaultTargets& x) {
   Faults result;
@@ -150,6 +159,7 @@ constexpr std::array kinds{
   FaultKind{2, crashes_of_memories_with_journal, nothing, false, true},
   FaultKind{2, at_journals<FailJournal>, draw_duration<FailJournal>, false, true},
   FaultKind{2, at_journals<SlowJournal>, draw_lateness<SlowJournal>},
+  FaultKind{1, removals_of_journals, nothing},
   FaultKind{2, clock_jumps, draw_jump},
 };
 

@@ -65,7 +65,7 @@ std::size_t largest_value(const WorkingMemoryClass& x) {
   return static_cast<std::size_t>(x.largest_entry.get()) << 20;
 }
 
-/// The journal that a WM line asks for; null if it asks for none, or can do without.
+/// The journal that a WM line asks for; null if it asks for none.
 std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
                                                const PartSpawn& spawn, const PartPlan& plan,
                                                std::uint64_t incarnation,
@@ -75,7 +75,7 @@ std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
     return nullptr;
   try {
     auto result = std::make_shared<OpenedJournal>(spawn.journal(options, x.subarchitecture));
-    return result->file ? result : nullptr;
+    return result->file || !result->failure.empty() ? result : nullptr;
   } catch (const JournalError& e) {
     problems.push_back({cast::Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
     return nullptr;

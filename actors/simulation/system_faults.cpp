@@ -96,6 +96,9 @@ bool keeps_journals(std::uint64_t seed) {
 
 namespace {
 
+template <class T, class... Others>
+constexpr bool is_one_of = (std::is_same_v<T, Others> || ...);
+
 /// Why the simulation cannot do what a statement says; empty if it can.
 std::string why_not_simulated(const Statement& x) {
   if (!std::holds_alternative<At>(x.trigger))
@@ -105,10 +108,7 @@ std::string why_not_simulated(const Statement& x) {
   return std::visit(
     [](const auto& fault) -> std::string {
       using T = std::decay_t<decltype(fault)>;
-      constexpr bool is_simulated = !std::is_same_v<T, Throw> && !std::is_same_v<T, Slow> &&
-                                    !std::is_same_v<T, Continue> && !std::is_same_v<T, Duplicate> &&
-                                    !std::is_same_v<T, Reorder>;
-      if (!is_simulated)
+      if (is_one_of<T, Throw, Slow, Continue, Duplicate, Reorder, RemoveJournal>)
         return "this kind of fault is not simulated";
       if constexpr (requires { fault.duration; })
         if (!fault.duration)

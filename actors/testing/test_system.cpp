@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/faults/injector.hpp"
+#include "castor/actors/faults/journal_faults.hpp"
 #include "castor/actors/node/system.hpp"
 #include "castor/wm/change_filter_parser.hpp"
 #include "castor/wm/json.hpp"
@@ -179,7 +180,8 @@ public:
   Implementation(std::string_view text, TestSystemOptions options)
     : options_(options), architecture_(in_this_process(text, options)),
       targets_(faults::targets_of(architecture_, {})), system_(architecture_, system_options()),
-      injector_({&system_, {}}, faults::FaultSchedule{{}, targets_, options.seed, Timestamp{0}}) {
+      injector_({&system_, {}, faults::journals_of(architecture_)},
+                faults::FaultSchedule{{}, targets_, options.seed, Timestamp{0}}) {
     system_.start();
   }
 

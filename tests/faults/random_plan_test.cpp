@@ -42,9 +42,11 @@ RC_GTEST_PROP(RandomPlan, FitsTheSystemAndLeavesItToRest, (std::uint64_t seed)) 
 }
 
 TEST(RandomPlan, HasEverythingThatCanBefallTheSystemAndAnEndToIt) {
+  auto targets = test::table_top();
+  targets.subarchitectures.front().goes_on_without_journal = true;
   RandomPlanOptions options;
   options.within_restart_limits = false;
-  auto plan = random_plan(test::table_top(), 1, 2000s, options);
+  auto plan = random_plan(targets, 1, 2000s, options);
   auto kinds = kinds_in(plan);
   // All but `continue`, since stops end by themselves, and what links as streams cannot do.
   EXPECT_EQ(kinds.size(), std::variant_size_v<Fault> - 3);
@@ -56,6 +58,10 @@ TEST(RandomPlan, KillsAndStopsIsolatedComponentsAsWellAsNodes) {
   auto text = to_string(random_plan(test::table_top(), 1, 2000s));
   for (auto fault : {"kill tracker\n", "kill node1\n", "stop tracker for ", "stop node1 for "})
     EXPECT_NE(text.find(fault), std::string::npos) << fault;
+}
+
+TEST(RandomPlan, RemovesOnlyJournalsThatAWorkingMemoryCanDoWithout) {
+  EXPECT_EQ(to_string(random_plan(test::table_top(), 1, 2000s)).find("remove"), std::string::npos);
 }
 
 TEST(RandomPlan, HasNothingForWhatIsNotThere) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -255,6 +256,55 @@ TEST_F(TestedSystem, AWorkingMemoryIsBackFromItsJournalWhenThatHasFailed) {
   system.inject("slow journal of a by 1ms for 1s");
   poke = 1;
   system.expect_entry("Note where text == \"poked\"");
+}
+
+/// A subarchitecture with a journal, whose component adds a note whenever `poke` is set.
+class JournalsOfTestedSystems : public TestedSystem {
+protected:
+  std::string journaled(const std::string& working_memory_options) {
+    be_a_worker("one", poke);
+    return "SUBARCHITECTURE a\nCPP WM SubarchitectureWorkingMemory --journal full --journal-dir " +
+           folder.path().string() + ' ' + working_memory_options +
+           "\nCPP TM AlwaysPositiveTaskManager\nCPP UM one Unmanaged\n";
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(JournalsOfTestedSystems, ARemovedJournalEndsTheSystemAndStaysAsItWas) {
+  const std::string at_once =
+    "SUPERVISE * RESTARTS 0 IN 1min\nSUPERVISE SYSTEM RESTARTS 0 IN 1min\n";
+  for (auto& [head, reason] :
+       {std::pair{at_once, "a.castor-journal was removed or moved while it was in use"},
+        // No working memory comes back that would hold less than was acknowledged.
+        std::pair{std::string{}, "a_wm it could not be made anew"}}) {
+    std::filesystem::remove_all(folder.path());
+    TestSystem system{head + journaled("")};
+    system.expect_entry("Note where number == 1");
+    system.inject("remove journal of a");
+    poke = 7;
+    system.expect_end(1, reason);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.castor-journal"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.castor-journal.removed-1"));
+  }
+}
+
+TEST_F(JournalsOfTestedSystems, OneThatGoesOnWithoutItsRemovedJournalDoesNotPretendToHaveIt) {
+  TestSystem system{journaled("--journal-failure continue")};
+  system.expect_entry("Note where number == 1");
+  system.inject("remove journal of any");
+  poke = 7;
+  system.expect_entry("Note where number == 7");
+  system.expect_nobody_else_down();
+  auto failure = [&] { return system.system().summary().working_memories.at(0).journal.failure; };
+  EXPECT_THAT(failure(), HasSubstr("was removed or moved while it was in use"));
+  system.inject("crash a_wm");
+  system.expect_back("a_wm");
+  system.expect_back("one");
+  system.expect_no_entry("Note where number == 7");
+  EXPECT_THAT(failure(), HasSubstr("it has been removed or moved since the system began"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.castor-journal"));
+  EXPECT_THROW(system.inject("remove journal of a"), std::runtime_error);
 }
 
 TEST_F(TestedSystem, AnIsolatedComponentDoesNotTakeTheTestAlong) {

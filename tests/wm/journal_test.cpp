@@ -367,7 +367,9 @@ TEST_F(Journal, IsDoneWithoutIfItCannotBeMadeAndTheWorkingMemoryIsToGoOn) {
   std::ofstream{folder / "file"} << "in the way";
   options.file = folder / "file/a.castor-journal";
   options.go_on_without = true;
-  EXPECT_EQ(open_journal(options, "a").file, nullptr);
+  auto opened = open_journal(options, "a");
+  EXPECT_EQ(opened.file, nullptr);
+  EXPECT_THAT(opened.failure, HasSubstr(options.file.string()));
   EXPECT_THAT(reports, ElementsAre(HasSubstr("goes on without a journal")));
 }
 

@@ -1,0 +1,26 @@
+#include "castor/actors/faults/journal_faults.hpp"
+
+#include "castor/actors/node/working_memory_class.hpp"
+#include "castor/wm/journal_lock.hpp"
+
+#include <stdexcept>
+
+namespace castor::faults {
+
+std::map<std::string, std::filesystem::path>
+journals_of(const ArchitectureDescription& architecture) {
+  std::map<std::string, std::filesystem::path> result;
+  for (auto& x : architecture.subarchitectures)
+    if (auto options = WorkingMemoryClass{x.working_memory}.journal_of(x.name);
+        options.mode != JournalMode::off)
+      result[x.name] = std::filesystem::absolute(options.file);
+  return result;
+}
+
+std::filesystem::path remove_journal(const std::filesystem::path& journal) {
+  if (!std::filesystem::exists(journal))
+    throw std::runtime_error("there is no file " + journal.string());
+  return move_aside(journal, "removed");
+}
+
+} // namespace castor::faults
