@@ -213,6 +213,8 @@ private:
     } catch (const std::filesystem::filesystem_error& e) {
       throw JournalError(message(
         "the folder " + e.path1().string() + " cannot be used: " + e.code().message(), elsewhere));
+    } catch (const JournalOfAnother& e) {
+      throw JournalOfAnother(message(e.what(), elsewhere));
     } catch (const JournalError& e) {
       throw JournalError(message(e.what(), elsewhere));
     }

@@ -24,6 +24,12 @@ public:
   using runtime_error::runtime_error;
 };
 
+/// Another system writes the journal, or has done so since this one did; says which.
+class JournalOfAnother : public JournalError {
+public:
+  using JournalError::JournalError;
+};
+
 /// The file was changed by something else than the working memory, or by a broken disk.
 class JournalCorrupt : public JournalError {
 public:

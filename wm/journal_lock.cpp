@@ -48,7 +48,7 @@ JournalLock::JournalLock(const std::filesystem::path& journal, JournalOwner owne
   : file_(journal.string() + ".lock"), owner_(std::move(owner)) {
   auto refuse = [this](const std::string& who, const char* since) {
     close();
-    throw JournalError(who + since + ". End that system, or give this one a folder of its own");
+    throw JournalOfAnother(who + since + ". End that system, or give this one a folder of its own");
   };
   auto signed_until = std::chrono::steady_clock::now() + time_to_sign;
   for (;;) {
@@ -173,6 +173,16 @@ std::string JournalFiles::problem() const {
       return x.path.string() + " was replaced by another file while it was in use";
   }
   return {};
+}
+
+bool is_locked(const std::filesystem::path& journal) {
+  auto file = journal.string() + ".lock";
+  int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0)
+    return false;
+  bool result = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return result;
 }
 
 std::filesystem::path move_aside(const std::filesystem::path& journal, std::string_view why) {

@@ -35,7 +35,7 @@ std::string to_string(const JournalOwner& x);
 /// holder lives, which file systems without locks cannot tell.
 class JournalLock {
 public:
-  /// Throws JournalError, which names the holder, if another system holds it. With `returning`,
+  /// Throws JournalOfAnother, which names the holder, if another system holds it. With `returning`,
   /// this system has written the journal before: it is refused, too, if another system has written
   /// it since.
   JournalLock(const std::filesystem::path& journal, JournalOwner owner, bool returning);
@@ -85,6 +85,9 @@ private:
 
   std::vector<Watched> watched_;
 };
+
+/// Whether somebody keeps a journal locked now.
+bool is_locked(const std::filesystem::path& journal);
 
 /// Moves the files of a journal out of the way, to NAME.WHY-1, or the next number that is free.
 /// Returns where it is now. Throws std::filesystem::filesystem_error.

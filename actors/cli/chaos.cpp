@@ -568,6 +568,9 @@ private:
     system.stop();
     injector->conclude();
     result_.faults = injector->records();
+    for (auto& x : result_.faults)
+      if (!x.violation.empty())
+        violation(x.fault, x.violation);
     {
       std::lock_guard guard{mutex};
       injector.reset();

@@ -44,6 +44,8 @@ struct FaultRecord {
   FaultState state = FaultState::happened;
   /// What came of it, why it could not be injected, or why it never came to it.
   std::string outcome;
+  /// What came of it and must not; empty if nothing did.
+  std::string violation = {};
 };
 
 /// A component or process that was down, and what became of it.

@@ -31,6 +31,7 @@ public:
   void operator()(FailJournal& x) { draw_journal(x.memory); }
   void operator()(SlowJournal& x) { draw_journal(x.memory); }
   void operator()(RemoveJournal& x) { draw_journal(x.memory); }
+  void operator()(ClaimJournal& x) { draw_journal(x.memory); }
 
   void operator()(JumpClock& x) {
     if (x.memory.is_any())

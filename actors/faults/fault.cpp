@@ -77,6 +77,9 @@ struct Printer {
   std::string operator()(const RemoveJournal& x) const {
     return "remove journal of " + text_of(x.memory);
   }
+  std::string operator()(const ClaimJournal& x) const {
+    return "claim journal of " + text_of(x.memory);
+  }
   std::string operator()(const JumpClock& x) const {
     return "jump clock of " + text_of(x.memory) + " by " + to_text(x.by);
   }

@@ -196,6 +196,14 @@ struct RemoveJournal {
   friend auto operator<=>(const RemoveJournal&, const RemoveJournal&) = default;
 };
 
+/// Another system opens the working memory's journal, which has to be refused to it.
+struct ClaimJournal {
+  static constexpr std::string_view kind = "claim journal";
+  MemoryTarget memory;
+
+  friend auto operator<=>(const ClaimJournal&, const ClaimJournal&) = default;
+};
+
 /// The clock by which the working memory ends leases goes forward, or back.
 struct JumpClock {
   static constexpr std::string_view kind = "jump clock";
@@ -206,8 +214,9 @@ struct JumpClock {
 };
 
 /// Anything that a plan can do to a system.
-using Fault = std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop,
-                           Duplicate, Reorder, FailJournal, SlowJournal, RemoveJournal, JumpClock>;
+using Fault =
+  std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop, Duplicate,
+               Reorder, FailJournal, SlowJournal, RemoveJournal, ClaimJournal, JumpClock>;
 
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;

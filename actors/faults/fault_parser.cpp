@@ -60,6 +60,7 @@ private:
       {"reorder", &FaultParser::disturbance<Reorder>},
       {"fail", &FaultParser::fail_journal},
       {"remove", [](FaultParser& x) -> Fault { return RemoveJournal{x.journal()}; }},
+      {"claim", [](FaultParser& x) -> Fault { return ClaimJournal{x.journal()}; }},
       {"jump", &FaultParser::jump}};
     return result;
   }

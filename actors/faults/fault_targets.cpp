@@ -70,6 +70,7 @@ public:
   void operator()(const FailJournal& x) { journal(x.memory); }
   void operator()(const SlowJournal& x) { journal(x.memory); }
   void operator()(const RemoveJournal& x) { journal(x.memory); }
+  void operator()(const ClaimJournal& x) { journal(x.memory); }
   void operator()(const JumpClock& x) { memory(x.memory); }
 
   template <class T>

@@ -6,6 +6,7 @@
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/system.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -143,6 +144,7 @@ FaultRecord Injector::inject(const Fault& fault) {
   guard.lock();
   auto& result = records_[index];
   result.outcome = outcome.text;
+  result.violation = outcome.violation;
   if (!outcome.done) {
     result.state = FaultState::not_injected;
     note(LogLevel::info, "faults", "not injected: " + result.fault + ": " + result.outcome);
@@ -320,6 +322,28 @@ Injector::Outcome Injector::befall(const RemoveJournal& x) {
   try {
     return {true, "its files are now " + remove_journal(journal->second).string()};
   } catch (const std::runtime_error& e) {
+    return {false, e.what()};
+  }
+}
+
+Injector::Outcome Injector::befall(const ClaimJournal& x) {
+  auto journal = parts_.journals.find(x.memory.subarchitecture);
+  if (journal == parts_.journals.end())
+    return {false, not_there("journal of " + x.memory.subarchitecture)};
+  try {
+    auto claim = claim_journal(journal->second, x.memory.subarchitecture);
+    switch (claim.kind) {
+      case JournalClaim::Kind::refused:
+        return {true, "it was refused: " + claim.reason};
+      case JournalClaim::Kind::free:
+        return {false, "nobody writes " + journal->second.string() + " just now"};
+      case JournalClaim::Kind::taken:
+        break;
+    }
+    auto what = "another system was given the journal " + journal->second.string() +
+                ", which this one was writing";
+    return {true, what, what};
+  } catch (const JournalError& e) {
     return {false, e.what()};
   }
 }

@@ -68,6 +68,8 @@ private:
   struct Outcome {
     bool done = true;
     std::string text;
+    /// As in FaultRecord.
+    std::string violation = {};
   };
 
   void work();
@@ -88,6 +90,7 @@ private:
   Outcome befall(const FailJournal& x, std::uint64_t number);
   Outcome befall(const SlowJournal& x, std::uint64_t number);
   Outcome befall(const RemoveJournal& x);
+  Outcome befall(const ClaimJournal& x);
   Outcome befall(const JumpClock& x);
 
   Outcome signal(const std::string& process, int signal);

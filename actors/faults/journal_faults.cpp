@@ -1,6 +1,7 @@
 #include "castor/actors/faults/journal_faults.hpp"
 
 #include "castor/actors/node/working_memory_class.hpp"
+#include "castor/wm/journal.hpp"
 #include "castor/wm/journal_lock.hpp"
 
 #include <stdexcept>
@@ -21,6 +22,26 @@ std::filesystem::path remove_journal(const std::filesystem::path& journal) {
   if (!std::filesystem::exists(journal))
     throw std::runtime_error("there is no file " + journal.string());
   return move_aside(journal, "removed");
+}
+
+JournalClaim claim_journal(const std::filesystem::path& journal,
+                           const std::string& subarchitecture) {
+  JournalOptions options;
+  options.mode = JournalMode::full;
+  options.file = journal;
+  options.system = "a second system";
+  // The system that writes it may let go of it between the two calls, but not each time.
+  constexpr int attempts = 3;
+  for (int i = 0; i < attempts; ++i) {
+    if (!is_locked(journal))
+      return {};
+    try {
+      open_journal(options, subarchitecture).file->close();
+    } catch (const JournalOfAnother& e) {
+      return {JournalClaim::Kind::refused, e.what()};
+    }
+  }
+  return {JournalClaim::Kind::taken};
 }
 
 } // namespace castor::faults

@@ -160,6 +160,7 @@ constexpr std::array kinds{
   FaultKind{2, at_journals<FailJournal>, draw_duration<FailJournal>, false, true},
   FaultKind{2, at_journals<SlowJournal>, draw_lateness<SlowJournal>},
   FaultKind{1, removals_of_journals, nothing},
+  FaultKind{1, at_journals<ClaimJournal>, nothing},
   FaultKind{2, clock_jumps, draw_jump},
 };
 

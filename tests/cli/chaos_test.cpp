@@ -252,6 +252,21 @@ TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   EXPECT_THAT(values(report_as_json()["outages"], "target"), Contains("b_wm"));
 }
 
+TEST_F(Chaos, AJournalIsRefusedToAnotherSystemByNameAndProcess) {
+  auto file =
+    write("journaled.cast", "HOSTNAME one one.test\n" + read(system("CPP UM clock Clock\n")) +
+                              "SUBARCHITECTURE b [one]\nCPP WM SubarchitectureWorkingMemory "
+                              "--journal full --journal-dir " +
+                              (folder / "journals").string() +
+                              "\nCPP TM AlwaysPositiveTaskManager\nCPP UM other Clock\n");
+  auto answer = ask(arguments(file, "at 200ms claim journal of b\n", "400ms"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(
+    answer.errors,
+    ContainsRegex("claim journal of b: it was refused: the journal .*/b.castor-journal of b cannot "
+                  "be opened: system journaled-[0-9-]+, process [0-9]+ on .* writes it"));
+}
+
 // -- workloads
 
 constexpr const char* order = R"({"dish": "soup", "portion": "small", "extras": [], )"

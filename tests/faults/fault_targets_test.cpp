@@ -24,7 +24,7 @@ TEST(FaultTargets, APlanThatFitsHasNoFlaws) {
                      "at 1s drop 10% between coordinator and node1\n"
                      "at 1s delay 1ms on any link\n"
                      "at 1s fail journal of vision or slow journal of any by 1ms\n"
-                     "at 1s remove journal of vision or remove journal of any\n"
+                     "at 1s remove journal of vision or claim journal of any\n"
                      "at 1s jump clock of binding by 1s\n"),
             "");
 }
@@ -52,7 +52,7 @@ TEST(FaultTargets, FaultsThatCannotBefallThemAreFound) {
   EXPECT_THAT(flaws_in("at 1s stop coordinator"), HasSubstr("brings the faults about"));
   EXPECT_THAT(flaws_in("at 1s partition node1 from node1"), HasSubstr("cut off from itself"));
   EXPECT_THAT(flaws_in("at 1s drop 1% between node1 and node1"), HasSubstr("no link with itself"));
-  for (auto fault : {"fail", "slow", "remove"})
+  for (auto fault : {"fail", "slow", "remove", "claim"})
     EXPECT_THAT(flaws_in("at 1s " + std::string{fault} + " journal of binding" +
                          (fault == std::string{"slow"} ? " by 1ms" : "")),
                 HasSubstr("has no journal"));

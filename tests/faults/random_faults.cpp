@@ -107,7 +107,7 @@ rc::Gen<Fault> any_fault() {
     of<Delay>(time(), link(), lasting()), of<Drop>(percent(), link(), lasting()),
     of<Duplicate>(percent(), link(), lasting()), of<Reorder>(percent(), link(), lasting()),
     of<FailJournal>(memory(), lasting()), of<SlowJournal>(memory(), time(), lasting()),
-    of<RemoveJournal>(memory()), of<JumpClock>(memory(), signed_time));
+    of<RemoveJournal>(memory()), of<ClaimJournal>(memory()), of<JumpClock>(memory(), signed_time));
 }
 
 rc::Gen<FaultPlan> any_plan() {

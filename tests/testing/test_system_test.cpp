@@ -307,6 +307,18 @@ TEST_F(JournalsOfTestedSystems, OneThatGoesOnWithoutItsRemovedJournalDoesNotPret
   EXPECT_THROW(system.inject("remove journal of a"), std::runtime_error);
 }
 
+TEST_F(JournalsOfTestedSystems, AreRefusedToAnotherSystemAndGoOnUndisturbed) {
+  TestSystem system{journaled("")};
+  system.expect_entry("Note where number == 1");
+  for (auto fault : {"claim journal of a", "claim journal of any"})
+    system.inject(fault);
+  poke = 7;
+  system.expect_entry("Note where number == 7");
+  system.inject("crash a_wm");
+  system.expect_back("one");
+  system.expect_entry("Note where number == 7");
+}
+
 TEST_F(TestedSystem, AnIsolatedComponentDoesNotTakeTheTestAlong) {
   TestSystem system{subarchitecture("a") + "CPP UM one Unmanaged --isolate\n"};
   system.inject("crash one");

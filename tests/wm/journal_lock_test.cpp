@@ -63,6 +63,17 @@ TEST_F(JournalLocks, RefuseASecondSystemByNameAndProcess) {
   first.sync(); // nothing was taken away from it
 }
 
+TEST_F(JournalLocks, TellOthersWhetherTheyAreHeld) {
+  EXPECT_FALSE(is_locked(options.file));
+  {
+    JournaledStore first{options};
+    EXPECT_TRUE(is_locked(options.file));
+    first.set(0, 1);
+    first.sync();
+  }
+  EXPECT_FALSE(is_locked(options.file));
+}
+
 TEST_F(JournalLocks, LetASecondSystemGoOnWithoutAJournalIfItMay) {
   JournaledStore first{options};
   other.go_on_without = true;
