@@ -19,11 +19,24 @@ void Befalling::take(const ComponentFault& x, Clock::time_point now) {
       hang_ = x.by;
       hang_ticket_ = x.ticket;
       break;
+    case ComponentFault::Kind::blocked_configure:
+      blocked_[Phase::configure] = {x.by, x.ticket};
+      break;
+    case ComponentFault::Kind::blocked_start:
+      blocked_[Phase::start] = {x.by, x.ticket};
+      break;
     case ComponentFault::Kind::slowness:
       slowness_ = x.by;
       slow_until_ = now + x.duration;
       slowness_ticket_ = x.ticket;
       break;
+  }
+}
+
+void Befalling::in_phase(Phase x) {
+  if (auto blocked = blocked_.extract(x)) {
+    report_effect(blocked.mapped().ticket);
+    std::this_thread::sleep_for(blocked.mapped().by);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 namespace castor {
@@ -25,6 +26,9 @@ public:
       throw InjectedCrash{};
   }
 
+  /// Where a phase of its life begins: may take its time.
+  void in_phase(Phase x);
+
   /// Where a callback begins: may take its time, and throw std::runtime_error.
   void in_callback();
 
@@ -35,6 +39,11 @@ private:
   FaultTicket failure_ticket_;
   std::optional<Timestamp> hang_;
   FaultTicket hang_ticket_;
+  struct Blocked {
+    Timestamp by{0};
+    FaultTicket ticket;
+  };
+  std::map<Phase, Blocked> blocked_;
   Timestamp slowness_{0};
   Clock::time_point slow_until_;
   FaultTicket slowness_ticket_;

@@ -168,13 +168,19 @@ void ComponentShell::live() {
       fmt::format("--queue-limit is {}, but the least is {}", queue_limit_, least_queue_limit));
   if (push_limit() == 0)
     throw std::invalid_argument("--push-limit is 0, but the least is 1");
-  user_code(phase_name(Phase::configure), [this] { component_->configure(); });
+  user_code(phase_name(Phase::configure), [this] {
+    befalling_.in_phase(Phase::configure);
+    component_->configure();
+  });
   in_configure_ = false;
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
   await_phase(Phase::start);
   started_ = true;
-  user_code(phase_name(Phase::start), [this] { component_->start(); });
+  user_code(phase_name(Phase::start), [this] {
+    befalling_.in_phase(Phase::start);
+    component_->start();
+  });
   record_->set_state(ComponentState::started);
   phase_done(Phase::start, {});
   await_phase(Phase::run);

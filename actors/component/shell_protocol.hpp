@@ -39,6 +39,9 @@ struct ComponentFault {
     failure,
     /// Its next callback takes that long.
     hang,
+    /// Its next configure() or start() takes that long, which is that of its next life if it runs.
+    blocked_configure,
+    blocked_start,
     /// Every callback takes that much longer.
     slowness,
   };
@@ -46,7 +49,7 @@ struct ComponentFault {
   Kind kind = Kind::crash;
   /// Of `failure`: which of those that begin from now on, from 1.
   std::uint32_t callback = 1;
-  /// Of `hang` and `slowness`.
+  /// Of `hang`, `slowness`, and of what is blocked.
   Timestamp by{0};
   /// How long slowness lasts.
   Timestamp duration{0};

@@ -48,6 +48,10 @@ struct Printer {
   std::string operator()(const Hang& x) const {
     return "hang " + text_of(x.component) + text_of(x.duration);
   }
+  std::string operator()(const Block& x) const {
+    return "block " + std::string{x.phase == Block::Phase::start ? "start" : "configure"} + " of " +
+           text_of(x.component) + text_of(x.duration);
+  }
   std::string operator()(const Slow& x) const {
     return "slow " + text_of(x.component) + " by " + to_text(x.by) + text_of(x.duration);
   }
@@ -131,6 +135,7 @@ struct MissedOccasion {
   const char* operator()(const Throw&) const { return no_callback; }
   const char* operator()(const Hang&) const { return no_callback; }
   const char* operator()(const Slow&) const { return no_callback; }
+  const char* operator()(const Block&) const { return "its component was not started again"; }
   const char* operator()(const Partition&) const { return nothing_passed; }
   const char* operator()(const Delay&) const { return nothing_passed; }
   const char* operator()(const Drop&) const { return "nothing was lost on its link"; }

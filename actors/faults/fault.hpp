@@ -83,6 +83,19 @@ struct Hang {
   friend auto operator<=>(const Hang&, const Hang&) = default;
 };
 
+/// The component's next configure() or start() does not come to an end, so that it does not come
+/// back when it is started again.
+struct Block {
+  static constexpr std::string_view kind = "block";
+  enum class Phase : std::uint8_t { configure, start };
+
+  ComponentTarget component;
+  Phase phase = Phase::start;
+  Lasting duration;
+
+  friend auto operator<=>(const Block&, const Block&) = default;
+};
+
 /// Every callback of the component takes longer.
 struct Slow {
   static constexpr std::string_view kind = "slow";
@@ -214,9 +227,9 @@ struct JumpClock {
 };
 
 /// Anything that a plan can do to a system.
-using Fault =
-  std::variant<Crash, Throw, Hang, Slow, Kill, Stop, Continue, Partition, Delay, Drop, Duplicate,
-               Reorder, FailJournal, SlowJournal, RemoveJournal, ClaimJournal, JumpClock>;
+using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue, Partition, Delay,
+                           Drop, Duplicate, Reorder, FailJournal, SlowJournal, RemoveJournal,
+                           ClaimJournal, JumpClock>;
 
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;

@@ -49,6 +49,7 @@ private:
       {"crash", [](FaultParser& x) -> Fault { return Crash{x.component()}; }},
       {"throw", &FaultParser::throw_fault},
       {"hang", &FaultParser::hang},
+      {"block", &FaultParser::block},
       {"slow", &FaultParser::slow},
       {"kill", [](FaultParser& x) -> Fault { return Kill{x.process()}; }},
       {"stop", &FaultParser::stop},
@@ -103,6 +104,19 @@ private:
   Fault hang() {
     auto target = component();
     return Hang{std::move(target), lasting()};
+  }
+
+  Fault block() {
+    auto remedy = "write block start of COMPONENT, or block configure of COMPONENT";
+    Block result;
+    if (accept("configure"))
+      result.phase = Block::Phase::configure;
+    else
+      expect("start", remedy);
+    expect("of", remedy);
+    result.component = component();
+    result.duration = lasting();
+    return result;
   }
 
   Fault slow() {

@@ -67,6 +67,17 @@ public:
         report(in_quotes(name) + " cannot be cut off from itself", "remove it on one side");
   }
 
+  void operator()(const Block& x) {
+    auto is_working_memory = [&](auto& y) {
+      return y.name == x.component.name && y.kind == ComponentKind::working_memory;
+    };
+    if (std::ranges::any_of(targets_.components, is_working_memory))
+      report("working memory " + in_quotes(x.component.name) + " has no start() or configure()",
+             "name a component or a task manager");
+    else
+      component(x.component);
+  }
+
   void operator()(const FailJournal& x) { journal(x.memory); }
   void operator()(const SlowJournal& x) { journal(x.memory); }
   void operator()(const RemoveJournal& x) { journal(x.memory); }

@@ -224,6 +224,14 @@ Injector::Outcome Injector::befall(const Hang& x, std::uint64_t number) {
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
+Injector::Outcome Injector::befall(const Block& x, std::uint64_t number) {
+  ComponentFault fault{x.phase == Block::Phase::start ? ComponentFault::Kind::blocked_start
+                                                      : ComponentFault::Kind::blocked_configure};
+  fault.by = lasting(x.duration);
+  fault.ticket.number = number;
+  return befall_component<Outcome>(*parts_.system, x.component, fault);
+}
+
 Injector::Outcome Injector::befall(const Slow& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::slowness};
   fault.by = x.by;

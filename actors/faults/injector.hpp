@@ -78,6 +78,7 @@ private:
   Outcome befall(const Crash& x);
   Outcome befall(const Throw& x, std::uint64_t number);
   Outcome befall(const Hang& x, std::uint64_t number);
+  Outcome befall(const Block& x, std::uint64_t number);
   Outcome befall(const Slow& x, std::uint64_t number);
   Outcome befall(const Kill& x);
   Outcome befall(const Stop& x);

@@ -133,6 +133,12 @@ void draw_callback(Fault& x, FaultDraws& draws) {
     static_cast<std::uint32_t>(draws.random.between(1, draws.callbacks));
 }
 
+void draw_block(Fault& x, FaultDraws& draws) {
+  std::get<Block>(x).phase =
+    draws.random.below(2) == 0 ? Block::Phase::configure : Block::Phase::start;
+  draw_duration<Block>(x, draws);
+}
+
 void draw_part(Fault& x, FaultDraws& draws) {
   std::get<Drop>(x).part = draws.part();
   draw_duration<Drop>(x, draws);
@@ -149,6 +155,7 @@ constexpr std::array kinds{
   FaultKind{4, at_components<Throw>, draw_callback, true, true},
   FaultKind{3, at_components<Hang>, draw_duration<Hang>, true, false},
   FaultKind{3, at_components<Slow>, draw_lateness<Slow>, true, false},
+  FaultKind{1, at_components<Block>, draw_block, false, false, true},
   FaultKind{3, at_isolated<Kill>, nothing, false, true},
   FaultKind{2, at_isolated<Stop>, draw_duration<Stop>},
   FaultKind{2, at_nodes<Kill>, nothing},

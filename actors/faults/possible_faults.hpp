@@ -39,6 +39,8 @@ struct FaultKind {
   /// It makes a component or a working memory fail, which counts against the restarts that its
   /// supervisor allows.
   bool costs_restart = false;
+  /// It takes effect where its component is started again, which therefore has to crash.
+  bool needs_crash = false;
 };
 
 /// All kinds of faults that a system is to survive.

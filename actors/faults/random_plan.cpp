@@ -79,14 +79,15 @@ public:
 
   bool has_any() const { return !kinds_.empty(); }
 
-  /// Nothing if what was drawn is more than a supervisor bears, again and again.
-  std::optional<Fault> next(Timestamp at, Timestamp end) {
+  /// A fault, and the crash that it needs. Nothing if what was drawn is more than a supervisor
+  /// bears, again and again.
+  std::vector<Fault> next(Timestamp at, Timestamp end) {
     constexpr int tries = 20;
     for (int i = 0; i < tries; ++i) {
       auto& [kind, faults] = kinds_[random_.one_of(drawn_)];
       auto fault = random_.one_of(faults);
       auto component = failing_component(fault);
-      auto limited = kind->costs_restart && options_.within_restart_limits;
+      auto limited = (kind->costs_restart || kind->needs_crash) && options_.within_restart_limits;
       if (limited && !budget_.bears(component, at))
         continue;
       FaultDraws draws{random_, std::min(options_.longest, end - at),
@@ -94,9 +95,11 @@ public:
       kind->complete(fault, draws);
       if (limited)
         budget_.spend(component, at);
-      return fault;
+      if (kind->needs_crash)
+        return {fault, Crash{{component, {}}}};
+      return {fault};
     }
-    return std::nullopt;
+    return {};
   }
 
 private:
@@ -169,8 +172,8 @@ FaultPlan random_plan(const FaultTargets& targets, std::uint64_t seed, Timestamp
     at += random.between(1, most_pause) * millisecond;
     if (at >= end)
       return result;
-    if (auto fault = drawing.next(at, end))
-      result.statements.push_back({At{at}, {*std::move(fault)}, {}, {}});
+    for (auto& fault : drawing.next(at, end))
+      result.statements.push_back({At{at}, {std::move(fault)}, {}, {}});
   }
 }
 

@@ -21,8 +21,8 @@ const WireTable& system_messages() {
     Outcome<Value>, PushRequest, Pushed, PushesTaken,
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
-    BefallComponent, BefallLink, JumpClock, JournalFault, FaultHappened, PartStatusQuery,
-    PartStatus, EndSystem, TaskEvent, TypesQuery, TypesReport>();
+    BefallComponent, ComponentFault, BefallLink, JumpClock, JournalFault, FaultHappened,
+    PartStatusQuery, PartStatus, EndSystem, TaskEvent, TypesQuery, TypesReport>();
   return result;
 }
 

@@ -92,6 +92,7 @@ public:
       [me](const PhaseDone& x) { me->phase_done(x); },
       [me](const ComponentEnded& x) { me->ended(x); },
       [me](const ComponentHangs& x) { me->end_hanging(x); },
+      [me](const BefallComponent& x) { me->befall_next_life(x); },
       [me](const LinkNews& x) { me->hear(x); },
       [me](const RoundDue& x) { me->remind(x); },
       [me](const OrphanDue& x) { me->look_after_orphan(x); },
@@ -617,9 +618,19 @@ private:
     return i == deployments_->actors().end() ? nullptr : caf::actor_cast<caf::actor>(i->second);
   }
 
+  void befall_next_life(const BefallComponent& x) {
+    auto phase =
+      x.fault.kind == ComponentFault::Kind::blocked_configure ? Phase::configure : Phase::start;
+    next_life_faults_[{x.name, phase}] = x.fault;
+  }
+
   void send_phase(const std::string& name, Phase phase) {
-    if (auto actor = actor_of(name))
-      self_->send(actor, EnterPhase{phase, caf::actor_cast<caf::actor>(self_)});
+    auto actor = actor_of(name);
+    if (!actor)
+      return;
+    if (auto fault = next_life_faults_.extract({name, phase}))
+      self_->send(actor, fault.mapped());
+    self_->send(actor, EnterPhase{phase, caf::actor_cast<caf::actor>(self_)});
   }
 
   // -- failures
@@ -935,6 +946,8 @@ private:
   /// Those that have to wait for others.
   std::list<Round> waiting_;
   std::uint64_t last_round_ = 0;
+  /// What is to befall components where they are configured or started next.
+  std::map<std::pair<std::string, Phase>, ComponentFault> next_life_faults_;
   /// What changes its process.
   Names moved_;
   /// Processes that are to take the places of lost ones, and what will run there.

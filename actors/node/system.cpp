@@ -192,7 +192,14 @@ public:
   bool befall(const std::string& component, const ComponentFault& x) {
     auto known = roster();
     auto i = known->placement.find(component);
-    if (i == known->placement.end() || !processes_.is_up(i->second))
+    if (i == known->placement.end())
+      return false;
+    if (x.kind == ComponentFault::Kind::blocked_configure ||
+        x.kind == ComponentFault::Kind::blocked_start) {
+      caf::anon_send(supervisor_, BefallComponent{component, observed(x)});
+      return true;
+    }
+    if (!processes_.is_up(i->second))
       return false;
     auto agent = processes_.agent(i->second);
     BefallComponent order{component, observed(x)};

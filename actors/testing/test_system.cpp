@@ -54,7 +54,9 @@ faults::Fault read_fault(std::string_view text, const faults::FaultTargets& targ
     throw std::invalid_argument(fmt::format("\"{}\" is not one fault", text));
   faults::FaultSchedule schedule{*read.plan, targets, seed, Timestamp{1}};
   auto fault = schedule.timed().front().fault;
-  if (auto hang = std::get_if<faults::Hang>(&fault); hang && !hang->duration)
+  bool blocks =
+    std::holds_alternative<faults::Hang>(fault) || std::holds_alternative<faults::Block>(fault);
+  if (blocks && !faults::duration_of(fault))
     throw std::invalid_argument(
       fmt::format("\"{}\" has no end, and so had the test: write for how long", text));
   return fault;

@@ -235,6 +235,26 @@ TEST_F(Chaos, AnIsolatedComponentThatIsStoppedGoesOn) {
   EXPECT_THAT(answer.output, AllOf(HasSubstr("1 of 1 faults"), HasSubstr("outages: 0 back")));
 }
 
+TEST_F(Chaos, AnIsolatedComponentWhoseStartIsBlockedIsKilledAndStartedAgain) {
+  for (auto phase : {"start", "configure"}) {
+    auto answer = ask(arguments(
+      system("CPP UM clock Clock --isolate --budget 500ms\n"),
+      "at 100ms block " + std::string{phase} + " of clock\nat 200ms crash clock\n", "4s"));
+    EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+    EXPECT_THAT(answer.errors, HasSubstr("[clock] hangs; its process is killed"));
+    EXPECT_THAT(answer.errors, ContainsRegex("\\[clock\\] is back after"));
+  }
+}
+
+TEST_F(Chaos, AComponentWhoseStartIsBlockedForGoodDoesNotKeepTheSystemFromItsEnd) {
+  auto answer = ask(arguments(
+    system("CPP UM clock Clock --shutdown 100ms\nCPP UM listener Listener --count 1000000\n"),
+    "at 100ms block start of clock\nat 200ms crash clock\n", "1s", {"--bound", "300ms"}));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("VIOLATED   back or given up in time"));
+  EXPECT_THAT(answer.errors, HasSubstr("did not stop: it has not come back from its own code"));
+}
+
 TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   auto file =
     write("journaled.cast",

@@ -102,6 +102,9 @@ rc::Gen<Fault> any_fault() {
                                     rc::gen::arbitrary<bool>());
   return rc::gen::oneOf(
     of<Crash>(component()), of<Throw>(component(), number), of<Hang>(component(), lasting()),
+
+    of<Block>(component(), rc::gen::element(Block::Phase::configure, Block::Phase::start),
+              lasting()),
     of<Slow>(component(), time(), lasting()), of<Kill>(process()), of<Stop>(process(), lasting()),
     of<Continue>(process()), of<Partition>(rc::gen::nonEmpty(names()), names(), lasting()),
     of<Delay>(time(), link(), lasting()), of<Drop>(percent(), link(), lasting()),

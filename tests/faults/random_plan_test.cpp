@@ -60,6 +60,20 @@ TEST(RandomPlan, KillsAndStopsIsolatedComponentsAsWellAsNodes) {
     EXPECT_NE(text.find(fault), std::string::npos) << fault;
 }
 
+TEST(RandomPlan, ComponentsWhoseStartIsBlockedAreStartedAgain) {
+  auto plan = random_plan(test::table_top(), 1, 2000s);
+  auto blocks = 0;
+  for (std::size_t i = 0; i < plan.statements.size(); ++i)
+    if (auto block = std::get_if<Block>(&plan.statements[i].faults.front())) {
+      ++blocks;
+      ASSERT_LT(i + 1, plan.statements.size());
+      auto& next = plan.statements[i + 1];
+      EXPECT_EQ(next.trigger, plan.statements[i].trigger);
+      EXPECT_EQ(next.faults.front(), Fault{Crash{block->component}});
+    }
+  EXPECT_GT(blocks, 0);
+}
+
 TEST(RandomPlan, RemovesOnlyJournalsThatAWorkingMemoryCanDoWithout) {
   EXPECT_EQ(to_string(random_plan(test::table_top(), 1, 2000s)).find("remove"), std::string::npos);
 }

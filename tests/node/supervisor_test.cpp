@@ -104,13 +104,16 @@ protected:
           end(name, ComponentEnded::How::stopped);
           self->quit();
         });
-        return {[this, self, name](const EnterPhase& x) {
-          PhaseDone done{std::uint32_t(described.component(name)->number), x.phase, {}};
-          if (x.phase == Phase::configure && name == slow)
-            late = done;
-          else if (x.phase != Phase::run)
-            self->send(x.conductor, done);
-        }};
+        return {[this, name](const ComponentFault&) { faults.push_back(name + " before "); },
+                [this, self, name](const EnterPhase& x) {
+                  if (!faults.empty() && faults.back().ends_with(' '))
+                    faults.back() += x.phase == Phase::start ? "start" : "another phase";
+                  PhaseDone done{std::uint32_t(described.component(name)->number), x.phase, {}};
+                  if (x.phase == Phase::configure && name == slow)
+                    late = done;
+                  else if (x.phase != Phase::run)
+                    self->send(x.conductor, done);
+                }};
       }));
       result.actors[name] = caf::actor_cast<caf::strong_actor_ptr>(made.back());
     }
@@ -145,6 +148,8 @@ protected:
   /// Who does not say that it is configured, and what it would say.
   std::string slow;
   std::optional<PhaseDone> late;
+  /// Who was told of a fault, and before what.
+  std::vector<std::string> faults;
   std::vector<ComponentUp> ups;
   std::optional<ComponentsStopped> stopped;
 };
@@ -197,6 +202,21 @@ TEST_F(SupervisorTest, WhoBlocksInConfigureIsStoppedAllTheSame) {
   EXPECT_THAT(stopped->stopped, ElementsAre("u", "m"));
   // The others have not waited for it either.
   EXPECT_THAT(ups, testing::Contains(testing::Field(&ComponentUp::component, "a_tm")));
+}
+
+TEST_F(SupervisorTest, WhatIsToBefallTheNextLifeComesBeforeItsStart) {
+  caf::anon_send(supervisor, BefallComponent{"u", {ComponentFault::Kind::blocked_start}});
+  run();
+  EXPECT_THAT(faults, IsEmpty());
+  for (int life = 1; life <= 2; ++life) {
+    end("u", ComponentEnded::How::failed);
+    run();
+    ++lives["u"];
+    let_time_pass(1s);
+    answer_restart();
+    // Once, and not when it was configured.
+    EXPECT_THAT(faults, ElementsAre("u before start"));
+  }
 }
 
 TEST_F(SupervisorTest, AWholeSystemIsStoppedWhileSomebodyBlocksInConfigure) {

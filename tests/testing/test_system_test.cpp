@@ -185,6 +185,19 @@ TEST_F(TestedSystem, ACallbackThrowsWhenItIsTo) {
   system.expect_back("two");
 }
 
+TEST_F(TestedSystem, ARestartLastsAsLongAsItsStartIsBlocked) {
+  be_a_worker("one", poke);
+  TestSystem system{workers()};
+  for (auto phase : {"start", "configure"}) {
+    system.inject("block " + std::string{phase} + " of one for 300ms");
+    system.inject("crash one");
+    auto life = phase == std::string{"start"} ? 2U : 3U;
+    EXPECT_GE(system.expect_back("one", life).down_us, 300'000) << phase;
+  }
+  system.expect_nobody_else_down({"one"});
+  EXPECT_EQ(system.system().entries("a").size(), 3U);
+}
+
 TEST_F(TestedSystem, WaitsForWhatATestThinksOf) {
   TestSystem system{workers()};
   EXPECT_THAT(complaint([&] {
@@ -335,6 +348,8 @@ TEST_F(TestedSystem, WhatCannotBeIsRefused) {
   EXPECT_THAT(refusal([&] { system.inject("kill one"); }), HasSubstr("has no process of its own"));
   EXPECT_THAT(refusal([&] { system.inject("fail journal of a"); }), HasSubstr("has no journal"));
   EXPECT_THAT(refusal([&] { system.inject("hang one"); }), HasSubstr("write for how long"));
+  EXPECT_THAT(refusal([&] { system.inject("block start of one"); }),
+              HasSubstr("write for how long"));
   EXPECT_THAT(refusal([&] { system.inject("crash one\nat 1s crash two"); }),
               HasSubstr("is not one fault"));
   EXPECT_THAT(refusal([&] { system.expect_back("three"); }), HasSubstr("no component three"));
