@@ -178,8 +178,10 @@ std::string JournalFiles::problem() const {
 bool is_locked(const std::filesystem::path& journal) {
   auto file = journal.string() + ".lock";
   int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (descriptor < 0)
+  if (descriptor < 0 && errno == ENOENT)
     return false;
+  if (descriptor < 0)
+    throw JournalError("its lock " + file + " cannot be opened: " + std::strerror(errno));
   bool result = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(descriptor);
   return result;

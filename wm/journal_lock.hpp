@@ -86,7 +86,7 @@ private:
   std::vector<Watched> watched_;
 };
 
-/// Whether somebody keeps a journal locked now.
+/// Whether somebody keeps a journal locked now. Throws JournalError if that cannot be found out.
 bool is_locked(const std::filesystem::path& journal);
 
 /// Moves the files of a journal out of the way, to NAME.WHY-1, or the next number that is free.

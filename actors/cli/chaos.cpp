@@ -530,10 +530,10 @@ private:
       std::lock_guard guard{mutex};
       injector = std::make_unique<faults::Injector>(
         faults::InjectorParts{&system,
-                              [&](const std::string& process, int signal) {
+                              [&](const std::string& process, const std::function<void(pid_t)>& f) {
                                 auto host = hosts.find(process);
                                 return nodes && host != hosts.end() &&
-                                       nodes->signal(host->second, signal);
+                                       nodes->with_process(host->second, f);
                               },
                               std::move(journals)},
         std::move(schedule));

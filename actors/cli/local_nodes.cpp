@@ -75,12 +75,35 @@ private:
   posix_spawn_file_actions_t actions_;
 };
 
-std::array<int, 2> make_pipe() {
-  std::array<int, 2> result{};
-  if (pipe2(result.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
-  return result;
-}
+/// Closes its ends, but for those that were taken out.
+class Pipe {
+public:
+  /// Throws std::runtime_error.
+  Pipe() {
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close_reader();
+    close_writer();
+  }
+
+  int reader() const { return ends_[0]; }
+  int writer() const { return ends_[1]; }
+  void close_reader() { close_end(ends_[0]); }
+  void close_writer() { close_end(ends_[1]); }
+  int take_writer() { return std::exchange(ends_[1], -1); }
+
+private:
+  static void close_end(int& x) {
+    if (x >= 0)
+      close(std::exchange(x, -1));
+  }
+
+  std::array<int, 2> ends_{-1, -1};
+};
 
 /// The first line that comes; empty if none does in time, or before there is something to read from
 /// `wake`.
@@ -102,6 +125,9 @@ std::string first_line(int from, int wake) {
   }
   return {};
 }
+
+/// After so long it is tried again to start a process that could not be started.
+constexpr std::chrono::milliseconds retry_interval{1000};
 
 /// "was killed by signal 9 (Killed)", from what waitpid says.
 std::string how_it_ended(int status) {
@@ -128,13 +154,13 @@ LocalNodes::LocalNodes(const std::map<std::string, LocalNode>& nodes,
 }
 
 void LocalNodes::start(Process& x) const {
-  auto input = make_pipe();
-  auto announcement = make_pipe();
+  Pipe input;
+  Pipe announcement;
   // What the node announces is not for the user; what its components print is.
   constexpr int announcements = 3;
   Attributes attributes;
-  attributes.give(input[0], STDIN_FILENO);
-  attributes.give(announcement[1], announcements);
+  attributes.give(input.reader(), STDIN_FILENO);
+  attributes.give(announcement.writer(), announcements);
   std::vector<std::string> arguments{
     "castor",           "node",       "--name",
     x.node.name,        "--listen",   to_string(x.at),
@@ -148,68 +174,79 @@ void LocalNodes::start(Process& x) const {
   x.id = -1;
   x.started = Clock::now();
   int error = attributes.spawn(x.id, std::move(arguments));
-  close(input[0]);
-  close(announcement[1]);
-  if (error == 0)
-    x.input = input[1];
-  else
-    close(input[1]);
-  auto line = error == 0 ? first_line(announcement[0], wake_[0]) : std::string{};
-  close(announcement[0]);
-  if (line.empty()) {
-    if (error == 0) {
-      close(std::exchange(x.input, -1));
+  input.close_reader();
+  announcement.close_writer();
+  auto line = error == 0 ? first_line(announcement.reader(), wake_[0]) : std::string{};
+  if (!line.empty()) {
+    x.end = static_cast<int>(syscall(SYS_pidfd_open, x.id, 0));
+    error = x.end < 0 ? errno : 0;
+  }
+  if (x.end < 0) {
+    if (x.id > 0)
       end_child(std::exchange(x.id, -1));
-    }
     throw std::runtime_error("the node " + x.node.name + " could not be started on this machine" +
                              (error ? std::string{": "} + std::strerror(error) : std::string{}));
   }
   x.at = parse_endpoint(line, 0);
-  x.end = static_cast<int>(syscall(SYS_pidfd_open, x.id, 0));
+  x.input = input.take_writer();
 }
 
 void LocalNodes::watch() {
   for (;;) {
     std::vector<pollfd> ends{{wake_[0], POLLIN, 0}};
     std::vector<std::string> hosts{{}};
+    std::vector<std::string> missing;
     {
       std::lock_guard guard{mutex_};
       for (auto& [host, x] : processes_) {
-        if (x.end < 0)
-          continue;
-        ends.push_back({x.end, POLLIN, 0});
-        hosts.push_back(host);
+        if (x.end >= 0) {
+          ends.push_back({x.end, POLLIN, 0});
+          hosts.push_back(host);
+        } else if (restarts_) {
+          missing.push_back(host);
+        }
       }
     }
-    poll(ends.data(), ends.size(), -1);
+    poll(ends.data(), ends.size(), missing.empty() ? -1 : static_cast<int>(retry_interval.count()));
     {
       std::lock_guard guard{mutex_};
       if (ending_)
         return;
     }
+    for (auto& host : missing)
+      restart(host);
     for (std::size_t i = 1; i < ends.size(); ++i)
-      if (ends[i].revents != 0)
+      if (ends[i].revents != 0) {
+        take_leave(hosts[i]);
         restart(hosts[i]);
+      }
   }
 }
 
-void LocalNodes::restart(const std::string& host) {
-  std::unique_lock guard{mutex_};
+void LocalNodes::take_leave(const std::string& host) {
+  std::lock_guard guard{mutex_};
   auto& x = processes_.at(host);
   auto status = end_child(std::exchange(x.id, -1));
   close(std::exchange(x.input, -1));
   close(std::exchange(x.end, -1));
   note(LogLevel::warning, "the process of " + x.node.name + ' ' + how_it_ended(status) +
                             (restarts_ ? "; it is started again" : ""));
+}
+
+void LocalNodes::restart(const std::string& host) {
+  std::unique_lock guard{mutex_};
   if (!restarts_)
     return;
+  auto& x = processes_.at(host);
   // Nobody waits for a process that takes its time.
   auto started = x;
   guard.unlock();
   try {
     start(started);
+    started.failed = false;
   } catch (const std::runtime_error& e) {
-    note(LogLevel::error, e.what());
+    if (!std::exchange(started.failed, true))
+      note(LogLevel::error, std::string{e.what()} + "; it is tried again every second");
   }
   guard.lock();
   x = std::move(started);
@@ -223,10 +260,13 @@ std::map<std::string, Endpoint> LocalNodes::endpoints() const {
   return result;
 }
 
-bool LocalNodes::signal(const std::string& host, int signal) {
+bool LocalNodes::with_process(const std::string& host, const std::function<void(pid_t)>& f) const {
   std::lock_guard guard{mutex_};
   auto i = processes_.find(host);
-  return i != processes_.end() && i->second.id > 0 && kill(i->second.id, signal) == 0;
+  if (i == processes_.end() || i->second.id <= 0)
+    return false;
+  f(i->second.id);
+  return true;
 }
 
 bool LocalNodes::kill_older(const std::string& host, Clock::time_point than) {

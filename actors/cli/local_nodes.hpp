@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,7 +30,8 @@ struct LocalNode {
 
 /// Nodes on this machine: they stand in for those of other machines, or keep a component apart from
 /// the others. They listen at Unix sockets that only their user reaches. One that dies is started
-/// again where it listened. They end with this object, and also if this process is killed.
+/// again where it listened, and if that fails, again every second. They end with this object, and
+/// also if this process is killed.
 class LocalNodes {
 public:
   /// Starts these nodes, by host. Throws std::runtime_error if one does not come up.
@@ -42,8 +44,9 @@ public:
   /// Where they listen, by host.
   std::map<std::string, Endpoint> endpoints() const;
 
-  /// Sends a signal to the process of a host; false if it has none.
-  bool signal(const std::string& host, int signal);
+  /// Calls a function with the number of a host's process, which is not that of another one
+  /// meanwhile; false if it has none.
+  bool with_process(const std::string& host, const std::function<void(pid_t)>& f) const;
 
   /// Kills the process of a host, with all that it has started, if it was started before this
   /// moment; false if there is none such.
@@ -64,11 +67,16 @@ private:
     int input = -1;
     int end = -1;
     Endpoint at;
+    /// Whether it could not be started when that was last tried.
+    bool failed = false;
   };
 
   /// Throws std::runtime_error.
   void start(Process& x) const;
   void watch();
+  /// Of a process that has ended.
+  void take_leave(const std::string& host);
+  /// Starts one in its place.
   void restart(const std::string& host);
 
   /// Where they listen, at Unix sockets.

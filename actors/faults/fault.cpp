@@ -60,6 +60,9 @@ struct Printer {
     return "stop " + text_of(x.process) + text_of(x.duration);
   }
   std::string operator()(const Continue& x) const { return "continue " + text_of(x.process); }
+  std::string operator()(const UseUpDescriptors& x) const {
+    return "use up descriptors of " + text_of(x.process) + text_of(x.duration);
+  }
   std::string operator()(const Partition& x) const {
     return "partition " + text_of(x.group) + (x.from.empty() ? "" : " from " + text_of(x.from)) +
            text_of(x.duration);

@@ -131,6 +131,15 @@ struct Continue {
   friend auto operator<=>(const Continue&, const Continue&) = default;
 };
 
+/// The process can open no more file descriptors.
+struct UseUpDescriptors {
+  static constexpr std::string_view kind = "use up descriptors";
+  ProcessTarget process;
+  Lasting duration;
+
+  friend auto operator<=>(const UseUpDescriptors&, const UseUpDescriptors&) = default;
+};
+
 /// Nothing passes between the processes of one group and those of another.
 struct Partition {
   static constexpr std::string_view kind = "partition";
@@ -227,9 +236,9 @@ struct JumpClock {
 };
 
 /// Anything that a plan can do to a system.
-using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue, Partition, Delay,
-                           Drop, Duplicate, Reorder, FailJournal, SlowJournal, RemoveJournal,
-                           ClaimJournal, JumpClock>;
+using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue, UseUpDescriptors,
+                           Partition, Delay, Drop, Duplicate, Reorder, FailJournal, SlowJournal,
+                           RemoveJournal, ClaimJournal, JumpClock>;
 
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;

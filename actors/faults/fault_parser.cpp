@@ -54,6 +54,7 @@ private:
       {"kill", [](FaultParser& x) -> Fault { return Kill{x.process()}; }},
       {"stop", &FaultParser::stop},
       {"continue", [](FaultParser& x) -> Fault { return Continue{x.process()}; }},
+      {"use", &FaultParser::use_up},
       {"partition", &FaultParser::partition},
       {"delay", &FaultParser::delay},
       {"drop", &FaultParser::disturbance<Drop>},
@@ -133,6 +134,13 @@ private:
   Fault stop() {
     auto target = process();
     return Stop{std::move(target), lasting()};
+  }
+
+  Fault use_up() {
+    for (auto word : {"up", "descriptors", "of"})
+      expect(word, "write use up descriptors of NODE for 2s");
+    auto target = process();
+    return UseUpDescriptors{std::move(target), lasting()};
   }
 
   Fault partition() {

@@ -58,6 +58,11 @@ public:
   void operator()(const Stop& x) { process(x.process); }
   void operator()(const Continue& x) { process(x.process); }
 
+  void operator()(const UseUpDescriptors& x) {
+    if (x.process.name != coordinator)
+      process(x.process);
+  }
+
   void operator()(const Partition& x) {
     for (auto names : {&x.group, &x.from})
       for (auto& name : *names)

@@ -8,10 +8,13 @@
 #include "castor/actors/node/system.hpp"
 #include "castor/wm/journal.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 namespace castor::faults {
 
@@ -240,8 +243,15 @@ Injector::Outcome Injector::befall(const Slow& x, std::uint64_t number) {
   return befall_component<Outcome>(*parts_.system, x.component, fault);
 }
 
+bool Injector::with_process(const std::string& name, const std::function<void(pid_t)>& f) const {
+  if (name != coordinator)
+    return parts_.with_process && parts_.with_process(name, f);
+  f(getpid());
+  return true;
+}
+
 Injector::Outcome Injector::signal(const std::string& process, int signal) {
-  if (!parts_.signal || !parts_.signal(process, signal))
+  if (!parts_.with_process || !parts_.with_process(process, [signal](pid_t x) { kill(x, signal); }))
     return {false, not_there("process " + process)};
   return {};
 }
@@ -260,6 +270,42 @@ Injector::Outcome Injector::befall(const Stop& x) {
 
 Injector::Outcome Injector::befall(const Continue& x) {
   return signal(x.process.name, SIGCONT);
+}
+
+Injector::Outcome Injector::befall(const UseUpDescriptors& x) {
+  pid_t process = 0;
+  Outcome outcome;
+  auto begin = [&](pid_t number) {
+    try {
+      shortages_.begin(number);
+      process = number;
+    } catch (const std::system_error& e) {
+      outcome = {false, e.what()};
+    }
+  };
+  if (!with_process(x.process.name, begin))
+    return {false, not_there("process " + x.process.name)};
+  if (!outcome.done)
+    return outcome;
+  std::lock_guard guard{mutex_};
+  later_.emplace(now() + lasting(x.duration),
+                 [this, name = x.process.name, process] { end_shortage(name, process); });
+  return outcome;
+}
+
+void Injector::end_shortage(const std::string& name, pid_t process) {
+  bool ended = false;
+  with_process(name, [&](pid_t present) {
+    ended = present == process;
+    if (ended)
+      shortages_.end(process);
+  });
+  if (!ended)
+    shortages_.forget(process);
+  if (name == coordinator)
+    for (auto& child : names_of(*parts_.system->roster()))
+      if (child != coordinator)
+        with_process(child, [this](pid_t x) { shortages_.raise_inherited(x); });
 }
 
 Injector::Outcome Injector::befall(const Partition& x, std::uint64_t number) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/faults/chaos_run.hpp"
+#include "castor/actors/faults/descriptor_shortages.hpp"
 #include "castor/actors/faults/fault_schedule.hpp"
 #include "castor/wm/journal_fault.hpp"
 
@@ -15,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace castor {
 class System;
 }
@@ -24,8 +27,9 @@ namespace castor::faults {
 struct InjectorParts {
   /// Has to outlive the injector.
   System* system = nullptr;
-  /// Sends a signal to a process, which has the name that plans call it by; false if there is none.
-  std::function<bool(const std::string& process, int signal)> signal;
+  /// Calls a function with the number of a process, which has the name that plans call it by and
+  /// is a child of this process, while the number is its own; false if there is none.
+  std::function<bool(const std::string& process, const std::function<void(pid_t)>& f)> with_process;
   /// The files of journals, by subarchitecture (journal_faults.hpp).
   std::map<std::string, std::filesystem::path> journals = {};
 };
@@ -83,6 +87,7 @@ private:
   Outcome befall(const Kill& x);
   Outcome befall(const Stop& x);
   Outcome befall(const Continue& x);
+  Outcome befall(const UseUpDescriptors& x);
   Outcome befall(const Partition& x, std::uint64_t number);
   Outcome befall(const Delay& x, std::uint64_t number);
   Outcome befall(const Drop& x, std::uint64_t number);
@@ -94,7 +99,10 @@ private:
   Outcome befall(const ClaimJournal& x);
   Outcome befall(const JumpClock& x);
 
+  /// The same for the coordinator, too.
+  bool with_process(const std::string& name, const std::function<void(pid_t)>& f) const;
   Outcome signal(const std::string& process, int signal);
+  void end_shortage(const std::string& name, pid_t process);
   Outcome befall_journal(const MemoryTarget& memory, const JournalFault& x);
   /// Something that lasts until the end of the run if nothing else is said.
   Timestamp lasting(const Lasting& x) const;
@@ -111,6 +119,7 @@ private:
   std::vector<const char*> missed_;
   /// Of each component, the records of its armed crashes.
   std::multimap<std::string, std::size_t> armed_crashes_;
+  DescriptorShortages shortages_;
   bool over_ = false;
   std::thread thread_;
 };

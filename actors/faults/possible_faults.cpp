@@ -59,6 +59,23 @@ Faults at_nodes(const FaultTargets& x) {
   return result;
 }
 
+/// Of nodes, and of isolated components.
+template <class T>
+Faults at_processes(const FaultTargets& x) {
+  auto result = at_nodes<T>(x);
+  for (auto& fault : at_isolated<T>(x))
+    result.push_back(std::move(fault));
+  return result;
+}
+
+Faults shortages_of_descriptors(const FaultTargets& x) {
+  if (x.components.empty())
+    return {};
+  auto result = at_processes<UseUpDescriptors>(x);
+  result.push_back(UseUpDescriptors{{std::string{coordinator}}, {}});
+  return result;
+}
+
 Faults partitions(const FaultTargets& x) {
   Faults result;
   for (auto& name : x.nodes)
@@ -160,6 +177,7 @@ constexpr std::array kinds{
   FaultKind{2, at_isolated<Stop>, draw_duration<Stop>},
   FaultKind{2, at_nodes<Kill>, nothing},
   FaultKind{3, at_nodes<Stop>, draw_duration<Stop>},
+  FaultKind{2, shortages_of_descriptors, draw_duration<UseUpDescriptors>},
   FaultKind{3, partitions, draw_duration<Partition>},
   FaultKind{3, at_links<Delay>, draw_lateness<Delay>},
   FaultKind{2, at_links<Drop>, draw_part},

@@ -108,8 +108,8 @@ std::string why_not_simulated(const Statement& x) {
   return std::visit(
     [](const auto& fault) -> std::string {
       using T = std::decay_t<decltype(fault)>;
-      if (is_one_of<T, Throw, Block, Slow, Continue, Duplicate, Reorder, RemoveJournal,
-                    ClaimJournal>)
+      if (is_one_of<T, Throw, Block, Slow, Continue, UseUpDescriptors, Duplicate, Reorder,
+                    RemoveJournal, ClaimJournal>)
         return "this kind of fault is not simulated";
       if constexpr (requires { fault.duration; })
         if (!fault.duration)

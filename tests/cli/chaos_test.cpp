@@ -246,6 +246,26 @@ TEST_F(Chaos, AnIsolatedComponentWhoseStartIsBlockedIsKilledAndStartedAgain) {
   }
 }
 
+TEST_F(Chaos, ProcessesWithoutFileDescriptorsGoOnAndAreStartedAgain) {
+  auto file =
+    write("nodes.cast", "HOSTNAME one one.test\n" +
+                          read(system("CPP UM clock Clock --isolate\nCPP UM ticker Ticker\n")) +
+                          "[one] CPP UM listener Listener --count 1000000 --late\n");
+  auto answer = ask(arguments(file,
+                              "at 100ms use up descriptors of one for 1s\n"
+                              "at 200ms use up descriptors of clock for 300ms\n"
+                              "at 200ms crash listener\n"
+                              "at 1200ms use up descriptors of coordinator for 1500ms\n"
+                              "at 1300ms kill clock\n"
+                              "at 1300ms kill one\n"
+                              "at 1300ms crash ticker\n",
+                              "5s"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("7 of 7 faults"));
+  for (auto who : {"clock", "listener", "ticker"})
+    EXPECT_THAT(answer.errors, ContainsRegex("\\[" + std::string{who} + "\\] is back after"));
+}
+
 TEST_F(Chaos, AComponentWhoseStartIsBlockedForGoodDoesNotKeepTheSystemFromItsEnd) {
   auto answer = ask(arguments(
     system("CPP UM clock Clock --shutdown 100ms\nCPP UM listener Listener --count 1000000\n"),
