@@ -63,6 +63,10 @@ struct Printer {
   std::string operator()(const UseUpDescriptors& x) const {
     return "use up descriptors of " + text_of(x.process) + text_of(x.duration);
   }
+  std::string operator()(const Flood& x) const {
+    return "flood " + text_of(x.process) +
+           (x.rate == flood_rate ? "" : " with " + to_text(x.rate)) + text_of(x.duration);
+  }
   std::string operator()(const Partition& x) const {
     return "partition " + text_of(x.group) + (x.from.empty() ? "" : " from " + text_of(x.from)) +
            text_of(x.duration);

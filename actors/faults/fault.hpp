@@ -140,6 +140,20 @@ struct UseUpDescriptors {
   friend auto operator<=>(const UseUpDescriptors&, const UseUpDescriptors&) = default;
 };
 
+/// How many connections a flood makes if nothing is said.
+inline constexpr Rate flood_rate = highest_rate;
+
+/// Strangers connect with the process, who say nothing or nonsense.
+struct Flood {
+  static constexpr std::string_view kind = "flood";
+  ProcessTarget process;
+  /// So many of them.
+  Rate rate = flood_rate;
+  Lasting duration;
+
+  friend auto operator<=>(const Flood&, const Flood&) = default;
+};
+
 /// Nothing passes between the processes of one group and those of another.
 struct Partition {
   static constexpr std::string_view kind = "partition";
@@ -237,8 +251,8 @@ struct JumpClock {
 
 /// Anything that a plan can do to a system.
 using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue, UseUpDescriptors,
-                           Partition, Delay, Drop, Duplicate, Reorder, FailJournal, SlowJournal,
-                           RemoveJournal, ClaimJournal, JumpClock>;
+                           Flood, Partition, Delay, Drop, Duplicate, Reorder, FailJournal,
+                           SlowJournal, RemoveJournal, ClaimJournal, JumpClock>;
 
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;

@@ -55,6 +55,7 @@ private:
       {"stop", &FaultParser::stop},
       {"continue", [](FaultParser& x) -> Fault { return Continue{x.process()}; }},
       {"use", &FaultParser::use_up},
+      {"flood", &FaultParser::flood},
       {"partition", &FaultParser::partition},
       {"delay", &FaultParser::delay},
       {"drop", &FaultParser::disturbance<Drop>},
@@ -141,6 +142,20 @@ private:
       expect(word, "write use up descriptors of NODE for 2s");
     auto target = process();
     return UseUpDescriptors{std::move(target), lasting()};
+  }
+
+  Fault flood() {
+    Flood result;
+    result.process = process();
+    if (accept("with")) {
+      auto word = next("the rate is missing", std::string{rate_remedy});
+      auto rate = word.quoted ? std::nullopt : parse_rate(word.text);
+      if (!rate)
+        fail(in_quotes(word.text) + " is not a rate", std::string{rate_remedy});
+      result.rate = *rate;
+    }
+    result.duration = lasting();
+    return result;
   }
 
   Fault partition() {

@@ -63,6 +63,13 @@ public:
       process(x.process);
   }
 
+  void operator()(const Flood& x) {
+    if (x.process.name == coordinator)
+      report("the coordinator's process takes no connections", "name a node that does");
+    else
+      process(x.process);
+  }
+
   void operator()(const Partition& x) {
     for (auto names : {&x.group, &x.from})
       for (auto& name : *names)

@@ -3,6 +3,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/faults/journal_faults.hpp"
+#include "castor/actors/faults/strangers.hpp"
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/node/local_endpoint.hpp"
 #include "castor/actors/node/system.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -306,6 +308,23 @@ void Injector::end_shortage(const std::string& name, pid_t process) {
     for (auto& child : names_of(*parts_.system->roster()))
       if (child != coordinator)
         with_process(child, [this](pid_t x) { shortages_.raise_inherited(x); });
+}
+
+Injector::Outcome Injector::befall(const Flood& x) {
+  auto roster = parts_.system->roster();
+  auto number = number_of(*roster, x.process.name);
+  if (!number || *number == 0)
+    return {false, not_there("process " + x.process.name)};
+  auto& process = roster->processes[*number];
+  auto strangers = std::make_shared<Strangers>(Endpoint{process.host, process.port}, x.rate);
+  std::lock_guard guard{mutex_};
+  later_.emplace(now() + lasting(x.duration), [strangers, name = x.process.name] {
+    auto counts = strangers->stop();
+    note(LogLevel::info, "faults",
+         "flood " + name + " is over: " + std::to_string(counts.connected) + " connections, and " +
+           std::to_string(counts.failed) + " that could not be made");
+  });
+  return {};
 }
 
 Injector::Outcome Injector::befall(const Partition& x, std::uint64_t number) {

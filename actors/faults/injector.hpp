@@ -88,6 +88,7 @@ private:
   Outcome befall(const Stop& x);
   Outcome befall(const Continue& x);
   Outcome befall(const UseUpDescriptors& x);
+  Outcome befall(const Flood& x);
   Outcome befall(const Partition& x, std::uint64_t number);
   Outcome befall(const Delay& x, std::uint64_t number);
   Outcome befall(const Drop& x, std::uint64_t number);

@@ -178,6 +178,7 @@ constexpr std::array kinds{
   FaultKind{2, at_nodes<Kill>, nothing},
   FaultKind{3, at_nodes<Stop>, draw_duration<Stop>},
   FaultKind{2, shortages_of_descriptors, draw_duration<UseUpDescriptors>},
+  FaultKind{2, at_processes<Flood>, draw_duration<Flood>},
   FaultKind{3, partitions, draw_duration<Partition>},
   FaultKind{3, at_links<Delay>, draw_lateness<Delay>},
   FaultKind{2, at_links<Drop>, draw_part},

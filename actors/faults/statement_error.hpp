@@ -26,6 +26,7 @@ private:
   std::string remedy_;
 };
 
+inline constexpr std::string_view rate_remedy = "write a rate such as 0.5/s, up to 100/s";
 inline constexpr std::string_view time_remedy = "write a time such as 50ms, 1.5s or 2min";
 
 /// The candidate that comes near, or otherwise that.

@@ -14,8 +14,6 @@ namespace {
 
 using cast::in_quotes;
 
-constexpr std::string_view rate_remedy = "write a rate such as 0.5/s, up to 100/s";
-
 Timestamp trigger_time(std::string_view& rest) {
   auto word = cast::take_word(rest);
   auto time = parse_time(word);

@@ -108,7 +108,7 @@ std::string why_not_simulated(const Statement& x) {
   return std::visit(
     [](const auto& fault) -> std::string {
       using T = std::decay_t<decltype(fault)>;
-      if (is_one_of<T, Throw, Block, Slow, Continue, UseUpDescriptors, Duplicate, Reorder,
+      if (is_one_of<T, Throw, Block, Slow, Continue, UseUpDescriptors, Flood, Duplicate, Reorder,
                     RemoveJournal, ClaimJournal>)
         return "this kind of fault is not simulated";
       if constexpr (requires { fault.duration; })

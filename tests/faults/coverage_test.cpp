@@ -19,8 +19,9 @@ FaultRecord record(const std::string& text, FaultState state) {
 
 TEST(Coverage, KnowsWhatASystemCouldBeHitBy) {
   const Coverage coverage{test::small_system()};
-  // One component with crash, throw, hang and slow, and one clock.
-  EXPECT_EQ(coverage.possible(), 5U);
+  // One component with crash, throw, hang, block and slow, one clock, and the descriptors of one
+  // process.
+  EXPECT_EQ(coverage.possible(), 7U);
   EXPECT_EQ(coverage.hit(), 0U);
   EXPECT_TRUE(Coverage{}.empty());
 }
@@ -34,13 +35,16 @@ TEST(Coverage, CountsHitsAndMisses) {
   coverage.add(faults);
   coverage.add(faults);
   EXPECT_EQ(coverage.hit(), 1U);
-  EXPECT_EQ(to_text(coverage), "1 of 5 pairs of a fault and a target were hit\n"
+  EXPECT_EQ(to_text(coverage), "1 of 7 pairs of a fault and a target were hit\n"
                                "\n"
-                               "            crash     hang     slow    throw\n"
-                               "  worker        4     . -2        .     . -2\n"
+                               "            block    crash     hang     slow    throw\n"
+                               "  worker        .        4     . -2        .     . -2\n"
                                "\n"
                                "        jump clock\n"
-                               "  only           .\n");
+                               "  only           .\n"
+                               "\n"
+                               "               use up descriptors\n"
+                               "  coordinator                   .\n");
 }
 
 TEST(Coverage, HasATableForTargetsOfOneKind) {
@@ -60,7 +64,7 @@ TEST(Coverage, HasATableForTargetsOfOneKind) {
 TEST(Coverage, KeepsWhatOnlyPlansOfPeopleHit) {
   Coverage coverage{test::small_system()};
   coverage.add(std::vector{record("crash only_tm", FaultState::happened)});
-  EXPECT_EQ(coverage.possible(), 6U);
+  EXPECT_EQ(coverage.possible(), 8U);
   EXPECT_EQ(coverage.hit(), 1U);
 }
 

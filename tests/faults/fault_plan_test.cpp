@@ -42,6 +42,20 @@ TEST(FaultPlan, FaultsOfProcesses) {
   EXPECT_EQ(fault_in("continue node1"), (Fault{Continue{{"node1"}}}));
 }
 
+TEST(FaultPlan, ShortagesAndFloodsOfProcesses) {
+  EXPECT_EQ(fault_in("use up descriptors of coordinator for 1s"),
+            (Fault{UseUpDescriptors{{"coordinator"}, 1s}}));
+  EXPECT_EQ(fault_in("flood any node for 1s"), (Fault{Flood{{}, flood_rate, 1s}}));
+  EXPECT_EQ(fault_in("flood with with 5/s"), (Fault{Flood{{"with"}, {5000}, {}}}));
+}
+
+TEST(FaultPlan, BlockedRestarts) {
+  EXPECT_EQ(fault_in("block start of a for 1s"),
+            (Fault{Block{{"a", {}}, Block::Phase::start, 1s}}));
+  EXPECT_EQ(fault_in("block configure of any component of vision"),
+            (Fault{Block{{{}, "vision"}, Block::Phase::configure, {}}}));
+}
+
 TEST(FaultPlan, FaultsOfLinks) {
   EXPECT_EQ(fault_in("partition node1"), (Fault{Partition{{"node1"}, {}, {}}}));
   EXPECT_EQ(fault_in("partition node1 from node2, coordinator for 2s"),
@@ -57,6 +71,8 @@ TEST(FaultPlan, FaultsOfLinks) {
 TEST(FaultPlan, FaultsOfWorkingMemories) {
   EXPECT_EQ(fault_in("fail journal of vision for 1s"), (Fault{FailJournal{{"vision"}, 1s}}));
   EXPECT_EQ(fault_in("slow journal of any by 20ms"), (Fault{SlowJournal{{}, 20ms, {}}}));
+  EXPECT_EQ(fault_in("remove journal of vision"), (Fault{RemoveJournal{{"vision"}}}));
+  EXPECT_EQ(fault_in("claim journal of any"), (Fault{ClaimJournal{}}));
   EXPECT_EQ(fault_in("jump clock of vision by 5s"), (Fault{JumpClock{{"vision"}, 5s}}));
   EXPECT_EQ(fault_in("jump clock of vision by -5s"), (Fault{JumpClock{{"vision"}, -5s}}));
 }
@@ -129,7 +145,7 @@ TEST(FaultPlan, EveryErrorSaysWhereAndWhatToWrite) {
   EXPECT_THAT(flaws_of("at 1s crahs a"),
               AllOf(HasSubstr("test.plan:1: error: 'crahs' is not a fault"),
                     HasSubstr("did you mean 'crash'?")));
-  EXPECT_THAT(flaws_of("at 1s explode a"), HasSubstr("write one of continue, crash, delay"));
+  EXPECT_THAT(flaws_of("at 1s explode a"), HasSubstr("write one of block, claim, continue"));
   EXPECT_THAT(flaws_of("\nevry 1s crash a"),
               AllOf(HasSubstr("test.plan:2"), HasSubstr("did you mean 'every'?")));
   EXPECT_THAT(flaws_of("at soon crash a"), HasSubstr("'soon' is not a time"));
@@ -156,6 +172,18 @@ TEST(FaultPlan, EveryErrorSaysWhereAndWhatToWrite) {
   EXPECT_THAT(flaws_of("after 0 added A: crash a"), HasSubstr("not a number of changes"));
   EXPECT_THAT(flaws_of("seed many"), HasSubstr("write seed 42"));
   EXPECT_THAT(flaws_of("seed 1\nseed 2"), HasSubstr("test.plan:2: error: the seed is given twice"));
+}
+
+TEST(FaultPlan, ErrorsInFaultsOfSeveralWordsSayHowTheyAreWritten) {
+  EXPECT_THAT(flaws_of("at 1s block a"), HasSubstr("write block start of COMPONENT"));
+  EXPECT_THAT(flaws_of("at 1s block start a"), HasSubstr("write block start of COMPONENT"));
+  EXPECT_THAT(flaws_of("at 1s use descriptors of a"), HasSubstr("write use up descriptors of"));
+  EXPECT_THAT(flaws_of("at 1s flood a with 5"),
+              AllOf(HasSubstr("'5' is not a rate"), HasSubstr("0.5/s")));
+  EXPECT_THAT(flaws_of("at 1s flood a with"), HasSubstr("the rate is missing"));
+  EXPECT_THAT(flaws_of("at 1s claim vision"), HasSubstr("write journal of SUBARCHITECTURE"));
+  EXPECT_THAT(flaws_of("at 1s remove journal of vision for 1s"),
+              HasSubstr("this is not a fault that lasts"));
 }
 
 TEST(FaultPlan, AllErrorsAreFound) {

@@ -20,6 +20,7 @@ TEST(FaultTargets, APlanThatFitsHasNoFlaws) {
                      "at 1s crash vision_wm or crash any component of binding\n"
                      "after added A in vision from tracker: hang camera for 1s\n"
                      "at 1s use up descriptors of coordinator or use up descriptors of tracker\n"
+                     "at 1s flood tracker or flood any node with 5/s for 1s\n"
                      "at 1s block start of camera or block configure of vision_tm for 1s\n"
                      "at 1s kill tracker or kill node1 or stop any node for 1s\n"
                      "at 1s partition node1, coordinator from node2\n"
@@ -54,6 +55,7 @@ TEST(FaultTargets, FaultsThatCannotBefallThemAreFound) {
   EXPECT_THAT(flaws_in("at 1s block start of vision_wm"), HasSubstr("has no start()"));
   EXPECT_THAT(flaws_in("at 1s use up descriptors of segmentor"),
               HasSubstr("has no process of its own"));
+  EXPECT_THAT(flaws_in("at 1s flood coordinator"), HasSubstr("takes no connections"));
   EXPECT_THAT(flaws_in("at 1s stop coordinator"), HasSubstr("brings the faults about"));
   EXPECT_THAT(flaws_in("at 1s partition node1 from node1"), HasSubstr("cut off from itself"));
   EXPECT_THAT(flaws_in("at 1s drop 1% between node1 and node1"), HasSubstr("no link with itself"));

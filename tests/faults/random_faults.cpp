@@ -77,6 +77,11 @@ rc::Gen<Fault> of(rc::Gen<Parts>... parts) {
   return rc::gen::apply([](Parts... x) { return Fault{T{std::move(x)...}}; }, std::move(parts)...);
 }
 
+rc::Gen<Rate> rate() {
+  return rc::gen::map(rc::gen::inRange<std::uint32_t>(1, highest_rate.per_thousand_seconds + 1),
+                      [](auto x) { return Rate{x}; });
+}
+
 rc::Gen<Trigger> trigger() {
   auto filter = rc::gen::map(
     rc::gen::element<std::string>("", "added A", "in vision", "overwritten B from x changing a,b",
@@ -85,8 +90,7 @@ rc::Gen<Trigger> trigger() {
   return rc::gen::oneOf(
     rc::gen::map(time(), [](Timestamp x) { return Trigger{At{x}}; }),
     rc::gen::map(time(), [](Timestamp x) { return Trigger{Every{x + Timestamp{1000}}}; }),
-    rc::gen::map(rc::gen::inRange<std::uint32_t>(1, highest_rate.per_thousand_seconds + 1),
-                 [](auto x) { return Trigger{AtRandom{{x}}}; }),
+    rc::gen::map(rate(), [](Rate x) { return Trigger{AtRandom{x}}; }),
     rc::gen::apply(
       [](ChangeFilter x, std::uint32_t count, bool repeated) {
         return Trigger{After{std::move(x), count, repeated}};
@@ -107,6 +111,7 @@ rc::Gen<Fault> any_fault() {
               lasting()),
     of<Slow>(component(), time(), lasting()), of<Kill>(process()), of<Stop>(process(), lasting()),
     of<Continue>(process()), of<UseUpDescriptors>(process(), lasting()),
+    of<Flood>(process(), rate(), lasting()),
     of<Partition>(rc::gen::nonEmpty(names()), names(), lasting()),
     of<Delay>(time(), link(), lasting()), of<Drop>(percent(), link(), lasting()),
     of<Duplicate>(percent(), link(), lasting()), of<Reorder>(percent(), link(), lasting()),
