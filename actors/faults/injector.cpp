@@ -200,6 +200,12 @@ Timestamp Injector::lasting(const Lasting& x) const {
   return x.value_or(std::chrono::hours{1000});
 }
 
+void Injector::when_over(const Lasting& x, std::function<void()> f) {
+  std::lock_guard guard{mutex_};
+  later_.emplace(now() + lasting(x), std::move(f));
+  changed_.notify_all();
+}
+
 namespace {
 
 template <class Outcome>
@@ -264,9 +270,7 @@ Injector::Outcome Injector::befall(const Kill& x) {
 
 Injector::Outcome Injector::befall(const Stop& x) {
   auto outcome = signal(x.process.name, SIGSTOP);
-  std::lock_guard guard{mutex_};
-  later_.emplace(now() + lasting(x.duration),
-                 [this, name = x.process.name] { signal(name, SIGCONT); });
+  when_over(x.duration, [this, name = x.process.name] { signal(name, SIGCONT); });
   return outcome;
 }
 
@@ -289,9 +293,7 @@ Injector::Outcome Injector::befall(const UseUpDescriptors& x) {
     return {false, not_there("process " + x.process.name)};
   if (!outcome.done)
     return outcome;
-  std::lock_guard guard{mutex_};
-  later_.emplace(now() + lasting(x.duration),
-                 [this, name = x.process.name, process] { end_shortage(name, process); });
+  when_over(x.duration, [this, name = x.process.name, process] { end_shortage(name, process); });
   return outcome;
 }
 
@@ -317,8 +319,7 @@ Injector::Outcome Injector::befall(const Flood& x) {
     return {false, not_there("process " + x.process.name)};
   auto& process = roster->processes[*number];
   auto strangers = std::make_shared<Strangers>(Endpoint{process.host, process.port}, x.rate);
-  std::lock_guard guard{mutex_};
-  later_.emplace(now() + lasting(x.duration), [strangers, name = x.process.name] {
+  when_over(x.duration, [strangers, name = x.process.name] {
     auto counts = strangers->stop();
     note(LogLevel::info, "faults",
          "flood " + name + " is over: " + std::to_string(counts.connected) + " connections, and " +

@@ -105,6 +105,8 @@ private:
   Outcome signal(const std::string& process, int signal);
   void end_shortage(const std::string& name, pid_t process);
   Outcome befall_journal(const MemoryTarget& memory, const JournalFault& x);
+  /// Calls a function once a fault that lasts is over.
+  void when_over(const Lasting& x, std::function<void()> f);
   /// Something that lasts until the end of the run if nothing else is said.
   Timestamp lasting(const Lasting& x) const;
 
