@@ -140,7 +140,7 @@ TEST_F(Chaos, WithoutAPlanFaultsKeepWithinTheRestartsThatSupervisorsAllow) {
   EXPECT_NE(answer.status, 1) << answer.output << answer.errors;
   EXPECT_THAT(answer.output, AllOf(ContainsRegex("strict.cast: .*seed 1,"),
                                    ContainsRegex("strict.cast: .*seed 2,"),
-                                   ContainsRegex("[0-9]+ of 9 pairs of a fault and a target"),
+                                   ContainsRegex("[0-9]+ of 12 pairs of a fault and a target"),
                                    ContainsRegex("  listener +[0-9.]")));
   for (auto seed : {"1", "2"}) {
     auto result = json::parse(read(report() / seed / "chaos.json"));
