@@ -315,7 +315,7 @@ private:
 
   /// The user's, or the one beside the system's file; false if it cannot be done.
   bool take_workload(const ArchitectureDescription& architecture) {
-    auto file = workload_beside(arguments_.workload, arguments_.architecture.file);
+    auto file = workload_beside(arguments_.workload, architecture.file);
     if (file.empty())
       return true;
     // Loads the libraries that know the entry types that it names.

@@ -1,6 +1,7 @@
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/cast/json.hpp"
 #include "castor/actors/cast/text.hpp"
+#include "castor/actors/cli/bundled_file.hpp"
 #include "castor/actors/cli/commands.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/cli/read_architecture.hpp"
@@ -65,7 +66,8 @@ int check(const Arguments& arguments) {
   if (!arguments.plan.empty())
     is_good = read_plan(arguments.plan, targets_in(*architecture)).has_value() && is_good;
   if (!arguments.workload.empty())
-    is_good = read_workload(arguments.workload, *architecture).has_value() && is_good;
+    is_good =
+      read_workload(file_or_bundled(arguments.workload), *architecture).has_value() && is_good;
   if (arguments.json)
     fmt::print("{}\n", nlohmann::ordered_json::parse(to_json(*architecture)).dump());
   if (!is_good)

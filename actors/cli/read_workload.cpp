@@ -1,5 +1,6 @@
 #include "castor/actors/cli/read_workload.hpp"
 
+#include "castor/actors/cli/bundled_file.hpp"
 #include "castor/actors/cli/output.hpp"
 #include "castor/actors/node/known_names.hpp"
 #include "castor/actors/node/value_from_json.hpp"
@@ -62,7 +63,7 @@ std::string workload_beside(const std::string& given, const std::string& system_
   if (given == no_workload)
     return {};
   if (!given.empty())
-    return given;
+    return file_or_bundled(given);
   auto file = fs::path{system_file}.replace_extension(".workload").string();
   std::error_code error;
   return fs::is_regular_file(file, error) ? file : std::string{};

@@ -24,6 +24,7 @@ struct CheckedWorkload {
 };
 
 /// The file that `given` says, or else the one beside the `.cast` file; empty if there is none.
+/// Files that are installed with the command are found as `.cast` files are.
 std::string workload_beside(const std::string& given, const std::string& system_file);
 
 /// Reads a workload and prints whatever is wrong with it; nothing if it cannot be done.
