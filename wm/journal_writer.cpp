@@ -160,6 +160,19 @@ private:
 
 } // namespace
 
+JournalWriterParts journal_writer_parts(const JournalOptions& options,
+                                        std::shared_ptr<JournalFile> file,
+                                        caf::strong_actor_ptr owner) {
+  // Before the working memory has to hold back anything.
+  return {std::move(file),
+          options.mode,
+          options.delay,
+          options.most_unsynced / 4,
+          options.most_unsynced_bytes / 4,
+          std::move(owner),
+          options.report};
+}
+
 caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts parts) {
   self->monitor(parts.owner);
   auto writer = std::make_shared<JournalWriter>(self, std::move(parts));

@@ -43,6 +43,11 @@ struct JournalWriterParts {
   std::function<void(const std::string&)> report = [](const std::string&) {};
 };
 
+/// What the journal of a working memory is written by.
+JournalWriterParts journal_writer_parts(const JournalOptions& options,
+                                        std::shared_ptr<JournalFile> file,
+                                        caf::strong_actor_ptr owner);
+
 /// Writes a journal. What arrives while one group of writes is being synced is the next group.
 /// Takes JournalWrite, and JournalFault on purpose; tells its owner JournalNews.
 caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts parts);

@@ -16,14 +16,7 @@ OutputGate::Bounds bounds(const JournalOptions& options) {
 
 caf::actor start_writer(Self self, const std::shared_ptr<JournalFile>& file) {
   auto& options = self->state.options.journal;
-  // Before the working memory has to hold back anything.
-  JournalWriterParts parts{file,
-                           options.mode,
-                           options.delay,
-                           options.most_unsynced / 4,
-                           options.most_unsynced_bytes / 4,
-                           caf::actor_cast<caf::strong_actor_ptr>(self),
-                           options.report};
+  auto parts = journal_writer_parts(options, file, caf::actor_cast<caf::strong_actor_ptr>(self));
   return options.own_thread ? self->system().spawn<caf::detached>(journal_writer, std::move(parts))
                             : self->system().spawn(journal_writer, std::move(parts));
 }

@@ -32,6 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> known[] = {
   {"journals", "opened again"},
   {"journals", "entry recovered"},
   {"journals", "change that was told found in the journal"},
+  {"journals", "change that was told lost, as it may be"},
   {"tasks", "proposed"},
   {"tasks", "waiting"},
   {"tasks", "adopted"},

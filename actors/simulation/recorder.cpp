@@ -88,12 +88,11 @@ void Recorder::may_be_lost(Client client) {
       lease.may_end_from = std::min(lease.may_end_from, now);
 }
 
-void Recorder::lost(std::uint32_t entry, Tick from, Tick to, Version version, Token token) {
+void Recorder::lost(std::uint32_t entry, Tick from, Tick to, const Result& begin) {
   OperationRecord x;
   x.entry = entry;
   x.kind = OperationKind::loss;
-  x.result.version = version;
-  x.result.token = token;
+  x.result = begin;
   x.invoked = from;
   x.returned = to;
   operations_.push_back({x, now(), false});

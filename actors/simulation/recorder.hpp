@@ -60,9 +60,9 @@ public:
   /// Every working memory has heard of every death.
   void deaths_are_known();
 
-  /// A working memory ended and another took its place, which knows of no entries, between these
-  /// moments. It begins with such versions and tokens.
-  void lost(std::uint32_t entry, Tick from, Tick to, Version version, Token token);
+  /// A working memory ended and another took its place, which need not know what has happened to
+  /// the entry, between these moments. It begins with that.
+  void lost(std::uint32_t entry, Tick from, Tick to, const Result& begin);
 
   /// A working memory ended and another took its place, which has its entries, but not its leases:
   /// those with tokens below that ended between these moments.

@@ -53,7 +53,7 @@ const ArchitectureDescription& simulated_architecture(const ArchitectureVariant&
     text += "FAILOVER b2 TO [node2]\nFAILOVER c2 TO [node1]\n";
   for (std::string name : {"a", "b", "c"})
     text += "SUBARCHITECTURE " + name + "\nCPP WM SubarchitectureWorkingMemory --lease " +
-            std::to_string(x.lease.count()) + "ms" + (x.journals ? " --journal full" : "") +
+            std::to_string(x.lease.count()) + "ms --journal " + std::string{to_string(x.journals)} +
             "\nCPP TM AlwaysPositiveTaskManager\nCPP MG " + name + "1 Simulated\nCPP MG " + name +
             "2 Simulated\n";
   i->second = parsed(text);

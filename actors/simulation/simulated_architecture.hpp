@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -18,8 +19,8 @@ struct ArchitectureVariant {
   bool moves = false;
   /// One to three.
   std::size_t machines = 3;
-  /// Whether working memories keep journals.
-  bool journals = false;
+  /// Of the working memories.
+  JournalMode journals = JournalMode::off;
 
   auto operator<=>(const ArchitectureVariant&) const = default;
 };

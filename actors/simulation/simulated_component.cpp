@@ -301,8 +301,10 @@ void SimulatedComponent::trace(const std::string& what) const {
 
 void SimulatedComponent::hear(const ChangeNotice& x) {
   // Whatever else of its filters wants the event, this one wants all.
-  if (std::ranges::count(x.filters, all_changes) > 0)
+  if (std::ranges::count(x.filters, all_changes) > 0) {
     told_->events.push_back(x.event);
+    told_->times.push_back(system_world_.recorder.now());
+  }
   if (calls_)
     calls_->take(x);
   if (log_level() <= LogLevel::debug)

@@ -29,6 +29,8 @@ struct Told {
   std::uint64_t incarnation = 1;
   Life process = 0;
   std::vector<ChangeEventPtr> events;
+  /// When it was told of each.
+  std::vector<Timestamp> times;
   /// The component still is there.
   bool alive = true;
 };

@@ -14,6 +14,9 @@ namespace castor::simulation {
 
 /// The disk of a simulated machine. The journals on it outlive the processes of the machine: what
 /// was appended stays, what was only handed to the writer is gone with its process.
+///
+/// As in castor::open_journal, a journal of which acknowledged changes may be missing is that of
+/// another incarnation when it is opened again: one that was not `full`, and not closed in order.
 class SimulatedDisk {
 public:
   /// As castor::open_journal: takes up what the journal holds, and takes it away from whoever
@@ -27,8 +30,12 @@ public:
 private:
   struct File {
     std::vector<JournalRecord> records;
-    /// How often it was opened.
-    std::uint64_t session = 0;
+    /// The incarnation of each time it was opened.
+    std::vector<std::uint64_t> sessions;
+    /// Whether whoever opened it last has closed it, or has had nothing to lose.
+    bool is_complete = true;
+
+    std::uint64_t session() const { return sessions.size(); }
   };
 
   class Journal;

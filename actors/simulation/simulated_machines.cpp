@@ -110,12 +110,17 @@ WorkingMemoryActor SimulatedMachines::spawn_working_memory(WorkingMemoryOptions 
   if (auto journal = options.opened_journal) {
     x.session = journal->session;
     x.first_sequence = journal->image.sequence + 1;
-    x.recovered = journal->image.entries.size();
+    x.image = std::make_shared<const StoreImage>(journal->image);
+    x.may_lack_changes = !lives.empty() && journal->incarnation > lives.back().journal_incarnation;
+    x.journal_incarnation = journal->incarnation;
     options.journal.report = [](const std::string&) {};
+    // Few enough for a run to exceed them now and then.
+    if (options.journal.mode == JournalMode::batched && world_.chance(50))
+      options.journal.most_unsynced = 8;
+    x.journal = options.journal;
     options.journal_writer = spawn_journal_writer(life);
-    writer = std::make_shared<JournalWriterParts>();
-    writer->file = journal->file;
-    writer->mode = options.journal.mode;
+    writer = std::make_shared<JournalWriterParts>(
+      journal_writer_parts(options.journal, journal->file, nullptr));
   }
   auto journal_writer = options.journal_writer;
   x.actor = system_.spawn(working_memory, std::move(options));
@@ -128,6 +133,7 @@ WorkingMemoryActor SimulatedMachines::spawn_working_memory(WorkingMemoryOptions 
     if (world_.over)
       return;
     lives[number].end = world_.recorder.tick();
+    lives[number].end_time = world_.recorder.now();
     lives[number].actor = nullptr;
   });
   world_.note(x.incarnation);
@@ -193,7 +199,7 @@ void SimulatedMachines::hear(Life life, const caf::actor& link, const LinkNews& 
 void SimulatedMachines::give_up(Life life, Life other) {
   lost_.emplace(life, other);
   for (auto& [name, component] : world_.components)
-    if (component->process() == peer->second)
+    if (component->process() == other)
       world_.recorder.may_be_lost(component->number());
 }
 
@@ -252,14 +258,14 @@ void SimulatedMachines::catch_up() {
   auto time = now();
   std::erase_if(frozen_, [&](auto& x) { return x.second <= time; });
   std::erase_if(hanging_, [&](auto& x) { return x.second <= time; });
+  if (returns_.empty())
+    return;
   std::vector<Machine> back;
   for (auto& [x, at] : returns_)
     if (at <= time)
       back.push_back(x);
   for (auto x : back) {
     returns_.erase(x);
-  if (returns_.empty())
-    return;
     start_node(x);
   }
 }
@@ -320,11 +326,7 @@ void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
       [&](const faults::Kill& x) {
         kill(machine(x.process.name), time_until_return(seed, world_.recorder.now()));
       },
-      [&](const faults::Stop& x) {
-        auto& process = processes_[machine(x.process.name)];
-        if (process.there)
-          frozen_[process.life] = now() + *x.duration;
-      },
+      [&](const faults::Stop& x) { stop(machine(x.process.name), *x.duration); },
       [&](const faults::Partition& x) {
         auto from = machine(x.group.front());
         for (Machine other = 0; other < count_; ++other)
@@ -341,10 +343,7 @@ void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
         if (auto actor = memory(x.memory.subarchitecture))
           caf::anon_send(actor, JournalFault{JournalFault::Kind::failure, *x.duration, {}});
       },
-      [&](const faults::SlowJournal& x) {
-        if (auto actor = memory(x.memory.subarchitecture))
-          caf::anon_send(actor, JournalFault{JournalFault::Kind::slowness, *x.duration, x.by});
-      },
+      [&](const faults::SlowJournal& x) { slow_journal(x); },
       [&](const faults::JumpClock& x) { jump_clock(x); },
       [](const auto&) {},
     },
@@ -368,6 +367,25 @@ void SimulatedMachines::crash(const std::string& name) {
 WorkingMemoryActor SimulatedMachines::memory(const std::string& subarchitecture) const {
   auto i = memories_.find(subarchitecture);
   return i == memories_.end() ? WorkingMemoryActor{} : i->second.back().actor;
+}
+
+void SimulatedMachines::slow_journal(const faults::SlowJournal& x) {
+  auto actor = memory(x.memory.subarchitecture);
+  if (!actor)
+    return;
+  memories_.at(x.memory.subarchitecture).back().is_written_in_time = false;
+  caf::anon_send(actor, JournalFault{JournalFault::Kind::slowness, *x.duration, x.by});
+}
+
+void SimulatedMachines::stop(Machine x, Clock::duration duration) {
+  auto& process = processes_[x];
+  if (!process.there)
+    return;
+  frozen_[process.life] = now() + duration;
+  for (auto& [name, lives] : memories_)
+    for (auto& life : lives)
+      if (life.process == process.life)
+        life.is_written_in_time = false;
 }
 
 void SimulatedMachines::jump_clock(const faults::JumpClock& x) {

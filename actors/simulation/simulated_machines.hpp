@@ -29,11 +29,18 @@ struct MemoryLife {
   WorkingMemoryActor actor;
   /// How often its journal was opened by then; 0 without one.
   std::uint64_t session = 0;
-  /// With a journal: the number of the first change of this life, and the entries it began with.
+  /// With a journal: the number of the first change of this life, and what it began with.
   std::uint64_t first_sequence = 0;
-  std::size_t recovered = 0;
+  std::shared_ptr<const StoreImage> image;
+  /// Whether it began without changes that its predecessor has acknowledged, as far as it knows.
+  bool may_lack_changes = false;
+  std::uint64_t journal_incarnation = 0;
+  JournalOptions journal;
+  /// Whether nothing has kept the journal from being written in time.
+  bool is_written_in_time = true;
   linearizability::Tick begin = 0;
   linearizability::Tick end = linearizability::never;
+  Timestamp end_time{0};
 
   bool alive() const { return end == linearizability::never; }
 };
@@ -120,15 +127,18 @@ private:
   WorkingMemoryActor spawn_working_memory(WorkingMemoryOptions options, Life life);
   caf::actor spawn_component(const ShellParts& parts, Life life);
   void hear(Life life, const caf::actor& link, const LinkNews& news);
+  /// From now on the process takes the other for lost, with all that is in it.
+  void give_up(Life life, Life other);
 
   caf::actor spawn_journal_writer(Life life);
   /// Null if the working memory is not there.
   WorkingMemoryActor memory(const std::string& subarchitecture) const;
   void jump_clock(const faults::JumpClock& x);
+  /// Journals are late from now on: that of a working memory, or all of a process.
+  void slow_journal(const faults::SlowJournal& x);
+  void stop(Machine x, Clock::duration duration);
 
   void crash(const std::string& name);
-  /// From now on the process takes the other for lost, with all that is in it.
-  void give_up(Life life, Life other);
   void hang(const faults::Hang& x);
   void kill(Machine x, std::chrono::milliseconds back_after);
   void silence(Machine a, Machine b, Clock::duration x);

@@ -89,9 +89,16 @@ std::size_t machine_count(std::uint64_t seed) {
   return 1 + random.below(machines.size());
 }
 
-bool keeps_journals(std::uint64_t seed) {
+JournalMode journal_mode(std::uint64_t seed) {
   SeededRandom random{seed, "journals"};
-  return random.below(5) < 2;
+  switch (random.below(5)) {
+    case 0:
+      return JournalMode::full;
+    case 1:
+      return JournalMode::batched;
+    default:
+      return JournalMode::off;
+  }
 }
 
 namespace {
@@ -135,7 +142,7 @@ std::string why_not_simulated(const Statement& x) {
 std::vector<cast::Diagnostic> check_simulated(const FaultPlan& plan, std::uint64_t seed) {
   ArchitectureVariant variant;
   variant.machines = machine_count(seed);
-  variant.journals = keeps_journals(seed);
+  variant.journals = journal_mode(seed);
   std::vector<std::string> nodes;
   for (std::size_t x = 1; x < variant.machines; ++x)
     nodes.emplace_back(machines[x]);
@@ -157,7 +164,7 @@ FaultPlan system_faults(std::uint64_t seed) {
   result.seed = seed;
   SeededRandom random{seed, "system faults"};
   auto count = machine_count(seed);
-  auto journals = keeps_journals(seed);
+  auto journals = journal_mode(seed) != JournalMode::off;
   for (auto left = random.below(7); left > 0; --left) {
     At at{milliseconds{random.between(0, time_of_faults.count())}};
     result.statements.push_back({at, {any_fault(random, count, journals)}, {}, {}});

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/faults/fault_plan.hpp"
+#include "castor/wm/journal.hpp"
 
 #include <array>
 #include <chrono>
@@ -24,9 +25,9 @@ inline constexpr std::chrono::milliseconds link_patience{1500};
 /// How many machines a simulated system has: one, two or three.
 std::size_t machine_count(std::uint64_t seed);
 
-/// Whether the working memories of a simulated system keep journals; of two systems in five they
-/// do.
-bool keeps_journals(std::uint64_t seed);
+/// Which journals the working memories of a simulated system keep: one system in five has `full`
+/// ones, one in five `batched` ones, and the others have none.
+JournalMode journal_mode(std::uint64_t seed);
 
 /// What of a plan cannot be injected into the system of that seed, or not in a simulation: it takes
 /// one fault at a time, `at` given times, of known targets, for as long as the plan says.

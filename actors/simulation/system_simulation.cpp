@@ -40,6 +40,35 @@ constexpr std::chrono::milliseconds long_time{1300};
 /// Far more than a run takes.
 constexpr std::size_t most_steps = 400'000;
 constexpr const char* sentinel = "sentinel";
+/// A journal is written so long after its delay at the latest, if nothing goes wrong.
+constexpr std::chrono::milliseconds most_journal_latency{100};
+
+/// The changes in a journal.
+class JournalContents {
+public:
+  explicit JournalContents(const std::vector<JournalRecord>& records) {
+    for (auto& x : records) {
+      records_[x.sequence] = &x;
+      last_[x.session] = x.sequence;
+    }
+  }
+
+  bool has(const ChangeEvent& event) const {
+    auto i = records_.find(event.sequence);
+    return i != records_.end() && i->second->id == event.address.id &&
+           i->second->version == event.version && i->second->operation == event.operation;
+  }
+
+  /// The number of the last change of a session, if it has made any.
+  std::optional<std::uint64_t> last_of(std::uint64_t session) const {
+    auto i = last_.find(session);
+    return i == last_.end() ? std::nullopt : std::optional{i->second};
+  }
+
+private:
+  std::map<std::uint64_t, const JournalRecord*> records_;
+  std::map<std::uint64_t, std::uint64_t> last_;
+};
 
 } // namespace
 
@@ -94,7 +123,7 @@ private:
     auto strategy = world.pick(3);
     auto escalates = world.chance(30);
     architecture_ = simulated_architecture({lease_, strategy, escalates, world.chance(40),
-                                            machines_->count(), keeps_journals(result_->seed)});
+                                            machines_->count(), journal_mode(result_->seed)});
     for_each_component(architecture_, [&](ComponentDescription& x) {
       auto home = std::size_t(x.subarchitecture.front() - 'a');
       auto strays = x.kind == ComponentKind::managed && world.chance(20);
@@ -485,27 +514,48 @@ private:
     return later == lives.begin() ? lives.end() : std::prev(later);
   }
 
-  /// Nobody was told of a change that is not in the journal.
+  /// Nobody was told of a change that is not in the journal, but for those that `batched` may lose.
   void check_journals() {
     for (auto& [name, lives] : machines_->memories()) {
       if (lives.front().session == 0)
         continue;
-      std::map<std::uint64_t, const JournalRecord*> records;
-      for (auto& x : machines_->disk_of(lives.front().process).records(name))
-        records[x.sequence] = &x;
+      JournalContents journal{machines_->disk_of(lives.front().process).records(name)};
       for (auto& told : world_->told)
-        for (auto& event : told->events) {
-          if (event->address.subarchitecture != name)
+        for (std::size_t i = 0; i < told->events.size(); ++i) {
+          auto& event = *told->events[i];
+          if (event.address.subarchitecture != name)
             continue;
-          auto i = records.find(event->sequence);
-          if (i == records.end() || i->second->id != event->address.id ||
-              i->second->version != event->version || i->second->operation != event->operation)
-            world_->find(told->component + " was told of " + to_string(*event) + ", number " +
-                         std::to_string(event->sequence) + ", which is not in the journal");
-          else
+          if (journal.has(event)) {
             ++journaled_;
+            continue;
+          }
+          auto why = why_not_to_be_lost(event, told->times[i], *life_of(event, lives), journal);
+          if (why.empty())
+            ++lost_;
+          else
+            world_->find(told->component + " was told of " + to_string(event) + ", number " +
+                         std::to_string(event.sequence) + ", which is not in the journal" + why);
         }
     }
+  }
+
+  /// Why a change that somebody was told of by then cannot be missing in the journal; empty if it
+  /// can.
+  static std::string why_not_to_be_lost(const ChangeEvent& event, Timestamp told,
+                                        const MemoryLife& life, const JournalContents& journal) {
+    if (life.journal.mode == JournalMode::full)
+      return " though it is a full one";
+    if (life.alive())
+      return ", of a working memory that has not ended";
+    auto last = journal.last_of(life.session).value_or(life.first_sequence - 1);
+    if (event.sequence < last)
+      return ", which has later ones";
+    if (event.sequence - last > life.journal.most_unsynced)
+      return ", nor are the " + std::to_string(event.sequence - last - 1) + " before it";
+    auto age = life.end_time - told;
+    if (life.is_written_in_time && age > life.journal.delay + most_journal_latency)
+      return ", " + std::to_string(age.count() / 1000) + " ms before the working memory ended";
+    return {};
   }
 
   /// The last word of everybody who ever failed is that it is back.
@@ -529,24 +579,45 @@ private:
     }
   }
 
-  /// What working memories held when they ended is gone.
+  /// How an entry stands in a working memory that begins with what its journal has.
+  static linearizability::Result begin_of(const StoreImage& image, const std::string& id,
+                                          linearizability::Token token) {
+    for (auto& x : image.entries)
+      if (x.entry->address.id == id)
+        return {Status::ok, x.entry->version, linearizability::content_of(*x.entry), token};
+    for (auto& [deleted, version] : image.deleted)
+      if (deleted == id)
+        return {Status::does_not_exist, version, 0, token};
+    return {Status::never_existed, image.floor, 0, token};
+  }
+
+  /// What working memories held when they ended is gone, or as much of it as their journals lack.
   void note_losses() {
     for (auto& [name, lives] : machines_->memories())
       for (std::size_t i = 1; i < lives.size(); ++i) {
         auto from = std::min(lives[i - 1].end, lives[i].begin);
         auto to = std::max(lives[i - 1].end, lives[i].begin);
-        if (lives[i].session != 0) {
+        if (lives[i].session != 0 && !lives[i].may_lack_changes) {
           for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
             if (world_->entries[entry].address.subarchitecture == name)
               world_->recorder.leases_lost(entry, lives[i].session * numbers_per_incarnation, from,
                                            to);
           continue;
         }
+        if (lives[i].session != 0) {
+          for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
+            if (auto& address = world_->entries[entry].address; address.subarchitecture == name)
+              world_->recorder.lost(
+                entry, from, to,
+                begin_of(*lives[i].image, address.id, lives[i].session * numbers_per_incarnation));
+          continue;
+        }
         ++result_->losses;
         auto floor = (lives[i].incarnation - 1) * numbers_per_life;
         for (std::uint32_t entry = 0; entry < world_->entries.size(); ++entry)
           if (world_->entries[entry].address.subarchitecture == name)
-            world_->recorder.lost(entry, from, to, floor, floor);
+            world_->recorder.lost(
+              entry, from, to, {.status = Status::never_existed, .version = floor, .token = floor});
       }
   }
 
@@ -562,9 +633,10 @@ private:
       for (auto& x : lives)
         if (x.session != 0) {
           happened.add("journals", x.session == 1 ? "opened" : "opened again");
-          happened.add("journals", "entry recovered", x.recovered);
+          happened.add("journals", "entry recovered", x.image->entries.size());
         }
     happened.add("journals", "change that was told found in the journal", journaled_);
+    happened.add("journals", "change that was told lost, as it may be", lost_);
     happened.add(world_->tasks.happened());
     happened.add(world_->calls.happened);
     for (auto& x : result.history) {
@@ -605,6 +677,7 @@ private:
     ended_.reset();
     started_ = false;
     journaled_ = 0;
+    lost_ = 0;
   }
 
   linearizability::Checker checker_{{.max_states = 1'000'000}};
@@ -625,7 +698,9 @@ private:
   bool started_ = false;
   std::optional<std::string> ended_;
   std::multimap<Timestamp, faults::Fault> due_;
+  /// Changes that somebody was told of.
   std::uint64_t journaled_ = 0;
+  std::uint64_t lost_ = 0;
   /// Since when.
   std::map<std::string, Timestamp> down_;
 };

@@ -89,6 +89,25 @@ TEST(Checker, WhoWaitsWhenItsWorkingMemoryIsLostIsNeverAnswered) {
   EXPECT_FALSE(accepted(with(history, read(b, {5, 20}, saw(0, 10)))));
 }
 
+TEST(Checker, AWorkingMemoryMayBeginWithWhatIsLeftOfTheEntry) {
+  History history{added, overwrite(a, 11, 0, {3, 4}, at_version(1)),
+                  loss({.version = 100, .content = 10}, 50, {10, 12})};
+  EXPECT_TRUE(accepted(with(history, read(b, {5, 9}, saw(1, 11)))));
+  EXPECT_FALSE(accepted(with(history, read(b, {13, 15}, saw(1, 11)))));
+  EXPECT_TRUE(accepted(with(history, read(b, {13, 15}, saw(100, 10)))));
+  EXPECT_FALSE(accepted(with(history, read(b, {13, 15}, failed(Status::does_not_exist)))));
+  EXPECT_TRUE(accepted(with(history, overwrite(b, 12, 100, {13, 15}, at_version(101)))));
+  EXPECT_TRUE(accepted(with(history, overwrite(b, 12, 1, {13, 15}, failed(Status::inconsistent)))));
+}
+
+TEST(Checker, AWorkingMemoryMayBeginWithTheVersionOfADeletedEntry) {
+  History history{added, loss({.status = Status::does_not_exist, .version = 100}, 50, {10, 12})};
+  EXPECT_TRUE(accepted(with(history, read(b, {13, 15}, failed(Status::does_not_exist)))));
+  EXPECT_TRUE(accepted(with(history, version(b, {13, 15}, at_version(100)))));
+  EXPECT_TRUE(accepted(with(history, add(b, 12, {13, 15}, at_version(101)))));
+  EXPECT_FALSE(accepted(with(history, add(b, 12, {13, 15}, at_version(100)))));
+}
+
 TEST(Checker, TheOrderOfTheRecordsMeansNothing) {
   EXPECT_TRUE(
     accepted({read(b, {21, 25}, saw(1, 11)), overwrite(a, 11, 0, {10, 20}, at_version(1)), added}));

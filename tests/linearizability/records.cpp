@@ -80,8 +80,10 @@ OperationRecord mandatory_lapse(Client holder, Token token, Span span) {
 }
 
 OperationRecord loss(Version version, Token token, Span span) {
-  Result begins_with;
-  begins_with.version = version;
+  return loss({.status = Status::never_existed, .version = version}, token, span);
+}
+
+OperationRecord loss(Result begins_with, Token token, Span span) {
   begins_with.token = token;
   return record(0, OperationKind::loss, span, begins_with);
 }

@@ -39,7 +39,9 @@ OperationRecord unlock(Client client, Token token, Span span, Result result = {}
 OperationRecord lapse(Client holder, Token token, Span span);
 OperationRecord mandatory_lapse(Client holder, Token token, Span span);
 
+/// Of the entry and all that was known of it; an addition gets that version.
 OperationRecord loss(Version version, Token token, Span span);
+OperationRecord loss(Result begins_with, Token token, Span span);
 
 OperationRecord queued_by(Tick moment, OperationRecord operation);
 /// The history and one more operation.

@@ -106,6 +106,10 @@ castor_system_mutant(unsynced_changes_are_told wm/working_memory_journal.cpp
   TO "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {100, 100'000};")
 
+castor_system_mutant(batched_changes_are_late wm/journal_writer.cpp
+  FROM "self_->delayed_send(self_, parts_.delay, SyncAtom::value);"
+  TO "self_->delayed_send(self_, 20 * parts_.delay, SyncAtom::value);")
+
 castor_system_mutant(journals_are_not_written wm/journal_writer.cpp
   FROM "parts_.file->append(under_way_);"
   TO "")
@@ -166,3 +170,7 @@ castor_system_mutant(the_dead_leave_their_entries wm/entry_store.cpp
       set_due"
   TO "    if (slot.owner == nullptr)
       set_due")
+
+castor_system_mutant(calls_outlive_their_working_memory actors/component/served_calls.cpp
+  FROM "if (call.subarchitecture == subarchitecture)"
+  TO "if (call.id == subarchitecture)")

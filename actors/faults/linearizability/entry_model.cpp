@@ -97,9 +97,9 @@ std::optional<Result> EntryModel::arrive(EntryState& state, OperationIndex opera
     state.queue[state.waiting++] = operation;
     return result;
   }
-  if (result->status != Status::ok)
-    return result;
   const auto& x = operations_[operation];
+  if (result->status != Status::ok && x.kind != OperationKind::loss)
+    return result;
   switch (x.kind) {
     case OperationKind::add:
     case OperationKind::overwrite:
@@ -219,9 +219,15 @@ void EntryModel::lose(EntryState& state, const OperationRecord& loss,
   // Nobody answers those who wait.
   for (std::size_t i = 0; i < state.waiting; ++i)
     settled.push_back({state.queue[i], Result{Status::never_existed}});
+  using enum EntryState::Presence;
+  auto& begin = loss.result;
   state = {};
-  state.version = loss.result.version;
-  state.last_token = loss.result.token;
+  state.presence = begin.status == Status::ok               ? present
+                   : begin.status == Status::does_not_exist ? deleted
+                                                            : unheard_of;
+  state.version = begin.version;
+  state.content = begin.content;
+  state.last_token = begin.token;
 }
 
 void EntryModel::serve_reads(EntryState& state, std::vector<SettledWait>& settled) const {

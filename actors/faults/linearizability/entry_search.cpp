@@ -158,17 +158,17 @@ void EntrySearch::expand(const EntryState& state) {
 /// that saw the lowest version, of these the earliest invoked. A read seldom waits too early, a
 /// lock often does, and most often what waits until a deletion fails it.
 void EntrySearch::sort_choices(std::size_t from) {
-  std::ranges::sort(choices_.begin() + std::ptrdiff_t(from), choices_.end(), std::greater{},
-                    [&](auto& x) {
-                      auto& operation = operations_[x.operation];
-                      auto reads = operation.kind == OperationKind::read;
-                      auto fails = operation.result.status != Status::ok;
-                      return std::tuple{operation.may_be_left_out(),
-                                        fails   ? 2
-                                        : reads ? 0
-                                                : 1,
-                                        reads ? seen_at(operation) : 0, x.operation};
-                    });
+  std::ranges::sort(
+    choices_.begin() + std::ptrdiff_t(from), choices_.end(), std::greater{}, [&](auto& x) {
+      auto& operation = operations_[x.operation];
+      auto reads = operation.kind == OperationKind::read;
+      auto fails = operation.kind != OperationKind::loss && operation.result.status != Status::ok;
+      return std::tuple{operation.may_be_left_out(),
+                        fails   ? 2
+                        : reads ? 0
+                                : 1,
+                        reads ? seen_at(operation) : 0, x.operation};
+    });
 }
 
 /// Whether what was observed agrees with the step.

@@ -37,8 +37,10 @@ enum class OperationKind : std::uint8_t {
   /// `returned` if it had not ended before; or it need not have ended at all, unless `mandatory`.
   lapse,
   /// No operation of a client either: the working memory ended, and another took its place, which
-  /// knows of no entry. Its result says what the new one begins with: the version that an addition
-  /// gets, and the token that all of its own are above.
+  /// need not know what has happened to the entry. Its result says what the new one begins with:
+  /// the token that all of its own are above; and the entry's version and content if its status is
+  /// ok, the version that it was deleted with for does_not_exist, and for never_existed the version
+  /// that an addition gets.
   loss,
 };
 
