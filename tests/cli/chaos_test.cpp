@@ -118,7 +118,7 @@ TEST_F(Chaos, AFaultWhoseOccasionDoesNotComeIsNotSaidToHaveHappened) {
 
 TEST_F(Chaos, ARunInWhichNothingGoesDownIsVacuous) {
   auto answer =
-    ask(arguments(system("CPP UM ticker Ticker\n"), "at 100ms jump clock of a by 1s\n", "500ms"));
+    ask(arguments(system("CPP UM clock Clock\n"), "at 100ms jump clock of a by 1s\n", "500ms"));
   EXPECT_EQ(answer.status, 4) << answer.output << answer.errors;
   EXPECT_THAT(answer.output, HasSubstr("system.cast: vacuous, nothing went down (0 outages;"));
   EXPECT_EQ(report_as_json()["vacuous"], "nothing went down");
@@ -132,8 +132,8 @@ TEST_F(Chaos, ARunInWhichNothingGoesOnIsVacuous) {
 
 TEST_F(Chaos, WithoutAPlanFaultsKeepWithinTheRestartsThatSupervisorsAllow) {
   auto file = write("strict.cast", "SUPERVISE a RESTARTS 1 IN 1min\n" +
-                                     read(system("CPP UM ticker Ticker\n"
-                                                 "CPP UM listener Listener --count 1000000\n")));
+                                     read(system("CPP UM clock Clock\n"
+                                                 "CPP UM listener Listener --count 1000\n")));
   auto answer = ask({"chaos", file, "--duration", "6s", "--seeds", "1..2", "--settle", "300ms",
                      "--report", report().string()});
   // A run that happens to hit nobody is vacuous.
@@ -145,7 +145,6 @@ TEST_F(Chaos, WithoutAPlanFaultsKeepWithinTheRestartsThatSupervisorsAllow) {
   for (auto seed : {"1", "2"}) {
     auto result = json::parse(read(report() / seed / "chaos.json"));
     EXPECT_LE(result["outages"].size(), 1U);
-    EXPECT_GT(result["activity"]["operations"], 0);
     // The kept plan makes the same faults again.
     EXPECT_EQ(read(report() / seed / "chaos.plan"), result["plan"]);
     EXPECT_THAT(result["command"], HasSubstr("--plan"));
