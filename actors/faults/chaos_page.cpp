@@ -135,7 +135,7 @@ std::string workload(const ChaosRun& run) {
   if (!run.workload)
     return {};
   Table table{{"statement", " due", " done", " answered", " apologised for", " late",
-               " not answered", "why it was not done"}};
+               " not answered", "last problem"}};
   for (auto& x : run.workload->statements)
     table.row({x.statement, std::to_string(x.counts.due), std::to_string(x.counts.done),
                std::to_string(x.counts.answered), std::to_string(x.counts.apologised),

@@ -33,7 +33,7 @@ public:
   void add_lines(std::string_view text) {
     while (!text.empty()) {
       auto end = std::min(text.find('\n'), text.size());
-      add("  " + std::string{text.substr(0, end)});
+      add(end == 0 ? std::string{} : "  " + std::string{text.substr(0, end)});
       text.remove_prefix(std::min(end + 1, text.size()));
     }
   }

@@ -32,7 +32,7 @@ struct StatementRecord {
   /// As in a workload.
   std::string statement;
   WorkloadCounts counts;
-  /// Why something was not done; the last reason.
+  /// Why something could not be done, at the last try that failed.
   std::string problem;
 };
 
