@@ -316,7 +316,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
     std::fflush(stdout);
     std::_Exit(status);
   }
-  destruction.begin(destruction_limit, a_component_failed);
+  destruction.begin(recording ? recording_limit : destruction_limit, a_component_failed);
   system.reset();
   local_nodes.reset();
   destruction.end();

@@ -48,6 +48,9 @@ public:
 /// For what is left to do when a system has stopped.
 inline constexpr std::chrono::seconds destruction_limit{5};
 
+/// The same, if what was recorded and still waits to be written is written then.
+inline constexpr std::chrono::seconds recording_limit{60};
+
 /// Something to be done if the process ends by force, for as long as the object lives: kill a
 /// child, restore the terminal. Called by another thread; must not wait for anything.
 class AtForcedEnd {
