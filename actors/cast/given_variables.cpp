@@ -6,7 +6,7 @@
 #include "castor/actors/cast/variables.hpp"
 
 #include <cstddef>
-#include <ranges>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,7 +64,9 @@ void check_given_variables(const Source& source, const ParseOptions& options, Di
     }
     if (!is_identifier(name) || known.find(name) != known.end())
       continue;
-    auto shortened = known | std::views::transform([](auto& x) { return shorten(x, 80); });
+    std::vector<std::string> shortened;
+    for (auto& x : known)
+      shortened.push_back(shorten(x, 80));
     auto remedy = did_you_mean(name, {known.begin(), known.end()});
     if (!remedy.empty())
       remedy += ' ';
