@@ -464,8 +464,8 @@ TEST_F(FiledWorkingMemory, EndsWhenAnotherTakesItsJournalOver) {
 
 // --- faults on purpose ---
 
-constexpr JournalFault failing{JournalFault::Kind::failure, 1s};
-constexpr JournalFault slow{JournalFault::Kind::slowness, 1s, 20ms};
+const JournalFault failing{JournalFault::Kind::failure, 1s};
+const JournalFault slow{JournalFault::Kind::slowness, 1s, 20ms};
 
 TEST_F(FiledWorkingMemory, EndsWhenItsJournalIsMadeToFailAndIsBackWithAllThatItHasAcknowledged) {
   start();
