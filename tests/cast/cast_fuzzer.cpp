@@ -3,11 +3,11 @@
 
 #include "castor/actors/cast/json.hpp"
 #include "castor/actors/cast/parser.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,8 +35,8 @@ Files split_files(std::string_view input) {
   }
 }
 
-castor::cast::ParseOptions hermetic_options(Files files) {
-  castor::cast::ParseOptions options;
+castor::cast::ParseOptions options_with(Files files) {
+  auto options = castor::test::hermetic_options();
   options.working_directory = "/robot";
   options.variables["preset"] = "value";
   options.environment = [](const std::string& name) -> std::optional<std::string> {
@@ -49,19 +49,9 @@ castor::cast::ParseOptions hermetic_options(Files files) {
       return {std::nullopt, "no such file"};
     return {found->second, {}};
   };
-  // Small enough to be reached by small inputs.
-  options.limits.line_bytes = 1000;
-  options.limits.total_bytes = 20'000;
-  options.limits.lines = 1000;
   options.limits.include_depth = 8;
   options.limits.expanded_bytes = 20'000;
-  options.limits.diagnostics = 20;
   return options;
-}
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
 }
 
 } // namespace
@@ -69,8 +59,9 @@ void require(bool condition) {
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castor::cast;
+  using castor::test::require;
   std::string_view input(reinterpret_cast<const char*>(data), size);
-  auto result = parse_file("main.cast", hermetic_options(split_files(input)));
+  auto result = parse_file("main.cast", options_with(split_files(input)));
   auto has_error =
     std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
                 [](const Diagnostic& found) { return found.severity == Severity::error; });

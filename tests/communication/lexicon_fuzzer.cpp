@@ -1,21 +1,21 @@
 // Feeds arbitrary text to the reader of lexica.
 
 #include "castor/communication/parsing/lexicon_reader.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using castor::test::require;
   auto read =
     castor::communication::read_lexicon({reinterpret_cast<const char*>(data), size}, "fuzz.ccg");
-  if ((read.lexicon != nullptr) != read.problems.empty())
-    std::abort();
+  require((read.lexicon != nullptr) == read.problems.empty());
   for (auto& x : read.problems)
-    if (x.message.empty() || x.remedy.empty() || to_string(x).find('\x1b') != std::string::npos)
-      std::abort();
+    require(!x.message.empty() && !x.remedy.empty() &&
+            to_string(x).find('\x1b') == std::string::npos);
   return 0;
 }

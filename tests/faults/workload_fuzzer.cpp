@@ -4,35 +4,17 @@
 #include "castor/actors/faults/scene_text.hpp"
 #include "castor/actors/faults/workload.hpp"
 #include "castor/actors/faults/workload_places.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace {
 
 using namespace castor;
-
-cast::ParseOptions hermetic_options() {
-  cast::ParseOptions options;
-  options.load = [](const std::string&, std::size_t) -> cast::FileContent {
-    return {std::nullopt, "no such file"};
-  };
-  // Small enough to be reached by small inputs.
-  options.limits.line_bytes = 1000;
-  options.limits.total_bytes = 20'000;
-  options.limits.lines = 1000;
-  options.limits.diagnostics = 20;
-  return options;
-}
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using test::require;
 
 /// Does to a scene what the workload says.
 void edit(faults::SceneText& scene, const faults::Workload& workload) {
@@ -51,7 +33,7 @@ void edit(faults::SceneText& scene, const faults::Workload& workload) {
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view input(reinterpret_cast<const char*>(data), size);
-  auto result = faults::parse_workload(input, "fuzz.workload", hermetic_options());
+  auto result = faults::parse_workload(input, "fuzz.workload", test::hermetic_options());
   require(result.diagnostics.size() <= 21);
   require(cast::render(result.diagnostics).find('\x1b') == std::string::npos);
   // A scene may be any text, too.

@@ -4,12 +4,12 @@
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/journal.hpp"
 #include "castor/wm/journal_reader.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -21,6 +21,7 @@
 namespace {
 
 using namespace castor;
+using test::require;
 
 struct FuzzNote {
   std::int64_t number = 0;
@@ -66,8 +67,7 @@ JournalGroupPtr one_write(EntryStore& store, int i) {
     x.value = Value::of(FuzzNote{i, "text"});
   auto group = std::make_shared<JournalGroup>();
   auto effects = store.prepare(requests);
-  if (!effects)
-    std::abort();
+  require(static_cast<bool>(effects));
   for (auto& effect : *std::move(effects)) {
     auto entry = effect.entry;
     auto before = effect.before;
@@ -114,11 +114,6 @@ std::string damaged(std::string bytes, std::span<const std::uint8_t> patches) {
     }
   }
   return bytes;
-}
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
 }
 
 } // namespace

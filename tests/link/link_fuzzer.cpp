@@ -3,11 +3,11 @@
 
 #include "castor/actors/link/handshake.hpp"
 #include "castor/actors/link/session.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <random>
 #include <span>
 #include <string>
@@ -16,11 +16,7 @@
 namespace {
 
 using namespace castor;
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using test::require;
 
 // Small enough to be reached by small inputs.
 constexpr SessionLimits limits{

@@ -2,11 +2,11 @@
 // are the same lines; each of them is a request or a BadRequest, whose text can be said in JSON.
 
 #include "castor/actors/node/request_lines.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +14,7 @@
 namespace {
 
 using namespace castor;
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using test::require;
 
 std::vector<std::string> cut(std::string_view input, std::size_t size) {
   RequestLines lines;

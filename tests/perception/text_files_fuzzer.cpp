@@ -3,12 +3,12 @@
 
 #include "castor/perception/vision/camera/camera_model_file.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
+#include "castor/tests/support/fuzzing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,11 +16,7 @@
 namespace {
 
 using namespace castor::vision;
-
-void require(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using castor::test::require;
 
 /// Each says what is wrong and what to do, on lines that cannot drive a terminal.
 void check(std::span<const TextProblem> problems) {
