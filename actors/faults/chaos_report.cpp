@@ -129,8 +129,7 @@ std::string outage_summary(const ChaosRun& run) {
   std::string kinds;
   for (auto& [kind, count] : counts)
     kinds += fmt::format("{}{} {}", kinds.empty() ? ": " : ", ", kind, count);
-  auto n = run.outages.size();
-  return fmt::format("{} outage{}", n, n == 1 ? "" : "s") + kinds;
+  return counted(run.outages.size(), "outage", "outages") + kinds;
 }
 
 std::string activity_summary(const Activity& x) {

@@ -175,13 +175,7 @@ Lasting duration_of(const Fault& fault) {
 std::string name_in_plan(const std::string& name) {
   if (!name.empty() && std::ranges::all_of(name, continues_name) && !is_reserved(name))
     return name;
-  std::string result = "\"";
-  for (char c : name) {
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + '"';
+  return quoted(name);
 }
 
 } // namespace castor::faults

@@ -55,6 +55,16 @@ std::vector<Word> split_words(std::string_view rest, bool& unfinished) {
   return result;
 }
 
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\')
+      result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
 std::size_t end_of_filter(std::string_view text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

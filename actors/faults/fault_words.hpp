@@ -43,6 +43,9 @@ std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished);
 /// @param unfinished becomes true if a quote has no end
 std::vector<Word> split_words(std::string_view text, bool& unfinished);
 
+/// The text in quotes, as it is read again.
+std::string quoted(std::string_view text);
+
 /// Where the colon stands that ends a change filter: the first outside of quotes that a blank
 /// follows, or nothing; the end of the text if there is none.
 std::size_t end_of_filter(std::string_view text);

@@ -3,6 +3,7 @@
 #include "castor/actors/faults/linearizability/answers.hpp"
 #include "castor/actors/faults/linearizability/change_check.hpp"
 #include "castor/actors/faults/linearizability/lapses.hpp"
+#include "castor/actors/faults/rounded.hpp"
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/input_file.hpp"
 #include "castor/wm/working_memory.hpp"
@@ -138,10 +139,6 @@ std::string with_names(const std::string& report, const Recording& recording) {
     rest = (*i)[0].second;
   }
   return result.append(rest, report.end());
-}
-
-std::string counted(std::size_t n, const char* one, const char* several) {
-  return fmt::format("{} {}", n, n == 1 ? one : several);
 }
 
 } // namespace

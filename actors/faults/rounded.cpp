@@ -18,4 +18,8 @@ std::string rounded(Timestamp x) {
   return fmt::format("{:.0f} s", us / 1e6);
 }
 
+std::string counted(std::size_t n, std::string_view one, std::string_view several) {
+  return fmt::format("{} {}", n, n == 1 ? one : several);
+}
+
 } // namespace castor::faults

@@ -4,6 +4,7 @@
 #include "castor/actors/cast/reader.hpp"
 #include "castor/actors/cast/text.hpp"
 #include "castor/actors/faults/action_parser.hpp"
+#include "castor/actors/faults/fault_words.hpp"
 #include "castor/actors/faults/statement_error.hpp"
 #include "castor/actors/faults/statement_parser.hpp"
 
@@ -17,16 +18,6 @@ namespace {
 
 using cast::in_quotes;
 using cast::Severity;
-
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
 
 /// Words that stand behind the name of a thing.
 bool is_joint(std::string_view word) {

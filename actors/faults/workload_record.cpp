@@ -1,18 +1,12 @@
 #include "castor/actors/faults/workload_record.hpp"
 
+#include "castor/actors/faults/rounded.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 
 namespace castor::faults {
-
-namespace {
-
-std::string counted(std::size_t n, const char* one, const char* several) {
-  return fmt::format("{} {}", n, n == 1 ? one : several);
-}
-
-} // namespace
 
 WorkloadCounts& WorkloadCounts::operator+=(const WorkloadCounts& x) {
   due += x.due;
