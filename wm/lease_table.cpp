@@ -80,8 +80,11 @@ bool LeaseTable::renew(const std::string& id, const Client& client, LeaseToken t
   auto row = rows_.find(id);
   if (row == rows_.end() || !is_holder(row->second, client, token))
     return false;
-  row->second.holding->lease.expires = now + options_.duration;
-  expiries_.splice(expiries_.end(), expiries_, row->second.expiry);
+  auto& [holding, queue, expiry] = row->second;
+  holding->lease.expires = now + options_.duration;
+  auto node = expiries_.extract(expiry);
+  node.key() = holding->lease.expires;
+  expiry = expiries_.insert(expiries_.end(), std::move(node));
   return true;
 }
 
@@ -101,7 +104,7 @@ void LeaseTable::cancel(const std::string& id, const Client& client, WaitNumber 
 
 void LeaseTable::drop(const Client& client, Timestamp now) {
   std::vector<std::string> held;
-  for (auto& id : expiries_) {
+  for (auto& [expires, id] : expiries_) {
     auto& row = rows_.at(id);
     forget_waits(row, [&](auto& x) { return *x.client == client; });
     if (*row.holding->holder == client)
@@ -133,17 +136,17 @@ void LeaseTable::expire(Timestamp now) {
     queue.erase(waiter);
   }
   while (!expiries_.empty()) {
-    auto row = rows_.find(expiries_.front());
-    if (row->second.holding->lease.expires > now)
+    auto& [expires, id] = *expiries_.begin();
+    if (expires > now)
       break;
-    end_lease(row, now);
+    end_lease(rows_.find(id), now);
   }
 }
 
 std::optional<Timestamp> LeaseTable::next_deadline() const {
   std::optional<Timestamp> result;
   if (!expiries_.empty())
-    result = rows_.at(expiries_.front()).holding->lease.expires;
+    result = expiries_.begin()->first;
   if (!deadlines_.empty())
     result = std::min(result.value_or(Timestamp::max()), deadlines_.begin()->first.first);
   return result;
@@ -167,7 +170,7 @@ const Lease& LeaseTable::grant(Rows::iterator row, const ClientPtr& client, Lock
                                WaitNumber number, Timestamp now) {
   auto& [holding, queue, expiry] = row->second;
   holding = Holding{{next_token_++, level, now + options_.duration}, client, number, {level}};
-  expiry = expiries_.insert(expiries_.end(), row->first);
+  expiry = expiries_.emplace_hint(expiries_.end(), holding->lease.expires, row->first);
   return holding->lease;
 }
 

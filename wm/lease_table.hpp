@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <list>
 #include <map>
 #include <optional>
 #include <string>
@@ -147,7 +146,7 @@ private:
     std::optional<Holding> holding;
     std::deque<Waiter> queue;
     /// Valid while there is a holding.
-    std::list<std::string>::iterator expiry;
+    std::multimap<Timestamp, std::string>::iterator expiry;
   };
   using Rows = std::unordered_map<std::string, Row>;
 
@@ -168,8 +167,9 @@ private:
   LeaseTableOptions options_;
   LeaseToken next_token_;
   Rows rows_;
-  /// Leased entries, the next to expire first: leases all last equally long from their renewal.
-  std::list<std::string> expiries_;
+  /// Leased entries, the next to expire first. That is the one that was renewed first, unless the
+  /// clock has been put back since.
+  std::multimap<Timestamp, std::string> expiries_;
   /// The waits by deadline and arrival, with the ids of their entries.
   std::map<std::pair<Timestamp, std::uint64_t>, std::string> deadlines_;
   std::uint64_t arrivals_ = 0;

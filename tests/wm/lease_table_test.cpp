@@ -194,6 +194,31 @@ TEST_F(Leases, ARenewalCountsFromTheMomentItArrives) {
   EXPECT_EQ(table.check("x", *ann, Operation::overwrite, token), Verdict::permitted);
 }
 
+TEST_F(Leases, WhatWasLockedAfterTheClockWasPutBackEndsBeforeWhatWasLockedBefore) {
+  now = 10s;
+  lock_now(ann, LockLevel::o);
+  now = 5s;
+  auto second = table.try_lock("y", bob, LockLevel::o, ++numbers, now);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(table.next_deadline(), Timestamp{7s});
+  table.expire(7s);
+  EXPECT_EQ(table.holding("y"), nullptr);
+  EXPECT_NE(table.holding("x"), nullptr);
+  table.expire(12s);
+  EXPECT_EQ(table.holding("x"), nullptr);
+}
+
+TEST_F(Leases, WhatWasRenewedAfterTheClockWasPutBackEndsBeforeWhatWasLockedBefore) {
+  now = 10s;
+  auto token = lock_now(ann, LockLevel::o);
+  ASSERT_TRUE(table.try_lock("y", bob, LockLevel::o, ++numbers, now));
+  EXPECT_TRUE(table.renew("x", *ann, token, 5s));
+  EXPECT_EQ(table.next_deadline(), Timestamp{7s});
+  table.expire(7s);
+  EXPECT_EQ(table.holding("x"), nullptr);
+  EXPECT_NE(table.holding("y"), nullptr);
+}
+
 TEST_F(Leases, AWaitEndsAtItsDeadline) {
   lock_now(ann, LockLevel::odr);
   queue_lock(bob, LockLevel::o, 500ms);
