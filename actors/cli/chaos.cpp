@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -107,18 +108,26 @@ public:
       return find_limit();
     if (!arguments_.seeds.empty())
       return run_seeds(given);
-    auto result = run_once(given, first_seed, arguments_.report);
-    progress_.reset();
-    show(result, arguments_.report);
-    return status_of(result);
+    int status = success;
+    run_once(given, first_seed, arguments_.report, [&](const faults::ChaosRun& result) {
+      status = status_of(result);
+      auto file = arguments_.report.empty()
+                    ? std::string{}
+                    : "\nwrote " + (arguments_.report / "chaos.html").string() + '\n';
+      print(result, '\n' + faults::to_text(result, isatty(STDOUT_FILENO) != 0) + file);
+    });
+    return status;
   }
 
 private:
   bool has_plan() const { return !arguments_.plan.empty(); }
 
+  /// What is done with a run that is known whole.
+  using Show = std::function<void(const faults::ChaosRun&)>;
+
   /// @param given the user's plan, if there is one
-  faults::ChaosRun run_once(const faults::FaultPlan& given, std::uint64_t seed,
-                            const std::filesystem::path& report) {
+  void run_once(const faults::FaultPlan& given, std::uint64_t seed,
+                const std::filesystem::path& report, const Show& show) {
     faults::ChaosRun result;
     result.system = arguments_.architecture.file;
     result.command = command(seed, report);
@@ -130,9 +139,10 @@ private:
     auto plan = has_plan()
                   ? given
                   : faults::random_plan(setup_.targets, seed, setup_.duration, random_options());
-    run_with_faults(setup_, plan, faultless_.state, signals_, *progress_, result);
-    write_report(result, report);
-    return result;
+    run_with_faults(setup_, plan, faultless_.state, signals_, *progress_, result, [&] {
+      write_report(result, report);
+      show(result);
+    });
   }
 
   faults::RandomPlanOptions random_options() const {
@@ -163,17 +173,13 @@ private:
       // Other actions are drawn, from which another state follows.
       if (!setup_.question.types.empty() && setup_.workload_seed(seed) != faultless_.workload_seed)
         faultless_ = run_without_faults(setup_, seed, signals_, *progress_);
-      auto result = run_once(given, seed,
-                             arguments_.report.empty() ? std::filesystem::path{}
-                                                       : arguments_.report / std::to_string(seed));
-      coverage.add(result.faults);
-      ++counts[status_of(result)];
-      const ProgressPause pause;
-      if (arguments_.json)
-        print_json(result);
-      else
-        fmt::print("{}\n", faults::to_line(result, isatty(STDOUT_FILENO) != 0));
-      std::fflush(stdout);
+      auto report = arguments_.report.empty() ? std::filesystem::path{}
+                                              : arguments_.report / std::to_string(seed);
+      run_once(given, seed, report, [&](const faults::ChaosRun& result) {
+        coverage.add(result.faults);
+        ++counts[status_of(result)];
+        print(result, faults::to_line(result, isatty(STDOUT_FILENO) != 0) + '\n');
+      });
     }
     progress_.reset();
     if (!arguments_.json)
@@ -197,7 +203,7 @@ private:
     run.seed = arguments_.seed.value_or(1);
     run.duration = setup_.duration;
     run_with_faults(setup_, faults::random_plan(setup_.targets, run.seed, setup_.duration, options),
-                    faultless_.state, signals_, *progress_, run);
+                    faultless_.state, signals_, *progress_, run, [] {});
     auto given_up =
       std::ranges::find_if(run.outages, [](auto& x) { return !x.up && x.escalated.has_value(); });
     auto survival = std::ranges::find(run.violations, "survival", &faults::Violation::check);
@@ -260,7 +266,7 @@ private:
       return true;
     // Loads the libraries that know the entry types that it names.
     auto problems = check_architecture(setup_.architecture);
-    print(problems);
+    cli::print(problems);
     if (!problems.empty())
       return false;
     setup_.workload = read_workload(file, setup_.architecture);
@@ -316,18 +322,14 @@ private:
     create(kept_plan(report)) << run.plan;
   }
 
-  void show(const faults::ChaosRun& run, const std::filesystem::path& report) {
-    if (arguments_.json) {
-      print_json(run);
-      return;
-    }
-    fmt::print("\n{}", faults::to_text(run, isatty(STDOUT_FILENO) != 0));
-    if (!report.empty())
-      fmt::print("\nwrote {}\n", (report / "chaos.html").string());
-  }
-
-  void print_json(const faults::ChaosRun& run) {
-    json_->print(nlohmann::ordered_json::parse(faults::to_json(run)));
+  /// @param text what is said of it without --json
+  void print(const faults::ChaosRun& run, const std::string& text) {
+    const ProgressPause pause;
+    if (arguments_.json)
+      json_->print(nlohmann::ordered_json::parse(faults::to_json(run)));
+    else
+      fmt::print("{}", text);
+    std::fflush(stdout);
   }
 
   Signals signals_;

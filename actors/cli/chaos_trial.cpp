@@ -38,12 +38,13 @@ using Clock = std::chrono::steady_clock;
 /// The longest run without faults, if only what components do is wanted.
 constexpr std::chrono::seconds rehearsal{10};
 
+/// How long a system may take to come to rest.
+constexpr std::chrono::seconds rest_limit{60};
+
 /// What has been noticed of components, by one thread while another looks.
 class Notes {
 public:
-  explicit Notes(Clock::time_point begin) : begin_(begin) {}
-
-  void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
+    void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
     std::lock_guard guard{mutex_};
     notes_.push_back({now(), who, kind, reason});
     if (kind == faults::LifeNote::Kind::up)
@@ -66,7 +67,7 @@ public:
 private:
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
 
-  const Clock::time_point begin_;
+  const Clock::time_point begin_ = Clock::now();
   mutable std::mutex mutex_;
   std::vector<faults::LifeNote> notes_;
   std::set<std::string> down_;
@@ -115,7 +116,8 @@ public:
     return result;
   }
 
-  void with_faults(const faults::FaultPlan& plan, const std::vector<std::string>& wanted) {
+  void with_faults(const faults::FaultPlan& plan, const std::vector<std::string>& wanted,
+                   const std::function<void()>& report) {
     show_step("starting the system");
     TimeLimit destruction;
     auto options = this->options();
@@ -128,7 +130,6 @@ public:
     for (auto& x : setup_.targets.components)
       if (x.isolated)
         hosts[x.name] = isolated_host(x.name);
-    Notes notes{Clock::now()};
     std::unique_ptr<faults::Injector> injector;
     std::mutex mutex;
     auto with_injector = [&](auto f) {
@@ -137,13 +138,13 @@ public:
         f(*injector);
     };
     options.on_down = [&](const ComponentDown& x) {
-      notes.add(x.component, faults::LifeNote::Kind::down, x.reason);
+      notes_.add(x.component, faults::LifeNote::Kind::down, x.reason);
       if (!x.will_restart)
-        notes.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
+        notes_.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
       with_injector([&](auto& y) { y.on_down(x.component); });
     };
     options.on_up = [&](const ComponentUp& x) {
-      notes.add(x.component, faults::LifeNote::Kind::up, {});
+      notes_.add(x.component, faults::LifeNote::Kind::up, {});
     };
     options.watched = faults::watched_by(plan);
     options.on_watched = [&](std::size_t filter, const ChangeEvent&) {
@@ -162,7 +163,7 @@ public:
     auto begin = Clock::now();
     if (!system.start()) {
       system.stop();
-      destruction.begin(destruction_limit, a_component_failed);
+      conclude(report, destruction);
       return;
     }
     faults::FaultSchedule schedule{plan, setup_.targets, run_.seed, setup_.duration};
@@ -189,7 +190,7 @@ public:
       using Seconds = std::chrono::duration<double>;
       progress_.update(
         Seconds{Clock::now() - since}.count(), Seconds{setup_.duration}.count(),
-        fmt::format("faults: {}, components down: {}", injector->records().size(), notes.down()));
+        fmt::format("faults: {}, components down: {}", injector->records().size(), notes_.down()));
     });
     if (work)
       work->begin();
@@ -206,7 +207,7 @@ public:
     if (work)
       run_.workload = look_at_work(*work, {});
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
-    look_at_outages(notes.all(), took);
+    look_at_outages(notes_.all(), took);
     look_at_components(system.summary());
     histories.end();
     show_step("stopping the system");
@@ -224,7 +225,7 @@ public:
     }
     look_at_histories(histories);
     look_at_resources(watch.stop());
-    destruction.begin(destruction_limit, a_component_failed);
+    conclude(report, destruction);
   }
 
 private:
@@ -257,9 +258,15 @@ private:
   /// Lets the system come to rest, and takes its state.
   std::vector<std::string> come_to_rest(System& system) {
     show_step("waiting until nothing changes any more");
-    auto reason = system.wait({60s, setup_.settle});
+    // What is down for longer than the bound is found to be so; nobody needs to wait for it.
+    auto at_first = std::min<std::chrono::milliseconds>(setup_.bound + setup_.settle, rest_limit);
+    auto reason = system.wait({at_first, setup_.settle});
+    if (reason == EndReason::time_over && notes_.down() == 0)
+      reason = system.wait({rest_limit - at_first, setup_.settle});
     if (reason == EndReason::time_over)
-      violation("rest", "the system did not come to rest within 60 s");
+      violation("rest", notes_.down() == 0
+                          ? "the system did not come to rest within " + faults::rounded(rest_limit)
+                          : "the system did not come to rest, since not everything is back");
     return state_of(system, setup_.question);
   }
 
@@ -292,6 +299,15 @@ private:
                                                 setup_.duration);
     result->prepare(architecture);
     return result;
+  }
+
+  /// Components that do not come back from their own code keep the system from being destroyed, and
+  /// then the process ends.
+  void conclude(const std::function<void()>& report, TimeLimit& destruction) {
+    if (signals_.count() > 0)
+      violation("interrupted", "the run did not come to its end");
+    report();
+    destruction.begin(destruction_limit, a_component_failed);
   }
 
   void look_at_survival(EndReason reason, const std::optional<std::pair<int, std::string>>& ended) {
@@ -407,6 +423,7 @@ private:
   const Signals& signals_;
   Progress& progress_;
   faults::ChaosRun& run_;
+  Notes notes_;
   std::mutex progress_mutex_;
   std::function<void()> faults_so_far_;
 };
@@ -426,11 +443,9 @@ FaultlessRun run_without_faults(const ChaosSetup& setup, std::uint64_t seed, con
 
 void run_with_faults(const ChaosSetup& setup, const faults::FaultPlan& plan,
                      const std::vector<std::string>& wanted, const Signals& signals,
-                     Progress& progress, faults::ChaosRun& run) {
-  Trial{setup, signals, progress, run}.with_faults(plan, wanted);
-  if (signals.count() > 0)
-    run.violations.push_back(
-      {"interrupted", "the run did not come to its end", {}, run.seed, run.command});
+                     Progress& progress, faults::ChaosRun& run,
+                     const std::function<void()>& report) {
+  Trial{setup, signals, progress, run}.with_faults(plan, wanted, report);
 }
 
 } // namespace castor::cli

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,8 +58,11 @@ FaultlessRun run_without_faults(const ChaosSetup& setup, std::uint64_t seed, con
 
 /// Adds what happened and what was found to `run`, which says already which run it is.
 /// @param wanted the entries that count, as they are without faults
+/// @param report is called when all is known and before the system is destroyed, which a component
+///   can block: then the process ends
 void run_with_faults(const ChaosSetup& setup, const faults::FaultPlan& plan,
                      const std::vector<std::string>& wanted, const Signals& signals,
-                     Progress& progress, faults::ChaosRun& run);
+                     Progress& progress, faults::ChaosRun& run,
+                     const std::function<void()>& report);
 
 } // namespace castor::cli

@@ -294,6 +294,18 @@ TEST_F(Chaos, AComponentWhoseStartIsBlockedForTooLongIsBackTooLate) {
                     HasSubstr("2 of 2 faults happened"), HasSubstr("outages: 1 back")));
 }
 
+TEST_F(Chaos, WritesItsReportBeforeItLeavesAComponentThatDoesNotComeBackFromItsStart) {
+  auto answer = ask(arguments(system("CPP UM clock Clock --shutdown 1s\n"),
+                              "at 100ms block start of clock\nat 200ms crash clock\n", "1s",
+                              {"--bound", "300ms", "--settle", "300ms"}));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output,
+              AllOf(HasSubstr("VIOLATED   back or given up in time"),
+                    HasSubstr("the system did not come to rest, since not everything is back")));
+  EXPECT_THAT(answer.errors, HasSubstr("did not come back: a.clock in start()"));
+  EXPECT_THAT(values(report_as_json()["violations"], "check"), Contains("back or given up in time"));
+}
+
 TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   auto file =
     write("journaled.cast",

@@ -71,7 +71,7 @@ castor_mutant(waits_outlive_clients wm/lease_table.cpp
   TO "")
 
 castor_mutant(leases_never_expire wm/lease_table.cpp
-  FROM "if (row->second.holding->lease.expires > now)
+  FROM "if (expires > now)
       break;"
   TO "break;")
 
@@ -175,7 +175,7 @@ castor_node_mutant(stale_tokens_are_good wm/lease_table.cpp
   TO "return true ? Verdict::permitted")
 
 castor_node_mutant(leases_never_expire wm/lease_table.cpp
-  FROM "if (row->second.holding->lease.expires > now)
+  FROM "if (expires > now)
       break;"
   TO "break;")
 
