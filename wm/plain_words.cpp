@@ -40,7 +40,8 @@ std::string plain_words(const std::exception& x) {
     return of_json(*json);
   if (auto* stream = dynamic_cast<const std::ios_base::failure*>(&x))
     return "a file cannot be read or written: " + stream->code().message();
-  return x.what();
+  auto* what = x.what();
+  return what ? what : "an exception that does not say what it is";
 }
 
 } // namespace castor

@@ -57,7 +57,7 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   auto best = nearest(word, candidates);
-  return best.empty() ? std::string{} : "did you mean " + in_quotes(best) + "?";
+  return best.empty() || best == word ? std::string{} : "did you mean " + in_quotes(best) + "?";
 }
 
 } // namespace castor::cast

@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/shell.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -241,7 +242,7 @@ void Calls::answer(const Address& call_at, const Call& call, const Handler& hand
   } catch (const std::exception& e) {
     progress.state = CallState::failed;
     progress.reply = {};
-    progress.error = e.what();
+    progress.error = plain_words(e);
     // Operators can delete it.
     if (component_.exists(progress_of(call_at)))
       component_.overwrite(progress_of(call_at), progress);

@@ -40,6 +40,14 @@ private:
   std::uint64_t id_;
 };
 
+/// For what any thread may ask.
+ComponentShell& attached(ComponentShell* shell) {
+  if (!shell)
+    throw std::logic_error("a component can do nothing before configure(): its constructor only "
+                           "declares options");
+  return *shell;
+}
+
 } // namespace
 
 // -- Component
@@ -48,10 +56,12 @@ Component::Component() = default;
 Component::~Component() = default;
 
 ComponentShell& Component::shell() const {
-  if (!shell_)
-    throw std::logic_error("a component can do nothing before configure(): its constructor only "
-                           "declares options");
-  return *shell_;
+  auto& result = attached(shell_);
+  if (!result.is_own_thread())
+    throw std::logic_error(result.identity().full_name() +
+                           " was used by another thread than its own. Let that thread put what it "
+                           "has into a queue of yours, and run() take it from there");
+  return result;
 }
 
 void Component::attach(ComponentShell* shell) {
@@ -61,7 +71,7 @@ void Component::attach(ComponentShell* shell) {
 }
 
 const std::string& Component::component_name() const {
-  return shell().identity().name;
+  return attached(shell_).identity().name;
 }
 
 bool Component::is_running() {
@@ -73,7 +83,7 @@ bool Component::sleep_for(std::chrono::nanoseconds duration) {
 }
 
 Timestamp Component::now() const {
-  return shell().now();
+  return attached(shell_).now();
 }
 
 void Component::end_component() {

@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/component/shell.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <fmt/core.h>
 
@@ -97,7 +98,7 @@ void Connections::work_off_pull(caf::mailbox_element& x, const PullRequest& requ
       record(false, *outcome);
     } catch (const std::exception& e) {
       // Who pulls must learn of it too.
-      outcome = Failure{FailureKind::no_answer, e.what(), {self, {}}};
+      outcome = Failure{FailureKind::no_answer, plain_words(e), {self, {}}};
       shell_.respond(x, caf::make_message(std::move(outcome)));
       throw;
     }

@@ -1,6 +1,7 @@
 #include "castor/actors/component/shell.hpp"
 
 #include "castor/actors/cast/description.hpp"
+#include "castor/actors/cast/text.hpp"
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/running_components.hpp"
 #include "castor/actors/task_manager/task_manager.hpp"
@@ -22,6 +23,9 @@ namespace castor {
 namespace {
 
 using Clock = PumpedActor::Clock;
+
+/// Bytes of what an exception says. More helps nobody, and it is logged, sent and shown again and again.
+constexpr std::size_t longest_failure = 4000;
 
 /// Far enough, and safe to subtract from.
 Clock::time_point never() {
@@ -77,6 +81,7 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
 
 void ComponentShell::act() {
   context(unit_);
+  thread_ = std::this_thread::get_id();
   record_->thread_begins();
   CrashWatch watch{crash_note_};
   RunningComponent running{*record_};
@@ -215,7 +220,7 @@ void ComponentShell::phase_done(Phase phase, std::string failure) {
 }
 
 void ComponentShell::fail(const std::string& what) {
-  auto report = "failed in " + doing_ + ": " + what;
+  auto report = "failed in " + doing_ + ": " + cast::shorten(what, longest_failure);
   // Whose configuration is wrong in the first life is named by who started the system.
   bool is_refused = in_configure_ && identity().incarnation == 1;
   note(is_refused ? LogLevel::debug : LogLevel::error, identity().full_name(), report);

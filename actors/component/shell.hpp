@@ -22,6 +22,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -49,6 +50,9 @@ public:
   ComponentShell(caf::actor_config& config, ShellParts parts);
 
   const char* name() const override { return "component"; }
+
+  /// Whether the calling thread is the one that runs the component.
+  bool is_own_thread() const { return std::this_thread::get_id() == thread_; }
 
   // -- for the component, on its own thread
 
@@ -249,6 +253,7 @@ private:
   std::shared_ptr<ComponentRecord> record_;
   std::shared_ptr<ComponentServices> services_;
   CallerRuns* unit_;
+  std::thread::id thread_;
   NeighboursPtr neighbours_;
   /// Null for a component outside the subarchitectures.
   WorkingMemoryActor working_memory_;

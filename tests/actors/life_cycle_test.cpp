@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -96,6 +98,55 @@ TEST_F(LifeCycle, AFailureInStartEndsThatComponentOnly) {
   EXPECT_EQ(run(system), 7);
   EXPECT_TRUE(other_ran);
   EXPECT_EQ(system.summary().components.at(1).failure, "failed in start(): no eyes");
+}
+
+/// Says nothing, as what() may not.
+class Silent : public std::exception {
+public:
+  const char* what() const noexcept override { return nullptr; }
+};
+
+TEST_F(LifeCycle, AnExceptionThatSaysNothingIsAFailureLikeAnyOther) {
+  UnmanagedScript::scripts()["bad"].run = [](auto&) { throw Silent{}; };
+  System system{architecture(subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\n")};
+  ASSERT_TRUE(system.start());
+  auto bad = [&] { return system.summary().components.at(1); };
+  ASSERT_TRUE(eventually([&] { return bad().state == ComponentState::failed; }));
+  EXPECT_EQ(bad().failure, "failed in run(): an exception that does not say what it is");
+  system.stop();
+}
+
+TEST_F(LifeCycle, WhatAnExceptionSaysAtGreatLengthIsShortened) {
+  UnmanagedScript::scripts()["bad"].run = [](auto&) {
+    throw std::runtime_error("begin " + std::string(1'000'000, 'x'));
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM bad Unmanaged --restart temporary\n")};
+  ASSERT_TRUE(system.start());
+  auto bad = [&] { return system.summary().components.at(1); };
+  ASSERT_TRUE(eventually([&] { return bad().state == ComponentState::failed; }));
+  EXPECT_EQ(bad().failure.find("failed in run(): begin xxx"), 0u);
+  EXPECT_LT(bad().failure.size(), 5000u);
+  system.stop();
+}
+
+TEST_F(LifeCycle, AnotherThreadMayNotUseAComponentAndIsToldSo) {
+  std::string name;
+  std::string refusal;
+  UnmanagedScript::scripts()["threaded"].run = [&](auto& self) {
+    std::thread{[&] {
+      name = self.component_name();
+      try {
+        self.add(Note{1, "x"});
+      } catch (const std::logic_error& e) {
+        refusal = e.what();
+      }
+    }}.join();
+    self.end_system(0, "done");
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM threaded Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_EQ(name, "threaded");
+  EXPECT_EQ(refusal.find("a.threaded was used by another thread than its own"), 0u) << refusal;
 }
 
 TEST_F(LifeCycle, AFailureInConfigureIsReportedAndNothingStarts) {

@@ -297,7 +297,7 @@ TEST_F(Chaos, AComponentWhoseStartIsBlockedForTooLongIsBackTooLate) {
 TEST_F(Chaos, WritesItsReportBeforeItLeavesAComponentThatDoesNotComeBackFromItsStart) {
   auto answer = ask(arguments(system("CPP UM clock Clock --shutdown 1s\n"),
                               "at 100ms block start of clock\nat 200ms crash clock\n", "1s",
-                              {"--bound", "300ms", "--settle", "300ms"}));
+                              {"--bound", "300ms"}));
   EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
   EXPECT_THAT(answer.output,
               AllOf(HasSubstr("VIOLATED   back or given up in time"),

@@ -202,7 +202,7 @@ TEST_F(ProgressOfStart, NamesTheNodesThatAreWaitedFor) {
   EXPECT_TRUE(terminal.wait_for("waiting for nodes: arm"));
   EXPECT_EQ(terminal.wait(), 2);
   for (auto& line : screen(terminal.written()))
-    EXPECT_THAT(line, Not(StartsWith("starting  ")));
+    EXPECT_THAT(line, Not(StartsWith("starting  "))) << testing::PrintToString(terminal.written());
 }
 
 /// What is shown of a run of `castor chaos`.

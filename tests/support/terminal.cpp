@@ -10,13 +10,19 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace castor::test {
+
+namespace {
+
+/// Of no meaning to terminals, and nobody else writes it.
+constexpr char end_mark = '\x05';
+
+} // namespace
 
 std::vector<std::string> screen(const std::string& written) {
   std::vector<std::string> lines(1);
@@ -102,10 +108,16 @@ int Terminal::wait() {
     // Once more.
   }
   pid_ = -1;
-  // What the terminal still holds is read before anybody asks for it.
-  int held = 1;
-  while (ioctl(master_, FIONREAD, &held) == 0 && held > 0)
-    std::this_thread::yield();
+  // What the process wrote last may still be on its way through the terminal: this comes behind it.
+  if (write(slave_, &end_mark, 1) == 1) {
+    std::unique_lock guard{mutex_};
+    changed_.wait_for(guard, std::chrono::seconds{5}, [&] {
+      auto mark = written_.find(end_mark);
+      if (mark != written_.npos)
+        written_.erase(mark, 1);
+      return mark != written_.npos;
+    });
+  }
   return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
@@ -122,15 +134,12 @@ std::string Terminal::written() {
 void Terminal::gather() {
   std::array<char, 4096> buffer{};
   for (;;) {
-    // Under the mutex, so that who asks after `wait` gets what was read.
-    pollfd readable{master_, POLLIN, 0};
-    poll(&readable, 1, -1);
-    std::lock_guard guard{mutex_};
     auto n = read(master_, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR)
       continue;
     if (n <= 0)
       return;
+    std::lock_guard guard{mutex_};
     written_.append(buffer.data(), static_cast<std::size_t>(n));
     changed_.notify_all();
   }
