@@ -101,6 +101,10 @@ Database::Database(const std::filesystem::path& file, Access access, const std::
   check(opened, code);
   sqlite3_extended_result_codes(opened, 1);
   sqlite3_busy_timeout(opened, patience_ms);
+  // The file may come from somewhere else: what its schema says is to happen does not.
+  for (int feature : {SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW,
+                      SQLITE_DBCONFIG_TRUSTED_SCHEMA})
+    check(opened, sqlite3_db_config(opened, feature, 0, static_cast<int*>(nullptr)));
 }
 
 void Database::run(const char* statements) {

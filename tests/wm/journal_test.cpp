@@ -346,6 +346,21 @@ TEST_F(Journal, IsRefusedIfRowsAreMissingOfWhichNoOtherTells) {
     }
 }
 
+TEST_F(Journal, DoesNothingThatWasAddedToItsSchema) {
+  write_some();
+  sqlite::Database{options.file, sqlite::Access::write}.run(
+    "CREATE TRIGGER swallow BEFORE INSERT ON log BEGIN SELECT RAISE(IGNORE); END");
+  auto write = [&] {
+    JournaledStore store{options};
+    store.set(0, 1);
+    store.sync();
+    store.file().close();
+    return store.picture();
+  };
+  auto written = write();
+  EXPECT_EQ(JournaledStore{options}.picture(), written);
+}
+
 TEST_F(Journal, IsMovedAsideIfItIsDamagedAndTheWorkingMemoryIsToGoOn) {
   write_some();
   options.go_on_without = true;
