@@ -15,6 +15,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -25,6 +26,8 @@ int main(int argc, char** argv) {
   using namespace castor;
   cli::open_standard_descriptors();
   cli::end_with_output();
+  // A file that may not grow any further is an error of whoever writes it, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{
     "Castor runs information-processing architectures for robots: components that meet on "
     "shared working memories, as a .cast file describes them."};

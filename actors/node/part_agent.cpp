@@ -94,7 +94,9 @@ void report_end(Self self, const caf::down_msg& x) {
         record->is_orphaned() ? ComponentEnded::How::orphaned : ComponentEnded::How::failed;
   } else if (x.reason && x.reason != caf::exit_reason::user_shutdown) {
     ended.how = ComponentEnded::How::failed;
-    ended.failure = self->system().render(x.reason);
+    auto& said = x.reason.context();
+    ended.failure = said.match_elements<std::string>() ? said.get_as<std::string>(0)
+                                                       : self->system().render(x.reason);
   }
   caf::anon_send(state.supervisor, std::move(ended));
 }

@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Systems whose working memory keeps a journal.
 class JournalCommand : public Castor {
@@ -46,6 +47,16 @@ protected:
     return result;
   }
 };
+
+TEST_F(JournalCommand, AJournalThatMayNotGrowAnyFurtherIsAnErrorThatIsReported) {
+  auto file = journaled("CPP UM clock Clock --count 1000000\n");
+  auto castor = command({"run", file, "--for", "20s"});
+  castor.insert(castor.begin(), {"sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\""});
+  Process shell{castor};
+  EXPECT_EQ(shell.wait(), 1) << shell.errors();
+  EXPECT_THAT(shell.errors(), HasSubstr("journals/a.castor-journal of a cannot be written"));
+  EXPECT_THAT(shell.errors(), Not(HasSubstr("runtime_error")));
+}
 
 TEST_F(JournalCommand, EntriesOutliveTheSystemAndIdsAreNotUsedAgain) {
   auto file = journaled("CPP UM clock Clock --status 0\n", "batched");
