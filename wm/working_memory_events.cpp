@@ -221,6 +221,9 @@ void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
 
 caf::result<Outcome<Acknowledged>> subscribe(Self self, const Subscribe& request) {
   auto& state = self->state;
+  if (!self->current_sender())
+    return Outcome<Acknowledged>{
+      Failure{FailureKind::no_answer, "there is nobody to be told of changes", {}}};
   auto filter = request.filter;
   if (!filter.subarchitecture)
     filter.subarchitecture = state.options.subarchitecture;

@@ -167,6 +167,9 @@ void set_alarm(Self self) {
 
 void remember_client(Self self, const ClientPtr& client) {
   auto& sender = self->current_sender();
+  // Is lost already, or is nobody that a peer made up; its leases last as long as any.
+  if (!sender)
+    return;
   auto [i, is_new] =
     self->state.clients.try_emplace(caf::actor_cast<caf::actor_addr>(sender), client);
   if (is_new)

@@ -29,6 +29,10 @@ enum class Subject : std::uint8_t {
   types,
 };
 
+constexpr Subject last_of(Subject) {
+  return Subject::types;
+}
+
 const char* name_of_type(const caf::type_erased_tuple& message) {
   auto* type = message.size() == 1 ? message.type(0).second : nullptr;
   return type ? type->name() : "one of the framework's own";
@@ -100,6 +104,15 @@ Failure too_large_for_link(const caf::type_erased_tuple& x, std::size_t size, st
 /// Answers a request to an actor that has ended; any other message needs no answer.
 void receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id) {
   caf::detail::sync_request_bouncer{caf::make_error(caf::sec::request_receiver_down)}(sender, id);
+}
+
+/// CAF takes it for granted that a message has the content of a stream if its id says so, which
+/// nobody here sends.
+caf::message_id take_message_id(WireReader& in) {
+  const caf::message_id result{in.take<std::uint64_t>()};
+  if (result.is_stream_message())
+    throw DecodeError("a message of a stream");
+  return result;
 }
 
 } // namespace
@@ -440,7 +453,7 @@ void Mesh::drop_too_large(WireReader& in, std::uint64_t size, caf::execution_uni
     return;
   auto sender = in.take<caf::strong_actor_ptr>();
   auto receiver = actor_of(make_actor_name(self_, in.take<std::uint32_t>()));
-  caf::message_id id{in.take<std::uint64_t>()};
+  auto id = take_message_id(in);
   auto error = caf::make_error(caf::sec::runtime_error, why);
   if (id.is_request() && sender) {
     sender->enqueue(nullptr, id.response_id(), caf::make_message(std::move(error)), context);
@@ -463,7 +476,7 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
     case Subject::error: {
       auto sender = in.take<caf::strong_actor_ptr>();
       auto number = in.take<std::uint32_t>();
-      caf::message_id id{in.take<std::uint64_t>()};
+      auto id = take_message_id(in);
       auto content =
         subject == Subject::message
           ? table_.read(in)
@@ -506,7 +519,6 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
         introduce(decode_descriptor(in.take_bytes()));
       return;
   }
-  throw DecodeError("a message about an unknown subject");
 }
 
 } // namespace castor

@@ -54,6 +54,18 @@ private:
   std::size_t size_;
 };
 
+/// A pointer that may be null. Any other has to lead to something, so that whoever gets a message
+/// need not ask.
+template <class P>
+struct Nullable {
+  P& pointer;
+};
+
+template <class P>
+Nullable<P> nullable(P& pointer) {
+  return {pointer};
+}
+
 class WireWriter {
 public:
   static constexpr bool writes = true;
@@ -94,9 +106,14 @@ public:
 
   template <class T>
   void put(const std::shared_ptr<const T>& x) {
-    put(x != nullptr);
-    if (x)
-      put(*x);
+    put(*x);
+  }
+
+  template <class P>
+  void put(const Nullable<P>& x) {
+    put(x.pointer != nullptr);
+    if (x.pointer)
+      put(x.pointer);
   }
 
   template <class T>
@@ -162,7 +179,7 @@ public:
     : names_(names), decoder_(head), contents_(std::move(contents)) {}
 
   template <class... Ts>
-  void operator()(Ts&... xs) {
+  void operator()(Ts&&... xs) {
     (get(xs), ...);
   }
 
@@ -191,7 +208,15 @@ public:
 
   template <class T>
   void get(std::shared_ptr<const T>& x) {
-    x = take<bool>() ? std::make_shared<const T>(take<T>()) : nullptr;
+    x = std::make_shared<const T>(take<T>());
+  }
+
+  template <class P>
+  void get(Nullable<P>& x) {
+    if (take<bool>())
+      get(x.pointer);
+    else
+      x.pointer = nullptr;
   }
 
   template <class T>
@@ -254,6 +279,10 @@ private:
 ///     void wire(A& a, WirePart<A, Address>& x) {
 ///       a(x.subarchitecture, x.id);
 ///     }
+///
+/// Of an enumeration, whose enumerators are numbered from 0 on, they say which is the last one:
+///
+///     constexpr LockLevel last_of(LockLevel) { return LockLevel::odr; }
 template <class A, class T>
 using WirePart = std::conditional_t<A::writes, const T, T>;
 
@@ -279,7 +308,11 @@ void WireWriter::put(const T& x) {
 
 template <class T>
 void WireReader::get(T& x) {
-  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+  if constexpr (std::is_enum_v<T>) {
+    decoder_.get(x);
+    if (x < T{} || x > last_of(T{}))
+      throw DecodeError("a number that stands for nothing");
+  } else if constexpr (std::is_arithmetic_v<T>)
     decoder_.get(x);
   else if constexpr (detail::is_duration<T>)
     x = T{take<typename T::rep>()};

@@ -8,6 +8,38 @@
 /// format: processes of one system must be of one version, which they tell each other first.
 namespace castor {
 
+// -- the last enumerators
+
+constexpr Operation last_of(Operation) {
+  return Operation::remove;
+}
+constexpr FailureKind last_of(FailureKind) {
+  return FailureKind::call_failed;
+}
+constexpr LockLevel last_of(LockLevel) {
+  return LockLevel::odr;
+}
+constexpr WaitEdge::Kind last_of(WaitEdge::Kind) {
+  return WaitEdge::Kind::owner;
+}
+constexpr EventStream last_of(EventStream) {
+  return EventStream::runtime;
+}
+constexpr JournalMode last_of(JournalMode) {
+  return JournalMode::batched;
+}
+constexpr Phase last_of(Phase) {
+  return Phase::run;
+}
+constexpr TaskDecision last_of(TaskDecision) {
+  return TaskDecision::waiting;
+}
+constexpr TaskOutcome last_of(TaskOutcome) {
+  return TaskOutcome::incomplete;
+}
+
+// -- what all of them speak of
+
 template <class A>
 void wire(A& a, WirePart<A, Address>& x) {
   a(x.subarchitecture, x.id);
@@ -51,6 +83,9 @@ void wire(A& a, WirePart<A, Entry>& x) {
 template <class A>
 void wire(A& a, WirePart<A, WriteRequest>& x) {
   a(x.operation, x.address, x.value, x.last_seen, x.client, x.token, x.life, x.expected);
+  if constexpr (!A::writes)
+    if (x.operation != Operation::remove && !x.value.has_value())
+      throw DecodeError("a write of nothing");
 }
 
 template <class A>
@@ -60,7 +95,7 @@ void wire(A& a, WirePart<A, BatchRequest>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, Patience>& x) {
-  a(x.client, x.number, x.at_most);
+  a(nullable(x.client), x.number, x.at_most);
 }
 
 template <class A>
@@ -93,6 +128,9 @@ void wire(A& a, WirePart<A, VersionQuery>& x) {
 template <class A>
 void wire(A& a, WirePart<A, LockRequest>& x) {
   a(x.address, x.level, x.patience);
+  if constexpr (!A::writes)
+    if (!x.patience.client)
+      throw DecodeError("a lock that nobody asks for");
 }
 
 template <class A>
@@ -132,7 +170,7 @@ void wire(A& a, WirePart<A, LockQuery>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, LockStatus>& x) {
-  a(x.level, x.holder, x.waiting);
+  a(x.level, nullable(x.holder), x.waiting);
 }
 
 template <class A>

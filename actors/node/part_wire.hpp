@@ -7,6 +7,45 @@
 /// The wire form of what a coordinator and the parts of its system say to each other.
 namespace castor {
 
+namespace cast {
+
+constexpr Severity last_of(Severity) {
+  return Severity::note;
+}
+
+} // namespace cast
+
+constexpr ComponentKind last_of(ComponentKind) {
+  return ComponentKind::standalone;
+}
+constexpr Language last_of(Language) {
+  return Language::python;
+}
+constexpr RestartStrategy last_of(RestartStrategy) {
+  return RestartStrategy::rest_for_one;
+}
+constexpr ComponentState last_of(ComponentState) {
+  return ComponentState::failed;
+}
+constexpr ComponentEnded::How last_of(ComponentEnded::How) {
+  return ComponentEnded::How::orphaned;
+}
+constexpr ComponentFault::Kind last_of(ComponentFault::Kind) {
+  return ComponentFault::Kind::slowness;
+}
+constexpr JournalFault::Kind last_of(JournalFault::Kind) {
+  return JournalFault::Kind::slowness;
+}
+constexpr LinkFault::Kind last_of(LinkFault::Kind) {
+  return LinkFault::Kind::loss;
+}
+constexpr LinkState last_of(LinkState) {
+  return LinkState::lost;
+}
+constexpr TaskStep last_of(TaskStep) {
+  return TaskStep::completed;
+}
+
 /// Includes are not told of: a place is a file and a line.
 template <class A>
 void wire(A& a, WirePart<A, SourceLocation>& x) {

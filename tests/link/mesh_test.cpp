@@ -18,7 +18,9 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace castor {
 
@@ -297,6 +299,62 @@ TEST_F(TwoProcesses, WhatItsWorkingMemoryDoesNotTakeIsNotSent) {
   EXPECT_EQ(*add("y", {"", Bytes(500)}), 0u);
   // It has not reached the other process.
   EXPECT_LT(run.mesh->links().at(0).bytes_out, 2000u);
+}
+
+TEST_F(TwoProcesses, DamagedMessagesAreRefusedOrUnderstoodAndHarmNoActor) {
+  ASSERT_EQ(*add("x", {"label", Bytes(20)}), 0u);
+  WriteRequest write;
+  write.address = {"vision", "y"};
+  write.value = Value::of(Box{"other", Bytes(10)});
+  write.client = client;
+  Subscribe subscription;
+  subscription.id = 1;
+  auto requests = {
+    caf::make_message(write),
+    caf::make_message(BatchRequest{"vision", {write, write}}),
+    caf::make_message(ReadRequest{{"vision", "x"}, {client, ++number, 1s}}),
+    caf::make_message(QueryRequest{}),
+    caf::make_message(subscription),
+    caf::make_message(StatusQuery{}),
+  };
+  std::vector<IncomingMessage> sound;
+  for (auto& x : requests)
+    // Asynchronous, as a request, and as an answer.
+    for (std::uint64_t id : {0x1000000000000000u, 0x1000000000000007u, 0x9000000000000007u}) {
+      WireWriter out{*run.mesh};
+      // As LinkPort::send begins a message for an actor.
+      out(std::uint8_t{0}, run.mesh->name_of(caf::actor_cast<caf::strong_actor_ptr>(self)),
+          static_cast<std::uint32_t>(WellKnownActor::agent), id);
+      ASSERT_TRUE(table().write(x.content(), out));
+      IncomingMessage message{out.take_head(), {}};
+      for (auto& value : out.take_contents())
+        message.contents.push_back(value.bytes());
+      sound.push_back(std::move(message));
+    }
+  std::mt19937 random{1};
+  auto up_to = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>{0, n}(random);
+  };
+  std::size_t refused = 0;
+  constexpr std::size_t count = 20'000;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto message = sound[up_to(sound.size() - 1)];
+    // But for what it is: an actor may be ended from afar.
+    for (auto changes = up_to(2) + 1; changes > 0; --changes)
+      message.head[1 + up_to(message.head.size() - 2)] = static_cast<std::uint8_t>(up_to(255));
+    try {
+      robot.mesh->receive(0, std::move(message), nullptr);
+    } catch (const DecodeError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, count / 10);
+  EXPECT_LT(refused, count);
+  // Answers to what was asked in its name may have come to the tester.
+  caf::scoped_actor neighbour{robot.system};
+  neighbour->request(wm, 10s, ReadRequest{{"vision", "x"}, {client, ++number, 1s}})
+    .receive([](const Outcome<EntryPtr>& x) { EXPECT_EQ((*x)->address.id, "x"); },
+             [&](const caf::error& e) { ADD_FAILURE() << robot.system.render(e); });
 }
 
 TEST_F(TwoProcesses, SilenceIsNoticedAndOvercome) {
