@@ -44,7 +44,7 @@ constexpr std::chrono::seconds rest_limit{60};
 /// What has been noticed of components, by one thread while another looks.
 class Notes {
 public:
-    void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
+  void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
     std::lock_guard guard{mutex_};
     notes_.push_back({now(), who, kind, reason});
     if (kind == faults::LifeNote::Kind::up)

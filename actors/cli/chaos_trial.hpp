@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-/// What `castor chaos` does once or for many seeds: to start a system, to let it run under faults or
-/// without, and to look into what it did.
+/// What `castor chaos` does once or for many seeds: to start a system, to let it run under faults
+/// or without, and to look into what it did.
 namespace castor::cli {
 
 class Progress;

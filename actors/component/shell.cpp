@@ -24,7 +24,8 @@ namespace {
 
 using Clock = PumpedActor::Clock;
 
-/// Bytes of what an exception says. More helps nobody, and it is logged, sent and shown again and again.
+/// Bytes of what an exception says. More helps nobody, and it is logged, sent and shown again and
+/// again.
 constexpr std::size_t longest_failure = 4000;
 
 /// Far enough, and safe to subtract from.

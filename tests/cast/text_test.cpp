@@ -88,7 +88,8 @@ TEST(Suggestions, TakeTheNearestCandidate) {
 TEST(Suggestions, AreQuestions) {
   EXPECT_EQ(did_you_mean("HOTS", {"HOST"}), "did you mean 'HOST'?");
   EXPECT_EQ(did_you_mean("other", {"HOST"}), "");
-  EXPECT_EQ(did_you_mean("HOST", {"HOST", "HOTS"}), "") << "it is there, and cannot be what was meant";
+  EXPECT_EQ(did_you_mean("HOST", {"HOST", "HOTS"}), "")
+    << "it is there, and cannot be what was meant";
 }
 
 TEST(Paths, HaveDirectories) {

@@ -303,7 +303,8 @@ TEST_F(Chaos, WritesItsReportBeforeItLeavesAComponentThatDoesNotComeBackFromItsS
               AllOf(HasSubstr("VIOLATED   back or given up in time"),
                     HasSubstr("the system did not come to rest, since not everything is back")));
   EXPECT_THAT(answer.errors, HasSubstr("did not come back: a.clock in start()"));
-  EXPECT_THAT(values(report_as_json()["violations"], "check"), Contains("back or given up in time"));
+  EXPECT_THAT(values(report_as_json()["violations"], "check"),
+              Contains("back or given up in time"));
 }
 
 TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {

@@ -1,10 +1,10 @@
 // Damages the file of a sound journal, and reads and opens what that makes: the input is a list of
 // patches.
 
+#include "castor/tests/support/fuzzing.hpp"
 #include "castor/wm/entry_store.hpp"
 #include "castor/wm/journal.hpp"
 #include "castor/wm/journal_reader.hpp"
-#include "castor/tests/support/fuzzing.hpp"
 
 #include <unistd.h>
 

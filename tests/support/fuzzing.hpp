@@ -9,13 +9,15 @@
 
 namespace castor::test {
 
-/// Ends the process, as a fuzzer expects it, unless the condition holds. Other than assert, in every build.
+/// Ends the process, as a fuzzer expects it, unless the condition holds. Other than assert, in
+/// every build.
 inline void require(bool condition) {
   if (!condition)
     std::abort();
 }
 
-/// Nothing outside of the input is read, and the limits are small enough to be reached by small inputs.
+/// Nothing outside of the input is read, and the limits are small enough to be reached by small
+/// inputs.
 inline cast::ParseOptions hermetic_options() {
   cast::ParseOptions options;
   options.load = [](const std::string&, std::size_t) -> cast::FileContent {
