@@ -11,6 +11,10 @@
 namespace castor {
 
 std::vector<caf::actor> Memberships::end() {
+  {
+    std::lock_guard guard{mutex_};
+    has_ended_ = true;
+  }
   std::vector<caf::actor> result;
   for (auto& name : systems())
     for (auto& link : leave(name, parts_.name + " ends"))
@@ -32,6 +36,8 @@ std::variant<caf::actor, Refusal> Memberships::route(const Hello& x) {
   std::lock_guard guard{mutex_};
   auto i = memberships_.find(x.system);
   if (i == memberships_.end()) {
+    if (has_ended_)
+      return Refusal{"it ends", false};
     if (x.known != 0)
       return Refusal{"it was started again and takes no part in the system any more", true};
     if (x.process != 0)

@@ -56,7 +56,7 @@ public:
 
   std::vector<std::string> systems() const;
 
-  /// Leaves all systems; the links that end thereby.
+  /// Leaves all systems, and enters no other; the links that end thereby.
   std::vector<caf::actor> end();
 
 private:
@@ -83,6 +83,7 @@ private:
   caf::actor_system& system_;
   const MembershipParts parts_;
   mutable std::mutex mutex_;
+  bool has_ended_ = false;
   std::mutex telling_;
   std::map<std::string, Membership> memberships_;
 };

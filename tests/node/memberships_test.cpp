@@ -129,6 +129,13 @@ TEST_F(MembershipsTest, WhatIsLeftOfAnEarlierTimeInTheSystemDoesNotTouchThatOfNo
   EXPECT_THAT(node->systems(), SizeIs(0));
 }
 
+TEST_F(MembershipsTest, WhoeverComesWhenItHasEndedIsRefused) {
+  node->end();
+  EXPECT_FALSE(is_taken(coordinator(3)));
+  EXPECT_FALSE(is_refused_for_good(coordinator(3)));
+  EXPECT_THAT(node->systems(), testing::IsEmpty());
+}
+
 TEST_F(MembershipsTest, OnlyTheCoordinatorIsLostForItsSilence) {
   EXPECT_EQ(links[0].options.patience, LinkOptions{}.patience);
   EXPECT_GT(links[1].options.patience, std::chrono::hours{24});
