@@ -38,6 +38,16 @@ TEST(HybridLogic, OfEndlessNestingIsRefused) {
   EXPECT_THROW(parse_logical_form(text), HybridLogicError);
 }
 
+TEST(HybridLogic, SaysWhatIsWrongAlsoOfNamesWithZeroBytes) {
+  using namespace std::string_literals;
+  try {
+    parse_logical_form("@\0y:thing(a ^ <Of>(\0y:person ^ b))"s);
+    FAIL() << "it was understood";
+  } catch (const HybridLogicError& e) {
+    EXPECT_STREQ(e.what(), "\\x00y is of the sort thing already");
+  }
+}
+
 TEST(HybridLogic, MeansTheSameUnderOtherNames) {
   const auto form = parse_logical_form("@a:thing(ball ^ <A>x ^ <B>y ^ <R>(b) ^ <S>(b:box))");
   EXPECT_TRUE(
