@@ -44,6 +44,8 @@ constexpr std::chrono::seconds rest_limit{60};
 /// What has been noticed of components, by one thread while another looks.
 class Notes {
 public:
+  explicit Notes(Clock::time_point begin) : begin_(begin) {}
+
   void add(const std::string& who, faults::LifeNote::Kind kind, const std::string& reason) {
     std::lock_guard guard{mutex_};
     notes_.push_back({now(), who, kind, reason});
@@ -67,7 +69,7 @@ public:
 private:
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
 
-  const Clock::time_point begin_ = Clock::now();
+  const Clock::time_point begin_;
   mutable std::mutex mutex_;
   std::vector<faults::LifeNote> notes_;
   std::set<std::string> down_;
@@ -104,7 +106,7 @@ public:
       if (work)
         work->finish_actions();
       result.activity = meter.by_component();
-      result.state = come_to_rest(system);
+      result.state = come_to_rest(system, [] { return false; });
       if (work)
         look_at_work(*work, " without faults");
     }
@@ -130,6 +132,7 @@ public:
     for (auto& x : setup_.targets.components)
       if (x.isolated)
         hosts[x.name] = isolated_host(x.name);
+    Notes notes{Clock::now()};
     std::unique_ptr<faults::Injector> injector;
     std::mutex mutex;
     auto with_injector = [&](auto f) {
@@ -138,13 +141,13 @@ public:
         f(*injector);
     };
     options.on_down = [&](const ComponentDown& x) {
-      notes_.add(x.component, faults::LifeNote::Kind::down, x.reason);
+      notes.add(x.component, faults::LifeNote::Kind::down, x.reason);
       if (!x.will_restart)
-        notes_.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
+        notes.add(x.component, faults::LifeNote::Kind::escalated, x.reason);
       with_injector([&](auto& y) { y.on_down(x.component); });
     };
     options.on_up = [&](const ComponentUp& x) {
-      notes_.add(x.component, faults::LifeNote::Kind::up, {});
+      notes.add(x.component, faults::LifeNote::Kind::up, {});
     };
     options.watched = faults::watched_by(plan);
     options.on_watched = [&](std::size_t filter, const ChangeEvent&) {
@@ -190,7 +193,7 @@ public:
       using Seconds = std::chrono::duration<double>;
       progress_.update(
         Seconds{Clock::now() - since}.count(), Seconds{setup_.duration}.count(),
-        fmt::format("faults: {}, components down: {}", injector->records().size(), notes_.down()));
+        fmt::format("faults: {}, components down: {}", injector->records().size(), notes.down()));
     });
     if (work)
       work->begin();
@@ -203,11 +206,11 @@ public:
       work->finish_actions();
     look_at_survival(reason, system.ended());
     if (reason == EndReason::time_over)
-      compare(wanted, come_to_rest(system));
+      compare(wanted, come_to_rest(system, [&] { return notes.down() > 0; }));
     if (work)
       run_.workload = look_at_work(*work, {});
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
-    look_at_outages(notes_.all(), took);
+    look_at_outages(notes.all(), took);
     look_at_components(system.summary());
     histories.end();
     show_step("stopping the system");
@@ -256,17 +259,18 @@ private:
   void show_step(const std::string& what) { progress_.update(0, {}, what); }
 
   /// Lets the system come to rest, and takes its state.
-  std::vector<std::string> come_to_rest(System& system) {
+  std::vector<std::string> come_to_rest(System& system, const std::function<bool()>& is_any_down) {
     show_step("waiting until nothing changes any more");
     // What is down for longer than the bound is found to be so; nobody needs to wait for it.
     auto at_first = std::min<std::chrono::milliseconds>(setup_.bound + setup_.settle, rest_limit);
     auto reason = system.wait({at_first, setup_.settle});
-    if (reason == EndReason::time_over && notes_.down() == 0)
+    if (reason == EndReason::time_over && !is_any_down())
       reason = system.wait({rest_limit - at_first, setup_.settle});
     if (reason == EndReason::time_over)
-      violation("rest", notes_.down() == 0
-                          ? "the system did not come to rest within " + faults::rounded(rest_limit)
-                          : "the system did not come to rest, since not everything is back");
+      violation("rest",
+                is_any_down()
+                  ? "the system did not come to rest, since not everything is back"
+                  : "the system did not come to rest within " + faults::rounded(rest_limit));
     return state_of(system, setup_.question);
   }
 
@@ -423,7 +427,6 @@ private:
   const Signals& signals_;
   Progress& progress_;
   faults::ChaosRun& run_;
-  Notes notes_;
   std::mutex progress_mutex_;
   std::function<void()> faults_so_far_;
 };
