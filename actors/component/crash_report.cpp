@@ -1,5 +1,7 @@
 #include "castor/actors/component/crash_report.hpp"
 
+#include "castor/wm/plain_words.hpp"
+
 #include <cxxabi.h>
 #include <pthread.h>
 #include <sys/prctl.h>
@@ -218,7 +220,7 @@ void find_guard(ThreadNote& thread) {
       try {
         throw;
       } catch (const std::exception& e) {
-        text += std::string{": "} + e.what();
+        text += ": " + plain_words(e);
       } catch (...) {
         // It says no more than its type.
       }
