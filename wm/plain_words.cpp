@@ -1,5 +1,7 @@
 #include "castor/wm/plain_words.hpp"
 
+#include "castor/wm/caf.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -42,6 +44,11 @@ std::string plain_words(const std::exception& x) {
     return "a file cannot be read or written: " + stream->code().message();
   auto* what = x.what();
   return what ? what : "an exception that does not say what it is";
+}
+
+std::string plain_words(const caf::error& x, const caf::actor_system& system) {
+  auto& context = x.context();
+  return context.match_elements<std::string>() ? context.get_as<std::string>(0) : system.render(x);
 }
 
 } // namespace castor

@@ -545,7 +545,7 @@ Failure ComponentShell::unexpected_reply(const caf::type_erased_tuple& content,
   if (content.match_elements<caf::error>()) {
     auto& e = content.get_as<caf::error>(0);
     auto has_ended = e == caf::sec::request_receiver_down;
-    what = has_ended ? "it has ended" : system().render(e);
+    what = has_ended ? "it has ended" : plain_words(e, system());
     // The news of that may still be on its way.
     if (has_ended && address.subarchitecture == identity().subarchitecture)
       working_memory_lost_ = true;

@@ -3,6 +3,7 @@
 #include "castor/actors/component/log.hpp"
 #include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/remote_actor.hpp"
+#include "castor/wm/plain_words.hpp"
 #include "castor/wm/value_limit.hpp"
 #include "castor/wm/working_memory_protocol.hpp"
 
@@ -159,7 +160,7 @@ void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
     out(Subject::exit, number);
   } else if (content.match_elements<caf::error>()) {
     out(Subject::error, sender, number, x.mid.integer_value(),
-        mesh_->system().render(content.get_as<caf::error>(0)));
+        plain_words(content.get_as<caf::error>(0), mesh_->system()));
   } else {
     out(Subject::message, sender, number, x.mid.integer_value());
     if (!mesh_->table().write(content, out)) {

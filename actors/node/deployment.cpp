@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/supervision/health.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -104,7 +105,7 @@ void Deployments::no_answer(ProcessNumber from, const caf::error& error) {
                     " did not make its part of the system";
   problem.message += error == caf::sec::request_timeout
                        ? " in " + std::to_string(patience_.count() / 1000) + " s"
-                       : ": " + self_->system().render(error);
+                       : ": " + plain_words(error, self_->system());
   if (x.link != LinkState::up)
     problem.message += ": " + x.reason;
   problem.remedy = "see that the nodes can reach each other where the file says that they are";

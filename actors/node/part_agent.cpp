@@ -4,6 +4,7 @@
 #include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
 #include "castor/wm/known_types.hpp"
+#include "castor/wm/plain_words.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -94,9 +95,7 @@ void report_end(Self self, const caf::down_msg& x) {
         record->is_orphaned() ? ComponentEnded::How::orphaned : ComponentEnded::How::failed;
   } else if (x.reason && x.reason != caf::exit_reason::user_shutdown) {
     ended.how = ComponentEnded::How::failed;
-    auto& said = x.reason.context();
-    ended.failure = said.match_elements<std::string>() ? said.get_as<std::string>(0)
-                                                       : self->system().render(x.reason);
+    ended.failure = plain_words(x.reason, self->system());
   }
   caf::anon_send(state.supervisor, std::move(ended));
 }
