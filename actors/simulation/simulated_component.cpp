@@ -13,6 +13,14 @@ constexpr FilterId all_changes = 1;
 
 } // namespace
 
+void SystemWorld::expect_no_exception(const caf::actor& x, const std::string& what) {
+  caf::actor_cast<caf::abstract_actor*>(x)->attach_functor([this, what](const caf::error& reason) {
+    // What actors end with on purpose has a text.
+    if (!over && reason == caf::sec::runtime_error && reason.context().empty())
+      find(what + " ended with an exception that nothing caught");
+  });
+}
+
 SimulatedComponent::SimulatedComponent(caf::actor_config& config, SystemWorld& world,
                                        linearizability::SimulatedClientParts parts,
                                        std::shared_ptr<ComponentRecord> record, bool operates,

@@ -46,6 +46,9 @@ struct SystemWorld : linearizability::SimulatedWorld {
       note(static_cast<unsigned char>(c));
   }
 
+  /// An actor of the system that ends with an exception that nothing catches is a finding.
+  void expect_no_exception(const caf::actor& x, const std::string& what);
+
   std::uint64_t digest = 0xcbf29ce484222325;
   /// The longest pause of a client between operations.
   std::chrono::milliseconds longest_pause{50};

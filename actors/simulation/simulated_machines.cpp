@@ -64,7 +64,8 @@ SimulatedMachines::Machine SimulatedMachines::machine_of(Life x) const {
 
 // -- what there is
 
-void SimulatedMachines::own(const caf::actor& x, Life life) {
+void SimulatedMachines::own(const caf::actor& x, Life life, const std::string& what) {
+  world_.expect_no_exception(x, what);
   auto* job = job_of(x);
   world_.owners[job] = life;
   caf::actor_cast<caf::abstract_actor*>(x)->attach_functor([this, job] {
@@ -93,7 +94,7 @@ PartSpawn SimulatedMachines::spawn(Machine x) {
 
 caf::actor SimulatedMachines::spawn_journal_writer(Life life) {
   auto result = system_.spawn(simulated_journal_writer);
-  own(result, life);
+  own(result, life, "a journal's writer");
   journal_writers_.emplace_back(result, life);
   return result;
 }
@@ -114,21 +115,22 @@ WorkingMemoryActor SimulatedMachines::spawn_working_memory(WorkingMemoryOptions 
     x.may_lack_changes = !lives.empty() && journal->incarnation > lives.back().journal_incarnation;
     x.journal_incarnation = journal->incarnation;
     options.journal.report = [](const std::string&) {};
-    // Few enough for a run to exceed them now and then.
+    // Few enough for runs to reach the bound.
     if (options.journal.mode == JournalMode::batched && world_.chance(50))
-      options.journal.most_unsynced = 8;
+      options.journal.most_unsynced = 1 + world_.pick(4);
     x.journal = options.journal;
     options.journal_writer = spawn_journal_writer(life);
     writer = std::make_shared<JournalWriterParts>(
       journal_writer_parts(options.journal, journal->file, nullptr));
   }
   auto journal_writer = options.journal_writer;
+  auto name = working_memory_of(options.subarchitecture);
   x.actor = system_.spawn(working_memory, std::move(options));
   if (writer) {
     writer->owner = caf::actor_cast<caf::strong_actor_ptr>(x.actor);
     caf::anon_send(journal_writer, BeginJournal{writer});
   }
-  own(caf::actor_cast<caf::actor>(x.actor), life);
+  own(caf::actor_cast<caf::actor>(x.actor), life, name);
   caf::actor_cast<caf::abstract_actor*>(x.actor)->attach_functor([this, &lives, number] {
     if (world_.over)
       return;
@@ -152,7 +154,10 @@ caf::actor SimulatedMachines::spawn_component(const ShellParts& parts, Life life
   client.home = std::size_t(home - world_.working_memories.begin());
   client.temper = {false, world_.chance(40), false, world_.chance(30), false};
   auto operates = !identity.name.ends_with("_tm");
-  return system_.spawn<SimulatedComponent>(world_, std::move(client), parts.record, operates, life);
+  auto result =
+    system_.spawn<SimulatedComponent>(world_, std::move(client), parts.record, operates, life);
+  world_.expect_no_exception(result, identity.name);
+  return result;
 }
 
 LinkSpawn SimulatedMachines::spawn_link(Machine x) {
@@ -168,7 +173,7 @@ LinkSpawn SimulatedMachines::spawn_link(Machine x) {
     };
     auto result = network_.spawn_link(life, std::move(parts));
     *link = result.address();
-    own(result, life);
+    own(result, life, "a link of " + std::string{machines[x]} + " to " + peer);
     links_.push_back({result, life, peer});
     for (auto& silence : silences_)
       if (auto other = machine(peer);
@@ -221,7 +226,7 @@ void SimulatedMachines::start_node(Machine x) {
         return self->route(hello);
       return Refusal{"it ends", false};
     });
-  own(process.listener, process.life);
+  own(process.listener, process.life, "the listener of " + std::string{machines[x]});
 }
 
 void SimulatedMachines::kill(Machine x, std::chrono::milliseconds back_after) {

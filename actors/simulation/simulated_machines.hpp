@@ -123,7 +123,8 @@ private:
   Clock::time_point now() const { return system_.clock().now(); }
   Machine machine(std::string_view name) const;
   Machine machine_of(Life x) const;
-  void own(const caf::actor& x, Life life);
+  /// The actor is of that process from now on; what it is called in findings.
+  void own(const caf::actor& x, Life life, const std::string& what);
   WorkingMemoryActor spawn_working_memory(WorkingMemoryOptions options, Life life);
   caf::actor spawn_component(const ShellParts& parts, Life life);
   void hear(Life life, const caf::actor& link, const LinkNews& news);

@@ -77,6 +77,17 @@ Fault distributed_fault(SeededRandom& random, std::size_t count) {
                milliseconds{random.between(10, 500)}};
 }
 
+/// A node is killed while the journal of a working memory there is late.
+std::vector<Statement> kill_with_late_journal(SeededRandom& random, std::size_t count) {
+  auto node = 1 + random.below(count - 1);
+  auto subarchitecture = std::string(1, char('a' + node));
+  auto begin = milliseconds{random.between(0, time_of_faults.count())};
+  auto late_by = milliseconds{random.between(50, 1000)};
+  auto killed = begin + milliseconds{random.between(0, 2 * late_by.count())};
+  return {{At{begin}, {SlowJournal{{subarchitecture}, late_by, 2 * late_by}}, {}, {}},
+          {At{killed}, {Kill{{std::string{machines[node]}}}}, {}, {}}};
+}
+
 Fault any_fault(SeededRandom& random, std::size_t count, bool journals) {
   return count == 1 || random.below(20) < 12 ? local_fault(random, journals)
                                              : distributed_fault(random, count);
@@ -169,6 +180,9 @@ FaultPlan system_faults(std::uint64_t seed) {
     At at{milliseconds{random.between(0, time_of_faults.count())}};
     result.statements.push_back({at, {any_fault(random, count, journals)}, {}, {}});
   }
+  if (journals && count > 1 && random.below(4) == 0)
+    for (auto& x : kill_with_late_journal(random, count))
+      result.statements.push_back(std::move(x));
   return result;
 }
 

@@ -180,10 +180,12 @@ private:
     parts.desk = desk_;
     parts.on_change = [](const SystemRosterPtr&) {};
     supervisor_ = system.spawn(supervisor, std::move(parts));
+    world_->expect_no_exception(supervisor_, "the supervisor");
     PartAgentParts agent;
     agent.mesh = processes_->mesh();
     agent.spawn = machines_->spawn(0);
     agent_ = system.spawn(part_agent, std::move(agent));
+    world_->expect_no_exception(agent_, "the agent of the coordinator's part");
     processes_->set_own_agent(agent_);
     std::map<std::string, Endpoint> nodes;
     for (std::size_t x = 1; x < machines_->count(); ++x)
@@ -238,7 +240,11 @@ private:
       if (failures == result_->failures && why_not_whole().empty())
         return;
     }
-    world_->find("it is not whole again: " + why_not_whole());
+    if (!world_->findings.empty())
+      return;
+    auto why = why_not_whole();
+    world_->find("it is not whole again: " +
+                 (why.empty() ? "components fail again and again" : why));
   }
 
   /// Empty if all of the system is there.
@@ -529,14 +535,28 @@ private:
             ++journaled_;
             continue;
           }
-          auto why = why_not_to_be_lost(event, told->times[i], *life_of(event, lives), journal);
-          if (why.empty())
+          auto& life = *life_of(event, lives);
+          auto why = why_not_to_be_lost(event, told->times[i], life, journal);
+          if (why.empty()) {
             ++lost_;
-          else
+            at_bound_ += number_among_lost(event, life, journal) == life.journal.most_unsynced;
+          } else {
             world_->find(told->component + " was told of " + to_string(event) + ", number " +
                          std::to_string(event.sequence) + ", which is not in the journal" + why);
+          }
         }
     }
+  }
+
+  /// The last change in the journal of the life of a working memory.
+  static std::uint64_t last_journaled(const MemoryLife& life, const JournalContents& journal) {
+    return journal.last_of(life.session).value_or(life.first_sequence - 1);
+  }
+
+  /// 1 is the first change that the journal lacks.
+  static std::uint64_t number_among_lost(const ChangeEvent& event, const MemoryLife& life,
+                                         const JournalContents& journal) {
+    return event.sequence - last_journaled(life, journal);
   }
 
   /// Why a change that somebody was told of by then cannot be missing in the journal; empty if it
@@ -547,11 +567,11 @@ private:
       return " though it is a full one";
     if (life.alive())
       return ", of a working memory that has not ended";
-    auto last = journal.last_of(life.session).value_or(life.first_sequence - 1);
-    if (event.sequence < last)
+    if (event.sequence < last_journaled(life, journal))
       return ", which has later ones";
-    if (event.sequence - last > life.journal.most_unsynced)
-      return ", nor are the " + std::to_string(event.sequence - last - 1) + " before it";
+    if (auto number = number_among_lost(event, life, journal); number > life.journal.most_unsynced)
+      return ", nor are the " + std::to_string(number - 1) + " before it, of which only " +
+             std::to_string(life.journal.most_unsynced) + " may be lost";
     auto age = life.end_time - told;
     if (life.is_written_in_time && age > life.journal.delay + most_journal_latency)
       return ", " + std::to_string(age.count() / 1000) + " ms before the working memory ended";
@@ -637,6 +657,7 @@ private:
         }
     happened.add("journals", "change that was told found in the journal", journaled_);
     happened.add("journals", "change that was told lost, as it may be", lost_);
+    happened.add("journals", "as many changes lost as may be", at_bound_);
     happened.add(world_->tasks.happened());
     happened.add(world_->calls.happened);
     for (auto& x : result.history) {
@@ -678,6 +699,7 @@ private:
     started_ = false;
     journaled_ = 0;
     lost_ = 0;
+    at_bound_ = 0;
   }
 
   linearizability::Checker checker_{{.max_states = 1'000'000}};
@@ -701,6 +723,8 @@ private:
   /// Changes that somebody was told of.
   std::uint64_t journaled_ = 0;
   std::uint64_t lost_ = 0;
+  /// Of the lost ones, those after which another would have been one too many.
+  std::uint64_t at_bound_ = 0;
   /// Since when.
   std::map<std::string, Timestamp> down_;
 };

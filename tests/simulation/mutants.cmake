@@ -46,6 +46,12 @@ castor_system_mutant(the_awaited_are_made_early actors/node/supervisor.cpp
   FROM "if (moved_.count(name) > 0 || is_awaited(name))"
   TO "if (false)")
 
+castor_system_mutant(memories_throw wm/working_memory_leases.cpp
+  FROM "if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {"
+  TO "if (request.token % 50 == 7)
+    throw std::runtime_error{\"out of order\"};
+  if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {")
+
 # -- filters and leases
 
 castor_system_mutant(new_memories_do_not_know_filters wm/working_memory_routes.cpp
@@ -105,6 +111,10 @@ castor_system_mutant(unsynced_changes_are_told wm/working_memory_journal.cpp
   return {};"
   TO "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {100, 100'000};")
+
+castor_system_mutant(bounds_of_batched_journals_are_ignored wm/working_memory_journal.cpp
+  FROM "return {options.most_unsynced, options.most_unsynced_bytes};"
+  TO "return {10'000, options.most_unsynced_bytes};")
 
 castor_system_mutant(batched_changes_are_late wm/journal_writer.cpp
   FROM "self_->delayed_send(self_, parts_.delay, SyncAtom::value);"

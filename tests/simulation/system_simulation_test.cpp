@@ -147,7 +147,8 @@ TEST(SystemSimulation, NothingThatCanHappenNeverDoes) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed)
     all.add(simulation.run(seed).happened);
   EXPECT_THAT(all.never(), IsSubsetOf({"calls: given up by its server", "calls: not written",
-                                       "calls: not answered in time"}));
+                                       "calls: not answered in time",
+                                       "journals: as many changes lost as may be"}));
 }
 
 TEST(SystemSimulation, AJournalOutlivesItsWorkingMemory) {
@@ -176,6 +177,20 @@ TEST(SystemSimulation, ABatchedJournalMayLackTheLastChangesOfAProcessThatIsKille
     lost += result.happened.count("journals", "change that was told lost, as it may be");
   }
   EXPECT_GT(found, lost);
+}
+
+TEST(SystemSimulation, ABatchedJournalThatIsSlowLacksAsManyChangesAsItMay) {
+  SystemSimulation simulation;
+  auto faults = plan(500ms, faults::SlowJournal{{"b"}, 1000ms, 1000ms});
+  faults.statements.push_back({faults::At{900ms}, {faults::Kill{{"node1"}}}, {}, {}});
+  for (std::uint64_t seed = 1, at_bound = 0; at_bound == 0; ++seed) {
+    ASSERT_LT(seed, 2000u);
+    if (journal_mode(seed) != JournalMode::batched || machine_count(seed) == 1)
+      continue;
+    auto result = simulation.run(seed, faults);
+    ASSERT_TRUE(result.ok()) << "seed " << seed << "\n" << to_string(result);
+    at_bound = result.happened.count("journals", "as many changes lost as may be");
+  }
 }
 
 TEST(SystemSimulation, WaitsEndThoughAClockGoesBackToBeforeTheBeginning) {
