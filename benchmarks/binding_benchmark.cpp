@@ -7,11 +7,11 @@
 // Then the same through working memory: from a monitor's writing of a proxy to its being bound, by
 // the scorer, the judge and the binder of configs/playmate.cast. As a yardstick: writing an entry
 // there and reading it back.
-#include "castor/actors/registry.hpp"
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/binding/features.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 // ten) of them match, whatever their number. Content is matched in place, as in a working memory.
 //
 //   filter_index_benchmark [MOST_FILTERS]
-#include "castor/wm/filter_index.hpp"
+#include "castor/wm/filters/filter_index.hpp"
 
 #include <fmt/core.h>
 

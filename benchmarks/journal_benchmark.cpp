@@ -3,7 +3,7 @@
 //
 //   journal_benchmark [SECONDS] [FOLDER]
 #include "castor/benchmarks/race.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <caf/scoped_actor.hpp>
 

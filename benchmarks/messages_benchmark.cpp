@@ -3,11 +3,11 @@
 //
 //   messages_benchmark [CHANGES]
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/node/node.hpp"
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/log.hpp"
 
 #include <fmt/core.h>
 

@@ -6,11 +6,11 @@
 //
 // Nodes are processes of this program on 127.0.0.1.
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/node/node.hpp"
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/log.hpp"
 #include "castor/benchmarks/own_process.hpp"
 
 #include <fmt/core.h>

@@ -7,14 +7,14 @@
 // With certificates that `scripts/make-certs DIR run far.test` has made, what Castor says is
 // encrypted; the bare framework's requests are not.
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/node/node.hpp"
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/base/log.hpp"
 #include "castor/benchmarks/own_process.hpp"
 #include "castor/benchmarks/race.hpp"
-#include "castor/wm/caf.hpp"
 
 #include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>

@@ -4,11 +4,11 @@
 //
 //   working_memory_benchmark [REPETITIONS]
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/base/log.hpp"
 #include "castor/benchmarks/race.hpp"
-#include "castor/wm/caf.hpp"
 
 #include <caf/scoped_actor.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <map>
 #include <memory>

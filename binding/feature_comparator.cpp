@@ -1,6 +1,6 @@
 #include "castor/binding/feature_comparator.hpp"
 
-#include "castor/wm/encoding.hpp"
+#include "castor/wm/values/encoding.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/component/entry_pointer.hpp"
-#include "castor/wm/address.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
 #include <optional>

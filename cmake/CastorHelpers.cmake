@@ -10,7 +10,7 @@ endif()
 # What only developers need says COMPONENT dev; it is a package of its own.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
-# Sources say #include "castor/wm/value.hpp", in the tree and installed alike: a link named `castor`
+# Sources say #include "castor/wm/values/value.hpp", in the tree and installed alike: a link named `castor`
 # in the build tree points at the source root.
 set(CASTOR_INCLUDE_ROOT "${PROJECT_BINARY_DIR}/include")
 file(MAKE_DIRECTORY "${CASTOR_INCLUDE_ROOT}")
@@ -53,26 +53,74 @@ function(castor_install_target target)
   add_dependencies(castor_product ${target})
 endfunction()
 
-# castor_library(<name> SOURCES <file>... [PUBLIC_DEPENDS <target>...] [PRIVATE_DEPENDS <target>...]
-#   [UNITY] [DEVELOPMENT])
+# castor_uses(<module>...)
+#
+# The sources of the current folder, and of those in it that do not say so themselves, may include the
+# headers of these modules, and of what these use: tests/house checks that they include no others. A
+# module is a folder that has said so before, "wm_values" for wm/values.
+function(castor_uses)
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  string(REPLACE "/" "_" name "${folder}")
+  set(uses "")
+  foreach(module IN LISTS ARGN)
+    get_property(others GLOBAL PROPERTY CASTOR_USES_${module})
+    if(NOT others)
+      message(FATAL_ERROR "${folder} uses '${module}', which is no module that has said what it uses")
+    endif()
+    list(APPEND uses ${others})
+  endforeach()
+  # A module uses itself.
+  list(APPEND uses ${folder})
+  list(REMOVE_DUPLICATES uses)
+  set_property(GLOBAL PROPERTY CASTOR_USES_${name} ${uses})
+  list(JOIN uses " " uses)
+  set_property(GLOBAL APPEND_STRING PROPERTY CASTOR_MODULES "${folder} ${uses}\n")
+endfunction()
+
+# castor_module(<name> SOURCES <file>... [USES <module>...] [LIBRARIES <target>...] [UNITY])
+#
+# The sources of a folder, for castor_library to make a library of; for USES see castor_uses.
+# LIBRARIES are those whose headers they include. UNITY: they get along in one translation unit.
+function(castor_module name)
+  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  set(target castor_${name})
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  castor_unity(${target} "${ARG_UNITY}")
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC "${CASTOR_INCLUDE_ROOT}")
+  castor_uses(${ARG_USES})
+  list(TRANSFORM ARG_USES PREPEND castor_)
+  target_link_libraries(${target} PUBLIC ${ARG_USES} ${ARG_LIBRARIES} PRIVATE castor_build_options)
+endfunction()
+
+# castor_unity(<target> <whether its sources get along in one translation unit>)
+function(castor_unity target fit)
+  if(fit AND CASTOR_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
+endfunction()
+
+# castor_library(<name> [SOURCES <file>...] [MODULES <module>...] [PUBLIC_DEPENDS <target>...]
+#   [PRIVATE_DEPENDS <target>...] [UNITY] [DEVELOPMENT])
 #
 # A shared library libcastor_<name>.so with the alias castor::<name>, installed and exported together
 # with the headers below the current folder. UNITY: its sources get along in one translation unit.
 # DEVELOPMENT: who only runs systems does not need it.
 function(castor_library name)
-  cmake_parse_arguments(ARG "UNITY;DEVELOPMENT" "" "SOURCES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;DEVELOPMENT" "" "SOURCES;MODULES;PUBLIC_DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target castor_${name})
-  add_library(${target} SHARED ${ARG_SOURCES})
+  list(TRANSFORM ARG_MODULES REPLACE "(.+)" "$<TARGET_OBJECTS:castor_\\1>" OUTPUT_VARIABLE objects)
+  add_library(${target} SHARED ${ARG_SOURCES} ${objects})
   add_library(castor::${name} ALIAS ${target})
+  set_property(TARGET ${target} PROPERTY CASTOR_LIBRARY_MODULES "${ARG_MODULES}")
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     BUILD_RPATH "$ORIGIN"
     INSTALL_RPATH "$ORIGIN")
-  if(ARG_UNITY AND CASTOR_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
-  endif()
+  castor_unity(${target} "${ARG_UNITY}")
   target_compile_features(${target} PUBLIC cxx_std_20)
   if(NOT CASTOR_SANITIZE)
     # A forgotten source file is noticed here, and not when the library is first loaded.

@@ -1,7 +1,7 @@
 #include "castor/actors/cast/access_rules.hpp"
 
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/unknown_name.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cstddef>

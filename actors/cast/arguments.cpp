@@ -1,6 +1,6 @@
 #include "castor/actors/cast/arguments.hpp"
 
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <cstddef>
 #include <optional>

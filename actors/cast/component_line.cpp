@@ -3,8 +3,8 @@
 #include "castor/actors/cast/arguments.hpp"
 #include "castor/actors/cast/keywords.hpp"
 #include "castor/actors/cast/scope.hpp"
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <array>
 #include <utility>

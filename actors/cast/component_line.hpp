@@ -1,10 +1,10 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/hosts.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
 #include "castor/actors/cast/words.hpp"
+#include "castor/base/diagnostic_log.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/actors/cast/conditions.hpp"
 
 #include "castor/actors/cast/option_flags.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/keywords.hpp"
-#include "castor/actors/cast/source_line.hpp"
+#include "castor/base/source_line.hpp"
 
 #include <cstddef>
 #include <functional>

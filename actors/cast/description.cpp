@@ -1,8 +1,8 @@
 #include "castor/actors/cast/description.hpp"
 
 #include "castor/actors/cast/access_rules.hpp"
-#include "castor/actors/cast/text.hpp"
-#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/component/health.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 
@@ -70,7 +70,7 @@ const OptionSetting* ComponentDescription::option(std::string_view key_or_name) 
 
 bool ComponentDescription::is_on(std::string_view key_or_name) const noexcept {
   auto found = option(key_or_name);
-  return found != nullptr && cast::parse_truth(found->value).value_or(false);
+  return found != nullptr && parse_truth(found->value).value_or(false);
 }
 
 const ComponentDescription*

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "castor/actors/cast/source_location.hpp"
 #include "castor/actors/cast/supervision_policy.hpp"
+#include "castor/actors/component/component_kind.hpp"
+#include "castor/base/source_location.hpp"
+#include "castor/wm/entries/working_memory_name.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -24,8 +26,6 @@ struct OptionSetting {
   /// The key without its leading dashes.
   std::string_view name() const noexcept;
 };
-
-enum class ComponentKind { working_memory, task_manager, managed, unmanaged, standalone };
 
 enum class Language { cpp, java, python };
 
@@ -60,11 +60,6 @@ struct ComponentDescription {
   /// Whether an option that is either on or off is on.
   bool is_on(std::string_view key_or_name) const noexcept;
 };
-
-/// What the language calls the working memory of a subarchitecture.
-inline std::string working_memory_of(const std::string& subarchitecture) {
-  return subarchitecture + "_wm";
-}
 
 struct SubarchitectureDescription {
   std::string name;

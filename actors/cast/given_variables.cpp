@@ -1,9 +1,9 @@
 #include "castor/actors/cast/given_variables.hpp"
 
 #include "castor/actors/cast/keywords.hpp"
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/variables.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/parse_options.hpp"
 #include "castor/actors/cast/reader.hpp"
+#include "castor/base/diagnostic_log.hpp"
 
 #include <functional>
 #include <set>

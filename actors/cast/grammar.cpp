@@ -3,11 +3,11 @@
 #include "castor/actors/cast/access_rules.hpp"
 #include "castor/actors/cast/component_line.hpp"
 #include "castor/actors/cast/keywords.hpp"
-#include "castor/actors/cast/suggestion.hpp"
 #include "castor/actors/cast/supervision_rules.hpp"
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/words.hpp"
-#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/component/health.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -87,9 +87,9 @@ Json json_of(const ArchitectureDescription& architecture) {
   return result;
 }
 
-Json json_of(const cast::Diagnostic& diagnostic) {
+Json json_of(const Diagnostic& diagnostic) {
   Json result;
-  result["severity"] = cast::to_string(diagnostic.severity);
+  result["severity"] = to_string(diagnostic.severity);
   result["where"] = json_of(diagnostic.where);
   result["line"] = diagnostic.line;
   result["expanded"] = diagnostic.expanded;

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/option_flags.hpp"
 
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/cast/surroundings.hpp"
+#include "castor/base/file_access.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,11 +1,11 @@
 #include "castor/actors/cast/parser.hpp"
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/given_variables.hpp"
 #include "castor/actors/cast/grammar.hpp"
 #include "castor/actors/cast/paths.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
 #include "castor/actors/cast/reader.hpp"
+#include "castor/base/diagnostic_log.hpp"
 
 #include <filesystem>
 #include <system_error>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/cast/parse_options.hpp"
+#include "castor/base/diagnostic.hpp"
 
 #include <functional>
 #include <optional>

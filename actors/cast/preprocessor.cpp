@@ -5,7 +5,7 @@
 #include "castor/actors/cast/option_flags.hpp"
 #include "castor/actors/cast/paths.hpp"
 #include "castor/actors/cast/scope.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "castor/actors/cast/keywords.hpp"
 #include "castor/actors/cast/paths.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/parse_options.hpp"
-#include "castor/actors/cast/source_line.hpp"
+#include "castor/base/diagnostic_log.hpp"
+#include "castor/base/source_line.hpp"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/actors/cast/running.hpp"
 
 #include "castor/actors/cast/access_rules.hpp"
-#include "castor/actors/cast/suggestion.hpp"
+#include "castor/base/suggestion.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/base/diagnostic.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/actors/cast/scope.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <utility>
 

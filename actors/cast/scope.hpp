@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/hosts.hpp"
 #include "castor/actors/cast/parse_options.hpp"
 #include "castor/actors/cast/variables.hpp"
+#include "castor/base/diagnostic_log.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -17,16 +17,6 @@ enum class RestartStrategy : std::uint8_t {
   rest_for_one,
 };
 
-/// Whether a component is started again.
-enum class RestartType : std::uint8_t {
-  /// Whenever it has ended.
-  permanent,
-  /// If it has failed.
-  transient,
-  /// Never.
-  temporary,
-};
-
 /// The word of the .cast language.
 std::string_view to_string(RestartStrategy x) noexcept;
 

@@ -1,9 +1,9 @@
 #include "castor/actors/cast/supervision_rules.hpp"
 
-#include "castor/actors/cast/duration.hpp"
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/cast/unknown_name.hpp"
+#include "castor/base/duration.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <array>
 #include <charconv>

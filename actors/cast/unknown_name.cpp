@@ -1,6 +1,6 @@
 #include "castor/actors/cast/unknown_name.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
+#include "castor/base/suggestion.hpp"
 
 #include <string_view>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
+#include "castor/base/diagnostic_log.hpp"
 
 #include <set>
 #include <string>

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/words.hpp"
 
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 namespace castor::cast {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/cast/diagnostic_log.hpp"
 #include "castor/actors/cast/preprocessor.hpp"
-#include "castor/actors/cast/surroundings.hpp"
+#include "castor/base/diagnostic_log.hpp"
+#include "castor/base/file_access.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/actors/cast/writer.hpp"
 
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cast/supervision_policy.hpp"
+#include "castor/base/duration.hpp"
 
 namespace castor::cast {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/address.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
 #include <string>

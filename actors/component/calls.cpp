@@ -1,8 +1,8 @@
 #include "castor/actors/component/calls.hpp"
 
-#include "castor/actors/component/shell.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/wm/plain_words.hpp"
+#include "castor/actors/runtime/shell.hpp"
+#include "castor/base/plain_words.hpp"
 
 #include <algorithm>
 #include <utility>

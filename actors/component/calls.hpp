@@ -2,11 +2,11 @@
 
 #include "castor/actors/component/call_types.hpp"
 #include "castor/actors/component/served_calls.hpp"
-#include "castor/wm/address.hpp"
-#include "castor/wm/failure.hpp"
-#include "castor/wm/timestamp.hpp"
-#include "castor/wm/type_descriptor.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/values/timestamp.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <chrono>
 #include <functional>

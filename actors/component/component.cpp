@@ -1,8 +1,8 @@
 #include "castor/actors/component/component.hpp"
 
 #include "castor/actors/component/managed_component.hpp"
-#include "castor/actors/component/shell.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/actors/runtime/shell.hpp"
 
 #include <stdexcept>
 #include <utility>

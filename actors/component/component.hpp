@@ -1,13 +1,12 @@
 #pragma once
 
-#include "castor/actors/cast/supervision_policy.hpp"
-#include "castor/actors/component/log.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/push_flow.hpp"
-#include "castor/actors/component/record.hpp"
-#include "castor/wm/change_event.hpp"
-#include "castor/wm/failure.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/actors/component/restart_type.hpp"
+#include "castor/base/log.hpp"
+#include "castor/wm/entries/change_event.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "castor/actors/component/lock_guard.hpp"
 
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/component/shell.hpp"
+#include "castor/actors/runtime/shell.hpp"
+#include "castor/base/log.hpp"
 
 namespace castor {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/address.hpp"
-#include "castor/wm/lease.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/lease.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/task_manager/task.hpp"
+#include "castor/actors/component/task.hpp"
 
 #include <functional>
 #include <string>

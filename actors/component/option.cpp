@@ -1,9 +1,9 @@
 #include "castor/actors/component/option.hpp"
 
-#include "castor/actors/cast/duration.hpp"
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/component/component.hpp"
+#include "castor/base/duration.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ bool parse_number(std::string_view text, T& out) {
 } // namespace
 
 bool parse_option(std::string_view text, bool& out) {
-  auto x = cast::parse_truth(text);
+  auto x = parse_truth(text);
   out = x.value_or(out);
   return x.has_value();
 }
@@ -51,7 +51,7 @@ bool parse_option(std::string_view text, double& out) {
 }
 
 bool parse_option(std::string_view text, std::chrono::milliseconds& out) {
-  auto x = cast::parse_duration(text);
+  auto x = parse_duration(text);
   out = x.value_or(out);
   return x.has_value();
 }
@@ -88,7 +88,7 @@ std::string print_option(double x) {
 }
 
 std::string print_option(std::chrono::milliseconds x) {
-  return cast::to_string(x);
+  return to_string(x);
 }
 
 std::string print_option(const std::vector<std::string>& x) {
@@ -112,7 +112,7 @@ std::optional<std::string> OptionList::set(std::string_view name, std::string_vi
     return "--" + option->name() + " takes a " + option->kind() + ", not \"" + std::string{value} +
            "\"";
   }
-  auto guess = cast::did_you_mean(name, names);
+  auto guess = did_you_mean(name, names);
   return "there is no option --" + std::string{name} + "; " +
          (guess.empty() ? "`castor components` lists them" : guess);
 }

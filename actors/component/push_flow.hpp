@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/receipts.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/events/receipts.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <algorithm>
 #include <cstddef>

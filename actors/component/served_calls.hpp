@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/address.hpp"
+#include "castor/wm/entries/address.hpp"
 
 #include <map>
 #include <string>

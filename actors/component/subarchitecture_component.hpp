@@ -5,13 +5,13 @@
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/actors/component/lock_guard.hpp"
 #include "castor/actors/component/write_batch.hpp"
-#include "castor/wm/address.hpp"
-#include "castor/wm/change_filter.hpp"
-#include "castor/wm/entry.hpp"
-#include "castor/wm/entry_store.hpp"
-#include "castor/wm/event_flow.hpp"
-#include "castor/wm/lease.hpp"
-#include "castor/wm/predicate_builder.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/entries/lease.hpp"
+#include "castor/wm/events/event_flow.hpp"
+#include "castor/wm/filters/change_filter.hpp"
+#include "castor/wm/filters/predicate_builder.hpp"
+#include "castor/wm/store/entry_store.hpp"
 
 #include <chrono>
 #include <concepts>

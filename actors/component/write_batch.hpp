@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/wm/address.hpp"
-#include "castor/wm/change_event.hpp"
-#include "castor/wm/entry.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/change_event.hpp"
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <optional>
 #include <utility>

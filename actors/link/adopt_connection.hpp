@@ -2,7 +2,7 @@
 
 #include "castor/actors/link/channel.hpp"
 #include "castor/actors/link/handshake.hpp"
-#include "castor/wm/caf.hpp"
+#include "castor/base/caf.hpp"
 
 #include <caf/io/scribe.hpp>
 

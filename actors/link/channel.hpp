@@ -3,7 +3,7 @@
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/handshake.hpp"
 #include "castor/actors/link/secure_channel.hpp"
-#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
 
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/caf.hpp"
+#include "castor/base/caf.hpp"
 
 #include <caf/io/accept_handle.hpp>
 #include <caf/io/connection_handle.hpp>

@@ -2,7 +2,7 @@
 
 #include "castor/actors/link/certificate.hpp"
 #include "castor/actors/link/error_queue.hpp"
-#include "castor/wm/input_file.hpp"
+#include "castor/base/input_file.hpp"
 
 #include <openssl/pem.h>
 #include <openssl/pemerr.h>

@@ -1,7 +1,7 @@
 #include "castor/actors/link/handshake.hpp"
 
 #include "castor/actors/link/session.hpp"
-#include "castor/wm/encoding.hpp"
+#include "castor/wm/values/encoding.hpp"
 
 #include <algorithm>
 #include <array>

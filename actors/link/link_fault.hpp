@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/wm/caf.hpp"
-#include "castor/wm/injected_fault.hpp"
-#include "castor/wm/timestamp.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/base/injected_fault.hpp"
+#include "castor/wm/values/timestamp.hpp"
 
 #include <cstdint>
 

@@ -1,11 +1,11 @@
 #include "castor/actors/link/listener.hpp"
 
-#include "castor/actors/component/log.hpp"
 #include "castor/actors/link/adopt_connection.hpp"
 #include "castor/actors/link/connection.hpp"
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/send_later.hpp"
+#include "castor/base/log.hpp"
 
 #include <caf/atom.hpp>
 #include <caf/io/broker.hpp>

@@ -3,7 +3,7 @@
 #include "castor/actors/link/admission.hpp"
 #include "castor/actors/link/credentials.hpp"
 #include "castor/actors/link/handshake.hpp"
-#include "castor/wm/caf.hpp"
+#include "castor/base/caf.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "castor/actors/link/mesh.hpp"
 
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/remote_actor.hpp"
-#include "castor/wm/plain_words.hpp"
-#include "castor/wm/value_limit.hpp"
-#include "castor/wm/working_memory_protocol.hpp"
+#include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/base/log.hpp"
+#include "castor/base/plain_words.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/store/value_limit.hpp"
 
 #include <caf/detail/sync_request_bouncer.hpp>
 #include <caf/make_actor.hpp>

@@ -4,9 +4,9 @@
 #include "castor/actors/link/link_record.hpp"
 #include "castor/actors/link/session.hpp"
 #include "castor/actors/link/wire_table.hpp"
-#include "castor/wm/caf.hpp"
-#include "castor/wm/event_flow.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/events/event_flow.hpp"
 
 #include <caf/mailbox_element.hpp>
 #include <caf/message.hpp>

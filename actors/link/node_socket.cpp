@@ -1,8 +1,8 @@
 #include "castor/actors/link/node_socket.hpp"
 
-#include "castor/actors/cast/text.hpp"
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/private_folder.hpp"
+#include "castor/base/text.hpp"
 
 #include <fmt/core.h>
 
@@ -61,7 +61,7 @@ std::string in_kernel_form(const sockaddr& address) {
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> result;
-  for (auto word = cast::take_word(line); !word.empty(); word = cast::take_word(line))
+  for (auto word = take_word(line); !word.empty(); word = take_word(line))
     result.push_back(word);
   return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/link/credentials.hpp"
-#include "castor/wm/type_descriptor.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
 
 #include <cstdint>
 #include <memory>

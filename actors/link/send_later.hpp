@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/caf.hpp"
+#include "castor/base/caf.hpp"
 
 #include <caf/actor_clock.hpp>
 #include <caf/local_actor.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/type_descriptor.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <cstddef>
 #include <cstdint>

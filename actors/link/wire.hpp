@@ -1,10 +1,10 @@
 #pragma once
 
-#include "castor/wm/caf.hpp"
-#include "castor/wm/encoding.hpp"
-#include "castor/wm/entry.hpp"
-#include "castor/wm/failure.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/values/encoding.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/link/wire.hpp"
-#include "castor/wm/working_memory_protocol.hpp"
+#include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
 
 /// The wire form of what is said to components and working memories. The order of the parts is the
 /// format: processes of one system must be of one version, which they tell each other first.

@@ -1,11 +1,11 @@
 #include "castor/actors/node/check.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/actors/component/health.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
-#include "castor/actors/plugin.hpp"
-#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/runtime/plugin.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -23,12 +23,11 @@ namespace castor {
 
 namespace {
 
-using Diagnostics = std::vector<cast::Diagnostic>;
+using Diagnostics = std::vector<Diagnostic>;
 
 void add(Diagnostics& out, const ComponentDescription& x, std::string message,
          std::string remedy = {}) {
-  out.push_back(
-    {cast::Severity::error, x.where, x.line, {}, std::move(message), std::move(remedy)});
+  out.push_back({Severity::error, x.where, x.line, {}, std::move(message), std::move(remedy)});
 }
 
 /// The word for a kind on a component line.
@@ -54,12 +53,12 @@ constexpr std::size_t most_listed = 20;
 std::string remedy_for(const Diagnostics& out, std::string_view name,
                        const std::set<std::string, std::less<>>& known, std::string_view kind,
                        std::string otherwise) {
-  if (known.empty() || out.size() >= cast::most_explained)
+  if (known.empty() || out.size() >= most_explained)
     return otherwise;
-  auto guess = cast::did_you_mean(name, {known.begin(), known.end()});
+  auto guess = did_you_mean(name, {known.begin(), known.end()});
   if (!guess.empty())
     return guess;
-  return otherwise + "; the " + std::string{kind} + " are: " + cast::list_of(known, most_listed);
+  return otherwise + "; the " + std::string{kind} + " are: " + list_of(known, most_listed);
 }
 
 /// An option names something that the system has to have.
@@ -75,8 +74,7 @@ void check_reference(Diagnostics& out, const ComponentDescription& x, const Opti
   if (is_default && option.reference() == Reference::subarchitecture)
     return;
   auto says = x.class_name + " of " + x.name + ": --" + option.name() +
-              (is_default ? ", by default " + cast::in_quotes(name) + ", "
-                          : " " + cast::in_quotes(name) + ' ');
+              (is_default ? ", by default " + in_quotes(name) + ", " : " " + in_quotes(name) + ' ');
   switch (option.reference()) {
     case Reference::none:
       return;
@@ -239,17 +237,17 @@ void check_class(const ComponentDescription& x, const SystemNames& names, Diagno
   check_class_with(inspect_here, x, names, out);
 }
 
-std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture) {
+std::vector<Diagnostic> check_architecture(const ArchitectureDescription& architecture) {
   auto out = place(architecture, {}).problems;
   const SystemNames names{architecture};
   for_each_described(architecture,
                      [&](auto& x) { check_class_with(inspect_elsewhere, x, names, out); });
-  cast::sort_by_line(out);
+  sort_by_line(out);
   return out;
 }
 
-std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
-                                           SystemNames names) {
+std::vector<Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
+                                     SystemNames names) {
   auto out = std::move(result.diagnostics);
   if (result.ok())
     return out;
@@ -263,12 +261,12 @@ std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes cl
     if (classes == Classes::all || !placement.of.contains(x.name))
       check_class_with(inspect_elsewhere, x, names, out);
   });
-  cast::sort_by_line(out);
+  sort_by_line(out);
   return out;
 }
 
-std::vector<cast::Diagnostic> problems_of(const Placement& placement,
-                                          const ArchitectureDescription& architecture) {
+std::vector<Diagnostic> problems_of(const Placement& placement,
+                                    const ArchitectureDescription& architecture) {
   auto out = placement.problems;
   if (out.empty())
     return out;
@@ -277,7 +275,7 @@ std::vector<cast::Diagnostic> problems_of(const Placement& placement,
     if (!placement.of.contains(x.name))
       check_class_with(inspect_elsewhere, x, names, out);
   });
-  cast::sort_by_line(out);
+  sort_by_line(out);
   return out;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/cast/parser.hpp"
+#include "castor/base/diagnostic.hpp"
 
 #include "castor/actors/node/placement.hpp"
 
@@ -34,12 +34,12 @@ struct SystemNames {
 /// that name what the system does not have. Loads the library that the class is in. Makes such a
 /// component, in this thread: whatever it does there has to come to an end.
 void check_class(const ComponentDescription& x, const SystemNames& names,
-                 std::vector<cast::Diagnostic>& problems);
+                 std::vector<Diagnostic>& problems);
 
 /// The same for all components of a system, and whether their hosts are addresses. Here, as below,
 /// a constructor or destructor that takes more than 5 s is one of the findings; its thread is left
 /// behind.
-std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& architecture);
+std::vector<Diagnostic> check_architecture(const ArchitectureDescription& architecture);
 
 /// The findings of the parser, and those of further checks of what it could understand of a file
 /// with errors, in the order of lines.
@@ -47,11 +47,11 @@ std::vector<cast::Diagnostic> check_architecture(const ArchitectureDescription& 
 /// may be there only
 /// @param names what there is besides, in a system that the file is to be joined to
 enum class Classes { all, on_this_machine };
-std::vector<cast::Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
-                                           SystemNames names = {});
+std::vector<Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
+                                     SystemNames names = {});
 
 /// The problems of the placement, if there are any, and those of the components on this machine.
-std::vector<cast::Diagnostic> problems_of(const Placement& placement,
-                                          const ArchitectureDescription& architecture);
+std::vector<Diagnostic> problems_of(const Placement& placement,
+                                    const ArchitectureDescription& architecture);
 
 } // namespace castor

@@ -1,9 +1,9 @@
 #include "castor/actors/node/memberships.hpp"
 
-#include "castor/actors/component/log.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/actors/node/part_agent.hpp"
+#include "castor/base/log.hpp"
 
 #include <chrono>
 #include <utility>

@@ -1,16 +1,16 @@
 #include "castor/actors/node/part.hpp"
 
 #include "castor/actors/cast/access_rules.hpp"
-#include "castor/actors/component/keeper.hpp"
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/component/shell.hpp"
+#include "castor/actors/component/health.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/threads.hpp"
 #include "castor/actors/node/working_memory_class.hpp"
-#include "castor/actors/plugin.hpp"
-#include "castor/actors/supervision/health.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/actors/runtime/keeper.hpp"
+#include "castor/actors/runtime/plugin.hpp"
+#include "castor/actors/runtime/shell.hpp"
+#include "castor/base/log.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -69,7 +69,7 @@ std::size_t largest_value(const WorkingMemoryClass& x) {
 std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
                                                const PartSpawn& spawn, const PartPlan& plan,
                                                std::uint64_t incarnation,
-                                               std::vector<cast::Diagnostic>& problems) {
+                                               std::vector<Diagnostic>& problems) {
   auto options = journal_options(WorkingMemoryClass{x}, x.subarchitecture, plan, incarnation);
   if (options.mode == JournalMode::off)
     return nullptr;
@@ -77,7 +77,7 @@ std::shared_ptr<OpenedJournal> take_up_journal(const ComponentDescription& x,
     auto result = std::make_shared<OpenedJournal>(spawn.journal(options, x.subarchitecture));
     return result->file || !result->failure.empty() ? result : nullptr;
   } catch (const JournalError& e) {
-    problems.push_back({cast::Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
+    problems.push_back({Severity::error, x.where, x.line, {}, x.name + ": " + e.what(), {}});
     return nullptr;
   }
 }
@@ -95,14 +95,14 @@ std::uint64_t share_of_pushes(const PartPlan& plan, ProcessNumber self) {
 
 /// The folder for it is there, if this process needs one.
 void make_folder_for_pushes(const PartPlan& plan, ProcessNumber self,
-                            std::vector<cast::Diagnostic>& problems) {
+                            std::vector<Diagnostic>& problems) {
   if (share_of_pushes(plan, self) == 0)
     return;
   std::error_code error;
   std::filesystem::create_directories(plan.pushes, error);
   if (error)
     problems.push_back(
-      {cast::Severity::error,
+      {Severity::error,
        plan.architecture.standalone.front().where,
        {},
        {},
@@ -121,8 +121,8 @@ PartSpawn::PartSpawn()
     }),
     why_no_threads(castor::why_no_threads) {}
 
-std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
-  std::vector<cast::Diagnostic> problems;
+std::vector<Diagnostic> SystemPart::apply(const PartPlan& plan) {
+  std::vector<Diagnostic> problems;
   std::map<std::string, std::uint64_t> wanted;
   std::vector<const ComponentDescription*> missing;
   std::map<std::string, std::uint64_t> here;
@@ -163,7 +163,7 @@ std::vector<cast::Diagnostic> SystemPart::apply(const PartPlan& plan) {
 }
 
 void SystemPart::check_threads(const std::vector<const ComponentDescription*>& missing,
-                               std::vector<cast::Diagnostic>& problems) const {
+                               std::vector<Diagnostic>& problems) const {
   std::size_t count = 0;
   const ComponentDescription* last = nullptr;
   for (auto* x : missing)
@@ -174,7 +174,7 @@ void SystemPart::check_threads(const std::vector<const ComponentDescription*>& m
   if (count == 0 || !spawn_.why_no_threads)
     return;
   if (auto problem = spawn_.why_no_threads(count); !problem.empty())
-    problems.push_back({cast::Severity::error,
+    problems.push_back({Severity::error,
                         last->where,
                         last->line,
                         {},

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/actors/component/neighbours.hpp"
-#include "castor/actors/component/services.hpp"
 #include "castor/actors/node/part_protocol.hpp"
-#include "castor/wm/journal.hpp"
+#include "castor/actors/runtime/neighbours.hpp"
+#include "castor/actors/runtime/services.hpp"
+#include "castor/wm/journal/journal.hpp"
 
 #include <chrono>
 #include <functional>
@@ -49,7 +49,7 @@ public:
   /// Makes what the plan gives to this process and what is not there yet, and ends what it does not
   /// give to it any more. Returns what stands in the way; if anything does, nothing is made or
   /// ended.
-  std::vector<cast::Diagnostic> apply(const PartPlan& plan);
+  std::vector<Diagnostic> apply(const PartPlan& plan);
 
   /// Makes a component anew that the last plan gave to this process; its predecessor ends, if it
   /// has not. It knows its neighbours.
@@ -112,7 +112,7 @@ private:
   void spawn_component(const ComponentDescription& x, std::uint64_t incarnation);
   /// Each component needs one.
   void check_threads(const std::vector<const ComponentDescription*>& missing,
-                     std::vector<cast::Diagnostic>& problems) const;
+                     std::vector<Diagnostic>& problems) const;
   void list_working_memories();
   void spawn_keeper();
 

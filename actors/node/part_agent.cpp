@@ -3,8 +3,8 @@
 #include "castor/actors/link/remote_actor.hpp"
 #include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
-#include "castor/wm/known_types.hpp"
-#include "castor/wm/plain_words.hpp"
+#include "castor/base/plain_words.hpp"
+#include "castor/wm/values/known_types.hpp"
 
 #include <algorithm>
 #include <utility>

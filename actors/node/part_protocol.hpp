@@ -1,14 +1,14 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic.hpp"
-#include "castor/actors/component/shell_protocol.hpp"
-#include "castor/actors/component/status.hpp"
+#include "castor/actors/component/task_event.hpp"
 #include "castor/actors/link/mesh.hpp"
-#include "castor/actors/task_manager/task_event.hpp"
-#include "castor/wm/caf.hpp"
-#include "castor/wm/timestamp.hpp"
-#include "castor/wm/working_memory_protocol.hpp"
+#include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/actors/runtime/status.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/base/diagnostic.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/values/timestamp.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -80,7 +80,7 @@ struct PartPlan {
 /// The actors of a part, by the names of the components.
 struct PartMade {
   /// Why it cannot be made, then there are no actors.
-  std::vector<cast::Diagnostic> problems;
+  std::vector<Diagnostic> problems;
   std::map<std::string, caf::strong_actor_ptr> actors;
 };
 

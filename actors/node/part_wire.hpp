@@ -7,14 +7,9 @@
 /// The wire form of what a coordinator and the parts of its system say to each other.
 namespace castor {
 
-namespace cast {
-
 constexpr Severity last_of(Severity) {
   return Severity::note;
 }
-
-} // namespace cast
-
 constexpr ComponentKind last_of(ComponentKind) {
   return ComponentKind::standalone;
 }
@@ -100,7 +95,7 @@ void wire(A& a, WirePart<A, ArchitectureDescription>& x) {
 }
 
 template <class A>
-void wire(A& a, WirePart<A, cast::Diagnostic>& x) {
+void wire(A& a, WirePart<A, Diagnostic>& x) {
   a(x.severity, x.where, x.line, x.expanded, x.message, x.remedy);
 }
 

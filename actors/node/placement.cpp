@@ -1,6 +1,6 @@
 #include "castor/actors/node/placement.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
+#include "castor/base/suggestion.hpp"
 
 #include <unistd.h>
 
@@ -56,7 +56,7 @@ Placement place(const ArchitectureDescription& architecture,
       result.processes.push_back({given_name(architecture, host), at.host, at.port});
     } catch (const std::invalid_argument& e) {
       result.processes.emplace_back();
-      result.problems.push_back({cast::Severity::error,
+      result.problems.push_back({Severity::error,
                                  where,
                                  line,
                                  {},
@@ -118,7 +118,7 @@ std::string host_called(const ArchitectureDescription& architecture, const std::
   auto text = architecture.file + " has no host " + name + "; ";
   if (names.empty())
     throw std::invalid_argument(text + "everything in it runs on this machine");
-  if (auto guess = cast::did_you_mean(name, {names.begin(), names.end()}); !guess.empty())
+  if (auto guess = did_you_mean(name, {names.begin(), names.end()}); !guess.empty())
     text += guess + ' ';
   text += "its hosts are: ";
   for (auto& x : names)

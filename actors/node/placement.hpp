@@ -1,9 +1,9 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/cast/diagnostic.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/node/part_protocol.hpp"
+#include "castor/base/diagnostic.hpp"
 
 #include <map>
 #include <string>
@@ -23,7 +23,7 @@ struct Placement {
   /// By the names of the components; the coordinator's own are left out.
   std::map<std::string, ProcessNumber> of;
   /// Hosts that are no addresses.
-  std::vector<cast::Diagnostic> problems;
+  std::vector<Diagnostic> problems;
 
   /// Where a component runs.
   ProcessNumber process_of(const std::string& component) const {

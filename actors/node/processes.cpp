@@ -1,8 +1,8 @@
 #include "castor/actors/node/processes.hpp"
 
-#include "castor/actors/component/log.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/messages.hpp"
+#include "castor/base/log.hpp"
 
 #include <unistd.h>
 
@@ -20,11 +20,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds glance{50};
 
 /// At the first line that needs the process.
-cast::Diagnostic out_of_reach(const ArchitectureDescription& architecture,
-                              const Placement& placement, ProcessNumber number,
-                              const Processes::State& x) {
+Diagnostic out_of_reach(const ArchitectureDescription& architecture, const Placement& placement,
+                        ProcessNumber number, const Processes::State& x) {
   auto at = to_string(Endpoint{x.description.host, x.description.port});
-  cast::Diagnostic result;
+  Diagnostic result;
   result.message = "cannot reach the node " +
                    (x.description.name.empty() ? at : x.description.name + " at " + at) + ": " +
                    x.reason;
@@ -107,7 +106,7 @@ void Processes::check_security(const ArchitectureDescription& architecture,
                                const Placement& placement, std::size_t first) const {
   if (options_.credentials || options_.insecure)
     return;
-  std::vector<cast::Diagnostic> problems;
+  std::vector<Diagnostic> problems;
   for (auto i = first; i < placement.processes.size(); ++i) {
     auto& x = placement.processes[i];
     if (is_loopback(x.host))
@@ -190,7 +189,7 @@ void Processes::await_connections(const ArchitectureDescription& architecture,
   };
   while (!settled() && Clock::now() < until && !interrupted())
     changed_.wait_for(guard, glance);
-  std::vector<cast::Diagnostic> problems;
+  std::vector<Diagnostic> problems;
   for (auto i = first; i < processes_.size(); ++i) {
     auto& x = processes_[i];
     if (x.news.state != LinkState::up)

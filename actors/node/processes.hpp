@@ -3,7 +3,7 @@
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/node/placement.hpp"
-#include "castor/actors/node/system.hpp"
+#include "castor/actors/node/system_options.hpp"
 
 #include <chrono>
 #include <condition_variable>

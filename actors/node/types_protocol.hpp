@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/link/wire.hpp"
-#include "castor/wm/caf.hpp"
-#include "castor/wm/type_descriptor.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/component/option.hpp"
-#include "castor/wm/journal.hpp"
+#include "castor/wm/journal/journal.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "castor/actors/supervision/supervision_tree.hpp"
 
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/component/component.hpp"
+#include "castor/base/duration.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +27,7 @@ void forget_before(std::deque<Timestamp>& times, Timestamp start) {
 
 std::string limit_of(const SupervisionPolicy& x) {
   return std::to_string(x.restarts) + (x.restarts == 1 ? " restart in " : " restarts in ") +
-         cast::to_string(x.period);
+         to_string(x.period);
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/cast/supervision_policy.hpp"
-#include "castor/wm/timestamp.hpp"
+#include "castor/actors/component/restart_type.hpp"
+#include "castor/wm/values/timestamp.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/task_manager/task.hpp"
+#include "castor/actors/component/task.hpp"
 
 #include <cstddef>
 #include <cstdint>

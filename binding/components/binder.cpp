@@ -1,6 +1,6 @@
 #include "castor/binding/binder.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/components/binding_component.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/binding_view.hpp"
 #include "castor/binding/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <set>
 #include <string>

@@ -1,6 +1,6 @@
 #include "castor/binding/binding_judge.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/components/binding_component.hpp"
 #include "castor/binding/feature_comparator.hpp"
 

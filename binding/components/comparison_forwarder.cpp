@@ -1,7 +1,7 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/feature_comparator.hpp"
 #include "castor/binding/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <string>

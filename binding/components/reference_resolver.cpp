@@ -1,4 +1,4 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/components/binding_component.hpp"
 #include "castor/binding/feature_comparator.hpp"
 #include "castor/binding/references.hpp"

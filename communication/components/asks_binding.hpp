@@ -3,7 +3,7 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/communication/components/asks_binding.hpp"
 #include "castor/communication/dialogue/response.hpp"
 #include "castor/communication/types.hpp"

@@ -1,8 +1,8 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
 #include "castor/communication/dialogue/dialogue_structure.hpp"
 #include "castor/communication/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <algorithm>
 #include <string>

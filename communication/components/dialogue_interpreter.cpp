@@ -1,9 +1,9 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <string>
 #include <utility>

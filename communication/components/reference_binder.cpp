@@ -1,12 +1,12 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/communication/components/asks_binding.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <algorithm>
 #include <string>

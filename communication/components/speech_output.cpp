@@ -1,10 +1,10 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
 #include "castor/communication/components/program.hpp"
 #include "castor/communication/dialogue/realiser.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <cstdio>

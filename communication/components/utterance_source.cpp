@@ -1,11 +1,11 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/base/input_file.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/communication/components/program.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
-#include "castor/wm/failure.hpp"
-#include "castor/wm/input_file.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <poll.h>
 #include <unistd.h>

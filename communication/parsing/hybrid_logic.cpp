@@ -1,6 +1,6 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -237,7 +237,7 @@ private:
 } // namespace
 
 HybridLogicError::HybridLogicError(const std::string& message, std::size_t offset)
-  : std::runtime_error(cast::printable(message)), offset_(offset) {
+  : std::runtime_error(printable(message)), offset_(offset) {
   // nop
 }
 

@@ -1,6 +1,6 @@
 #include "castor/communication/parsing/lexicon.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
+#include "castor/base/suggestion.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -73,7 +73,7 @@ std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t
   const std::size_t limit = word.size() < 3 ? 0 : word.size() < 6 ? 1 : 2;
   std::vector<Candidate> candidates;
   for (const auto& [known, entries] : words_) {
-    const auto distance = cast::edit_distance(word, known, limit);
+    const auto distance = edit_distance(word, known, limit);
     if (distance <= limit && known.size() > 1)
       candidates.push_back({distance, common_letters(word, known), entries, &known});
   }

@@ -1,7 +1,7 @@
 #include "castor/communication/parsing/lexicon_reader.hpp"
 
-#include "castor/actors/cast/suggestion.hpp"
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/suggestion.hpp"
+#include "castor/base/text.hpp"
 #include "castor/communication/parsing/family.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -185,7 +185,7 @@ private:
   }
 
   static std::string unknown_keyword_remedy(const std::string& word) {
-    const auto meant = cast::did_you_mean(word, keywords);
+    const auto meant = did_you_mean(word, keywords);
     return meant.empty() ? "Lines begin with feature, root, raise, call, filler, family, words or "
                            "nouns; what belongs to them is indented."
                          : meant;
@@ -284,7 +284,7 @@ private:
       std::vector<std::string_view> names;
       for (const auto& family : families_)
         names.push_back(family.first);
-      const auto meant = cast::did_you_mean(name, names);
+      const auto meant = did_you_mean(name, names);
       fail(piece, "there is no family \"" + name + "\"",
            meant.empty() ? "Write \"family " + name + "\" before it." : meant);
     }
@@ -350,9 +350,8 @@ private:
 
 std::string to_string(const LexiconProblem& problem) {
   std::string text = problem.file + ":" + std::to_string(problem.line) + ":" +
-                     std::to_string(problem.column) +
-                     ": error: " + cast::printable(problem.message) + "\n";
-  using cast::printable;
+                     std::to_string(problem.column) + ": error: " + printable(problem.message) +
+                     "\n";
   if (!problem.text.empty()) {
     auto before = problem.text.substr(0, static_cast<std::size_t>(std::max(problem.column - 1, 0)));
     text +=

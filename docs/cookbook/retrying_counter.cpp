@@ -1,4 +1,4 @@
-#include <castor/actors/registry.hpp>
+#include <castor/actors/component/registry.hpp>
 #include <count.hpp>
 
 class RetryingCounter : public castor::UnmanagedComponent {

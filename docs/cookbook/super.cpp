@@ -1,4 +1,4 @@
-#include <castor/actors/registry.hpp>
+#include <castor/actors/component/registry.hpp>
 #include <cup.hpp>
 
 struct HotCup : Cup {

@@ -1,6 +1,6 @@
 #include "cup.hpp"
 
-#include <castor/actors/registry.hpp>
+#include <castor/actors/component/registry.hpp>
 
 #include <chrono>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "action.hpp"
 
-#include <castor/actors/registry.hpp>
+#include <castor/actors/component/registry.hpp>
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #include "touch.hpp"
 
-#include <castor/actors/registry.hpp>
+#include <castor/actors/component/registry.hpp>
 
 class TouchSensor : public castor::UnmanagedComponent {
   castor::Option<double> x_{this, "x", 0, "where it touches, metres to the right"};

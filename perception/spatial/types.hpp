@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
 #include <string>

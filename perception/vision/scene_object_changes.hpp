@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/entry.hpp"
+#include "castor/wm/entries/entry.hpp"
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/perception/vision/text_file.hpp"
 
-#include "castor/actors/cast/text.hpp"
-#include "castor/wm/input_file.hpp"
+#include "castor/base/input_file.hpp"
+#include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -96,7 +96,6 @@ std::string to_string(const TextProblem& problem) {
   if (problem.line > 0)
     result += ":" + std::to_string(problem.line);
   result += problem.severity == TextProblem::Severity::error ? ": error: " : ": warning: ";
-  using cast::printable;
   result += printable(problem.message) + "\n";
   if (!problem.text.empty())
     result += "    " + printable(problem.text) + "\n";

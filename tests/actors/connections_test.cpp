@@ -1,4 +1,4 @@
-#include "castor/actors/node/local_endpoint.hpp"
+#include "castor/actors/system/local_endpoint.hpp"
 #include "castor/tests/actors/scripted.hpp"
 
 #include <gtest/gtest.h>

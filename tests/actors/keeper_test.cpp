@@ -1,4 +1,4 @@
-#include "castor/actors/component/keeper.hpp"
+#include "castor/actors/runtime/keeper.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "castor/tests/actors/scripted.hpp"
 
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <gtest/gtest.h>
 

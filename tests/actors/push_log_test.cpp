@@ -1,7 +1,7 @@
-#include "castor/actors/component/push_log.hpp"
-#include "castor/actors/component/push_recorder.hpp"
+#include "castor/actors/runtime/push_log.hpp"
+#include "castor/actors/runtime/push_recorder.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
-#include "castor/wm/journal.hpp"
+#include "castor/wm/journal/journal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

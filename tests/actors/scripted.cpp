@@ -1,7 +1,7 @@
 #include "castor/tests/actors/scripted.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void clear_scripts() {
 ArchitectureDescription architecture(const std::string& text) {
   auto result = cast::parse_string(text, "test.cast");
   if (!result.architecture)
-    throw std::runtime_error(cast::render(result.diagnostics));
+    throw std::runtime_error(render(result.diagnostics));
   return *std::move(result.architecture);
 }
 

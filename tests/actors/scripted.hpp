@@ -2,7 +2,7 @@
 
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/node/system.hpp"
+#include "castor/actors/system/system.hpp"
 #include "castor/tests/support/eventually.hpp"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "castor/actors/component/seen_versions.hpp"
+#include "castor/actors/runtime/seen_versions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "castor/tests/actors/scripted.hpp"
 
-#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/component/health.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "castor/tests/actors/scripted.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <gtest/gtest.h>
 

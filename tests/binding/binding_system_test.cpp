@@ -1,11 +1,11 @@
 // Scorer, judge and binder over working memory, while monitors make up their minds at random and
 // components fail: what comes of it is what BindingCore makes of the same proxies.
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/registry.hpp"
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/system/system.hpp"
 #include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/tests/binding/chance.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -42,8 +42,7 @@ castor::cast::ParseOptions options_with(Files files) {
   options.environment = [](const std::string& name) -> std::optional<std::string> {
     return name.size() % 2 == 0 ? std::nullopt : std::optional<std::string>("value of " + name);
   };
-  options.load = [files = std::move(files)](const std::string& path,
-                                            std::size_t) -> castor::cast::FileContent {
+  options.load = [files = std::move(files)](const std::string& path, std::size_t) -> FileContent {
     auto found = files.find(path);
     if (found == files.end())
       return {std::nullopt, "no such file"};

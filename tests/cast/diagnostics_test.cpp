@@ -1,6 +1,6 @@
-#include "castor/actors/cast/diagnostic.hpp"
+#include "castor/base/diagnostic.hpp"
 
-#include "castor/actors/cast/diagnostic_log.hpp"
+#include "castor/base/diagnostic_log.hpp"
 #include "castor/tests/cast/support.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "castor/actors/cast/duration.hpp"
 #include "castor/actors/cast/writer.hpp"
+#include "castor/base/duration.hpp"
 #include "castor/tests/cast/support.hpp"
 
 #include <gtest/gtest.h>

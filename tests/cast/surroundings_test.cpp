@@ -1,4 +1,4 @@
-#include "castor/actors/cast/surroundings.hpp"
+#include "castor/base/file_access.hpp"
 
 #include "castor/actors/cast/parser.hpp"
 

@@ -1,7 +1,7 @@
-#include "castor/actors/cast/text.hpp"
+#include "castor/base/text.hpp"
 
 #include "castor/actors/cast/paths.hpp"
-#include "castor/actors/cast/suggestion.hpp"
+#include "castor/base/suggestion.hpp"
 
 #include <gtest/gtest.h>
 

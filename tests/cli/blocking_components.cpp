@@ -1,7 +1,7 @@
 // Components that do not give their thread or their process back.
 #include "tick.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <unistd.h>
 

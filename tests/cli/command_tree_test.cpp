@@ -1,4 +1,4 @@
-#include "castor/actors/cli/command_tree.hpp"
+#include "castor/tools/cli/command_tree.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

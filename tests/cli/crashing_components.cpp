@@ -1,7 +1,7 @@
 // Components that end their process, from different places in different ways.
 #include "tick.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "castor/actors/cli/doctor_checks.hpp"
+#include "castor/tools/cli/doctor_checks.hpp"
 
 #include "castor_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/actors/cli/end_requests.hpp"
+#include "castor/tools/cli/end_requests.hpp"
 
 #include <gtest/gtest.h>
 

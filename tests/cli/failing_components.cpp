@@ -3,8 +3,8 @@
 #include "order.hpp"
 #include "tick.hpp"
 
-#include "castor/actors/registry.hpp"
-#include "castor/actors/supervision/health.hpp"
+#include "castor/actors/component/health.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <algorithm>
 #include <chrono>

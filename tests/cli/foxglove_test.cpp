@@ -1,5 +1,5 @@
-#include "castor/actors/cli/foxglove.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/tools/cli/foxglove.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

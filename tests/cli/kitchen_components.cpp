@@ -1,5 +1,5 @@
 // Components that are written to and called from outside.
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <chrono>
 #include <optional>

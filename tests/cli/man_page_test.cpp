@@ -1,4 +1,4 @@
-#include "castor/actors/cli/man_page.hpp"
+#include "castor/tools/cli/man_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

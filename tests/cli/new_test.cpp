@@ -1,6 +1,6 @@
 #include "castor_fixture.hpp"
 
-#include "castor/actors/cli/project_template.hpp"
+#include "castor/tools/cli/project_template.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "order.hpp"
 #include "tick.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/address.hpp"
-#include "castor/wm/change_event.hpp"
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/change_event.hpp"
 
 #include <map>
 #include <stdexcept>

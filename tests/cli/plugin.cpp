@@ -1,7 +1,7 @@
 // Component classes that the castor executable does not have: a library for --plugin.
 #include "tick.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <cstdio>
 #include <stdexcept>

@@ -1,9 +1,9 @@
 #include "castor_fixture.hpp"
 
-#include "castor/actors/cli/progress.hpp"
-#include "castor/actors/cli/progress_line.hpp"
 #include "castor/tests/support/eventually.hpp"
 #include "castor/tests/support/terminal.hpp"
+#include "castor/tools/cli/progress.hpp"
+#include "castor/tools/cli/progress_line.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "castor_fixture.hpp"
 
-#include "castor/actors/cli/tethers.hpp"
 #include "castor/tests/support/eventually.hpp"
+#include "castor/tools/cli/tethers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

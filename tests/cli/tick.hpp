@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 namespace castor::test {
 

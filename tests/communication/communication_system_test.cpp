@@ -1,9 +1,9 @@
 // From what is said to packed logical forms, dialogue moves and clarification requests, on working
 // memory.
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/actors/system/system.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "castor/tests/conformance/basic_tests.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <string>
 

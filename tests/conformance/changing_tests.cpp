@@ -1,6 +1,6 @@
 #include "castor/tests/conformance/basic_tests.hpp"
 
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "castor/tests/conformance/tester.hpp"
 
 #include "castor/actors/component/entry_pointer.hpp"
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <chrono>
 #include <string>

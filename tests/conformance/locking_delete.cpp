@@ -1,7 +1,7 @@
 #include "castor/tests/conformance/tester.hpp"
 
-#include "castor/actors/registry.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <memory>

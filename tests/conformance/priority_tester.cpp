@@ -1,6 +1,6 @@
 #include "castor/tests/conformance/tester.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/activity.hpp"
+#include "castor/tools/chaos/activity.hpp"
 
 #include <gtest/gtest.h>
 

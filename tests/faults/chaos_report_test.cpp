@@ -1,6 +1,6 @@
-#include "castor/actors/faults/chaos_report.hpp"
+#include "castor/tools/chaos/chaos_report.hpp"
 
-#include "castor/actors/faults/chart.hpp"
+#include "castor/tools/chaos/chart.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

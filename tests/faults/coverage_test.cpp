@@ -1,4 +1,4 @@
-#include "castor/actors/faults/coverage.hpp"
+#include "castor/tools/chaos/coverage.hpp"
 
 #include "castor/tests/faults/support.hpp"
 

@@ -1,7 +1,7 @@
-#include "castor/actors/faults/fault_plan.hpp"
+#include "castor/tools/chaos/fault_plan.hpp"
 
 #include "castor/tests/faults/support.hpp"
-#include "castor/wm/change_filter_parser.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <gmock/gmock.h>
 

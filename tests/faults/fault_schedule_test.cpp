@@ -1,8 +1,8 @@
-#include "castor/actors/faults/fault_schedule.hpp"
+#include "castor/tools/chaos/fault_schedule.hpp"
 
 #include "castor/tests/faults/random_faults.hpp"
 #include "castor/tests/faults/support.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/fault_targets.hpp"
+#include "castor/tools/chaos/fault_targets.hpp"
 
 #include "castor/tests/faults/support.hpp"
 
@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string flaws_in(std::string_view plan, const FaultTargets& targets = test::table_top()) {
-  return cast::render(check_plan(test::plan_of(plan), targets));
+  return render(check_plan(test::plan_of(plan), targets));
 }
 
 TEST(FaultTargets, APlanThatFitsHasNoFlaws) {

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/minimise.hpp"
+#include "castor/tools/chaos/minimise.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

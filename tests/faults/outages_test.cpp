@@ -1,6 +1,6 @@
-#include "castor/actors/faults/outages.hpp"
+#include "castor/tools/chaos/outages.hpp"
 
-#include "castor/actors/faults/recovery_times.hpp"
+#include "castor/tools/chaos/recovery_times.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
-#include "castor/actors/faults/quantities.hpp"
+#include "castor/tools/chaos/quantities.hpp"
 
-#include "castor/actors/faults/rounded.hpp"
+#include "castor/tools/chaos/rounded.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "castor/tests/faults/random_faults.hpp"
 
-#include "castor/wm/change_filter_parser.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <ostream>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/faults/fault_plan.hpp"
+#include "castor/tools/chaos/fault_plan.hpp"
 
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/random_plan.hpp"
+#include "castor/tools/chaos/random_plan.hpp"
 
 #include "castor/tests/faults/support.hpp"
 
@@ -29,7 +29,7 @@ RC_GTEST_PROP(RandomPlan, FitsTheSystemAndLeavesItToRest, (std::uint64_t seed)) 
                                 [](auto x) { return Timestamp{x}; });
   auto& targets = seed % 2 == 0 ? test::table_top() : test::small_system();
   auto plan = random_plan(targets, seed, duration);
-  RC_ASSERT(cast::render(check_plan(plan, targets)) == "");
+  RC_ASSERT(render(check_plan(plan, targets)) == "");
   RC_ASSERT(test::plan_of(to_string(plan)) == plan);
   auto rest = std::min<Timestamp>(10s, duration / 4);
   for (auto& x : plan.statements) {

@@ -1,9 +1,9 @@
-#include "castor/actors/faults/recorded_operations.hpp"
+#include "castor/tools/chaos/recorded_operations.hpp"
 
-#include "castor/wm/entry_store.hpp"
-#include "castor/wm/failure.hpp"
-#include "castor/wm/reflect.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/memory/working_memory.hpp"
+#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "castor/actors/faults/resource_growth.hpp"
+#include "castor/tools/chaos/resource_growth.hpp"
 
-#include "castor/actors/faults/seeded_random.hpp"
+#include "castor/tools/chaos/seeded_random.hpp"
 
 #include <gmock/gmock.h>
 

@@ -12,7 +12,7 @@ RC_GTEST_PROP(RoundTrip, OfAPlanThroughItsTextChangesNothing, ()) {
   auto plan = *test::any_plan();
   auto text = to_string(plan);
   auto result = test::parse(text);
-  RC_ASSERT(cast::render(result.diagnostics) == "");
+  RC_ASSERT(render(result.diagnostics) == "");
   RC_ASSERT(*result.plan == plan);
   RC_ASSERT(to_string(*result.plan) == text);
 }

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/scene_text.hpp"
+#include "castor/tools/chaos/scene_text.hpp"
 
 #include <gmock/gmock.h>
 

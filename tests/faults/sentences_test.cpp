@@ -1,5 +1,5 @@
-#include "castor/actors/faults/sentences.hpp"
-#include "castor/actors/faults/workload_record.hpp"
+#include "castor/tools/chaos/sentences.hpp"
+#include "castor/tools/chaos/workload_record.hpp"
 
 #include <gmock/gmock.h>
 

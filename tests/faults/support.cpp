@@ -10,7 +10,7 @@ namespace {
 
 FaultTargets targets_of_text(std::string_view text, std::vector<std::string> nodes) {
   auto result = cast::parse_string(text, "test.cast");
-  EXPECT_EQ(cast::render(result.diagnostics), "");
+  EXPECT_EQ(render(result.diagnostics), "");
   return targets_of(result.architecture.value(), std::move(nodes));
 }
 
@@ -18,7 +18,7 @@ FaultTargets targets_of_text(std::string_view text, std::vector<std::string> nod
 
 PlanResult parse(std::string_view text) {
   cast::ParseOptions options;
-  options.load = [](const std::string& path, std::size_t) -> cast::FileContent {
+  options.load = [](const std::string& path, std::size_t) -> FileContent {
     if (path == "more.plan")
       return {"at 9s crash tracker\n", {}};
     return {std::nullopt, "no such file"};
@@ -28,12 +28,12 @@ PlanResult parse(std::string_view text) {
 
 FaultPlan plan_of(std::string_view text) {
   auto result = parse(text);
-  EXPECT_EQ(cast::render(result.diagnostics), "");
+  EXPECT_EQ(render(result.diagnostics), "");
   return result.plan.value_or(FaultPlan{});
 }
 
 std::string flaws_of(std::string_view text) {
-  return cast::render(parse(text).diagnostics);
+  return render(parse(text).diagnostics);
 }
 
 const FaultTargets& table_top() {

@@ -1,10 +1,10 @@
 // Feeds arbitrary bytes to the reader of workloads: what it takes for a workload is printed and
 // read again.
 
-#include "castor/actors/faults/scene_text.hpp"
-#include "castor/actors/faults/workload.hpp"
-#include "castor/actors/faults/workload_places.hpp"
 #include "castor/tests/support/fuzzing.hpp"
+#include "castor/tools/chaos/scene_text.hpp"
+#include "castor/tools/chaos/workload.hpp"
+#include "castor/tools/chaos/workload_places.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string_view input(reinterpret_cast<const char*>(data), size);
   auto result = faults::parse_workload(input, "fuzz.workload", test::hermetic_options());
   require(result.diagnostics.size() <= 21);
-  require(cast::render(result.diagnostics).find('\x1b') == std::string::npos);
+  require(render(result.diagnostics).find('\x1b') == std::string::npos);
   // A scene may be any text, too.
   faults::SceneText scene{input};
   if (!result.ok())
@@ -47,6 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto problems = faults::check_workload(
     *result.workload, places, scene, [](const faults::WriteEntry&) { return std::string{}; },
     [](const std::string&) { return false; });
-  require(cast::render(problems).find('\x1b') == std::string::npos);
+  require(render(problems).find('\x1b') == std::string::npos);
   return 0;
 }

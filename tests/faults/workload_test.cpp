@@ -1,8 +1,8 @@
-#include "castor/actors/faults/workload.hpp"
+#include "castor/tools/chaos/workload.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/faults/workload_places.hpp"
-#include "castor/actors/faults/workload_schedule.hpp"
+#include "castor/tools/chaos/workload_places.hpp"
+#include "castor/tools/chaos/workload_schedule.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,14 +32,14 @@ constexpr const char* whole_language =
 
 Workload workload_of(const std::string& text) {
   auto result = parse_workload(text, "test.workload");
-  EXPECT_EQ(cast::render(result.diagnostics), "");
+  EXPECT_EQ(render(result.diagnostics), "");
   return result.workload.value_or(Workload{});
 }
 
 std::string flaws_of(const std::string& text) {
   auto result = parse_workload(text, "test.workload");
   EXPECT_FALSE(result.ok()) << text;
-  return cast::render(result.diagnostics);
+  return render(result.diagnostics);
 }
 
 Workload whole_workload() {
@@ -127,7 +127,7 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
 
 WorkloadPlaces places_in(const std::string& text) {
   auto result = cast::parse_string(text, "test.cast");
-  EXPECT_EQ(cast::render(result.diagnostics), "");
+  EXPECT_EQ(render(result.diagnostics), "");
   return places_of(result.architecture.value());
 }
 
@@ -145,7 +145,7 @@ std::string misfits_of(const std::string& workload, const std::string& system = 
   std::optional<SceneText> scene;
   if (!places.cameras.empty())
     scene.emplace("red sphere at 0 0\n");
-  return cast::render(check_workload(
+  return render(check_workload(
     workload_of(workload), places, scene,
     [](const WriteEntry& x) { return x.type == "Note" ? "" : "there is no type " + x.type; },
     [](const std::string& type) { return type == "Note"; }));

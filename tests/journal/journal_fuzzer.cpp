@@ -2,9 +2,9 @@
 // patches.
 
 #include "castor/tests/support/fuzzing.hpp"
-#include "castor/wm/entry_store.hpp"
-#include "castor/wm/journal.hpp"
-#include "castor/wm/journal_reader.hpp"
+#include "castor/wm/journal/journal.hpp"
+#include "castor/wm/journal/journal_reader.hpp"
+#include "castor/wm/store/entry_store.hpp"
 
 #include <unistd.h>
 

@@ -2,11 +2,11 @@
 // acknowledged is missing, or is there twice.
 //
 //   castor_journal_kills [--kills N] [--seed S]
-#include "castor/actors/cli/progress.hpp"
 #include "castor/tests/support/process.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
-#include "castor/wm/journal_reader.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/tools/cli/progress.hpp"
+#include "castor/wm/journal/journal_reader.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <caf/scoped_actor.hpp>
 

@@ -1,6 +1,6 @@
+#include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/registry.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <algorithm>
 #include <cstdint>

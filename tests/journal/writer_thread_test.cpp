@@ -1,6 +1,6 @@
 #include "castor/tests/support/temporary_folder.hpp"
-#include "castor/wm/journal_reader.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/wm/journal/journal_reader.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <caf/scoped_actor.hpp>
 

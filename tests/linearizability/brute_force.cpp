@@ -1,6 +1,6 @@
 #include "castor/tests/linearizability/brute_force.hpp"
 
-#include "castor/actors/faults/linearizability/entry_model.hpp"
+#include "castor/tools/linearizability/entry_model.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/linearizability/change_check.hpp"
+#include "castor/tools/chaos/change_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

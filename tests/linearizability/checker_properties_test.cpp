@@ -1,6 +1,6 @@
-#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/brute_force.hpp"
 #include "castor/tests/linearizability/random_history.hpp"
+#include "castor/tools/linearizability/checker.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/records.hpp"
+#include "castor/tools/linearizability/checker.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

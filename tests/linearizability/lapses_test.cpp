@@ -1,7 +1,7 @@
-#include "castor/actors/faults/linearizability/lapses.hpp"
+#include "castor/tools/linearizability/lapses.hpp"
 
-#include "castor/actors/faults/linearizability/checker.hpp"
 #include "castor/tests/linearizability/records.hpp"
+#include "castor/tools/linearizability/checker.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,13 @@ function(castor_mutant name source)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "ALL" "FROM;TO" "")
   cmake_path(GET source FILENAME file)
   set(target castor_mutant_${name})
+  get_target_property(modules castor_wm CASTOR_LIBRARY_MODULES)
+  list(TRANSFORM modules REPLACE "(.+)" "$<TARGET_OBJECTS:castor_\\1>" OUTPUT_VARIABLE objects)
   # Linked together from objects: a mutant differs from the product by one file.
   castor_add_mutant(${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
     SOURCES $<TARGET_OBJECTS:castor_simulation>
-      $<FILTER:$<TARGET_OBJECTS:castor_wm>,EXCLUDE,/${file}\\.o$>
-    DEPENDS castor_history_checks castor_progress castor_simulation_parts CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
+      $<FILTER:${objects},EXCLUDE,/${file}\\.o$>
+    DEPENDS castor_history_checks castor_progress castor_simulation_parts castor::base CAF::core nlohmann_json::nlohmann_json SQLite::SQLite3
       ZLIB::ZLIB CLI11::CLI11 fmt::fmt)
   target_include_directories(${target} PRIVATE "${CASTOR_INCLUDE_ROOT}")
   if(ARG_ALL)
@@ -36,95 +38,95 @@ function(castor_node_mutant name source)
     DEPENDS castor_progress castor_real_run_parts CAF::io CLI11::CLI11 fmt::fmt)
 endfunction()
 
-castor_mutant(no_version_check wm/entry_store.cpp ALL
+castor_mutant(no_version_check wm/store/entry_store.cpp ALL
   FROM "if (*request.last_seen != old.version)"
   TO "if (false)")
 
-castor_mutant(no_token_check wm/lease_table.cpp ALL
+castor_mutant(no_token_check wm/leases/lease_table.cpp ALL
   FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
   TO "return true ? Verdict::permitted")
 
-castor_mutant(last_come_first_served wm/lease_table.cpp ALL
+castor_mutant(last_come_first_served wm/leases/lease_table.cpp ALL
   FROM "row->second.queue.push_back(std::move(waiter));"
   TO "row->second.queue.push_front(std::move(waiter));")
 
-castor_mutant(holder_not_compared wm/lease_table.cpp
+castor_mutant(holder_not_compared wm/leases/lease_table.cpp
   FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
   TO "return x && x->lease.token == token ? Verdict::permitted")
 
-castor_mutant(reads_pass_locks wm/lease_table.cpp
+castor_mutant(reads_pass_locks wm/leases/lease_table.cpp
   FROM "return !x || x->lease.level != LockLevel::odr || *x->holder == client;"
   TO "return true;")
 
-castor_mutant(reads_overtake_odr_locks wm/lease_table.cpp
+castor_mutant(reads_overtake_odr_locks wm/leases/lease_table.cpp
   FROM "if (holding.lease.level == LockLevel::odr && !(*waiter.client == *holding.holder))
       return false;"
   TO "")
 
-castor_mutant(leases_outlive_holders wm/lease_table.cpp
+castor_mutant(leases_outlive_holders wm/leases/lease_table.cpp
   FROM "if (*row.holding->holder == client)
       held.push_back(id);"
   TO "")
 
-castor_mutant(waits_outlive_clients wm/lease_table.cpp
+castor_mutant(waits_outlive_clients wm/leases/lease_table.cpp
   FROM "forget_waits(row, [&](auto& x) { return *x.client == client; });"
   TO "")
 
-castor_mutant(leases_never_expire wm/lease_table.cpp
+castor_mutant(leases_never_expire wm/leases/lease_table.cpp
   FROM "if (expires > now)
       break;"
   TO "break;")
 
-castor_mutant(tokens_stay wm/lease_table.cpp
+castor_mutant(tokens_stay wm/leases/lease_table.cpp
   FROM "holding = Holding{{next_token_++,"
   TO "holding = Holding{{next_token_,")
 
-castor_mutant(unlocking_forgets_nesting wm/lease_table.cpp
+castor_mutant(unlocking_forgets_nesting wm/leases/lease_table.cpp
   FROM "holding.levels.pop_back();"
   TO "holding.levels.clear();")
 
-castor_mutant(weakened_leases_keep_readers_out wm/lease_table.cpp
+castor_mutant(weakened_leases_keep_readers_out wm/leases/lease_table.cpp
   FROM "holding.lease.level = *std::max_element(holding.levels.begin(), holding.levels.end());"
   TO "")
 
-castor_mutant(granted_waits_cannot_be_cancelled wm/lease_table.cpp
+castor_mutant(granted_waits_cannot_be_cancelled wm/leases/lease_table.cpp
   FROM "if (holding && holding->number == number && *holding->holder == client) {"
   TO "if (false) {")
 
-castor_mutant(deletion_keeps_the_lease wm/working_memory.cpp
+castor_mutant(deletion_keeps_the_lease wm/memory/working_memory.cpp
   FROM "state.leases.erase(change.event->address.id);"
   TO "{}")
 
-castor_mutant(waiters_hear_nothing_of_a_deletion wm/lease_table.cpp
+castor_mutant(waiters_hear_nothing_of_a_deletion wm/leases/lease_table.cpp
   FROM "for (auto& waiter : row->second.queue)
     settle(waiter, SettledWait::Result::deleted);"
   TO "for (auto& waiter : row->second.queue)
     deadlines_.erase({waiter.deadline, waiter.arrival});")
 
-castor_mutant(versions_begin_anew wm/entry_store.cpp
+castor_mutant(versions_begin_anew wm/store/entry_store.cpp
   FROM "return i == tombstones_.end() ? floor_ : i->second.version + 1;"
   TO "return i == tombstones_.end() ? floor_ : 0;")
 
-castor_mutant(half_a_batch wm/working_memory.cpp
+castor_mutant(half_a_batch wm/memory/working_memory.cpp
   FROM "commit(self, *std::move(effects));"
   TO "commit(self, {effects->begin() + (effects->size() > 1), effects->end()});")
 
-castor_mutant(batches_ignore_leases wm/working_memory.cpp
+castor_mutant(batches_ignore_leases wm/memory/working_memory.cpp
   FROM "for (auto& x : request.writes)
       if (auto refused"
   TO "for (auto& x : std::vector<WriteRequest>{})
       if (auto refused")
 
-castor_mutant(deaths_settle_nothing wm/working_memory_leases.cpp
+castor_mutant(deaths_settle_nothing wm/memory/working_memory_leases.cpp
   FROM "// Also if that was the last lease, when there is nothing to catch up with.
   settle(self);"
   TO "")
 
-castor_mutant(changes_told_backwards wm/working_memory_events.cpp
+castor_mutant(changes_told_backwards wm/memory/working_memory_events.cpp
   FROM "notices[number].push_back({event, std::move(ids)});"
   TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});")
 
-castor_mutant(nobody_is_told_of_deletions wm/working_memory_events.cpp
+castor_mutant(nobody_is_told_of_deletions wm/memory/working_memory_events.cpp
   FROM "state.peer_index.match(*event, content, foreign);"
   TO "if (event->operation != Operation::remove)
       state.peer_index.match(*event, content, foreign);")
@@ -161,7 +163,7 @@ castor_node_mutant(reads_are_answered_from_a_cache actors/component/component.cp
     s.saw(address, known->version);
     return known;")
 
-castor_node_mutant(acknowledged_before_applied wm/working_memory.cpp
+castor_node_mutant(acknowledged_before_applied wm/memory/working_memory.cpp
   FROM "[self](const WriteRequest& x) {"
   TO "[self](const WriteRequest& x) -> caf::result<Outcome<Version>> {
       auto* owner = find_peer(self->state, x.address.subarchitecture);
@@ -170,15 +172,15 @@ castor_node_mutant(acknowledged_before_applied wm/working_memory.cpp
         return Outcome<Version>{*x.last_seen + 1};
       }")
 
-castor_node_mutant(stale_tokens_are_good wm/lease_table.cpp
+castor_node_mutant(stale_tokens_are_good wm/leases/lease_table.cpp
   FROM "return x && *x->holder == client && x->lease.token == token ? Verdict::permitted"
   TO "return true ? Verdict::permitted")
 
-castor_node_mutant(leases_never_expire wm/lease_table.cpp
+castor_node_mutant(leases_never_expire wm/leases/lease_table.cpp
   FROM "if (expires > now)
       break;"
   TO "break;")
 
-castor_node_mutant(leases_expire_too_early wm/lease_table.cpp
+castor_node_mutant(leases_expire_too_early wm/leases/lease_table.cpp
   FROM "level, now + options_.duration}, client"
   TO "level, now + options_.duration / 2}, client")

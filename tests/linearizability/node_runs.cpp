@@ -1,9 +1,9 @@
 #include "castor/tests/linearizability/node_runs.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
 #include "castor/actors/node/node.hpp"
-#include "castor/actors/node/system.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/log.hpp"
 #include "castor/tests/support/process.hpp"
 #include "castor/tests/support/relay.hpp"
 

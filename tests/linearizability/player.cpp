@@ -1,6 +1,6 @@
 #include "castor/tests/linearizability/player.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <algorithm>
 #include <array>

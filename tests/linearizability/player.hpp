@@ -1,9 +1,9 @@
 #pragma once
 
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/faults/linearizability/history.hpp"
-#include "castor/actors/simulation/seen.hpp"
 #include "castor/tests/linearizability/world.hpp"
+#include "castor/tools/linearizability/history.hpp"
+#include "castor/tools/simulation/seen.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "castor/tests/linearizability/random_history.hpp"
 
-#include "castor/actors/faults/linearizability/entry_model.hpp"
+#include "castor/tools/linearizability/entry_model.hpp"
 
 #include <algorithm>
 #include <map>

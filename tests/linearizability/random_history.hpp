@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/faults/linearizability/history.hpp"
+#include "castor/tools/linearizability/history.hpp"
 
 #include <cstddef>
 #include <cstdint>

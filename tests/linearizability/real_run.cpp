@@ -1,9 +1,9 @@
 #include "castor/tests/linearizability/real_run.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/faults/linearizability/lapses.hpp"
-#include "castor/actors/node/system.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/base/log.hpp"
+#include "castor/tools/linearizability/lapses.hpp"
 
 #include <algorithm>
 #include <random>

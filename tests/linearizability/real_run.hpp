@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/faults/linearizability/checker.hpp"
-#include "castor/actors/faults/linearizability/history.hpp"
 #include "castor/tests/linearizability/world.hpp"
+#include "castor/tools/linearizability/checker.hpp"
+#include "castor/tools/linearizability/history.hpp"
 
 #include <chrono>
 #include <cstdint>

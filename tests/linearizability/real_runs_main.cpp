@@ -1,7 +1,7 @@
-#include "castor/actors/cli/progress.hpp"
-#include "castor/actors/component/log.hpp"
+#include "castor/base/log.hpp"
 #include "castor/tests/linearizability/node_runs.hpp"
 #include "castor/tests/linearizability/real_run.hpp"
+#include "castor/tools/cli/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

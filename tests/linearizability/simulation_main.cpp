@@ -1,6 +1,6 @@
-#include "castor/actors/cli/progress.hpp"
-#include "castor/actors/simulation/memory_simulation.hpp"
-#include "castor/actors/simulation/seeds.hpp"
+#include "castor/tools/cli/progress.hpp"
+#include "castor/tools/simulation/memory_simulation.hpp"
+#include "castor/tools/simulation/seeds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-#include "castor/actors/simulation/memory_simulation.hpp"
+#include "castor/tools/simulation/memory_simulation.hpp"
 
 #include <gtest/gtest.h>
 

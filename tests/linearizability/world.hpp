@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/actors/faults/linearizability/history.hpp"
-#include "castor/wm/address.hpp"
+#include "castor/tools/linearizability/history.hpp"
+#include "castor/wm/entries/address.hpp"
 
 #include <chrono>
 #include <cstddef>

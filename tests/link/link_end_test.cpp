@@ -1,9 +1,9 @@
 #include "castor/actors/link/link_end.hpp"
 
-#include "castor/actors/component/shell_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
-#include "castor/actors/simulation/testing_system.hpp"
-#include "castor/wm/working_memory_protocol.hpp"
+#include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/tests/support/eventually.hpp"
 #include "castor/tests/support/relay.hpp"
-#include "castor/wm/reflect.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/wm/memory/working_memory.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>

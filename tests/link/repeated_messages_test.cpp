@@ -1,4 +1,4 @@
-#include "castor/actors/component/repeated_messages.hpp"
+#include "castor/base/repeated_messages.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "castor/actors/link/session.hpp"
 
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "castor/actors/link/wire_protocol.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/actors/node/part_protocol.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -129,7 +129,7 @@ TEST_F(Wire, APlanArrivesWithTheLivesAndTheRulesOfSupervision) {
                        "SUBARCHITECTURE vision arm\nCPP WM W --journal full\nCPP TM T\n"
                        "CPP UM camera C --restart transient --isolate\n",
                        "test.cast");
-  ASSERT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+  ASSERT_TRUE(parsed.ok()) << render(parsed.diagnostics);
   PartPlan plan;
   plan.architecture = *parsed.architecture;
   plan.processes = {{}, {"arm", "10.0.0.2", 7117, true}, {"spare", "10.0.0.4", 7200, false}};

@@ -1,4 +1,4 @@
-#include "castor/actors/node/component_statuses.hpp"
+#include "castor/actors/system/component_statuses.hpp"
 
 #include <gtest/gtest.h>
 

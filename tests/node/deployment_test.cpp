@@ -1,7 +1,7 @@
-#include "castor/actors/node/deployment.hpp"
+#include "castor/actors/supervision/deployment.hpp"
 
 #include "castor/tests/node/support.hpp"
-#include "castor/actors/simulation/testing_system.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
 
 #include <caf/scoped_actor.hpp>
 

@@ -1,5 +1,5 @@
 #include "castor/actors/node/memberships.hpp"
-#include "castor/actors/simulation/testing_system.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "castor/actors/node/part_agent.hpp"
 
-#include "castor/actors/component/shell.hpp"
 #include "castor/actors/node/messages.hpp"
+#include "castor/actors/runtime/shell.hpp"
 #include "castor/tests/node/support.hpp"
-#include "castor/actors/simulation/testing_system.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <gtest/gtest.h>
 

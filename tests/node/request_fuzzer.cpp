@@ -1,7 +1,7 @@
 // Feeds arbitrary bytes to what takes the requests of those who look on: however they are cut, they
 // are the same lines; each of them is a request or a BadRequest, whose text can be said in JSON.
 
-#include "castor/actors/node/request_lines.hpp"
+#include "castor/actors/system/request_lines.hpp"
 #include "castor/tests/support/fuzzing.hpp"
 
 #include <algorithm>

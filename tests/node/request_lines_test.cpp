@@ -1,4 +1,4 @@
-#include "castor/actors/node/request_lines.hpp"
+#include "castor/actors/system/request_lines.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

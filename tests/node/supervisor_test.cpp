@@ -1,8 +1,8 @@
-#include "castor/actors/node/supervisor.hpp"
+#include "castor/actors/supervision/supervisor.hpp"
 
-#include "castor/actors/component/log.hpp"
-#include "castor/actors/simulation/testing_system.hpp"
+#include "castor/base/log.hpp"
 #include "castor/tests/node/support.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

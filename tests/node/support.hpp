@@ -11,7 +11,7 @@ namespace castor::test {
 inline ArchitectureDescription architecture(const std::string& text) {
   auto result = cast::parse_string(text, "test.cast");
   if (!result.architecture)
-    throw std::runtime_error(cast::render(result.diagnostics));
+    throw std::runtime_error(render(result.diagnostics));
   return *std::move(result.architecture);
 }
 

@@ -1,8 +1,8 @@
-#include "castor/actors/node/value_from_json.hpp"
+#include "castor/actors/system/value_from_json.hpp"
 
 #include "castor/tests/wm/random_values.hpp"
 #include "castor/tests/wm/test_types.hpp"
-#include "castor/wm/json.hpp"
+#include "castor/wm/values/json.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 
 #include "vision_system.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/tracking/moved_object.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -215,7 +215,7 @@ TEST_F(ObjectTrackerSystem, LosesNothingOfWhatTheRecogniserWritesAtTheSameTime) 
                              {"source", scene("red cube at -0.25 0 size 0.07\n"
                                               "after 2s move red cube to 0.25 0 over 6s\n")}};
   auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
-  ASSERT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+  ASSERT_TRUE(parsed.ok()) << render(parsed.diagnostics);
   System system{parsed.architecture.value()};
   ASSERT_TRUE(system.start());
   auto reason = system.wait({30s, {}});
@@ -291,7 +291,7 @@ TEST(Recogniser, PutsNothingBackWhereItWas) {
                                    "CPP MG recogniser Recogniser\n"
                                    "CPP UM tracker HastyTracker --restart temporary\n",
                                    "test.cast");
-  ASSERT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+  ASSERT_TRUE(parsed.ok()) << render(parsed.diagnostics);
   System system{parsed.architecture.value()};
   ASSERT_TRUE(system.start());
   auto reason = system.wait({30s, {}});

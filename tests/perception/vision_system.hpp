@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/node/system.hpp"
+#include "castor/actors/system/system.hpp"
 #include "castor/perception/vision/types.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ protected:
     cast::ParseOptions parse_options;
     parse_options.variables = std::move(variables);
     auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
-    EXPECT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+    EXPECT_TRUE(parsed.ok()) << render(parsed.diagnostics);
     auto system = std::make_unique<System>(parsed.architecture.value(), options);
     EXPECT_TRUE(system->start());
     EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);

@@ -2,7 +2,7 @@
 
 #include "vision_system.hpp"
 
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 
 #include <optional>
 #include <set>
@@ -89,7 +89,7 @@ TEST_F(VisualLearnerSystem, ABrokenFileIsAClearFailureOfTheLearner) {
                                         "CPP MG learner VisualLearner --words \"%(words)\" "
                                         "--restart temporary"),
                                    CASTOR_CONFIGS "/vision.cast", parse_options);
-  ASSERT_TRUE(parsed.ok()) << cast::render(parsed.diagnostics);
+  ASSERT_TRUE(parsed.ok()) << render(parsed.diagnostics);
   System system{parsed.architecture.value()};
   try {
     system.start();

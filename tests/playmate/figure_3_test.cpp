@@ -1,11 +1,11 @@
 #include "castor/tests/playmate/figure_3.hpp"
 
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/actors/system/system.hpp"
 #include "castor/tests/cli/castor_fixture.hpp"
 #include "castor/tests/playmate/playmate.hpp"
 #include "castor/tests/support/eventually.hpp"
-#include "castor/wm/json.hpp"
+#include "castor/tools/testing/test_system.hpp"
+#include "castor/wm/values/json.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/actors/node/system.hpp"
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <fstream>
 #include <map>

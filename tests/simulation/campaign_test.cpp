@@ -1,8 +1,8 @@
-#include "castor/actors/simulation/campaign.hpp"
+#include "castor/tools/simulation/campaign.hpp"
 
-#include "castor/actors/simulation/campaign_report.hpp"
-#include "castor/actors/simulation/seeds.hpp"
-#include "castor/actors/simulation/system_simulation.hpp"
+#include "castor/tools/simulation/campaign_report.hpp"
+#include "castor/tools/simulation/seeds.hpp"
+#include "castor/tools/simulation/system_simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

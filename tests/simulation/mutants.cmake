@@ -21,32 +21,32 @@ castor_system_mutant(restarts_forget_dependents actors/supervision/supervision_t
   FROM "if (all || children_.at(x).kind == ComponentKind::managed)"
   TO "if (false)")
 
-castor_system_mutant(nodes_that_return_stay_empty actors/node/supervisor.cpp
+castor_system_mutant(nodes_that_return_stay_empty actors/supervision/supervisor.cpp
   FROM "if (auto awaited = awaited_.extract(x.peer)) {"
   TO "if (auto awaited = awaited_.extract(ProcessNumber(x.peer + 100))) {")
 
-castor_system_mutant(lives_are_not_counted actors/node/supervisor.cpp
+castor_system_mutant(lives_are_not_counted actors/supervision/supervisor.cpp
   FROM "++child.incarnation;"
   TO "child.incarnation = 2;")
 
-castor_system_mutant(early_ends_are_missed actors/node/supervisor.cpp
+castor_system_mutant(early_ends_are_missed actors/supervision/supervisor.cpp
   FROM "if (round != rounds_.end() && round->step == Round::Step::make)
         round->failures.push_back(x);"
   TO "")
 
-castor_system_mutant(waiting_rounds_lose_their_patience actors/node/supervisor.cpp
+castor_system_mutant(waiting_rounds_lose_their_patience actors/supervision/supervisor.cpp
   FROM "begun->since = time();"
   TO "")
 
-castor_system_mutant(nobody_is_asked_again actors/node/supervisor.cpp
+castor_system_mutant(nobody_is_asked_again actors/supervision/supervisor.cpp
   FROM "if (!actor || round.asked == actor.address())"
   TO "if (!actor || round.asked)")
 
-castor_system_mutant(the_awaited_are_made_early actors/node/supervisor.cpp
+castor_system_mutant(the_awaited_are_made_early actors/supervision/supervisor.cpp
   FROM "if (moved_.count(name) > 0 || is_awaited(name))"
   TO "if (false)")
 
-castor_system_mutant(memories_throw wm/working_memory_leases.cpp
+castor_system_mutant(memories_throw wm/memory/working_memory_leases.cpp
   FROM "if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {"
   TO "if (request.token % 50 == 7)
     throw std::runtime_error{\"out of order\"};
@@ -54,7 +54,7 @@ castor_system_mutant(memories_throw wm/working_memory_leases.cpp
 
 # -- filters and leases
 
-castor_system_mutant(new_memories_do_not_know_filters wm/working_memory_routes.cpp
+castor_system_mutant(new_memories_do_not_know_filters wm/memory/working_memory_routes.cpp
   FROM "if (!concerns(filter, peer))
         continue;
       ++pending->missing;"
@@ -62,11 +62,11 @@ castor_system_mutant(new_memories_do_not_know_filters wm/working_memory_routes.c
         continue;
       ++pending->missing;")
 
-castor_system_mutant(the_dead_keep_their_leases wm/working_memory_leases.cpp
+castor_system_mutant(the_dead_keep_their_leases wm/memory/working_memory_leases.cpp
   FROM "state.leases.drop(*client.mapped(), time);"
   TO "")
 
-castor_system_mutant(memories_count_from_the_start wm/working_memory.cpp
+castor_system_mutant(memories_count_from_the_start wm/memory/working_memory.cpp
   FROM "auto first = (options.incarnation - 1) * numbers_per_life;"
   TO "std::uint64_t first = 0;")
 
@@ -106,41 +106,41 @@ castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
 
 # -- journals
 
-castor_system_mutant(unsynced_changes_are_told wm/working_memory_journal.cpp
+castor_system_mutant(unsynced_changes_are_told wm/memory/working_memory_journal.cpp
   FROM "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {};"
   TO "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {100, 100'000};")
 
-castor_system_mutant(bounds_of_batched_journals_are_ignored wm/working_memory_journal.cpp
+castor_system_mutant(bounds_of_batched_journals_are_ignored wm/memory/working_memory_journal.cpp
   FROM "return {options.most_unsynced, options.most_unsynced_bytes};"
   TO "return {10'000, options.most_unsynced_bytes};")
 
-castor_system_mutant(batched_changes_are_late wm/journal_writer.cpp
+castor_system_mutant(batched_changes_are_late wm/journal/journal_writer.cpp
   FROM "self_->delayed_send(self_, parts_.delay, SyncAtom::value);"
   TO "self_->delayed_send(self_, 20 * parts_.delay, SyncAtom::value);")
 
-castor_system_mutant(journals_are_not_written wm/journal_writer.cpp
+castor_system_mutant(journals_are_not_written wm/journal/journal_writer.cpp
   FROM "parts_.file->append(under_way_);"
   TO "")
 
-castor_system_mutant(journals_forget_deletions wm/journal_image.cpp
+castor_system_mutant(journals_forget_deletions wm/journal/journal_image.cpp
   FROM "    entries_.erase(i);
     bury(record.id, record.version, record.sequence);"
   TO "    bury(record.id, record.version, record.sequence);")
 
-castor_system_mutant(sessions_repeat_tokens wm/working_memory_journal.cpp
+castor_system_mutant(sessions_repeat_tokens wm/memory/working_memory_journal.cpp
   FROM "leases.first_token = opened.session * numbers_per_incarnation + 1;"
   TO "leases.first_token = numbers_per_incarnation + 1;")
 
-castor_system_mutant(journals_bring_back_what_has_ended wm/entry_store.cpp
+castor_system_mutant(journals_bring_back_what_has_ended wm/store/entry_store.cpp
   FROM "    if (x.entry->life.ephemeral)
       set_due(slot, now, owner_ended_source);"
   TO "")
 
 # -- clocks that jump
 
-castor_system_mutant(clocks_jump_twice wm/working_memory.cpp
+castor_system_mutant(clocks_jump_twice wm/memory/working_memory.cpp
   FROM "self->state.clock_jump += x.by;"
   TO "self->state.clock_jump += 2 * x.by;")
 
@@ -171,11 +171,11 @@ castor_system_mutant(retractions_let_nobody_in actors/task_manager/task_schedule
 
 # -- calls
 
-castor_system_mutant(calls_are_taken_again wm/entry_store.cpp
+castor_system_mutant(calls_are_taken_again wm/store/entry_store.cpp
   FROM "if (life.only_once && tombstones_.count(address.id) > 0)"
   TO "if (false)")
 
-castor_system_mutant(the_dead_leave_their_entries wm/entry_store.cpp
+castor_system_mutant(the_dead_leave_their_entries wm/store/entry_store.cpp
   FROM "    if (*slot.owner == owner)
       set_due"
   TO "    if (slot.owner == nullptr)

@@ -1,4 +1,4 @@
-#include "castor/actors/simulation/campaign.hpp"
+#include "castor/tools/simulation/campaign.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
-#include "castor/actors/simulation/system_simulation.hpp"
+#include "castor/tools/simulation/system_simulation.hpp"
 
-#include "castor/actors/simulation/simulated_journal.hpp"
-#include "castor/actors/simulation/system_faults.hpp"
+#include "castor/tools/simulation/simulated_journal.hpp"
+#include "castor/tools/simulation/system_faults.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

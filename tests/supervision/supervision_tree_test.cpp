@@ -39,7 +39,7 @@ SupervisionTree tree(const std::string& rules = {}, const std::string& options =
   text.replace(text.find("%(options)"), 10, options);
   auto parsed = cast::parse_string(text, "test.cast");
   if (!parsed.architecture)
-    throw std::runtime_error(cast::render(parsed.diagnostics));
+    throw std::runtime_error(render(parsed.diagnostics));
   SupervisionTree result;
   result.set(*parsed.architecture);
   return result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/receipts.hpp"
+#include "castor/wm/events/receipts.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -20,7 +20,7 @@ inline void require(bool condition) {
 /// inputs.
 inline cast::ParseOptions hermetic_options() {
   cast::ParseOptions options;
-  options.load = [](const std::string&, std::size_t) -> cast::FileContent {
+  options.load = [](const std::string&, std::size_t) -> FileContent {
     return {std::nullopt, "no such file"};
   };
   options.limits.line_bytes = 1000;

@@ -1,4 +1,4 @@
-#include "castor/actors/faults/descriptor_shortages.hpp"
+#include "castor/tools/chaos/descriptor_shortages.hpp"
 
 #include "castor/tests/support/process.hpp"
 

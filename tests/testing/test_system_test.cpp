@@ -1,4 +1,4 @@
-#include "castor/actors/testing/test_system.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include "castor/tests/actors/scripted.hpp"
 #include "castor/tests/support/temporary_folder.hpp"

@@ -1,6 +1,6 @@
 #include "support.hpp"
 
-#include "castor/actors/timeline/selection.hpp"
+#include "castor/tools/timeline/selection.hpp"
 
 #include <gmock/gmock.h>
 

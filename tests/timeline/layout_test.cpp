@@ -1,6 +1,6 @@
 #include "support.hpp"
 
-#include "castor/actors/timeline/layout.hpp"
+#include "castor/tools/timeline/layout.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

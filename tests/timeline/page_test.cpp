@@ -1,7 +1,7 @@
 #include "support.hpp"
 
-#include "castor/actors/timeline/page.hpp"
-#include "castor/actors/timeline/svg.hpp"
+#include "castor/tools/timeline/page.hpp"
+#include "castor/tools/timeline/svg.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

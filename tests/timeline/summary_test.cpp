@@ -1,4 +1,4 @@
-#include "castor/actors/timeline/summary.hpp"
+#include "castor/tools/timeline/summary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

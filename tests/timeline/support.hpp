@@ -1,8 +1,8 @@
 #pragma once
 
-#include "castor/actors/timeline/figure.hpp"
-#include "castor/actors/timeline/stages.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/tools/timeline/figure.hpp"
+#include "castor/tools/timeline/stages.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "castor/actors/timeline/text_width.hpp"
+#include "castor/tools/timeline/text_width.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

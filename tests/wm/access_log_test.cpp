@@ -1,4 +1,4 @@
-#include "castor/wm/access_log.hpp"
+#include "castor/wm/store/access_log.hpp"
 
 #include "castor/tests/wm/working_memories.hpp"
 

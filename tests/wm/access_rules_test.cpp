@@ -1,4 +1,4 @@
-#include "castor/wm/access_rules.hpp"
+#include "castor/wm/store/access_rules.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "castor/wm/address.hpp"
+#include "castor/wm/entries/address.hpp"
 
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "castor/wm/change_event.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/entries/change_event.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "test_types.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/wm/change_filter_parser.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "castor/wm/change_filter.hpp"
+#include "castor/wm/filters/change_filter.hpp"
 
 #include "test_types.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/wm/crc32.hpp"
+#include "castor/wm/values/crc32.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "castor/wm/deadlock_probe.hpp"
+#include "castor/wm/leases/deadlock_probe.hpp"
 
 #include <gtest/gtest.h>
 

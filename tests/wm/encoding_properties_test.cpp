@@ -1,7 +1,7 @@
-#include "castor/wm/encoding.hpp"
-#include "castor/wm/field_access.hpp"
-#include "castor/wm/json.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/encoding.hpp"
+#include "castor/wm/values/field_access.hpp"
+#include "castor/wm/values/json.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "allocation_watch.hpp"
 #include "any_object.hpp"

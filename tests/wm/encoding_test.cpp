@@ -1,4 +1,4 @@
-#include "castor/wm/encoding.hpp"
+#include "castor/wm/values/encoding.hpp"
 
 #include "allocation_watch.hpp"
 #include "test_types.hpp"

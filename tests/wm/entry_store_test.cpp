@@ -1,4 +1,4 @@
-#include "castor/wm/entry_store.hpp"
+#include "castor/wm/store/entry_store.hpp"
 
 #include "test_types.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/wm/event_backlog.hpp"
+#include "castor/wm/events/event_backlog.hpp"
 
 #include "test_types.hpp"
 

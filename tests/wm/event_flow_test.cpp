@@ -1,4 +1,4 @@
-#include "castor/wm/event_flow.hpp"
+#include "castor/wm/events/event_flow.hpp"
 
 #include "test_types.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <gtest/gtest.h>
 

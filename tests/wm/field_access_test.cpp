@@ -1,6 +1,6 @@
-#include "castor/wm/field_access.hpp"
+#include "castor/wm/values/field_access.hpp"
 
-#include "castor/wm/encoding.hpp"
+#include "castor/wm/values/encoding.hpp"
 #include "test_types.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "castor/wm/field_mask.hpp"
+#include "castor/wm/values/field_mask.hpp"
 
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "any_object.hpp"
 #include "random_values.hpp"

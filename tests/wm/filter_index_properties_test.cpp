@@ -1,4 +1,4 @@
-#include "castor/wm/filter_index.hpp"
+#include "castor/wm/filters/filter_index.hpp"
 
 #include "random_predicates.hpp"
 

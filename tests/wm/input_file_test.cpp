@@ -1,4 +1,4 @@
-#include "castor/wm/input_file.hpp"
+#include "castor/base/input_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tests/wm/journaled_store.hpp"
 #include "castor/tests/wm/power_cut.hpp"
-#include "castor/wm/journal_reader.hpp"
+#include "castor/wm/journal/journal_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tests/wm/journaled_store.hpp"
-#include "castor/wm/journal_lock.hpp"
+#include "castor/wm/journal/journal_lock.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

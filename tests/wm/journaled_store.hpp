@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/entry_store.hpp"
-#include "castor/wm/journal.hpp"
+#include "castor/wm/journal/journal.hpp"
+#include "castor/wm/store/entry_store.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "castor/wm/json.hpp"
+#include "castor/wm/values/json.hpp"
 
-#include "castor/wm/encoding.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/encoding.hpp"
+#include "castor/wm/values/value.hpp"
 #include "test_types.hpp"
 
 #include <gmock/gmock.h>

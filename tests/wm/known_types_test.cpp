@@ -1,4 +1,4 @@
-#include "castor/wm/known_types.hpp"
+#include "castor/wm/values/known_types.hpp"
 
 #include <gtest/gtest.h>
 

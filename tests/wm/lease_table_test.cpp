@@ -1,4 +1,4 @@
-#include "castor/wm/lease_table.hpp"
+#include "castor/wm/leases/lease_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "castor/wm/object_access.hpp"
+#include "castor/wm/values/object_access.hpp"
 
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "allocation_watch.hpp"
 #include "any_object.hpp"

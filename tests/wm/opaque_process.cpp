@@ -8,10 +8,10 @@
 //
 // Ends with 1 and a message on standard error if it cannot.
 
-#include "castor/wm/field_access.hpp"
-#include "castor/wm/json.hpp"
-#include "castor/wm/predicate.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/values/field_access.hpp"
+#include "castor/wm/values/json.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include <charconv>
 #include <iostream>

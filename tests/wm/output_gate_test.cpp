@@ -1,4 +1,4 @@
-#include "castor/wm/output_gate.hpp"
+#include "castor/wm/memory/output_gate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "castor/wm/plain_words.hpp"
+#include "castor/base/plain_words.hpp"
 
-#include "castor/wm/caf.hpp"
+#include "castor/base/caf.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "castor/wm/predicate_builder.hpp"
+#include "castor/wm/filters/predicate_builder.hpp"
 
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/value.hpp"
 #include "random_predicates.hpp"
 
 #include <gtest/gtest.h>

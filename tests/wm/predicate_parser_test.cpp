@@ -1,4 +1,4 @@
-#include "castor/wm/predicate.hpp"
+#include "castor/wm/filters/predicate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "castor/wm/bound_predicate.hpp"
-#include "castor/wm/predicate.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/filters/bound_predicate.hpp"
+#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "random_predicates.hpp"
 

@@ -1,7 +1,7 @@
-#include "castor/wm/predicate.hpp"
+#include "castor/wm/filters/predicate.hpp"
 
-#include "castor/wm/predicate_tree.hpp"
-#include "castor/wm/value.hpp"
+#include "castor/wm/filters/predicate_tree.hpp"
+#include "castor/wm/values/value.hpp"
 #include "random_predicates.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/wm/predicate.hpp"
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/values/reflect.hpp"
 
 #include "random_values.hpp"
 #include "test_types.hpp"

@@ -1,6 +1,6 @@
-#include "castor/wm/reflect.hpp"
+#include "castor/wm/values/reflect.hpp"
 
-#include "castor/wm/encoding.hpp"
+#include "castor/wm/values/encoding.hpp"
 #include "test_types.hpp"
 
 #include <gtest/gtest.h>

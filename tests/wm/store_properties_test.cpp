@@ -1,5 +1,5 @@
-#include "castor/wm/entry_store.hpp"
-#include "castor/wm/filter_index.hpp"
+#include "castor/wm/filters/filter_index.hpp"
+#include "castor/wm/store/entry_store.hpp"
 
 #include "test_types.hpp"
 

@@ -1,4 +1,4 @@
-#include "castor/wm/value.hpp"
+#include "castor/wm/values/value.hpp"
 
 #include "test_types.hpp"
 

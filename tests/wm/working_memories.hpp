@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/actors/simulation/testing_system.hpp"
-#include "castor/wm/working_memory.hpp"
+#include "castor/tools/simulation/testing_system.hpp"
+#include "castor/wm/memory/working_memory.hpp"
 
 #include <gtest/gtest.h>
 

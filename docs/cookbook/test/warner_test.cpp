@@ -1,4 +1,4 @@
-#include <castor/actors/testing/test_system.hpp>
+#include <castor/tools/testing/test_system.hpp>
 
 #include <exception>
 #include <iostream>

@@ -1,8 +1,8 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
 #include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <map>

@@ -1,4 +1,4 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
 #include "castor/perception/spatial/types.hpp"

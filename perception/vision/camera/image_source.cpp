@@ -5,10 +5,10 @@
 #include <string_view>
 #include <system_error>
 
+#include "castor/base/input_file.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
-#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 

@@ -15,8 +15,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "castor/base/input_file.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
-#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 

@@ -9,8 +9,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "castor/base/input_file.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
-#include "castor/wm/input_file.hpp"
 
 namespace castor::vision {
 

@@ -1,8 +1,8 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/annotate.hpp"
 #include "castor/perception/vision/camera/image_source_file.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/camera/camera_model_file.hpp"
 #include "castor/perception/vision/camera/image_source.hpp"
 #include "castor/perception/vision/types.hpp"

@@ -1,9 +1,9 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/tracking/box_tracker.hpp"
 #include "castor/perception/vision/tracking/moved_object.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/learning/word_learner.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <string>
 #include <utility>

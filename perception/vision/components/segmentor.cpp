@@ -1,4 +1,4 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/camera/image_source.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
@@ -7,7 +7,7 @@
 #include "castor/perception/vision/segmentation/region_matching.hpp"
 #include "castor/perception/vision/segmentation/segmentation.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,8 +1,8 @@
-#include "castor/actors/registry.hpp"
+#include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/learning/learned_words_file.hpp"
 #include "castor/perception/vision/learning/word_learner.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "castor/wm/failure.hpp"
+#include "castor/wm/entries/failure.hpp"
 
 #include <optional>
 #include <set>

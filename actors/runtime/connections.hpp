@@ -1,0 +1,126 @@
+#pragma once
+
+#include "castor/actors/component/component.hpp"
+#include "castor/actors/component/push_flow.hpp"
+#include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/base/caf.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/events/receipts.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/value.hpp"
+
+#include <caf/mailbox_element.hpp>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+class ComponentShell;
+
+/// A stand-alone component is down, and was not back in time. Where it is the end of the component
+/// that waited for it, that is not the failure of that component.
+class ProviderDown : public ConnectionError {
+public:
+  ProviderDown(std::string provider, const std::string& what)
+    : ConnectionError(what), provider_(std::move(provider)) {}
+
+  const std::string& provider() const { return provider_; }
+
+private:
+  std::string provider_;
+};
+
+/// A component's push and pull connections, at either end. Used on the component's own thread only.
+class Connections {
+public:
+  explicit Connections(ComponentShell& shell) : shell_(shell) {}
+
+  // -- of one that provides
+
+  void provide(const TypeDescriptorPtr& type, std::function<Value()> make);
+  void push(const Value& x);
+
+  // -- of one that receives
+
+  /// Both throw ConnectionError; ProviderDown if the provider has ended and is not back within the
+  /// component's deadline.
+  Value pull(const std::string& provider, const TypeDescriptorPtr& type);
+  void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                 std::function<void(const Value&)> callback);
+
+  // -- what arrives
+
+  /// The neighbours are others now: of providers that were started again, pushes are asked for once
+  /// more.
+  void meet();
+
+  /// A subscriber has taken pushes, for which it may be sent others.
+  void taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x);
+
+  /// A subscriber has ended.
+  void forget(const caf::actor_addr& subscriber);
+
+  /// Carries out what the message asks for, if it is about connections; false if it is not.
+  bool work_off(caf::mailbox_element& x);
+
+  /// Gives up all of them.
+  void clear();
+
+private:
+  struct Subscriber {
+    caf::actor actor;
+    std::string name;
+    PushFlow flow;
+  };
+
+  struct Provision {
+    std::function<Value()> make;
+    std::vector<Subscriber> subscribers;
+  };
+
+  struct Reception {
+    TypeDescriptorPtr type;
+    caf::actor provider;
+    std::vector<std::function<void(const Value&)>> callbacks;
+    Receipts receipts;
+  };
+
+  /// Somebody gets that value.
+  void record(bool pushed, const Value& x);
+  void work_off_hand_out(caf::mailbox_element& x, const HandOut& order);
+  void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
+  void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
+  void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);
+  void send(const Subscriber& to, Value x);
+  /// Null if it is down. Throws ConnectionError if the system has no such component.
+  caf::actor find_provider(const std::string& name) const;
+  /// Another than the one that is `gone`; `task` completes "cannot ...".
+  caf::actor await_provider(const std::string& name, const caf::actor_addr& gone,
+                            const std::string& task,
+                            std::chrono::steady_clock::time_point until) const;
+  PushRequest push_request(const TypeDescriptorPtr& type) const;
+
+  class ReplySlot;
+
+  struct Answer {
+    caf::actor provider;
+    Value value;
+  };
+
+  /// Asks the provider, and if it ends before it has answered the one that takes its place.
+  template <class Request>
+  Answer ask(const std::string& provider, const Request& request, const std::string& task);
+
+  ComponentShell& shell_;
+  /// By type.
+  std::map<std::string, Provision> provisions_;
+  /// By provider and type.
+  std::map<std::pair<std::string, std::string>, Reception> receptions_;
+};
+
+} // namespace castor

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "castor/wm/entries/address.hpp"
+#include "castor/wm/entries/lease.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// The leases that a component has in hand, as far as its process knows: the component uses them,
+/// the keeper renews them. Safe from any thread.
+class HeldLeases {
+public:
+  /// A lease was obtained, for the first time or once more.
+  void add(const Address& address, LeaseToken token) {
+    std::lock_guard guard{mutex_};
+    auto& x = leases_[address];
+    if (x.token != token)
+      x = {token, 0, false};
+    ++x.times;
+    count_ = leases_.size();
+  }
+
+  /// One lock request's worth of that lease is given back; false if the entry is gone, and its
+  /// lease with it.
+  bool release(const Address& address, LeaseToken token) {
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    if (i == leases_.end())
+      return false;
+    // Another lease of the entry is no business of who gives this one back.
+    if (i->second.token == token && --i->second.times == 0)
+      leases_.erase(i);
+    count_ = leases_.size();
+    return true;
+  }
+
+  /// The entry is gone, and its lease with it.
+  void forget(const Address& address) {
+    if (count_ == 0)
+      return;
+    std::lock_guard guard{mutex_};
+    leases_.erase(address);
+    count_ = leases_.size();
+  }
+
+  struct Held {
+    LeaseToken token = 0;
+    /// How often it was obtained and not given back.
+    std::size_t times = 0;
+    bool lost = false;
+  };
+
+  std::optional<Held> find(const Address& address) const {
+    if (count_ == 0)
+      return std::nullopt;
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    return i == leases_.end() ? std::nullopt : std::optional{i->second};
+  }
+
+  /// The token to write with; of a lost lease too, so that the write is refused. 0 for none.
+  LeaseToken token(const Address& address) const {
+    auto x = find(address);
+    return x ? x->token : 0;
+  }
+
+  void mark_lost(const Address& address, LeaseToken token) {
+    std::lock_guard guard{mutex_};
+    auto i = leases_.find(address);
+    if (i != leases_.end() && i->second.token == token)
+      i->second.lost = true;
+  }
+
+  /// Those not known to be lost, by subarchitecture.
+  std::map<std::string, std::vector<std::pair<std::string, LeaseToken>>> to_renew() const {
+    std::map<std::string, std::vector<std::pair<std::string, LeaseToken>>> result;
+    if (count_ == 0)
+      return result;
+    std::lock_guard guard{mutex_};
+    for (auto& [address, x] : leases_)
+      if (!x.lost)
+        result[address.subarchitecture].emplace_back(address.id, x.token);
+    return result;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  std::map<Address, Held> leases_;
+  /// Of `leases_`, so that who holds none pays nothing.
+  std::atomic<std::size_t> count_{0};
+};
+
+} // namespace castor

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "castor/wm/memory/working_memory_protocol.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+/// What components ask of working memories and what they are answered, for those who judge
+/// afterwards whether that can be.
+namespace castor {
+
+/// A file of a process's own. What was written survives the process, however it ends. Safe to use
+/// from any thread.
+class OperationLog {
+public:
+  /// What the names of the files end with.
+  static constexpr const char* extension = ".operations";
+
+  /// A new file in that folder. Throws std::runtime_error.
+  explicit OperationLog(const std::filesystem::path& folder);
+  OperationLog(const OperationLog&) = delete;
+  OperationLog& operator=(const OperationLog&) = delete;
+  ~OperationLog();
+
+  /// The number of an operation that begins.
+  std::uint64_t next() { return ++last_; }
+
+  /// Appends a line.
+  void write(std::string line);
+
+private:
+  int file_ = -1;
+  std::atomic<std::uint64_t> last_{0};
+};
+
+/// Writes down the operations of one component: JSON, a line for the beginning of each and another
+/// one once it is answered.
+///
+///     {"begin": 7, "at": nanoseconds, "component": "segmentor", "life": 1, "do": "overwrite",
+///      "where": "vision", "id": "0:3", "content": hash, "seen": 4, "expected": false,
+///      "token": 0, "has_life": false}
+///     {"end": 7, "at": nanoseconds, "version": 5}
+///
+/// Times are those of the machine's monotonic clock. An end has what the operation gave (version,
+/// content, token, exists), or `failure`, a FailureKind as a number; with `another` if that was the
+/// failure of another write of the same batch.
+class OperationRecorder {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  OperationRecorder(OperationLog& log, ClientPtr client) : log_(log), client_(std::move(client)) {}
+
+  /// What is under way.
+  struct Open {
+    Clock::time_point since = Clock::now();
+    std::vector<std::uint64_t> numbers = {};
+    /// Of the writes of a batch.
+    std::vector<Address> where = {};
+  };
+
+  // Before a request is sent.
+  Open begin(const WriteRequest& x);
+  Open begin(const BatchRequest& x);
+  Open begin(const ReadRequest& x);
+  Open begin(const LockRequest& x);
+  Open begin(const UnlockRequest& x);
+  Open begin(const ExistsQuery& x);
+  Open begin(const VersionQuery& x);
+  template <class Request>
+  Open begin(const Request&) {
+    return {};
+  }
+
+  /// The request has that id.
+  void sent(std::uint64_t id, Open x) { open_[id] = std::move(x); }
+
+  // What came of it in the end.
+  void end(std::uint64_t id, const Outcome<Version>& x);
+  void end(std::uint64_t id, const Outcome<std::vector<Version>>& x);
+  void end(std::uint64_t id, const Outcome<EntryPtr>& x);
+  /// Of a query, which was no operation on any entry until it had found some.
+  void end(std::uint64_t id, const Outcome<std::vector<EntryPtr>>& x);
+  void end(std::uint64_t id, const Outcome<bool>& x);
+  void end(std::uint64_t id, const Outcome<Lease>& x);
+  void end(std::uint64_t id, const Outcome<Acknowledged>& x);
+  template <class Reply>
+  void end(std::uint64_t id, const Outcome<Reply>&) {
+    open_.erase(id);
+  }
+
+private:
+  class Line;
+  Line begin_line(std::string_view operation, const Address& address,
+                  Clock::time_point since = Clock::now());
+  Line begin_write(const WriteRequest& x);
+  void write(const Line& x);
+  std::uint64_t write_begin(const Line& x);
+  /// Calls `describe` for each of the operations that were asked for with that request, with the
+  /// line of its end and its place.
+  template <class T, class F>
+  void end_all(std::uint64_t id, const Outcome<T>& outcome, F&& describe);
+
+  OperationLog& log_;
+  const ClientPtr client_;
+  /// By the ids of the requests.
+  std::unordered_map<std::uint64_t, Open> open_;
+};
+
+} // namespace castor

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "castor/actors/runtime/record.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace castor {
+
+/// A component as it was at one moment, wherever it runs.
+struct ComponentStatus {
+  ComponentIdentity identity;
+  bool is_task_manager = false;
+  ComponentState state = ComponentState::created;
+  /// Its node does not answer, but is not lost yet: the rest is not known.
+  bool out_of_reach = false;
+  /// How often it was started again.
+  std::uint64_t restarts = 0;
+  /// It has ended, and will be started again.
+  bool will_restart = false;
+  /// Why it failed; empty if it did not.
+  std::string failure;
+  /// How long it has had something to do without a pause.
+  std::chrono::nanoseconds busy{0};
+  /// What its thread has computed.
+  std::chrono::nanoseconds cpu{0};
+
+  std::uint64_t events_received = 0;
+  std::uint64_t callbacks = 0;
+  std::uint64_t reads = 0;
+  std::uint64_t writes = 0;
+  /// Pushes that a receiver was too slow for.
+  std::uint64_t pushes_dropped = 0;
+};
+
+/// For people: its state, or that it is on its way to another life.
+std::string state_of(const ComponentStatus& x);
+
+ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);
+
+} // namespace castor

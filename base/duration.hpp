@@ -1,0 +1,16 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace castor {
+
+/// A number with its unit: 250ms, 10s, 2min, 1h. Nothing if it is none.
+std::optional<std::chrono::milliseconds> parse_duration(std::string_view text) noexcept;
+
+/// As `parse_duration` reads it: "250ms", "10s".
+std::string to_string(std::chrono::milliseconds x);
+
+} // namespace castor

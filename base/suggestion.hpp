@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor {
+
+/// Number of single-character insertions, deletions, replacements and swaps of neighbours that turn
+/// one word into the other; anything above `limit` is reported as `limit + 1`.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
+
+/// So many candidates are looked at, so that a hostile file cannot make its own diagnosis
+/// expensive.
+inline constexpr std::size_t most_candidates = 4096;
+
+/// Where so many mistakes were found already, no names are suggested for further ones: explaining
+/// them would take longer than finding them.
+inline constexpr std::size_t most_explained = 200;
+
+/// The candidate that a misspelt word was probably meant to be: at most a third of its letters are
+/// wrong. Empty if none comes near. Upper and lower case count as nearly the same.
+/// Names of more than 64 bytes are not compared.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// "did you mean 'x'?", or empty if nothing comes near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+
+} // namespace castor

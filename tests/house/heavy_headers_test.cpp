@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+namespace castor::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Headers that are there to include heavy ones.
+bool may_be_heavy(const fs::path& header) {
+  auto name = header.filename();
+  return name == "opencv_bridge.hpp" || name == "adopt_connection.hpp" ||
+         header.generic_string().ends_with("actors/link/connection.hpp");
+}
+
+} // namespace
+
+TEST(Headers, DoNotMakeEverybodyPayForHeavyOnes) {
+  std::regex heavy{"#include [\"<](opencv2|mrpt|ompl|caf/io|openssl)/.*"};
+  for (auto* folder : {"base", "wm", "actors", "perception", "binding", "communication", "tools"})
+    for (auto& x : fs::recursive_directory_iterator(fs::path{CASTOR_SOURCE_DIR} / folder)) {
+      if (x.path().extension() != ".hpp" || may_be_heavy(x.path()))
+        continue;
+      std::ifstream in{x.path()};
+      for (std::string line; std::getline(in, line);)
+        EXPECT_FALSE(std::regex_match(line, heavy)) << x.path() << ": " << line;
+    }
+}
+
+} // namespace castor::test

@@ -1,0 +1,110 @@
+#include "castor/tests/house/include_graph.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace castor::test {
+
+using ::testing::ElementsAreArray;
+
+namespace {
+
+const std::vector<std::string> product{"base",          "wm",   "actors", "perception", "binding",
+                                       "communication", "tools"};
+
+/// As CMake knows them: on each line a folder, and those that it may include.
+Modules modules_of_build() {
+  std::ifstream in{CASTOR_MODULES};
+  Modules result;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words{line};
+    std::string folder;
+    words >> folder;
+    auto& uses = result[folder];
+    for (std::string x; words >> x;)
+      uses.insert(x);
+  }
+  return result;
+}
+
+/// Components and their runtime include each other, which is to end.
+const std::vector<std::string> known_upwards{
+  "actors/component/calls.cpp includes actors/runtime/shell.hpp",
+  "actors/component/component.cpp includes actors/runtime/shell.hpp",
+  "actors/component/lock_guard.cpp includes actors/runtime/shell.hpp",
+  "actors/component/task_manager.cpp includes actors/runtime/shell.hpp",
+};
+
+/// The same of these files.
+const std::vector<std::vector<std::string>> known_circles{
+  {"actors/cast/access_rules", "actors/cast/conditions", "actors/cast/description",
+   "actors/cast/keywords", "actors/cast/preprocessor", "actors/cast/reader",
+   "actors/cast/unknown_name", "actors/cast/words"},
+  {"actors/component/calls", "actors/component/component", "actors/component/lock_guard",
+   "actors/component/managed_component", "actors/component/option",
+   "actors/component/subarchitecture_component", "actors/component/task_manager",
+   "actors/runtime/connections", "actors/runtime/shell"},
+  {"actors/link/dial", "actors/link/node_socket"},
+  {"actors/link/link", "actors/link/link_end"},
+  {"actors/link/mesh", "actors/link/remote_actor"},
+  {"actors/system/component_statuses", "actors/system/inspection",
+   "actors/system/inspection_context", "actors/system/inspection_json",
+   "actors/system/local_endpoint", "actors/system/observer", "actors/system/operator_requests",
+   "actors/system/replay", "actors/system/system"},
+  {"communication/robot_commands/board_places", "communication/robot_commands/grounding"},
+  {"communication/robot_commands/command_features",
+   "communication/robot_commands/grounding_features"},
+  {"perception/vision/camera/image_source", "perception/vision/camera/image_source_kinds"},
+  {"perception/vision/segmentation/area_graph", "perception/vision/segmentation/grouping",
+   "perception/vision/segmentation/segmentation", "perception/vision/segmentation/surface",
+   "perception/vision/segmentation/working_picture"},
+  {"tools/chaos/action_parser", "tools/chaos/workload"},
+  {"tools/chaos/fault_plan", "tools/chaos/statement_parser"},
+  {"wm/filters/bound_predicate", "wm/filters/predicate", "wm/filters/predicate_parser",
+   "wm/filters/predicate_tree"},
+  {"wm/journal/journal", "wm/journal/journal_image", "wm/journal/journal_lock",
+   "wm/journal/journal_tables"},
+  {"wm/memory/working_memory", "wm/memory/working_memory_parts"},
+  {"wm/store/entry_store", "wm/store/value_limit"},
+  {"wm/values/encoding", "wm/values/known_types", "wm/values/type_descriptor"},
+};
+
+/// Robots meet on working memories: of one another their parts know the entry types, and what
+/// binding monitors are made of.
+bool is_meeting_point(const std::string& header) {
+  static const std::regex pattern{"(perception|binding|communication|mapping|planning)/"
+                                  "(.*/)?(types|binding_monitor)\\.hpp"};
+  return std::regex_match(header, pattern);
+}
+
+} // namespace
+
+TEST(House, FilesIncludeOnlyWhatTheirFolderDependsOn) {
+  auto modules = modules_of_build();
+  ASSERT_GT(modules.size(), 20u);
+  auto graph = include_graph(CASTOR_SOURCE_DIR, product);
+  for (auto& [file, includes] : graph)
+    std::erase_if(includes, is_meeting_point);
+  EXPECT_THAT(forbidden_includes(graph, modules), ElementsAreArray(known_upwards));
+}
+
+TEST(House, EveryFileIsInAFolderThatCMakeKnows) {
+  auto modules = modules_of_build();
+  for (auto& [file, includes] : include_graph(CASTOR_SOURCE_DIR, product)) {
+    auto is_in = [&](auto& module) { return file.starts_with(module.first + "/"); };
+    EXPECT_TRUE(std::any_of(modules.begin(), modules.end(), is_in)) << file;
+  }
+}
+
+TEST(House, FilesDoNotIncludeOneAnotherInACircle) {
+  EXPECT_THAT(circles(include_graph(CASTOR_SOURCE_DIR, product)), ElementsAreArray(known_circles));
+}
+
+} // namespace castor::test

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/base/diagnostic.hpp"
+#include "castor/tools/chaos/fault_plan.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor::faults {
+
+/// What faults may befall in a system.
+struct FaultTargets {
+  /// How many restarts a supervisor allows within a period.
+  struct RestartLimit {
+    std::uint32_t restarts = 0;
+    Timestamp period{0};
+  };
+  struct Component {
+    std::string name;
+    /// Empty for a stand-alone component.
+    std::string subarchitecture;
+    ComponentKind kind = ComponentKind::managed;
+    /// Runs in a process of its own.
+    bool isolated = false;
+
+    /// Whether it may be drawn where a plan says `any component`.
+    bool is_any() const {
+      return kind != ComponentKind::working_memory && kind != ComponentKind::task_manager;
+    }
+  };
+  struct Subarchitecture {
+    std::string name;
+    /// Whether its working memory has a journal.
+    bool has_journal = false;
+    /// Whether it goes on without the journal if that fails.
+    bool goes_on_without_journal = false;
+    RestartLimit limit = {};
+  };
+
+  /// In the order of the file, working memories and task managers included.
+  std::vector<Component> components;
+  std::vector<Subarchitecture> subarchitectures;
+  /// Without the coordinator.
+  std::vector<std::string> nodes;
+  /// That of the supervisor of stand-alone components and subarchitectures.
+  RestartLimit system_limit = {};
+
+  /// The subarchitecture that a component or a working memory is of; empty for stand-alone ones.
+  std::string supervisor_of(const std::string& component) const;
+  /// Of a subarchitecture, or of the system if that is empty.
+  RestartLimit limit_of(const std::string& supervisor) const;
+};
+
+/// What a component or a working memory is: "isolated component", "task manager".
+std::string_view word_for(const FaultTargets& targets, const std::string& component);
+
+FaultTargets targets_of(const ArchitectureDescription& architecture,
+                        std::vector<std::string> nodes);
+
+/// The names of a plan that there are none of in the system, and faults that cannot befall what
+/// they name.
+std::vector<Diagnostic> check_plan(const FaultPlan& plan, const FaultTargets& targets);
+
+} // namespace castor::faults

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "castor/tools/chaos/chaos_run.hpp"
+#include "castor/tools/chaos/descriptor_shortages.hpp"
+#include "castor/tools/chaos/fault_schedule.hpp"
+#include "castor/wm/journal/journal_fault.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace castor {
+class System;
+}
+
+namespace castor::faults {
+
+struct InjectorParts {
+  /// Has to outlive the injector.
+  System* system = nullptr;
+  /// Calls a function with the number of a process, which has the name that plans call it by and
+  /// is a child of this process, while the number is its own; false if there is none.
+  std::function<bool(const std::string& process, const std::function<void(pid_t)>& f)> with_process;
+  /// The files of journals, by subarchitecture (journal_faults.hpp).
+  std::map<std::string, std::filesystem::path> journals = {};
+};
+
+/// Lets the faults of a schedule befall a running system, on a thread of its own.
+class Injector {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Times of the schedule count from now.
+  Injector(InjectorParts parts, FaultSchedule schedule);
+  Injector(const Injector&) = delete;
+  Injector& operator=(const Injector&) = delete;
+  ~Injector();
+
+  /// There was a change that a filter of the plan wants, after which a fault may be due: the
+  /// filter's place among those that the plan watches (`watched_by`).
+  void on_change(std::size_t filter);
+
+  /// Lets a fault befall the system now, whatever the schedule says. All its targets have names.
+  FaultRecord inject(const Fault& fault);
+
+  /// A fault of this number has taken effect (`SystemOptions::on_fault_happened`).
+  void on_happened(std::uint64_t fault);
+
+  /// A component or a working memory is down: so its crash has happened, if one was armed.
+  void on_down(const std::string& component);
+
+  /// What has not happened by now never will.
+  void conclude();
+
+  /// No more faults; what was stopped goes on. Links that something befell are left to themselves.
+  void stop();
+
+  /// Of each fault so far, what became of it.
+  std::vector<FaultRecord> records() const;
+
+private:
+  /// Whether a fault was injected, and what came of it or why not.
+  struct Outcome {
+    bool done = true;
+    std::string text;
+    /// As in FaultRecord.
+    std::string violation = {};
+  };
+
+  void work();
+  void happened(FaultRecord& x);
+  Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
+  Outcome befall(const Crash& x);
+  Outcome befall(const Throw& x, std::uint64_t number);
+  Outcome befall(const Hang& x, std::uint64_t number);
+  Outcome befall(const Block& x, std::uint64_t number);
+  Outcome befall(const Slow& x, std::uint64_t number);
+  Outcome befall(const Kill& x);
+  Outcome befall(const Stop& x);
+  Outcome befall(const Continue& x);
+  Outcome befall(const UseUpDescriptors& x);
+  Outcome befall(const Flood& x);
+  Outcome befall(const Partition& x, std::uint64_t number);
+  Outcome befall(const Delay& x, std::uint64_t number);
+  Outcome befall(const Drop& x, std::uint64_t number);
+  Outcome befall(const Duplicate& x);
+  Outcome befall(const Reorder& x);
+  Outcome befall(const FailJournal& x, std::uint64_t number);
+  Outcome befall(const SlowJournal& x, std::uint64_t number);
+  Outcome befall(const RemoveJournal& x);
+  Outcome befall(const ClaimJournal& x);
+  Outcome befall(const JumpClock& x);
+
+  /// The same for the coordinator, too.
+  bool with_process(const std::string& name, const std::function<void(pid_t)>& f) const;
+  Outcome signal(const std::string& process, int signal);
+  void end_shortage(const std::string& name, pid_t process);
+  Outcome befall_journal(const MemoryTarget& memory, const JournalFault& x);
+  /// Calls a function once a fault that lasts is over.
+  void when_over(const Lasting& x, std::function<void()> f);
+  /// Something that lasts until the end of the run if nothing else is said.
+  Timestamp lasting(const Lasting& x) const;
+
+  const InjectorParts parts_;
+  const Clock::time_point begin_ = Clock::now();
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  FaultSchedule schedule_;
+  std::vector<DueFault> due_;
+  std::multimap<Timestamp, std::function<void()>> later_;
+  std::vector<FaultRecord> records_;
+  /// Of each record, why it never came to it if it does not.
+  std::vector<const char*> missed_;
+  /// Of each component, the records of its armed crashes.
+  std::multimap<std::string, std::size_t> armed_crashes_;
+  DescriptorShortages shortages_;
+  bool over_ = false;
+  std::thread thread_;
+};
+
+} // namespace castor::faults

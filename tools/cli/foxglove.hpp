@@ -1,0 +1,61 @@
+#pragma once
+
+#include "castor/tools/cli/foxglove_schemas.hpp"
+#include "castor/wm/store/store_image.hpp"
+#include "castor/wm/values/value.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace castor::cli {
+
+/// A message of one of Foxglove's well-known schemas.
+struct FoxgloveMessage {
+  std::string topic;
+  FoxgloveSchema schema;
+  nlohmann::ordered_json content;
+};
+
+/// Finds in values what viewers can show, by the shape of their records, whatever these are called:
+///
+///   picture   width, height, channels, bytes          pixels in rows; 3 channels are B, G, R
+///   picture   bytes or data, mime_type or format      encoded; "image/png" and "png" are the same
+///   pose      position {x, y, z}, rotation or orientation {w, x, y, z}
+///   box       centroid or center {x, y, z}, size {x, y, z}
+///   camera    a pose, and width, height, fx, fy, cx, cy, perhaps k1, k2, k3, t1, t2
+///
+/// All coordinates are metres in one frame, "world"; those of a camera are x right, y down, z
+/// forward.
+class FoxgloveView {
+public:
+  /// An entry is as this value has it from now on; without a value it is gone. `topic` is that of
+  /// its type, `id` is the entry's.
+  std::vector<FoxgloveMessage> change(const std::string& topic, const std::string& id,
+                                      UnixTime time, const Value& value);
+
+  /// A stand-alone component has handed out this value.
+  std::vector<FoxgloveMessage> handed_out(const std::string& topic, UnixTime time,
+                                          const Value& value);
+
+private:
+  using Json = nlohmann::ordered_json;
+
+  void add_views(std::vector<FoxgloveMessage>& to, const std::string& topic, UnixTime time,
+                 const Value& value, bool repeat_pictures);
+  std::vector<FoxgloveMessage> remove(const std::string& topic, const std::string& id,
+                                      UnixTime time);
+  Json all_poses(const std::string& topic, UnixTime time) const;
+
+  /// By topic and id.
+  std::map<std::string, std::map<std::string, Json>> poses_;
+  std::map<std::string, std::set<std::string>> entities_;
+  /// By topic: the checksum of the picture that was shown last.
+  std::map<std::string, std::uint32_t> last_picture_;
+};
+
+} // namespace castor::cli

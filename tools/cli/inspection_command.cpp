@@ -1,0 +1,61 @@
+#include "castor/tools/cli/inspection_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+namespace castor::cli {
+
+CLI::App* inspection_command(CLI::App& app, const std::string& name, const std::string& help,
+                             std::string& system) {
+  auto* result = app.add_subcommand(name, help);
+  result
+    ->add_option("--system", system,
+                 "which of the systems that run on this machine, or the beginning of its name; "
+                 "`castor ps` shows them")
+    ->type_name("NAME");
+  return result;
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print JSON, one object on a line");
+}
+
+void print(const std::string& x) {
+  std::fputs(x.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+std::pair<std::string, std::string> split_where(const std::string& where) {
+  auto slash = where.find('/');
+  return {where.substr(0, slash), slash == where.npos ? "" : where.substr(slash + 1)};
+}
+
+nlohmann::ordered_json read_json(const std::string& argument) {
+  auto text = argument == "-" ? std::string{std::istreambuf_iterator<char>{std::cin},
+                                            std::istreambuf_iterator<char>{}}
+                              : argument;
+  try {
+    return nlohmann::ordered_json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    auto at = std::min(text.size(), e.byte > 0 ? e.byte - 1 : 0);
+    if (at >= text.size())
+      throw std::runtime_error("this is no JSON: it ends too early, behind '" +
+                               text.substr(text.size() - std::min<std::size_t>(text.size(), 20)) +
+                               "'");
+    auto from = at - std::min<std::size_t>(at, 10);
+    throw std::runtime_error(fmt::format("this is no JSON: character {} is wrong, in '{}'. Names "
+                                         "and texts stand in double quotes, and "
+                                         "the whole in single ones: '{{\"number\": 3}}'",
+                                         at + 1, text.substr(from, at - from + 10)));
+  }
+}
+
+} // namespace castor::cli

@@ -1,0 +1,212 @@
+#include "castor/tools/cli/inspection_text.hpp"
+
+#include "castor/tools/cli/dot_string.hpp"
+#include "castor/tools/cli/table.hpp"
+#include "castor/tools/cli/timeline.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <set>
+
+namespace castor::cli {
+
+namespace {
+
+std::string text(const Json& x) {
+  return x.is_string() ? x.get<std::string>() : x.dump();
+}
+
+/// What stands under these keys; nothing where there is nothing.
+std::vector<std::string> cells(const Json& x, const std::vector<const char*>& keys) {
+  std::vector<std::string> result;
+  for (auto* key : keys)
+    result.push_back(x.contains(key) ? text(x[key]) : "");
+  return result;
+}
+
+std::string full_name(const Json& component) {
+  auto subarchitecture = component["subarchitecture"].get<std::string>();
+  auto name = component["name"].get<std::string>();
+  return subarchitecture.empty() ? name : subarchitecture + '.' + name;
+}
+
+/// Which part of a processor, on average.
+std::string load(double cpu, double age) {
+  return age > 0 ? fmt::format("{:.1f} %", 100 * cpu / age) : "";
+}
+
+std::string megabytes(const Json& bytes) {
+  return fmt::format("{:.1f} MB", bytes.get<double>() / 1e6);
+}
+
+std::string nodes_as_text(const Json& report) {
+  Table table{{"node", "address", "state", ">components", ">load", ">memory"}};
+  for (auto& x : report["nodes"]) {
+    auto row = cells(x, {"name", "address", "state", "components"});
+    if (x.contains("cpu")) {
+      row.push_back(load(x["cpu"], x["age"]));
+      row.push_back(megabytes(x["memory"]));
+    }
+    table.add(row);
+    if (x["state"] != "up")
+      table.remark(x["reason"]);
+  }
+  return table.text();
+}
+
+std::string components_as_text(const Json& report) {
+  Table table{{"component", "class", "node", "state", ">restarts", ">load", ">busy", ">events",
+               ">callbacks", ">writes", ">reads"}};
+  for (auto& x : report["components"]) {
+    auto row = cells(x, {"name", "class", "node", "state", "restarts"});
+    row.front() = full_name(x);
+    row.push_back(load(x["cpu"], report["age"]));
+    row.push_back(fmt::format("{:.1f} s", x["busy"].get<double>()));
+    for (auto& cell : cells(x, {"events", "callbacks", "writes", "reads"}))
+      row.push_back(cell);
+    table.add(row);
+    if (auto failure = x["failure"].get<std::string>(); !failure.empty())
+      table.remark(failure);
+  }
+  return table.text();
+}
+
+std::string working_memories_as_text(const Json& report) {
+  Table table{{"working memory", "node", ">entries", ">filters", ">leases", ">waiting", "journal"}};
+  for (auto& x : report["working_memories"]) {
+    auto row = cells(x, {"subarchitecture", "node", "entries", "filters", "leases", "waiting"});
+    auto& journal = x["journal"];
+    row.push_back(text(journal["mode"]));
+    if (journal.contains("bytes"))
+      row.back() +=
+        fmt::format(", {}, {} unsynced", megabytes(journal["bytes"]), text(journal["unsynced"]));
+    if (journal.contains("failure"))
+      row.back() = "FAILED";
+    table.add(row);
+    if (journal.contains("failure"))
+      table.remark(journal["failure"]);
+  }
+  return table.text();
+}
+
+std::string event_stages_as_text(const Json& report) {
+  Table table{{"working memory", ">events", ">matched", ">delivered", ">coalesced", ">suppressed",
+               ">backlog", ">forwarded", ">routed", ">refused"}};
+  for (auto& x : report["working_memories"])
+    table.add(cells(x, {"subarchitecture", "events", "matched", "delivered", "coalesced",
+                        "suppressed", "backlog", "forwarded", "routed", "refused"}));
+  return table.text();
+}
+
+std::string links_as_text(const Json& report) {
+  Table table{{"link", "state", ">events out", ">events in", ">messages out", ">messages in",
+               ">sent", ">received", ">connections", ">unacknowledged"}};
+  for (auto& node : report["nodes"]) {
+    if (!node.contains("links"))
+      continue;
+    for (auto& x : node["links"]) {
+      auto row =
+        cells(x, {"to", "state", "events_out", "events_in", "messages_out", "messages_in"});
+      row.front() = text(node["name"]) + " - " + row.front();
+      row.push_back(megabytes(x["bytes_out"]));
+      row.push_back(megabytes(x["bytes_in"]));
+      row.push_back(text(x["connections"]));
+      row.push_back(megabytes(x["unacknowledged"]));
+      table.add(row);
+    }
+  }
+  return table.text();
+}
+
+/// "adds 3, deletes 1": of these counters, those that are not zero.
+std::string counts(const Json& x, const std::vector<const char*>& keys) {
+  std::string result;
+  for (auto* key : keys)
+    if (x[key] != 0)
+      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", key, text(x[key]));
+  return result;
+}
+
+} // namespace
+
+std::string system_as_text(const Json& report, bool stats) {
+  auto result =
+    fmt::format("{}: process {}, {:.1f} s old, {}\n\n", text(report["system"]),
+                text(report["process"]), report["age"].get<double>(), text(report["file"]));
+  result += nodes_as_text(report) + '\n' + components_as_text(report) + '\n' +
+            working_memories_as_text(report);
+  if (!stats)
+    return result;
+  result += '\n' + event_stages_as_text(report);
+  if (report["nodes"].size() > 1)
+    result += '\n' + links_as_text(report);
+  return result;
+}
+
+std::string entries_as_text(const std::vector<Json>& entries) {
+  bool values = !entries.empty() && entries.front().contains("value");
+  Table table{
+    {"subarchitecture", "id", "type", ">version", "writer", ">bytes", values ? "value" : ""}};
+  for (auto& x : entries)
+    table.add(cells(x, {"subarchitecture", "id", "type", "version", "writer", "bytes", "value"}));
+  return table.text();
+}
+
+std::string change_as_text(const Json& change, bool coloured) {
+  auto result = timeline_line(change, coloured) + '\n';
+  if (change.contains("value"))
+    result += "    " + change["value"].dump() + '\n';
+  return result;
+}
+
+std::string accesses_as_dot(const Json& report, const std::vector<Json>& accesses) {
+  std::map<std::string, std::set<std::string>> components;
+  std::map<std::string, std::set<std::string>> types;
+  std::set<std::string> known;
+  for (auto& x : report["components"]) {
+    auto name = text(x["name"]);
+    known.insert(name);
+    // Task managers alone are no news.
+    components[text(x["subarchitecture"])];
+  }
+  auto type_of = [](const Json& x) { return text(x["subarchitecture"]) + '/' + text(x["type"]); };
+  std::string edges;
+  std::set<std::string> used;
+  for (auto& x : accesses) {
+    auto component = text(x["component"]);
+    if (known.count(component) == 0)
+      continue;
+    used.insert(component);
+    types[text(x["subarchitecture"])].insert(type_of(x));
+    if (auto label = counts(x, {"adds", "overwrites", "deletes"}); !label.empty())
+      edges += fmt::format("  {} -> {} [label={}];\n", dot_string(component),
+                           dot_string(type_of(x)), dot_string(label));
+    if (auto label = counts(x, {"events", "reads"}); !label.empty())
+      edges += fmt::format("  {} -> {} [label={}, style=dashed];\n", dot_string(type_of(x)),
+                           dot_string(component), dot_string(label));
+  }
+  for (auto& x : report["components"])
+    if (used.count(text(x["name"])) > 0)
+      components[text(x["subarchitecture"])].insert(text(x["name"]));
+  std::string result = "digraph " + dot_string(text(report["system"])) +
+                       " {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n"
+                       "  edge [fontname=\"sans-serif\", fontsize=10];\n";
+  for (auto& [subarchitecture, names] : components) {
+    bool grouped = !subarchitecture.empty();
+    if (grouped)
+      result += fmt::format("  subgraph {} {{\n    label={};\n",
+                            dot_string("cluster_" + subarchitecture), dot_string(subarchitecture));
+    for (auto& name : names)
+      result += fmt::format("    {} [shape=box];\n", dot_string(name));
+    for (auto& type : types[subarchitecture])
+      result +=
+        fmt::format("    {} [label={}, shape=ellipse, style=filled, fillcolor=\"#eeeeee\"];\n",
+                    dot_string(type), dot_string(type.substr(type.find('/') + 1)));
+    if (grouped)
+      result += "  }\n";
+  }
+  return result + edges + "}\n";
+}
+
+} // namespace castor::cli

@@ -1,0 +1,347 @@
+#include "castor/tools/cli/tethers.hpp"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace castor::cli {
+
+namespace {
+
+constexpr const char* proxy_type = "BindingProxy";
+constexpr const char* union_type = "BindingUnion";
+constexpr const char* status_type = "BinderStatus";
+
+/// Subarchitecture and id.
+using Place = std::pair<std::string, std::string>;
+
+/// An entry, or the address of one.
+Place place_of(const Json& x) {
+  return {x.at("subarchitecture"), x.at("id")};
+}
+
+bool has_type(const Json& entry, const char* type) {
+  return entry.at("type") == type;
+}
+
+/// The pointers of a proxy to what it stands for.
+std::vector<Json> tethers_of(const Json& proxy) {
+  std::vector<Json> result;
+  for (auto& x : proxy.at("value").at("features"))
+    if (x.at("kind") == "source_data")
+      result.push_back(x.at("data"));
+  return result;
+}
+
+std::vector<Json> all_tethers(const std::vector<Json>& entries) {
+  std::vector<Json> result;
+  for (auto& x : entries)
+    if (has_type(x, proxy_type))
+      for (auto& tether : tethers_of(x))
+        result.push_back(tether);
+  return result;
+}
+
+/// All entries there are, and what leads from one to another.
+class Tethers {
+public:
+  explicit Tethers(const std::vector<Json>& entries) {
+    for (auto& x : entries)
+      entries_.emplace(place_of(x), x);
+    for (auto& x : entries)
+      if (has_type(x, proxy_type))
+        for (auto& tether : tethers_of(x))
+          proxies_[place_of(tether.at("address"))].push_back(place_of(x));
+  }
+
+  /// Null for what has nothing to do with binding.
+  Json tree(const Json& root) const {
+    if (has_type(root, union_type))
+      return union_tree(root, {});
+    if (has_type(root, proxy_type)) {
+      auto result = with_data(root);
+      add_union(result);
+      return result;
+    }
+    auto tethered = proxies_.find(place_of(root));
+    if (tethered == proxies_.end())
+      return nullptr;
+    auto result = root;
+    result["proxies"] = Json::array();
+    for (auto& x : tethered->second) {
+      auto proxy = with_ends(entries_.at(x));
+      add_union(proxy);
+      result["proxies"].push_back(proxy);
+    }
+    return result;
+  }
+
+private:
+  const Json* find(const std::string& subarchitecture, const std::string& id) const {
+    auto i = entries_.find({subarchitecture, id});
+    return i == entries_.end() ? nullptr : &i->second;
+  }
+
+  const Json* union_of(const Json& proxy) const {
+    return find(proxy.at("subarchitecture"), proxy.at("value").at("union_id"));
+  }
+
+  /// `but` is the id of a proxy that is shown elsewhere.
+  Json union_tree(const Json& entry, const std::string& but) const {
+    auto result = with_ends(entry);
+    result["proxies"] = Json::array();
+    for (auto& id : entry.at("value").at("proxy_ids"))
+      if (auto* proxy = find(entry.at("subarchitecture"), id); proxy && id != but)
+        result["proxies"].push_back(with_data(*proxy));
+    return result;
+  }
+
+  void add_union(Json& proxy) const {
+    if (auto* bound_in = union_of(proxy))
+      proxy["union"] = union_tree(*bound_in, proxy.at("id"));
+  }
+
+  Json with_data(const Json& proxy) const {
+    auto result = with_ends(proxy);
+    result["data"] = Json::array();
+    for (auto& tether : tethers_of(proxy)) {
+      auto [subarchitecture, id] = place_of(tether.at("address"));
+      if (auto* data = find(subarchitecture, id))
+        result["data"].push_back(*data);
+      else
+        result["data"].push_back({{"subarchitecture", subarchitecture},
+                                  {"id", id},
+                                  {"type", tether.at("type")},
+                                  {"gone", true}});
+    }
+    return result;
+  }
+
+  /// Of a relation.
+  Json with_ends(const Json& entry) const {
+    auto result = entry;
+    for (auto& port : entry.at("value").at("out_ports")) {
+      Json end{{"label", port.at("label")}, {"proxy", port.at("proxy")}};
+      if (auto* proxy = find(entry.at("subarchitecture"), port.at("proxy")))
+        if (auto* bound_in = union_of(*proxy))
+          end["union"] = *bound_in;
+      // Of a union's members, most say the same.
+      auto& ends = result["ends"];
+      if (std::find(ends.begin(), ends.end(), end) == ends.end())
+        ends.push_back(std::move(end));
+    }
+    return result;
+  }
+
+  std::map<Place, Json> entries_;
+  /// By what they are tethered to.
+  std::map<Place, std::vector<Place>> proxies_;
+};
+
+// -- for people
+
+bool is_address(const Json& x) {
+  return x.is_object() && x.size() == 2 && x.contains("subarchitecture") && x.contains("id");
+}
+
+std::string joined_address(const Json& x) {
+  auto [subarchitecture, id] = place_of(x);
+  return id.empty() ? std::string{} : subarchitecture + '/' + id;
+}
+
+std::string few_digits(const Json& number) {
+  if (!number.is_number_float())
+    return number.dump();
+  // Nobody means -0.
+  auto x = number.get<double>();
+  return fmt::format("{:.3g}", x == 0 ? 0 : x);
+}
+
+bool are_numbers(const Json& x) {
+  return x.size() > 1 && std::all_of(x.begin(), x.end(), [](auto& y) { return y.is_number(); });
+}
+
+std::string in_brackets(const Json& numbers) {
+  std::vector<std::string> result;
+  for (auto& x : numbers)
+    result.push_back(few_digits(x));
+  return fmt::format("({})", fmt::join(result, ", "));
+}
+
+/// What the fields of any entry say, the most telling first.
+class Telling {
+public:
+  explicit Telling(const Json& value) { look("", value, 0); }
+
+  std::string brief() const {
+    std::vector<std::string> result;
+    for (auto* part : {&words_, &places_, &numbers_, &lists_})
+      result.insert(result.end(), part->begin(), part->end());
+    if (result.size() > most) {
+      result.resize(most);
+      result.emplace_back("...");
+    }
+    return fmt::format("{}", fmt::join(result, ", "));
+  }
+
+private:
+  static constexpr std::size_t most = 6;
+  static constexpr int deepest = 2;
+
+  void look(const std::string& name, const Json& x, int depth) {
+    if (x.is_string())
+      add_word(name, x.get<std::string>());
+    else if (x.is_boolean() && x == true)
+      numbers_.push_back(name);
+    else if (x.is_number())
+      numbers_.push_back(name + ' ' + few_digits(x));
+    else if (x.is_array() && !x.empty())
+      lists_.push_back(fmt::format("{} {}", x.size(), name));
+    else if (is_address(x))
+      add_word(name, joined_address(x));
+    else if (x.is_object() && are_numbers(x))
+      places_.push_back(name + ' ' + in_brackets(x));
+    else if (x.is_object() && x.size() == 2 && x.contains("value") && x.contains("confidence"))
+      words_.push_back(
+        fmt::format("{} {} ({})", name, plain(x["value"]), few_digits(x["confidence"])));
+    else if (x.is_object() && x.size() == 1 && x.contains("address"))
+      look(name, x["address"], depth);
+    else if (x.is_object() && depth < deepest)
+      for (auto& [key, field] : x.items())
+        look(name.empty() ? key : name + '.' + key, field, depth + 1);
+  }
+
+  static std::string plain(const Json& x) {
+    return x.is_string() ? x.get<std::string>() : few_digits(x);
+  }
+
+  void add_word(const std::string& name, const std::string& word) {
+    if (!word.empty())
+      words_.push_back(name + ' ' + word);
+  }
+
+  std::vector<std::string> words_;
+  std::vector<std::string> places_;
+  std::vector<std::string> numbers_;
+  std::vector<std::string> lists_;
+};
+
+/// What proxies and unions say of the thing itself, each once.
+std::string features_in_words(const Json& features) {
+  constexpr std::string_view of_binding[] = {"source_data", "source_id", "other_source_id",
+                                             "this_proxy_id", "creation_time"};
+  std::vector<std::string> result;
+  for (auto& x : features) {
+    auto kind = x.at("kind").get<std::string>();
+    if (std::find(std::begin(of_binding), std::end(of_binding), kind) != std::end(of_binding))
+      continue;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    auto words = (x.at("holds") == true ? "" : "not ") + kind;
+    if (auto text = x.at("text").get<std::string>(); !text.empty())
+      words += ' ' + text;
+    if (auto& numbers = x.at("numbers"); !numbers.empty())
+      words += ' ' + in_brackets(numbers);
+    if (std::find(result.begin(), result.end(), words) == result.end())
+      result.push_back(std::move(words));
+  }
+  return fmt::format("{}", fmt::join(result, ", "));
+}
+
+std::string in_words(const Json& entry) {
+  auto type = entry.at("type").get<std::string>();
+  std::string what;
+  if (entry.contains("gone"))
+    what = "it is gone";
+  else if (has_type(entry, union_type) || has_type(entry, proxy_type))
+    what = features_in_words(entry.at("value").at("features"));
+  else
+    what = Telling{entry.at("value")}.brief();
+  return joined_address(entry) + "  " + type + (what.empty() ? "" : ": " + what);
+}
+
+class TreeText {
+public:
+  /// `ends_above` were just shown.
+  void add(const Json& x, std::size_t depth, const Json& ends_above = Json::array()) {
+    line(depth, in_words(x));
+    auto ends = x.value("ends", Json::array());
+    if (ends != ends_above)
+      for (auto& end : ends)
+        line(depth + 1, end_in_words(end));
+    for (auto* key : {"data", "proxies"})
+      for (auto& part : x.value(key, Json::array()))
+        add(part, depth + 1, ends);
+    if (x.contains("union"))
+      add(x["union"], depth + 1, ends);
+    else if (has_type(x, proxy_type) && x.at("value").at("union_id") == "")
+      line(depth + 1, "it is in no union yet");
+  }
+
+  std::string text;
+
+private:
+  static std::string end_in_words(const Json& end) {
+    auto label = end.at("label").get<std::string>() + ": ";
+    if (end.contains("union"))
+      return label + in_words(end["union"]);
+    return label + end.at("proxy").get<std::string>() + ", which is in no union";
+  }
+
+  void line(std::size_t depth, const std::string& words) {
+    text += std::string(2 * depth, ' ') + words + '\n';
+  }
+};
+
+} // namespace
+
+bool is_of_binding(const std::string& type) {
+  return type == proxy_type || type == union_type || type == status_type;
+}
+
+std::vector<Json> unions_among(const std::vector<Json>& entries) {
+  std::vector<Json> result;
+  for (auto& x : entries)
+    if (has_type(x, union_type))
+      result.push_back(x);
+  return result;
+}
+
+std::set<std::string> tethered_types(const std::vector<Json>& entries) {
+  std::set<std::string> result;
+  for (auto& x : all_tethers(entries))
+    result.insert(x.at("address").at("subarchitecture").get<std::string>() + '/' +
+                  x.at("type").get<std::string>());
+  return result;
+}
+
+std::set<std::string> tethered_subarchitectures(const std::vector<Json>& entries) {
+  std::set<std::string> result;
+  for (auto& x : all_tethers(entries))
+    result.insert(x.at("address").at("subarchitecture").get<std::string>());
+  return result;
+}
+
+std::vector<Json> follow_tethers(const std::vector<Json>& roots, const std::vector<Json>& entries) {
+  Tethers tethers{entries};
+  std::vector<Json> result;
+  for (auto& x : roots)
+    if (auto tree = tethers.tree(x); !tree.is_null())
+      result.push_back(std::move(tree));
+  return result;
+}
+
+std::string tethers_as_text(const std::vector<Json>& trees) {
+  TreeText result;
+  for (auto& x : trees) {
+    if (!result.text.empty())
+      result.text += '\n';
+    result.add(x, 0);
+  }
+  return result.text;
+}
+
+} // namespace castor::cli

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "castor/actors/node/memberships.hpp"
+#include "castor/tools/chaos/fault.hpp"
+#include "castor/tools/simulation/simulated_component.hpp"
+#include "castor/tools/simulation/simulated_journal.hpp"
+#include "castor/tools/simulation/simulated_network.hpp"
+#include "castor/tools/simulation/system_faults.hpp"
+#include "castor/wm/memory/working_memory.hpp"
+
+#include <caf/resumable.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::simulation {
+
+/// A working memory in one of its lives.
+struct MemoryLife {
+  std::uint64_t incarnation = 1;
+  Life process = 0;
+  WorkingMemoryActor actor;
+  /// How often its journal was opened by then; 0 without one.
+  std::uint64_t session = 0;
+  /// With a journal: the number of the first change of this life, and what it began with.
+  std::uint64_t first_sequence = 0;
+  std::shared_ptr<const StoreImage> image;
+  /// Whether it began without changes that its predecessor has acknowledged, as far as it knows.
+  bool may_lack_changes = false;
+  std::uint64_t journal_incarnation = 0;
+  JournalOptions journal;
+  /// Whether nothing has kept the journal from being written in time.
+  bool is_written_in_time = true;
+  linearizability::Tick begin = 0;
+  linearizability::Tick end = linearizability::never;
+  Timestamp end_time{0};
+
+  bool alive() const { return end == linearizability::never; }
+};
+
+/// The machines of a simulated system, the processes on them, and what can befall those.
+class SimulatedMachines {
+public:
+  using Machine = std::size_t;
+  using Clock = std::chrono::steady_clock;
+
+  /// `count` machines: the coordinator's and nodes'.
+  SimulatedMachines(caf::actor_system& system, SystemWorld& world, std::size_t count);
+  SimulatedMachines(const SimulatedMachines&) = delete;
+  SimulatedMachines& operator=(const SimulatedMachines&) = delete;
+
+  static LinkOptions link_options();
+  static Endpoint endpoint_of(Machine x);
+
+  std::size_t count() const { return count_; }
+  SimulatedNetwork& network() { return network_; }
+
+  /// How actors and links of the process of a machine are made.
+  PartSpawn spawn(Machine x);
+  LinkSpawn spawn_link(Machine x);
+
+  /// A node's process begins; any earlier one is gone.
+  void start_node(Machine x);
+  bool is_there(Machine x) const { return processes_[x].there; }
+
+  // -- what befalls them
+
+  void befall(const faults::Fault& x, std::uint64_t seed);
+  /// Brings back what is due.
+  void catch_up();
+  /// Everything works from now on, as far as it depends on machines.
+  void heal();
+  /// When the next process is to be back or to go on.
+  Clock::time_point next_event() const;
+
+  bool may_run(const caf::resumable* x) const;
+  bool all_may_run() const { return frozen_.empty() && hanging_.empty(); }
+
+  // -- what there is
+
+  /// By subarchitecture.
+  const std::map<std::string, std::vector<MemoryLife>>& memories() const { return memories_; }
+  /// Whether these processes have given each other up, or one of them has.
+  bool have_lost(Life a, Life b) const {
+    return lost_.count({a, b}) > 0 || lost_.count({b, a}) > 0;
+  }
+  /// Whether anything befell processes or what is between them.
+  bool are_processes_concerned() const { return processes_concerned_; }
+
+  /// The disk of the machine that a process runs on.
+  const SimulatedDisk& disk_of(Life x) const { return disks_[machine_of(x)]; }
+
+  /// The end of all processes.
+  void end();
+
+private:
+  struct Process {
+    Life life = 0;
+    bool there = false;
+    std::shared_ptr<Memberships> node;
+    caf::actor listener;
+  };
+
+  struct Link {
+    caf::actor actor;
+    Life life = 0;
+    std::string peer;
+  };
+
+  struct Silence {
+    Machine a = 0;
+    Machine b = 0;
+    Clock::time_point until;
+  };
+
+  Clock::time_point now() const { return system_.clock().now(); }
+  Machine machine(std::string_view name) const;
+  Machine machine_of(Life x) const;
+  /// The actor is of that process from now on; what it is called in findings.
+  void own(const caf::actor& x, Life life, const std::string& what);
+  WorkingMemoryActor spawn_working_memory(WorkingMemoryOptions options, Life life);
+  caf::actor spawn_component(const ShellParts& parts, Life life);
+  void hear(Life life, const caf::actor& link, const LinkNews& news);
+  /// From now on the process takes the other for lost, with all that is in it.
+  void give_up(Life life, Life other);
+
+  caf::actor spawn_journal_writer(Life life);
+  /// Null if the working memory is not there.
+  WorkingMemoryActor memory(const std::string& subarchitecture) const;
+  void jump_clock(const faults::JumpClock& x);
+  /// Journals are late from now on: that of a working memory, or all of a process.
+  void slow_journal(const faults::SlowJournal& x);
+  void stop(Machine x, Clock::duration duration);
+
+  void crash(const std::string& name);
+  void hang(const faults::Hang& x);
+  void kill(Machine x, std::chrono::milliseconds back_after);
+  void silence(Machine a, Machine b, Clock::duration x);
+  void befall_link(Machine a, Machine b, const LinkFault& x);
+  void befall_link(const faults::LinkTarget& link, const LinkFault& x);
+
+  caf::actor_system& system_;
+  SystemWorld& world_;
+  const std::size_t count_;
+  SimulatedNetwork network_;
+  std::array<Process, machines.size()> processes_;
+  Life last_life_ = machines.size() - 1;
+  std::vector<Machine> machine_of_life_;
+  std::vector<Link> links_;
+  std::array<SimulatedDisk, machines.size()> disks_;
+  /// With the processes that they are of.
+  std::vector<std::pair<caf::actor, Life>> journal_writers_;
+  std::vector<Silence> silences_;
+  std::map<Machine, Clock::time_point> returns_;
+  std::map<Life, Clock::time_point> frozen_;
+  std::map<const caf::resumable*, Clock::time_point> hanging_;
+  std::map<std::string, std::vector<MemoryLife>> memories_;
+  /// Of links, the processes with which they had a connection.
+  std::map<caf::actor, Life> peers_;
+  std::set<std::pair<Life, Life>> lost_;
+  bool processes_concerned_ = false;
+};
+
+/// The actor, as the scheduler sees it.
+template <class Handle>
+const caf::resumable* job_of(const Handle& x) {
+  return dynamic_cast<const caf::resumable*>(caf::actor_cast<caf::abstract_actor*>(x));
+}
+
+} // namespace castor::simulation

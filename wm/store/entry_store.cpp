@@ -1,0 +1,385 @@
+#include "castor/wm/store/entry_store.hpp"
+
+#include "castor/wm/filters/bound_predicate.hpp"
+#include "castor/wm/store/value_limit.hpp"
+
+#include <algorithm>
+#include <queue>
+
+namespace castor {
+
+namespace {
+
+std::string_view verb(Operation x) {
+  switch (x) {
+    case Operation::add:
+      return "add";
+    case Operation::overwrite:
+      return "overwrite";
+    case Operation::remove:
+      return "delete";
+  }
+  return "change";
+}
+
+/// Why a change that counts on another version than there is cannot be made.
+Failure outdated(const WriteRequest& request, const Entry& there) {
+  auto seen = *request.last_seen;
+  auto& address = request.address;
+  return {FailureKind::inconsistent,
+          to_string(*request.client) + " cannot " + std::string{verb(request.operation)} + ' ' +
+            to_string(address) + ": it has seen version " + std::to_string(seen) + ", but " +
+            there.writer + (seen < there.version ? " has since written" : " wrote") + " version " +
+            std::to_string(there.version) + ". Read it again and redo the change",
+          address};
+}
+
+} // namespace
+
+EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
+  : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_),
+    floor_(options.first_version) {}
+
+void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) {
+  for (auto& x : image.entries) {
+    auto& id = x.entry->address.id;
+    auto& table = types_[x.entry->type_name()];
+    table.type = x.entry->value.type_ptr();
+    table.recency.push_front(x.entry);
+    auto& slot = entries_[id];
+    slot = {x.entry, x.sequence, table.recency.begin(), {}, expiry_source, nullptr};
+    // The clock that tells the time since 1970 may have been set back.
+    set_due_after(slot, now - std::max(Timestamp{0}, time - x.time));
+    if (x.entry->life.ephemeral)
+      set_due(slot, now, owner_ended_source);
+  }
+  for (auto& [id, version] : image.deleted)
+    bury(id, version);
+  floor_ = std::max(floor_, image.floor);
+  sequence_ = image.sequence;
+}
+
+Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) const {
+  auto& client = *request.client;
+  auto& address = request.address;
+  if (auto failure = check_address(request))
+    return *failure;
+  if (!access_.may_write(client.subarchitecture))
+    return Failure{FailureKind::not_permitted,
+                   to_string(client) + " may not " + std::string{verb(request.operation)} + " " +
+                     to_string(address) + ": only components of " + subarchitecture_ +
+                     " write there. To allow it, put ACCESS " + client.subarchitecture +
+                     " WRITES " + subarchitecture_ +
+                     " into the system's .cast file, or run it with --open-access",
+                   address};
+  auto i = entries_.find(address.id);
+  if (request.operation == Operation::add) {
+    if (i != entries_.end())
+      return Failure{FailureKind::already_exists,
+                     to_string(client) + " cannot add " + to_string(address) + ": " +
+                       i->second.entry->writer + " put a " + i->second.entry->type_name() +
+                       " there. Overwrite it, or add under a new id",
+                     address};
+    if (auto failure = check_value(request))
+      return *failure;
+    auto life = request.life.value_or(EntryLife{});
+    if (life.only_once && tombstones_.count(address.id) > 0)
+      return Failure{FailureKind::already_exists,
+                     to_string(client) + " cannot add " + to_string(address) +
+                       ": there was one before, and this one is to be the only one of its id",
+                     address};
+    return Effect{Operation::add,
+                  std::make_shared<const Entry>(Entry{address, version_for_add(address.id),
+                                                      request.value, client.component, life}),
+                  client.component,
+                  {},
+                  life.ephemeral ? request.client : nullptr};
+  }
+  if (i == entries_.end())
+    return missing(request);
+  auto& old = *i->second.entry;
+  if (request.operation == Operation::remove) {
+    // Components delete whatever is there; operators may name the version that they mean.
+    if (request.last_seen && *request.last_seen != old.version)
+      return outdated(request, old);
+    return Effect{Operation::remove, i->second.entry, client.component};
+  }
+  if (!request.last_seen)
+    return Failure{FailureKind::inconsistent,
+                   to_string(client) + " cannot overwrite " + to_string(address) +
+                     ", which it has never read; " + old.writer + " wrote version " +
+                     std::to_string(old.version) + ". Read it first",
+                   address};
+  if (*request.last_seen != old.version)
+    return outdated(request, old);
+  if (request.expected && old.writer != client.component)
+    return Failure{FailureKind::inconsistent,
+                   to_string(client) + " cannot overwrite " + to_string(address) +
+                     ": it counted on an earlier write of its own that has failed, and version " +
+                     std::to_string(old.version) + " is by " + old.writer +
+                     ". Read it again and redo the change",
+                   address};
+  if (auto failure = check_value(request))
+    return *failure;
+  if (request.value.type_name() != old.type_name())
+    return Failure{FailureKind::wrong_type,
+                   to_string(client) + " cannot overwrite " + to_string(address) + ", a " +
+                     old.type_name() + ", with a " + request.value.type_name() +
+                     ". Delete it and add the new one",
+                   address};
+  return Effect{
+    Operation::overwrite,
+    std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, client.component,
+                                        request.life.value_or(old.life)}),
+    client.component, i->second.entry};
+}
+
+Outcome<std::vector<EntryStore::Effect>>
+EntryStore::prepare(const std::vector<WriteRequest>& requests) const {
+  std::vector<Effect> result;
+  std::set<std::string_view> ids;
+  for (auto& request : requests) {
+    if (request.address.subarchitecture != subarchitecture_)
+      return Failure{FailureKind::not_atomic,
+                     to_string(*request.client) + " cannot write " + to_string(request.address) +
+                       " and entries of " + subarchitecture_ +
+                       " at once: an atomic write stays within one working memory",
+                     request.address};
+    if (!ids.insert(request.address.id).second)
+      return Failure{FailureKind::not_atomic,
+                     to_string(*request.client) + " cannot write " + to_string(request.address) +
+                       " twice in one atomic write",
+                     request.address};
+    auto effect = prepare(request);
+    if (!effect)
+      return effect.failure();
+    result.push_back(*std::move(effect));
+  }
+  return result;
+}
+
+std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
+  auto& entry = effect.entry;
+  auto event = std::make_shared<ChangeEvent>();
+  event->operation = effect.operation;
+  event->address = entry->address;
+  event->source = std::move(effect.source);
+  event->type = entry->value.type_ptr();
+  event->version = entry->version;
+  event->sequence = ++sequence_;
+  event->time = now;
+  auto& id = entry->address.id;
+  auto& table = types_[entry->type_name()];
+  switch (effect.operation) {
+    case Operation::add: {
+      if (!table.type)
+        table.type = entry->value.type_ptr();
+      exhume(id);
+      table.recency.push_front(entry);
+      auto& slot = entries_[id];
+      slot = {entry, sequence_, table.recency.begin(), {}, expiry_source, effect.owner};
+      if (effect.owner)
+        ephemeral_.insert(id);
+      set_due_after(slot, now);
+      break;
+    }
+    case Operation::overwrite: {
+      auto& slot = entries_[id];
+      *slot.position = entry;
+      table.recency.splice(table.recency.begin(), table.recency, slot.position);
+      slot.entry = entry;
+      slot.written = sequence_;
+      if (slot.due_source == expiry_source)
+        set_due_after(slot, now);
+      break;
+    }
+    case Operation::remove: {
+      auto i = entries_.find(id);
+      table.recency.erase(i->second.position);
+      set_due(i->second, std::nullopt);
+      if (i->second.owner)
+        ephemeral_.erase(id);
+      bury(id, entry->version);
+      entries_.erase(i);
+      break;
+    }
+  }
+  return event;
+}
+
+ClientPtr EntryStore::owner(const std::string& id) const {
+  auto i = entries_.find(id);
+  return i == entries_.end() ? nullptr : i->second.owner;
+}
+
+void EntryStore::end_owner(const Client& owner, Timestamp now) {
+  for (auto& id : ephemeral_) {
+    auto& slot = entries_.at(id);
+    if (*slot.owner == owner)
+      set_due(slot, now, owner_ended_source);
+  }
+}
+
+std::optional<Timestamp> EntryStore::next_due() const {
+  return due_.empty() ? std::nullopt : std::optional{due_.begin()->first};
+}
+
+std::vector<std::string> EntryStore::due(Timestamp now) const {
+  std::vector<std::string> result;
+  for (auto i = due_.begin(); i != due_.end() && i->first <= now; ++i)
+    result.push_back(i->second);
+  return result;
+}
+
+void EntryStore::postpone(const std::string& id, Timestamp until) {
+  auto& slot = entries_.at(id);
+  set_due(slot, until, slot.due_source);
+}
+
+EntryStore::Effect EntryStore::prepare_forgetting(const std::string& id) const {
+  auto& slot = entries_.at(id);
+  return {Operation::remove, slot.entry, slot.due_source};
+}
+
+void EntryStore::set_due_after(Slot& slot, Timestamp now) {
+  auto time_to_live = slot.entry->life.time_to_live;
+  if (slot.due || time_to_live.count() > 0)
+    set_due(slot, time_to_live.count() > 0 ? std::optional{now + time_to_live} : std::nullopt);
+}
+
+void EntryStore::set_due(Slot& slot, std::optional<Timestamp> due, const char* source) {
+  auto& id = slot.entry->address.id;
+  if (slot.due)
+    due_.erase({*slot.due, id});
+  slot.due = due;
+  slot.due_source = source;
+  if (due)
+    due_.emplace(*due, id);
+}
+
+Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
+  auto i = entries_.find(id);
+  if (i != entries_.end())
+    return i->second.entry;
+  Address address{subarchitecture_, id};
+  return Failure{FailureKind::does_not_exist,
+                 "there is no entry " + to_string(address) + " to read: " + absence(id), address};
+}
+
+std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
+  // The lists of the types asked for, merged by the time of the last write.
+  struct Cursor {
+    std::uint64_t written;
+    Recency::const_iterator at;
+    const Recency* list;
+    std::shared_ptr<const BoundPredicate> predicate;
+    bool operator<(const Cursor& other) const { return written < other.written; }
+  };
+  std::priority_queue<Cursor> cursors;
+  auto push = [&](Cursor cursor) {
+    while (cursor.at != cursor.list->end() && !cursor.predicate->matches((*cursor.at)->value))
+      ++cursor.at;
+    if (cursor.at == cursor.list->end())
+      return;
+    cursor.written = entries_.at((*cursor.at)->address.id).written;
+    cursors.push(std::move(cursor));
+  };
+  for (auto& [name, table] : types_) {
+    bool wanted = query.type.empty() || name == query.type ||
+                  (query.with_derived && table.type->is_a(query.type));
+    if (!wanted || table.recency.empty())
+      continue;
+    if (auto bound = BoundPredicate::try_bind(query.predicate, *table.type))
+      push({0, table.recency.begin(), &table.recency,
+            std::make_shared<const BoundPredicate>(*std::move(bound))});
+  }
+  std::vector<EntryPtr> result;
+  while (!cursors.empty() && (query.count == 0 || result.size() < query.count)) {
+    auto next = cursors.top();
+    cursors.pop();
+    result.push_back(*next.at);
+    ++next.at;
+    push(std::move(next));
+  }
+  return result;
+}
+
+Outcome<Version> EntryStore::version(const std::string& id) const {
+  if (auto i = entries_.find(id); i != entries_.end())
+    return i->second.entry->version;
+  if (auto i = tombstones_.find(id); i != tombstones_.end())
+    return i->second.version;
+  Address address{subarchitecture_, id};
+  return Failure{FailureKind::does_not_exist,
+                 "there is no version of " + to_string(address) + ": " + absence(id), address};
+}
+
+std::string EntryStore::absence(const std::string& id) const {
+  if (tombstones_.count(id) > 0)
+    return "it was deleted";
+  std::string result = "nothing was added there";
+  if (floor_ > options_.first_version)
+    result += ", or it was deleted too long ago to be remembered";
+  return result;
+}
+
+Failure EntryStore::missing(const WriteRequest& request) const {
+  auto& address = request.address;
+  return {FailureKind::does_not_exist,
+          to_string(*request.client) + " cannot " + std::string{verb(request.operation)} + " " +
+            to_string(address) + ": " + absence(address.id) +
+            (request.operation == Operation::overwrite ? ". Add it first" : ""),
+          address};
+}
+
+std::optional<Failure> EntryStore::check_address(const WriteRequest& request) const {
+  if (!request.address.id.empty())
+    return std::nullopt;
+  return Failure{FailureKind::bad_address,
+                 to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
+                   " an entry of " + subarchitecture_ + " without an id; new_id() makes one",
+                 request.address};
+}
+
+std::optional<Failure> EntryStore::check_value(const WriteRequest& request) const {
+  if (auto failure = value_too_large(request, subarchitecture_, options_.largest_value))
+    return failure;
+  return check_type(request);
+}
+
+std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const {
+  auto i = types_.find(request.value.type_name());
+  if (i == types_.end() || !i->second.type || i->second.type->hash == request.value.type().hash)
+    return std::nullopt;
+  return Failure{FailureKind::wrong_type,
+                 to_string(*request.client) + " cannot " + std::string{verb(request.operation)} +
+                   " " + to_string(request.address) + ": it says " +
+                   to_string(request.value.type()) + ", but " + subarchitecture_ + " knows " +
+                   to_string(*i->second.type) + ". Build both sides from one declaration",
+                 request.address};
+}
+
+Version EntryStore::version_for_add(const std::string& id) const {
+  auto i = tombstones_.find(id);
+  return i == tombstones_.end() ? floor_ : i->second.version + 1;
+}
+
+void EntryStore::bury(const std::string& id, Version version) {
+  tombstones_[id] = {version, burials_.insert(burials_.end(), id)};
+  if (burials_.size() <= options_.remembered_deletions)
+    return;
+  auto oldest = tombstones_.find(burials_.front());
+  floor_ = std::max(floor_, oldest->second.version + 1);
+  tombstones_.erase(oldest);
+  burials_.pop_front();
+}
+
+void EntryStore::exhume(const std::string& id) {
+  auto i = tombstones_.find(id);
+  if (i == tombstones_.end())
+    return;
+  burials_.erase(i->second.burial);
+  tombstones_.erase(i);
+}
+
+} // namespace castor

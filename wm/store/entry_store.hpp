@@ -1,0 +1,204 @@
+#pragma once
+
+#include "castor/wm/entries/change_event.hpp"
+#include "castor/wm/entries/client.hpp"
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/entries/failure.hpp"
+#include "castor/wm/entries/lease.hpp"
+#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/store/access_rules.hpp"
+#include "castor/wm/store/store_image.hpp"
+
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// A wish to change an entry.
+struct WriteRequest {
+  Operation operation = Operation::add;
+  Address address;
+  /// Not for a deletion.
+  Value value;
+  /// The version that the client has seen of what it overwrites, or means to delete; or nothing.
+  std::optional<Version> last_seen;
+  ClientPtr client;
+  /// Of the lease that the client believes to hold on the entry; 0 for none.
+  LeaseToken token = 0;
+  /// For an overwrite, nothing: as it was; whose end ends the entry stays as it was in any case.
+  std::optional<EntryLife> life = {};
+  /// The client counts on having written the version last seen itself, by a write that it has not
+  /// been answered yet: should that have failed, somebody else's version of this number will not
+  /// do.
+  bool expected = false;
+};
+
+/// Sources of the deletions that no component makes.
+inline constexpr const char* expiry_source = "(time to live is over)";
+inline constexpr const char* owner_ended_source = "(its owner has ended)";
+
+/// Which entries a reader wants.
+struct TypeQuery {
+  std::string subarchitecture;
+  /// Empty for every type.
+  std::string type;
+  /// At most so many, the most recently written ones; 0 for all.
+  std::size_t count = 0;
+  /// Whether entries of types that derive from `type` count too.
+  bool with_derived = false;
+  /// What must be true of their content; entries that lack the fields do not count.
+  Predicate predicate = {};
+};
+
+struct EntryStoreOptions {
+  /// How many deleted ids keep their version; beyond that the oldest are forgotten.
+  std::size_t remembered_deletions = 100'000;
+  /// The largest value that is taken, in bytes of its wire form.
+  std::size_t largest_value = std::size_t{256} << 20;
+  /// That of the first entry of any id.
+  Version first_version = 0;
+};
+
+/// What a working memory holds, and every rule for changing it.
+///
+/// A change has two steps: `prepare` makes all checks and touches nothing, `commit` applies what
+/// was prepared and cannot fail. Whatever must happen before a change may be seen stands between
+/// the two.
+class EntryStore {
+public:
+  /// A prepared change.
+  struct Effect {
+    Operation operation;
+    /// As it will be; for a deletion, as it was.
+    EntryPtr entry;
+    /// The component that makes the change.
+    std::string source;
+    /// As it was; for an overwrite.
+    EntryPtr before = {};
+    /// Whose end ends the entry; for the addition of an ephemeral one.
+    ClientPtr owner = {};
+  };
+
+  explicit EntryStore(std::string subarchitecture, EntryStoreOptions options = {});
+
+  /// The tables point into one another, so a store moves but is never copied.
+  EntryStore(EntryStore&&) = default;
+  EntryStore& operator=(EntryStore&&) = default;
+
+  /// Takes up, as the first thing, what another store has left behind. The owners of ephemeral
+  /// entries are not known any more: these are due. `time` is what `now` is since 1970.
+  void restore(const StoreImage& image, Timestamp now, UnixTime time);
+
+  const std::string& subarchitecture() const { return subarchitecture_; }
+  AccessRules& access() { return access_; }
+
+  Outcome<Effect> prepare(const WriteRequest& request) const;
+
+  /// Applies an effect of `prepare`, with no other commit in between, and says what happened; which
+  /// fields changed is left out.
+  std::shared_ptr<ChangeEvent> commit(Effect effect, Timestamp now);
+
+  /// The effects of several writes of different entries, or the failure of the first that fails.
+  Outcome<std::vector<Effect>> prepare(const std::vector<WriteRequest>& requests) const;
+
+  // -- entries that end of themselves
+
+  /// Whose end ends the entry; null if nobody's does, or if there is no entry.
+  ClientPtr owner(const std::string& id) const;
+
+  /// From now on the ephemeral entries of this client are due.
+  void end_owner(const Client& owner, Timestamp now);
+
+  /// When the next entry is due to be forgotten.
+  std::optional<Timestamp> next_due() const;
+
+  /// The ids of the entries that are due, the longest due first.
+  std::vector<std::string> due(Timestamp now) const;
+
+  /// An entry that is due is kept until then.
+  void postpone(const std::string& id, Timestamp until);
+
+  /// The deletion of an entry that is due.
+  Effect prepare_forgetting(const std::string& id) const;
+
+  // -- reading
+
+  Outcome<EntryPtr> read(const std::string& id) const;
+
+  /// The most recently written entries first.
+  std::vector<EntryPtr> read_by_type(const TypeQuery& query) const;
+
+  bool exists(const std::string& id) const { return entries_.count(id) > 0; }
+
+  /// The entry's version, or the last it had if it was deleted. Fails if it never existed (or was
+  /// deleted too long ago to be remembered).
+  Outcome<Version> version(const std::string& id) const;
+
+  std::size_t size() const { return entries_.size(); }
+
+  /// How many events were made so far.
+  std::uint64_t sequence() const { return sequence_; }
+
+private:
+  /// Most recently written first.
+  using Recency = std::list<EntryPtr>;
+
+  struct Slot {
+    EntryPtr entry;
+    /// When it was last written, as a count of writes.
+    std::uint64_t written = 0;
+    Recency::iterator position;
+    /// When it is to be forgotten, and what then stands as the source.
+    std::optional<Timestamp> due;
+    const char* due_source = expiry_source;
+    ClientPtr owner;
+  };
+
+  struct TypeTable {
+    TypeDescriptorPtr type;
+    Recency recency;
+  };
+
+  struct Tombstone {
+    Version version;
+    std::list<std::string>::iterator burial;
+  };
+
+  /// Why there is no entry of that id.
+  std::string absence(const std::string& id) const;
+  Failure missing(const WriteRequest& request) const;
+  std::optional<Failure> check_address(const WriteRequest& request) const;
+  std::optional<Failure> check_value(const WriteRequest& request) const;
+  std::optional<Failure> check_type(const WriteRequest& request) const;
+  Version version_for_add(const std::string& id) const;
+  void bury(const std::string& id, Version version);
+  void exhume(const std::string& id);
+  /// What a write at that time means for the entry's end.
+  void set_due_after(Slot& slot, Timestamp now);
+  void set_due(Slot& slot, std::optional<Timestamp> due, const char* source = expiry_source);
+
+  std::string subarchitecture_;
+  EntryStoreOptions options_;
+  AccessRules access_;
+  std::unordered_map<std::string, Slot> entries_;
+  std::unordered_map<std::string, TypeTable> types_;
+  std::unordered_map<std::string, Tombstone> tombstones_;
+  /// The ids of the tombstones, the longest deleted first.
+  std::list<std::string> burials_;
+  /// By the time at which they are due.
+  std::set<std::pair<Timestamp, std::string>> due_;
+  /// The ids of ephemeral entries.
+  std::set<std::string> ephemeral_;
+  /// Above every version that was forgotten.
+  Version floor_ = 0;
+  std::uint64_t sequence_ = 0;
+};
+
+} // namespace castor

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "castor/wm/values/type_descriptor.hpp"
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace castor {
+
+class Decoder;
+
+/// What a single field can be compared with. Enumerations are the name of their enumerator (or
+/// their number where it has none), an absent optional is std::monostate.
+using FieldValue =
+  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>;
+
+enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
+
+/// There is no such field, or it cannot be compared with what it was compared with.
+class FieldError : public std::runtime_error {
+public:
+  using runtime_error::runtime_error;
+};
+
+/// Takes one scalar, enumeration or string from `in`. Throws FieldError for other kinds of field.
+FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireType& type);
+
+/// The place of a field in its type: its index in every record or array on the way. Optionals on
+/// the way take no step.
+using FieldPath = std::vector<std::uint32_t>;
+
+struct FieldPlace {
+  FieldPath path;
+  /// What lies there, freed of optionals; part of the descriptor.
+  const WireType* type = nullptr;
+};
+
+/// The place of the field at `path` ("pose.position.x"). Looks at no value: a mistake in a path
+/// shows whether or not the optionals on its way are there. Throws FieldError if there is no such
+/// field.
+FieldPlace find_field(const TypeDescriptor& descriptor, std::string_view path);
+
+/// Whether a field is one value, that can be read and compared: no list, bytes, array or record.
+bool is_single(WireKind kind);
+
+/// The field at a place of `descriptor`, without decoding the rest of the encoded value. Throws as
+/// below.
+FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+                      const FieldPath& path);
+
+/// Whether no optional on the way to a place, nor the field itself, is empty. Throws DecodeError.
+bool has_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+               const FieldPath& path);
+
+/// The field at `path` ("pose.position.x") of an encoded value, without decoding the rest of it.
+/// Throws FieldError if there is no such field or it is not a single value, DecodeError if the
+/// bytes are not what the descriptor says.
+FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uint8_t> bytes,
+                      std::string_view path);
+
+/// Numbers compare by value whatever their types, text by code units, false before true. A
+/// comparison with NaN or with an absent optional is false, but for not_equal. Throws FieldError if
+/// a number, a truth value or a text is compared with another of these.
+bool compare(const FieldValue& a, Comparison op, const FieldValue& b);
+
+/// The one of all numbers that compare equal, an integer wherever there is one; others as they are.
+/// What is `compare`d equal is also `==` in this form (but for NaN and the absent optional, which
+/// `compare` finds unequal to themselves).
+FieldValue normalised(FieldValue x);
+
+} // namespace castor

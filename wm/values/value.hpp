@@ -1,0 +1,165 @@
+#pragma once
+
+#include "castor/wm/values/encoded_size.hpp"
+#include "castor/wm/values/encoding.hpp"
+#include "castor/wm/values/field_access.hpp"
+#include "castor/wm/values/field_mask.hpp"
+#include "castor/wm/values/object_access.hpp"
+#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/wire_equality.hpp"
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// The content of an entry: immutable, shared, of any reflected type.
+///
+/// Copies share one object, so within a process a value is never copied deeply and never changes.
+/// Its bytes are made when somebody first asks for them, and once; a value that arrived as bytes is
+/// decoded when somebody first asks for its C++ type, and once. Safe to use from several threads.
+class Value {
+public:
+  /// No value; `has_value()` is false and nothing else may be called.
+  Value() = default;
+
+  template <ReflectedRecord T>
+  static Value of(T x) {
+    return Value{descriptor_of<T>(), std::make_shared<const T>(std::move(x)), type_operations<T>()};
+  }
+
+  /// A value whose C++ type this process need not have.
+  static Value from_bytes(TypeDescriptorPtr type, Bytes bytes);
+
+  /// The same of bytes that come from outside: throws DecodeError if they cannot be such a value.
+  static Value from_foreign_bytes(TypeDescriptorPtr type, Bytes bytes);
+
+  bool has_value() const { return rep_ != nullptr; }
+  const TypeDescriptor& type() const { return *rep_->type; }
+  const TypeDescriptorPtr& type_ptr() const { return rep_->type; }
+  const std::string& type_name() const { return rep_->type->name(); }
+
+  /// The wire form.
+  const Bytes& bytes() const;
+
+  /// The size of the wire form, which is not made for this.
+  std::size_t encoded_size() const;
+
+  /// The single field at a place of the value's type (`find_field`); read from the object where
+  /// there is one. Throws DecodeError if the value came as bytes that are not what its type says.
+  FieldValue field(const FieldPath& path) const;
+
+  /// Whether no optional on the way to a place, nor the field itself, is empty. Throws as `field`.
+  bool has_field(const FieldPath& path) const;
+
+  /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if
+  /// the value came as bytes that are no `T`.
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> as() const {
+    auto& wanted = *descriptor_of<T>();
+    if (!type().is_a(wanted.name()))
+      return nullptr;
+    if (rep_->operations)
+      if (auto* object = rep_->operations->upcast(rep_->object.get(), typeid(T)))
+        return {rep_->object, static_cast<const T*>(object)};
+    return decoded<T>(wanted);
+  }
+
+  /// Whether two values have the same type and the same wire form.
+  friend bool operator==(const Value& a, const Value& b);
+
+  /// The fields by which two values of one type differ in wire form, which is not made for this
+  /// where both are objects; of different types: all. Throws DecodeError if a value came as bytes
+  /// that are not what its type says.
+  friend FieldMask changed_fields(const Value& before, const Value& after);
+
+private:
+  struct Operations {
+    /// The `T` inside the object, or null if the object has no such base.
+    const void* (*upcast)(const void* object, const std::type_info& wanted);
+    Bytes (*encode)(const void* object);
+    std::size_t (*encoded_size)(const void* object);
+    FieldMask (*differ)(const void* a, const void* b);
+    /// For access to the fields.
+    const ObjectOperations* parts;
+  };
+
+  struct Rep {
+    TypeDescriptorPtr type;
+    /// The object and what can be done with it; null for a value that came as bytes.
+    std::shared_ptr<const void> object;
+    const Operations* operations = nullptr;
+    std::once_flag encode_once;
+    Bytes bytes;
+    /// What `bytes` was decoded to: the type itself or one of its bases, each at most once.
+    std::mutex decode_mutex;
+    std::vector<std::pair<const std::type_info*, std::shared_ptr<const void>>> decoded;
+  };
+
+  Value(TypeDescriptorPtr type, std::shared_ptr<const void> object, const Operations* operations);
+
+  template <ReflectedRecord T>
+  static const void* upcast(const void* object, const std::type_info& wanted) {
+    auto* x = static_cast<const T*>(object);
+    if (wanted == typeid(T))
+      return x;
+    using Base = typename decltype(reflection_of<T>())::BaseType;
+    if constexpr (!std::is_void_v<Base>)
+      return upcast<Base>(static_cast<const Base*>(x), wanted);
+    else
+      return nullptr;
+  }
+
+  template <ReflectedRecord T>
+  static const Operations* type_operations() {
+    static constexpr Operations result{
+      &upcast<T>, [](const void* object) { return encode(*static_cast<const T*>(object)); },
+      [](const void* object) { return castor::encoded_size(*static_cast<const T*>(object)); },
+      [](const void* a, const void* b) {
+        return fields_that_differ(*static_cast<const T*>(a), *static_cast<const T*>(b));
+      },
+      &detail::object_operations<T>};
+    return &result;
+  }
+
+  ObjectPart part(const FieldPath& path) const {
+    return find_part({rep_->object.get(), rep_->operations->parts}, path);
+  }
+
+  /// Throws DecodeError if this process knows another type by the name of the value's type or base.
+  void check_same_layout(const TypeDescriptor& wanted) const;
+
+  template <ReflectedRecord T>
+  std::shared_ptr<const T> decoded(const TypeDescriptor& wanted) const {
+    std::lock_guard guard{rep_->decode_mutex};
+    for (auto& [type, object] : rep_->decoded)
+      if (*type == typeid(T))
+        return std::static_pointer_cast<const T>(object);
+    check_same_layout(wanted);
+    T object{};
+    Decoder in{bytes()};
+    in.get_fields(object);
+    // Only a derived value has more to it than the type asked for.
+    if (type().name() == wanted.name())
+      in.expect_end();
+    auto result = std::make_shared<const T>(std::move(object));
+    rep_->decoded.emplace_back(&typeid(T), result);
+    return result;
+  }
+
+  std::shared_ptr<Rep> rep_;
+};
+
+FieldMask changed_fields(const Value& before, const Value& after);
+
+/// Descriptor and content in one piece, for files and pipes.
+Bytes encode_self_described(const Value& x);
+
+/// Throws DecodeError.
+Value decode_self_described(std::span<const std::uint8_t> bytes);
+
+} // namespace castor
