@@ -22,8 +22,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "evaluation.hpp"
-#include "shape_samples.hpp"
+#include "castor/benchmarks/clevr/evaluation.hpp"
+#include "castor/benchmarks/clevr/shape_samples.hpp"
 
 namespace {
 

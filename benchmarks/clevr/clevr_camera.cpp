@@ -1,4 +1,4 @@
-#include "clevr_camera.hpp"
+#include "castor/benchmarks/clevr/clevr_camera.hpp"
 
 #include <cmath>
 #include <limits>

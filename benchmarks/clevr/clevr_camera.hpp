@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "castor/benchmarks/clevr/clevr_scenes.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "clevr_scenes.hpp"
 
 namespace castor::clevr {
 

@@ -19,8 +19,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "evaluation.hpp"
-#include "relations.hpp"
+#include "castor/benchmarks/clevr/evaluation.hpp"
+#include "castor/benchmarks/clevr/relations.hpp"
 
 namespace {
 

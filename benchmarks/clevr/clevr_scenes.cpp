@@ -1,4 +1,4 @@
-#include "clevr_scenes.hpp"
+#include "castor/benchmarks/clevr/clevr_scenes.hpp"
 
 #include <algorithm>
 #include <fstream>

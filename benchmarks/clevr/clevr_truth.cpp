@@ -1,4 +1,4 @@
-#include "clevr_truth.hpp"
+#include "castor/benchmarks/clevr/clevr_truth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "castor/benchmarks/clevr/clevr_scenes.hpp"
 #include "castor/perception/vision/types.hpp"
-#include "clevr_scenes.hpp"
 
 namespace castor::clevr {
 

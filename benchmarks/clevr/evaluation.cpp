@@ -1,4 +1,4 @@
-#include "evaluation.hpp"
+#include "castor/benchmarks/clevr/evaluation.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,8 +9,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "castor/benchmarks/clevr/clevr_truth.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
-#include "clevr_truth.hpp"
 
 namespace castor::clevr {
 

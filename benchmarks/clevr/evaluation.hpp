@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "castor/benchmarks/clevr/clevr_camera.hpp"
+#include "castor/benchmarks/clevr/clevr_scenes.hpp"
+#include "castor/benchmarks/clevr/matching.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
-#include "clevr_camera.hpp"
-#include "clevr_scenes.hpp"
-#include "matching.hpp"
 
 namespace castor::clevr {
 

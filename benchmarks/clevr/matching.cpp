@@ -1,4 +1,4 @@
-#include "matching.hpp"
+#include "castor/benchmarks/clevr/matching.hpp"
 
 #include <algorithm>
 #include <cmath>

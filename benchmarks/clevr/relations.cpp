@@ -1,4 +1,4 @@
-#include "relations.hpp"
+#include "castor/benchmarks/clevr/relations.hpp"
 
 #include <stdexcept>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation.hpp"
+#include "castor/benchmarks/clevr/evaluation.hpp"
 
 namespace castor::clevr {
 

@@ -1,4 +1,4 @@
-#include "shape_samples.hpp"
+#include "castor/benchmarks/clevr/shape_samples.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,14 +10,14 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "castor/benchmarks/clevr/clevr_camera.hpp"
+#include "castor/benchmarks/clevr/clevr_truth.hpp"
+#include "castor/benchmarks/clevr/matching.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
-#include "clevr_camera.hpp"
-#include "clevr_truth.hpp"
-#include "matching.hpp"
 
 namespace castor::clevr {
 

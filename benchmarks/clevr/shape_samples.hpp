@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "clevr_scenes.hpp"
-#include "shape_training.hpp"
+#include "castor/benchmarks/clevr/clevr_scenes.hpp"
+#include "castor/benchmarks/clevr/shape_training.hpp"
 
 namespace castor::clevr {
 

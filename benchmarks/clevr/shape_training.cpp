@@ -1,4 +1,4 @@
-#include "shape_training.hpp"
+#include "castor/benchmarks/clevr/shape_training.hpp"
 
 #include <algorithm>
 #include <cmath>

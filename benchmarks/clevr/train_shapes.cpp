@@ -9,7 +9,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "shape_samples.hpp"
+#include "castor/benchmarks/clevr/shape_samples.hpp"
 
 namespace {
 

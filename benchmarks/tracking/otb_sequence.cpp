@@ -1,4 +1,4 @@
-#include "otb_sequence.hpp"
+#include "castor/benchmarks/tracking/otb_sequence.hpp"
 
 #include "castor/perception/vision/camera/image_source_file.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"

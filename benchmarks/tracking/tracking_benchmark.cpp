@@ -5,7 +5,7 @@
 // Each FOLDER holds a sequence: img/0001.jpg, ... and groundtruth_rect.txt. The tracker is shown
 // the thing in the first picture only; overlaps (intersection by union) are those in all others.
 
-#include "otb_sequence.hpp"
+#include "castor/benchmarks/tracking/otb_sequence.hpp"
 
 #include <fmt/core.h>
 

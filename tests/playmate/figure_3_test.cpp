@@ -1,9 +1,9 @@
 #include "castor/tests/playmate/figure_3.hpp"
 
 #include "castor/actors/system/system.hpp"
-#include "castor/tests/cli/castor_fixture.hpp"
 #include "castor/tests/playmate/playmate.hpp"
 #include "castor/tests/support/eventually.hpp"
+#include "castor/tests/tools/cli/castor_fixture.hpp"
 #include "castor/tools/testing/test_system.hpp"
 #include "castor/wm/values/json.hpp"
 

@@ -1,0 +1,186 @@
+# Systems that are wrong on purpose, to see that the simulation of whole systems notices; for
+# scripts/mutation-check, with those of tests/tools/linearizability.
+
+# castor_system_mutant(<name> <source> FROM <text> TO <text>)
+#
+# castor_mutant_system_<name>, a `castor_system_simulation`, which is `castor simulate`, in which <text> says something else.
+function(castor_system_mutant name source)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FROM;TO" "")
+  castor_add_mutant(system_${name} ${source} FROM "${ARG_FROM}" TO "${ARG_TO}"
+    SOURCES $<TARGET_OBJECTS:castor_system_simulation>
+    DEPENDS castor_simulator CAF::io spdlog::spdlog CLI11::CLI11 fmt::fmt)
+endfunction()
+
+# -- supervision
+
+castor_system_mutant(failures_are_left actors/supervision/supervision_tree.cpp
+  FROM "result.start = result.stop;"
+  TO "")
+
+castor_system_mutant(restarts_forget_dependents actors/supervision/supervision_tree.cpp
+  FROM "if (all || children_.at(x).kind == ComponentKind::managed)"
+  TO "if (false)")
+
+castor_system_mutant(nodes_that_return_stay_empty actors/supervision/supervisor.cpp
+  FROM "if (auto awaited = awaited_.extract(x.peer)) {"
+  TO "if (auto awaited = awaited_.extract(ProcessNumber(x.peer + 100))) {")
+
+castor_system_mutant(lives_are_not_counted actors/supervision/supervisor.cpp
+  FROM "++child.incarnation;"
+  TO "child.incarnation = 2;")
+
+castor_system_mutant(early_ends_are_missed actors/supervision/supervisor.cpp
+  FROM "if (round != rounds_.end() && round->step == Round::Step::make)
+        round->failures.push_back(x);"
+  TO "")
+
+castor_system_mutant(waiting_rounds_lose_their_patience actors/supervision/supervisor.cpp
+  FROM "begun->since = time();"
+  TO "")
+
+castor_system_mutant(nobody_is_asked_again actors/supervision/supervisor.cpp
+  FROM "if (!actor || round.asked == actor.address())"
+  TO "if (!actor || round.asked)")
+
+castor_system_mutant(the_awaited_are_made_early actors/supervision/supervisor.cpp
+  FROM "if (moved_.count(name) > 0 || is_awaited(name))"
+  TO "if (false)")
+
+castor_system_mutant(memories_throw wm/memory/working_memory_leases.cpp
+  FROM "if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {"
+  TO "if (request.token % 50 == 7)
+    throw std::runtime_error{\"out of order\"};
+  if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {")
+
+# -- filters and leases
+
+castor_system_mutant(new_memories_do_not_know_filters wm/memory/working_memory_routes.cpp
+  FROM "if (!concerns(filter, peer))
+        continue;
+      ++pending->missing;"
+  TO "if (true)
+        continue;
+      ++pending->missing;")
+
+castor_system_mutant(the_dead_keep_their_leases wm/memory/working_memory_leases.cpp
+  FROM "state.leases.drop(*client.mapped(), time);"
+  TO "")
+
+castor_system_mutant(memories_count_from_the_start wm/memory/working_memory.cpp
+  FROM "auto first = (options.incarnation - 1) * numbers_per_life;"
+  TO "std::uint64_t first = 0;")
+
+# -- links
+
+castor_system_mutant(resumed_sessions_send_all_again actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "rewritten_ = 0;")
+
+castor_system_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
+  FROM "acknowledge(received_by_peer);
+  rewritten_ = 0;"
+  TO "")
+
+castor_system_mutant(half_deaf_links_go_on actors/link/link_end.cpp
+  FROM "deaf_ = deaf_ || is_silent();
+  if (deaf_)
+    return;"
+  TO "if (is_silent()) {
+    deaf_ = true;
+    return;
+  }")
+
+castor_system_mutant(late_connections_are_taken actors/node/memberships.cpp
+  FROM "(x.known != 0 && x.known != self.incarnation) || x.receiver < self.process"
+  TO "false")
+
+castor_system_mutant(requests_to_the_lost_stay_open actors/link/mesh.cpp
+  FROM "for (auto& x : unanswered)
+    receiver_down(x.sender, x.id);"
+  TO "")
+
+castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
+  FROM "port->tell_end(name);"
+  TO "(void)port;")
+
+# -- journals
+
+castor_system_mutant(unsynced_changes_are_told wm/memory/working_memory_journal.cpp
+  FROM "    return {options.most_unsynced, options.most_unsynced_bytes};
+  return {};"
+  TO "    return {options.most_unsynced, options.most_unsynced_bytes};
+  return {100, 100'000};")
+
+castor_system_mutant(bounds_of_batched_journals_are_ignored wm/memory/working_memory_journal.cpp
+  FROM "return {options.most_unsynced, options.most_unsynced_bytes};"
+  TO "return {10'000, options.most_unsynced_bytes};")
+
+castor_system_mutant(batched_changes_are_late wm/journal/journal_writer.cpp
+  FROM "self_->delayed_send(self_, parts_.delay, SyncAtom::value);"
+  TO "self_->delayed_send(self_, 20 * parts_.delay, SyncAtom::value);")
+
+castor_system_mutant(journals_are_not_written wm/journal/journal_writer.cpp
+  FROM "parts_.file->append(under_way_);"
+  TO "")
+
+castor_system_mutant(journals_forget_deletions wm/journal/journal_image.cpp
+  FROM "    entries_.erase(i);
+    bury(record.id, record.version, record.sequence);"
+  TO "    bury(record.id, record.version, record.sequence);")
+
+castor_system_mutant(sessions_repeat_tokens wm/memory/working_memory_journal.cpp
+  FROM "leases.first_token = opened.session * numbers_per_incarnation + 1;"
+  TO "leases.first_token = numbers_per_incarnation + 1;")
+
+castor_system_mutant(journals_bring_back_what_has_ended wm/store/entry_store.cpp
+  FROM "    if (x.entry->life.ephemeral)
+      set_due(slot, now, owner_ended_source);"
+  TO "")
+
+# -- clocks that jump
+
+castor_system_mutant(clocks_jump_twice wm/memory/working_memory.cpp
+  FROM "self->state.clock_jump += x.by;"
+  TO "self->state.clock_jump += 2 * x.by;")
+
+# -- tasks
+
+castor_system_mutant(budgets_are_exceeded actors/task_manager/task_schedule.cpp
+  FROM "return used + cost <= rules_.budget * (1 + 1e-9);"
+  TO "return cost <= rules_.budget * (1 + 1e-9);")
+
+castor_system_mutant(tasks_overtake_their_predecessors actors/task_manager/task_schedule.cpp
+  FROM "  if (added.awaited.empty())
+    ready_"
+  TO "  ready_")
+
+castor_system_mutant(tasks_that_are_over_cost_on actors/task_manager/task_schedule.cpp
+  FROM "  running_.erase(id);
+  ready_"
+  TO "  ready_")
+
+castor_system_mutant(successors_are_forgotten actors/task_manager/task_schedule.cpp
+  FROM "        ready_.emplace(place_of(task), y);"
+  TO "        static_cast<void>(task);")
+
+castor_system_mutant(retractions_let_nobody_in actors/task_manager/task_schedule.cpp
+  FROM "    end(id, End::retracted, out);
+    adopt_what_fits(out);"
+  TO "    end(id, End::retracted, out);")
+
+# -- calls
+
+castor_system_mutant(calls_are_taken_again wm/store/entry_store.cpp
+  FROM "if (life.only_once && tombstones_.count(address.id) > 0)"
+  TO "if (false)")
+
+castor_system_mutant(the_dead_leave_their_entries wm/store/entry_store.cpp
+  FROM "    if (*slot.owner == owner)
+      set_due"
+  TO "    if (slot.owner == nullptr)
+      set_due")
+
+castor_system_mutant(calls_outlive_their_working_memory actors/component/served_calls.cpp
+  FROM "if (call.subarchitecture == subarchitecture)"
+  TO "if (call.id == subarchitecture)")
