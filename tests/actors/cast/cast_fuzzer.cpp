@@ -42,7 +42,8 @@ castor::cast::ParseOptions options_with(Files files) {
   options.environment = [](const std::string& name) -> std::optional<std::string> {
     return name.size() % 2 == 0 ? std::nullopt : std::optional<std::string>("value of " + name);
   };
-  options.load = [files = std::move(files)](const std::string& path, std::size_t) -> FileContent {
+  options.load = [files = std::move(files)](const std::string& path,
+                                            std::size_t) -> castor::FileContent {
     auto found = files.find(path);
     if (found == files.end())
       return {std::nullopt, "no such file"};
@@ -61,9 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using castor::test::require;
   std::string_view input(reinterpret_cast<const char*>(data), size);
   auto result = parse_file("main.cast", options_with(split_files(input)));
-  auto has_error =
-    std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
-                [](const Diagnostic& found) { return found.severity == Severity::error; });
+  auto has_error = std::any_of(
+    result.diagnostics.begin(), result.diagnostics.end(),
+    [](const castor::Diagnostic& found) { return found.severity == castor::Severity::error; });
   require(result.ok() != has_error);
   require(result.diagnostics.size() <= 21);
   require(!to_json(result).empty());
