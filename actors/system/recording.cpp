@@ -1,6 +1,6 @@
 #include "castor/actors/system/recording.hpp"
 
-#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/entries/change_event.hpp"
 
 #include <algorithm>
 #include <utility>

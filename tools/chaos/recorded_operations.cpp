@@ -5,8 +5,8 @@
 #include "castor/tools/chaos/change_check.hpp"
 #include "castor/tools/chaos/rounded.hpp"
 #include "castor/tools/linearizability/lapses.hpp"
+#include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/memory/working_memory.hpp"
-#include "castor/wm/store/entry_store.hpp"
 
 #include <fmt/core.h>
 

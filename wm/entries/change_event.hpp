@@ -21,6 +21,10 @@ enum class Operation : std::uint8_t { add, overwrite, remove };
 /// "ADD", "OVERWRITE" or "DELETE".
 std::string_view to_string(Operation x);
 
+/// Sources of the deletions that no component makes.
+inline constexpr const char* expiry_source = "(time to live is over)";
+inline constexpr const char* owner_ended_source = "(its owner has ended)";
+
 /// What happened to an entry. It says nothing of the content: who wants that reads the entry.
 struct ChangeEvent {
   Operation operation = Operation::add;

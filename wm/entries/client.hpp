@@ -27,6 +27,9 @@ struct Client {
 /// Every operation names its client, so they share one object.
 using ClientPtr = std::shared_ptr<const Client>;
 
+/// A client's own number for one of its operations that may have to wait; never used twice.
+using WaitNumber = std::uint64_t;
+
 /// "segmentor of vision", or the name alone outside the subarchitectures; for messages.
 inline std::string to_string(const Client& x) {
   bool is_outside = x.subarchitecture.empty() || x.subarchitecture == operators;

@@ -482,18 +482,6 @@ OpenedJournal take_up(const JournalOptions& options, const std::string& subarchi
 
 } // namespace
 
-std::string_view to_string(JournalMode x) {
-  switch (x) {
-    case JournalMode::off:
-      return "off";
-    case JournalMode::full:
-      return "full";
-    case JournalMode::batched:
-      return "batched";
-  }
-  return "unknown";
-}
-
 JournalRecord record_of(const ChangeEvent& event, const Entry& entry, const EntryPtr& before,
                         UnixTime began) {
   JournalRecord x;

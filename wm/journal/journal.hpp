@@ -2,6 +2,8 @@
 
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/entry.hpp"
+#include "castor/wm/journal/journal_error.hpp"
+#include "castor/wm/journal/journal_mode.hpp"
 #include "castor/wm/store/store_image.hpp"
 #include "castor/wm/values/value.hpp"
 
@@ -11,42 +13,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 /// What a working memory has on disk, so that it comes back with its entries after its end.
 namespace castor {
-
-/// A journal cannot be read or written; says which file, what happened and what to do.
-class JournalError : public std::runtime_error {
-public:
-  using runtime_error::runtime_error;
-};
-
-/// Another system writes the journal, or has done so since this one did; says which.
-class JournalOfAnother : public JournalError {
-public:
-  using JournalError::JournalError;
-};
-
-/// The file was changed by something else than the working memory, or by a broken disk.
-class JournalCorrupt : public JournalError {
-public:
-  using JournalError::JournalError;
-};
-
-enum class JournalMode : std::uint8_t {
-  off,
-  /// What was acknowledged is on disk.
-  full,
-  /// What was acknowledged is on disk a little later; a crash may lose the last of it.
-  batched,
-};
-
-CASTOR_REFLECT_ENUM(JournalMode, off, full, batched)
-
-std::string_view to_string(JournalMode x);
 
 /// What the names of journals' files end with.
 inline constexpr const char* journal_extension = ".castor-journal";

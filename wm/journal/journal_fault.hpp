@@ -23,3 +23,5 @@ struct JournalFault {
 };
 
 } // namespace castor
+
+CASTOR_LOCAL_MESSAGE(castor::JournalFault)

@@ -1,6 +1,6 @@
 #include "castor/wm/journal/journal_lock.hpp"
 
-#include "castor/wm/journal/journal.hpp"
+#include "castor/wm/journal/journal_error.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -3,6 +3,7 @@
 #include "castor/base/caf.hpp"
 #include "castor/wm/journal/journal.hpp"
 #include "castor/wm/journal/journal_fault.hpp"
+#include "castor/wm/journal/journal_news.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -16,18 +17,6 @@ struct JournalWrite {
   JournalGroupPtr changes;
   /// What their values take.
   std::size_t bytes = 0;
-};
-
-/// From the journal to its working memory: how it stands.
-struct JournalNews {
-  /// Up to this change everything is safe.
-  std::uint64_t synced = 0;
-  /// What the file takes.
-  std::uint64_t bytes = 0;
-  /// How often something was synced.
-  std::uint64_t syncs = 0;
-  /// Why it takes nothing more; empty as long as it does.
-  std::string failure = {};
 };
 
 struct JournalWriterParts {
@@ -54,6 +43,4 @@ caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts pa
 
 } // namespace castor
 
-CASTOR_LOCAL_MESSAGE(castor::JournalFault)
 CASTOR_LOCAL_MESSAGE(castor::JournalWrite)
-CASTOR_LOCAL_MESSAGE(castor::JournalNews)

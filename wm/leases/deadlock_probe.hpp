@@ -2,7 +2,6 @@
 
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/entries/client.hpp"
-#include "castor/wm/leases/lease_table.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
 #include <cstddef>

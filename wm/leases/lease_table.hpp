@@ -17,9 +17,6 @@
 
 namespace castor {
 
-/// A client's own number for one of its operations that may have to wait; never used twice.
-using WaitNumber = std::uint64_t;
-
 struct LeaseTableOptions {
   /// How long a lease lasts without a renewal.
   Timestamp duration = std::chrono::seconds{2};

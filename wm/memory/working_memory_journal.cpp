@@ -1,3 +1,4 @@
+#include "castor/wm/journal/journal_writer.hpp"
 #include "castor/wm/memory/working_memory_parts.hpp"
 
 #include <memory>

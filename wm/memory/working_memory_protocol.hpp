@@ -7,11 +7,13 @@
 #include "castor/wm/events/change_notice.hpp"
 #include "castor/wm/events/event_flow.hpp"
 #include "castor/wm/filters/change_filter.hpp"
-#include "castor/wm/journal/journal_writer.hpp"
+#include "castor/wm/journal/journal_fault.hpp"
+#include "castor/wm/journal/journal_mode.hpp"
+#include "castor/wm/journal/journal_news.hpp"
 #include "castor/wm/leases/deadlock_probe.hpp"
-#include "castor/wm/leases/lease_table.hpp"
 #include "castor/wm/store/access_log.hpp"
-#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/store/type_query.hpp"
+#include "castor/wm/store/write_request.hpp"
 
 #include <cstdint>
 #include <map>

@@ -4,10 +4,10 @@
 #include "castor/wm/entries/client.hpp"
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
-#include "castor/wm/entries/lease.hpp"
-#include "castor/wm/filters/predicate.hpp"
 #include "castor/wm/store/access_rules.hpp"
 #include "castor/wm/store/store_image.hpp"
+#include "castor/wm/store/type_query.hpp"
+#include "castor/wm/store/write_request.hpp"
 
 #include <cstddef>
 #include <list>
@@ -20,42 +20,6 @@
 #include <vector>
 
 namespace castor {
-
-/// A wish to change an entry.
-struct WriteRequest {
-  Operation operation = Operation::add;
-  Address address;
-  /// Not for a deletion.
-  Value value;
-  /// The version that the client has seen of what it overwrites, or means to delete; or nothing.
-  std::optional<Version> last_seen;
-  ClientPtr client;
-  /// Of the lease that the client believes to hold on the entry; 0 for none.
-  LeaseToken token = 0;
-  /// For an overwrite, nothing: as it was; whose end ends the entry stays as it was in any case.
-  std::optional<EntryLife> life = {};
-  /// The client counts on having written the version last seen itself, by a write that it has not
-  /// been answered yet: should that have failed, somebody else's version of this number will not
-  /// do.
-  bool expected = false;
-};
-
-/// Sources of the deletions that no component makes.
-inline constexpr const char* expiry_source = "(time to live is over)";
-inline constexpr const char* owner_ended_source = "(its owner has ended)";
-
-/// Which entries a reader wants.
-struct TypeQuery {
-  std::string subarchitecture;
-  /// Empty for every type.
-  std::string type;
-  /// At most so many, the most recently written ones; 0 for all.
-  std::size_t count = 0;
-  /// Whether entries of types that derive from `type` count too.
-  bool with_derived = false;
-  /// What must be true of their content; entries that lack the fields do not count.
-  Predicate predicate = {};
-};
 
 struct EntryStoreOptions {
   /// How many deleted ids keep their version; beyond that the oldest are forgotten.

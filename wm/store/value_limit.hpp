@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/wm/entries/failure.hpp"
-#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/store/write_request.hpp"
 
 #include <cstddef>
 #include <optional>

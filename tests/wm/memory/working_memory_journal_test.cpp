@@ -1,5 +1,6 @@
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tests/wm/memory/working_memories.hpp"
+#include "castor/wm/journal/journal_writer.hpp"
 
 #include <gmock/gmock.h>
 
