@@ -13,6 +13,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/castorConfigVersion.cmake"
   cmake/FindCAF.cmake
   DESTINATION "${package_dir}" COMPONENT dev)
+install(FILES castor.hpp fwd.hpp DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor" COMPONENT dev)
 install(DIRECTORY configs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/configs")
 # The command finds them in the build tree, too.
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share/castor")

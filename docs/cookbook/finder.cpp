@@ -1,4 +1,4 @@
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 #include <cup.hpp>
 
 class Finder : public castor::UnmanagedComponent {

@@ -1,4 +1,4 @@
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 #include <count.hpp>
 
 class LockingCounter : public castor::UnmanagedComponent {

@@ -1,6 +1,6 @@
 #include "cup.hpp"
 
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 
 class Labeller : public castor::UnmanagedComponent {
   castor::Option<double> range_{this, "range", 1.2, "how near a cup has to be, metres"};

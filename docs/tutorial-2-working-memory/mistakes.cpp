@@ -1,6 +1,6 @@
 #include "cup.hpp"
 
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 
 #include <chrono>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "action.hpp"
 
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 
 #include <utility>
 

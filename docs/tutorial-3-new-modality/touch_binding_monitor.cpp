@@ -1,6 +1,6 @@
 #include "touch.hpp"
 
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 #include <castor/binding/binding_monitor.hpp>
 
 using namespace castor::binding;

@@ -1,6 +1,6 @@
 #include "touch.hpp"
 
-#include <castor/actors/component/registry.hpp>
+#include <castor/castor.hpp>
 
 class TouchSensor : public castor::UnmanagedComponent {
   castor::Option<double> x_{this, "x", 0, "where it touches, metres to the right"};
