@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/component/restart_type.hpp"
@@ -18,6 +19,7 @@
 
 namespace castor {
 
+class ComponentRuntime;
 class ComponentShell;
 
 /// Thrown by whatever a component is waiting in when the component is told to stop. It derives from
@@ -162,11 +164,11 @@ private:
                            std::function<void(const Value&)> callback);
 
   /// Throws std::logic_error outside the runtime, and in constructors.
-  ComponentShell& shell() const;
-  /// Called by the shell before `configure`.
-  void attach(ComponentShell* shell);
+  ComponentRuntime& runtime() const;
+  /// Called by the runtime before `configure`.
+  void attach(ComponentRuntime& runtime);
 
-  ComponentShell* shell_ = nullptr;
+  ComponentRuntime* runtime_ = nullptr;
   OptionList options_;
   std::string log_name_;
   LogLevel own_log_level_ = LogLevel::info;
@@ -192,12 +194,6 @@ private:
     this, "push-limit", standard_push_limit,
     "how many pushes of one type may wait for the component (1 or more); beyond that the oldest "
     "are dropped"};
-};
-
-/// A push or pull connection that cannot be: the message says why.
-class ConnectionError : public std::runtime_error {
-public:
-  using runtime_error::runtime_error;
 };
 
 /// A component outside the subarchitectures, without access to working memory: sensors, effectors,

@@ -7,7 +7,7 @@
 
 namespace castor {
 
-class ComponentShell;
+class Operations;
 
 /// A lease in hand, given back when the guard goes out of scope.
 ///
@@ -17,15 +17,15 @@ class ComponentShell;
 class [[nodiscard]] LockGuard {
 public:
   /// Made by the components' `lock` and `try_lock`.
-  LockGuard(ComponentShell& shell, Address address, LeaseToken token)
-    : shell_(&shell), address_(std::move(address)), token_(token) {}
+  LockGuard(Operations& operations, Address address, LeaseToken token)
+    : operations_(&operations), address_(std::move(address)), token_(token) {}
 
   LockGuard(LockGuard&& other) noexcept
-    : shell_(std::exchange(other.shell_, nullptr)), address_(std::move(other.address_)),
+    : operations_(std::exchange(other.operations_, nullptr)), address_(std::move(other.address_)),
       token_(other.token_) {}
 
   LockGuard& operator=(LockGuard&& other) noexcept {
-    std::swap(shell_, other.shell_);
+    std::swap(operations_, other.operations_);
     std::swap(address_, other.address_);
     std::swap(token_, other.token_);
     return *this;
@@ -46,7 +46,7 @@ public:
   void unlock();
 
 private:
-  ComponentShell* shell_;
+  Operations* operations_;
   Address address_;
   LeaseToken token_;
 };

@@ -4,6 +4,8 @@
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/actors/component/lock_guard.hpp"
+#include "castor/actors/component/operations.hpp"
+#include "castor/actors/component/pending.hpp"
 #include "castor/actors/component/write_batch.hpp"
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/entries/entry.hpp"
@@ -11,7 +13,7 @@
 #include "castor/wm/events/event_flow.hpp"
 #include "castor/wm/filters/change_filter.hpp"
 #include "castor/wm/filters/predicate_builder.hpp"
-#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/store/type_query.hpp"
 
 #include <chrono>
 #include <concepts>
@@ -38,28 +40,6 @@ struct EntryOf {
 
   const T& operator*() const { return *object; }
   const T* operator->() const { return object.get(); }
-};
-
-/// Among the receivers of one event, those of higher priority are called first.
-enum class Priority : std::uint8_t { low = 10, medium = 50, high = 90 };
-
-/// Names a change callback, for its removal.
-using ReceiverId = std::uint32_t;
-
-using ChangeCallback = std::function<void(const ChangeEvent&)>;
-
-/// An operation that was sent and whose result is still to come. Take it once, with `get()`;
-/// dropping it abandons the result, not the operation.
-template <class T>
-class Pending {
-public:
-  explicit Pending(std::function<T()> finish) : finish_(std::move(finish)) {}
-
-  /// Waits for the result; throws what the synchronous operation would throw.
-  T get() { return std::exchange(finish_, nullptr)(); }
-
-private:
-  std::function<T()> finish_;
 };
 
 /// A component of a subarchitecture. It meets the others on working memory only.
@@ -287,17 +267,16 @@ protected:
   void receive_changes(bool on);
 
 private:
-  friend class Calls;
+  friend class ComponentCalls;
   friend class ComponentShell;
 
   Pending<Version> write_async(Operation operation, const Address& address, Value value,
                                std::optional<EntryLife> life = {});
   void put_value(const Address& address, const Value& value);
+  Operations& operations() const;
   LockGuard guard(const Address& address) const;
-  /// The level of somebody else's lease, if there is one.
-  std::optional<LockLevel> foreign_lease(const Address& address);
   const Address& require_target(const Address& address) const;
-  EntryPtr read_entry(const Address& address);
+  EntryPtr read_entry(const Address& address) { return read_entry_async(address).get(); }
   Pending<EntryPtr> read_entry_async(const Address& address);
   std::vector<EntryPtr> read_entries(TypeQuery query);
   [[noreturn]] void wrong_type(const Entry& entry, const TypeDescriptor& wanted) const;

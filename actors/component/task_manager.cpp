@@ -1,6 +1,6 @@
 #include "castor/actors/component/task_manager.hpp"
 
-#include "castor/actors/runtime/shell.hpp"
+#include "castor/actors/component/component_runtime.hpp"
 
 #include <utility>
 
@@ -34,7 +34,7 @@ void TaskManager::decide(const TaskId& id, TaskDecision decision, const std::str
   if (i == tasks_.end())
     return;
   report(step_of(decision), i->second, reason);
-  shell().decide({id, decision, reason});
+  runtime().tasks().decide({id, decision, reason});
   if (decision == TaskDecision::rejected)
     tasks_.erase(i);
 }
@@ -73,8 +73,8 @@ void TaskManager::abandoned(const std::vector<TaskId>& ids, bool failed) {
 void TaskManager::report(TaskStep step, const TaskProposal& task, std::string detail) {
   debug("{} {} of {}: {}{}", to_string(step), task.id, task.component, task.name,
         detail.empty() ? "" : " (" + detail + ")");
-  if (auto& on_task = shell().services().on_task)
-    on_task({step, shell().identity().subarchitecture, task, std::move(detail), now()});
+  runtime().tasks().report(
+    {step, runtime().identity().subarchitecture, task, std::move(detail), now()});
 }
 
 } // namespace castor

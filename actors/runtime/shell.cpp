@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/task_manager.hpp"
+#include "castor/actors/runtime/component_calls.hpp"
 #include "castor/actors/runtime/running_components.hpp"
 #include "castor/base/plain_words.hpp"
 #include "castor/base/text.hpp"
@@ -75,7 +76,7 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
                        component_->isolate_);
   if (services_->operations)
     recorder_.emplace(*services_->operations, record_->client());
-  component_->attach(this);
+  component_->attach(*this);
 }
 
 // -- life
@@ -192,7 +193,7 @@ void ComponentShell::live() {
   await_phase(Phase::run);
   record_->set_state(ComponentState::running);
   user_code(phase_name(Phase::run), [this] { component_->run(); });
-  while (deliver(never())) {
+  while (deliver(never(), nullptr)) {
     // Only callbacks from now on.
   }
 }
@@ -592,6 +593,10 @@ void ComponentShell::remove_receiver(ReceiverId id) {
     send(working_memory_, Unsubscribe{id});
 }
 
+std::unique_ptr<Calls> ComponentShell::make_calls(SubarchitectureComponent& component) {
+  return std::make_unique<ComponentCalls>(component, *this);
+}
+
 // -- tasks
 
 const caf::actor& ComponentShell::task_manager() const {
@@ -619,6 +624,11 @@ void ComponentShell::decide(const TaskDecided& x) {
   send(i->second, x);
   if (x.decision == TaskDecision::rejected)
     proposers_.erase(i);
+}
+
+void ComponentShell::report(const TaskEvent& event) {
+  if (services_->on_task)
+    services_->on_task(event);
 }
 
 void ComponentShell::work_off_end(const caf::down_msg& x) {

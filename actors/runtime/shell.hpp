@@ -1,14 +1,15 @@
 #pragma once
 
 #include "castor/actors/component/component.hpp"
+#include "castor/actors/component/component_runtime.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/runtime/befalling.hpp"
-#include "castor/actors/runtime/connections.hpp"
+#include "castor/actors/runtime/component_connections.hpp"
+#include "castor/actors/runtime/component_operations.hpp"
 #include "castor/actors/runtime/crash_report.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
 #include "castor/actors/runtime/neighbours.hpp"
 #include "castor/actors/runtime/operation_log.hpp"
-#include "castor/actors/runtime/seen_versions.hpp"
 #include "castor/actors/runtime/services.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/wm/events/event_flow.hpp"
@@ -45,30 +46,32 @@ struct ShellParts {
 
 /// The actor around a component: leads it through its life, delivers what arrives, and carries out
 /// its operations. Before it enters its first phase it must be sent its neighbours.
-class ComponentShell : public PumpedActor {
+class ComponentShell : public PumpedActor, public ComponentRuntime, private TaskLink {
 public:
+  using Clock = ComponentRuntime::Clock;
+
   ComponentShell(caf::actor_config& config, ShellParts parts);
 
   const char* name() const override { return "component"; }
 
   /// Whether the calling thread is the one that runs the component.
-  bool is_own_thread() const { return std::this_thread::get_id() == thread_; }
+  bool is_own_thread() const override { return std::this_thread::get_id() == thread_; }
 
   // -- for the component, on its own thread
 
-  const ComponentIdentity& identity() const { return record_->identity(); }
+  const ComponentIdentity& identity() const override { return record_->identity(); }
   ComponentServices& services() { return *services_; }
   const Neighbours& neighbours() const { return *neighbours_; }
   ComponentCounters& counters() { return record_->counters; }
 
-  bool is_running();
+  bool is_running() override;
 
   /// Delivers work until `until`, or until `enough` says so after a piece of work; false if the
   /// component was told to stop.
-  bool deliver(Clock::time_point until, const std::function<bool()>& enough = {});
+  bool deliver(Clock::time_point until, const std::function<bool()>& enough) override;
 
   /// How many change callbacks were called so far.
-  std::uint64_t callbacks() const { return callbacks_; }
+  std::uint64_t callbacks() const override { return callbacks_; }
 
   const ClientPtr& client() const { return record_->client(); }
   HeldLeases& leases() { return record_->leases; }
@@ -122,7 +125,7 @@ public:
                                     const std::function<std::optional<WaitEdge>()>& wait);
 
   /// Since the system began.
-  Timestamp now() const {
+  Timestamp now() const override {
     return std::chrono::duration_cast<Timestamp>(Clock::now() - services_->epoch);
   }
 
@@ -142,28 +145,22 @@ public:
   void call_in_turn(std::string what, std::function<void()> f);
   void abandon(std::uint64_t id) { close_slot(id); }
 
-  /// The version of the entry that the component last read or wrote.
-  std::optional<SeenVersion> last_seen(const Address& address) const { return seen_.find(address); }
-  void saw(const Address& address, Version version, bool expected = false) {
-    seen_.set(address, version, expected);
-  }
-  void forget(const Address& address) { seen_.erase(address); }
-
   ReceiverId add_receiver(const ChangeFilter& filter, ChangeCallback callback, Priority priority);
   void remove_receiver(ReceiverId id);
   std::size_t receiver_count() const { return receivers_.size(); }
   void receive_changes(bool on) { receiving_ = on; }
 
-  void propose(const TaskProposal& task);
-  void retract(const TaskId& id);
-  void complete(const TaskId& id, TaskOutcome outcome);
-  /// Of a task manager: tells the component that proposed the task.
-  void decide(const TaskDecided& x);
-
-  Connections& connections() { return connections_; }
+  std::uint64_t run() const override { return services_->run.load(); }
+  void end_system(int status, const std::string& reason) override {
+    services_->end_system(status, reason);
+  }
+  Operations& operations() override { return operations_; }
+  Connections& connections() override { return connections_; }
+  TaskLink& tasks() override { return *this; }
+  std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) override;
 
 private:
-  friend class Connections;
+  friend class ComponentConnections;
 
   struct Receiver {
     ChangeCallback callback;
@@ -235,7 +232,16 @@ private:
                                              const WaitEdge* wait);
   FilterId subscribe(const ChangeFilter& filter, EventStream stream);
   void receive_probe(DeadlockProbe probe);
+
+  // -- tasks
   const caf::actor& task_manager() const;
+  void propose(const TaskProposal& task) override;
+  void retract(const TaskId& id) override;
+  void complete(const TaskId& id, TaskOutcome outcome) override;
+  void decide(const TaskDecided& x) override;
+  void report(const TaskEvent& event) override;
+
+  // -- operations
 
   template <class Result>
   Result take(caf::mailbox_element& x, const Address& address) {
@@ -280,7 +286,6 @@ private:
 
   /// If operations are to be written down.
   std::optional<OperationRecorder> recorder_;
-  SeenVersions seen_;
   std::map<ReceiverId, std::shared_ptr<Receiver>> receivers_;
   std::map<FilterId, ChangeCallback> listeners_;
   std::function<void(const Neighbours& before)> on_neighbours_;
@@ -293,7 +298,8 @@ private:
   std::string deadlock_;
 
   Befalling befalling_;
-  Connections connections_{*this};
+  ComponentOperations operations_{*this};
+  ComponentConnections connections_{*this};
   std::map<TaskId, caf::actor> proposers_;
   /// Components whose end this task manager will be told.
   std::set<caf::actor_addr> watched_;

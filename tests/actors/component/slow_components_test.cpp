@@ -1,3 +1,4 @@
+#include "castor/actors/component/call_types.hpp"
 #include "castor/tests/actors/component/bytes_in_use.hpp"
 #include "castor/tests/actors/component/scripted.hpp"
 

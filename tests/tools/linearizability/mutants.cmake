@@ -153,14 +153,14 @@ castor_node_mutant(late_connections_are_taken actors/link/link_end.cpp
   FROM "hello.incarnation == incarnation_ && hello.attempt <= attempt_"
   TO "false")
 
-castor_node_mutant(reads_are_answered_from_a_cache actors/component/component.cpp
-  FROM "s.saw(address, (*outcome)->version);
+castor_node_mutant(reads_are_answered_from_a_cache actors/runtime/component_operations.cpp
+  FROM "seen_.set(address, (*outcome)->version);
     return *outcome;"
   TO "static thread_local std::map<Address, EntryPtr> cache;
     auto& known = cache[address];
-    if (!known || s.counters().reads % 4 == 0)
+    if (!known || shell_.counters().reads % 4 == 0)
       known = *outcome;
-    s.saw(address, known->version);
+    seen_.set(address, known->version);
     return known;")
 
 castor_node_mutant(acknowledged_before_applied wm/memory/working_memory.cpp

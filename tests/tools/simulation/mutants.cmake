@@ -181,6 +181,6 @@ castor_system_mutant(the_dead_leave_their_entries wm/store/entry_store.cpp
   TO "    if (slot.owner == nullptr)
       set_due")
 
-castor_system_mutant(calls_outlive_their_working_memory actors/component/served_calls.cpp
+castor_system_mutant(calls_outlive_their_working_memory actors/runtime/served_calls.cpp
   FROM "if (call.subarchitecture == subarchitecture)"
   TO "if (call.id == subarchitecture)")

@@ -1,4 +1,4 @@
-#include "castor/actors/component/calls.hpp"
+#include "castor/actors/runtime/component_calls.hpp"
 
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/runtime/shell.hpp"
@@ -22,8 +22,8 @@ constexpr EntryLife first_claim{.ephemeral = true, .only_once = true};
 
 // -- the calling side
 
-Value Calls::call(const std::string& subarchitecture, const Value& request,
-                  const TypeDescriptor& reply_type, const CallOptions& options) {
+Value ComponentCalls::call(const std::string& subarchitecture, const Value& request,
+                           const TypeDescriptor& reply_type, const CallOptions& options) {
   listen_to(subarchitecture);
   auto until = ComponentShell::Clock::now() + options.timeout.value_or(shell_.deadline());
   for (int attempt = 0;; ++attempt) {
@@ -55,7 +55,7 @@ Value Calls::call(const std::string& subarchitecture, const Value& request,
   }
 }
 
-void Calls::listen_to(const std::string& subarchitecture) {
+void ComponentCalls::listen_to(const std::string& subarchitecture) {
   if (!listened_to_.insert(subarchitecture).second)
     return;
   shell_.add_listener(changed<CallProgress>()
@@ -64,7 +64,7 @@ void Calls::listen_to(const std::string& subarchitecture) {
                       [this](const ChangeEvent& event) { note_progress(event); });
 }
 
-void Calls::note_progress(const ChangeEvent& event) {
+void ComponentCalls::note_progress(const ChangeEvent& event) {
   auto& id = event.address.id;
   auto i = open_.find(id.substr(0, id.rfind(progress_suffix)));
   if (i == open_.end())
@@ -77,8 +77,8 @@ void Calls::note_progress(const ChangeEvent& event) {
     i->second.settled = true;
 }
 
-void Calls::make(const Made& made, const std::string& subarchitecture, const Value& request,
-                 const TypeDescriptor& reply_type) {
+void ComponentCalls::make(const Made& made, const std::string& subarchitecture,
+                          const Value& request, const TypeDescriptor& reply_type) {
   component_.write(WriteBatch{}
                      .add_value(made.request, request, with_its_writer)
                      .add(made.call,
@@ -87,7 +87,7 @@ void Calls::make(const Made& made, const std::string& subarchitecture, const Val
                           with_its_writer));
 }
 
-void Calls::take_back(const Made& made) {
+void ComponentCalls::take_back(const Made& made) {
   // If the component stops now, its entries go with it.
   if (!shell_.is_running())
     return;
@@ -100,9 +100,10 @@ void Calls::take_back(const Made& made) {
   }
 }
 
-std::optional<Value> Calls::await_reply(const std::string& subarchitecture, const Made& made,
-                                        const Value& request, const Open& open,
-                                        std::chrono::steady_clock::time_point until) {
+std::optional<Value> ComponentCalls::await_reply(const std::string& subarchitecture,
+                                                 const Made& made, const Value& request,
+                                                 const Open& open,
+                                                 std::chrono::steady_clock::time_point until) {
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::owner;
   wait.waiter = shell_.client();
@@ -137,8 +138,8 @@ std::optional<Value> Calls::await_reply(const std::string& subarchitecture, cons
   }
 }
 
-Failure Calls::not_served(Failure failure, const std::string& subarchitecture,
-                          const std::string& request_type, const Open& open) {
+Failure ComponentCalls::not_served(Failure failure, const std::string& subarchitecture,
+                                   const std::string& request_type, const Open& open) {
   failure.address = {subarchitecture, {}};
   if (failure.kind == FailureKind::no_answer)
     failure.message =
@@ -149,8 +150,9 @@ Failure Calls::not_served(Failure failure, const std::string& subarchitecture,
   return failure;
 }
 
-std::optional<Address> Calls::obstacle(const std::string& subarchitecture, const Made& made,
-                                       const std::string& request_type, const Open& open) {
+std::optional<Address> ComponentCalls::obstacle(const std::string& subarchitecture,
+                                                const Made& made, const std::string& request_type,
+                                                const Open& open) {
   if (open.taken)
     return Address{subarchitecture, made.call.id + progress_suffix};
   // Whoever could take it is in the way, if there is only one.
@@ -167,8 +169,8 @@ std::optional<Address> Calls::obstacle(const std::string& subarchitecture, const
 
 // -- the serving side
 
-void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
-                  Handler handler) {
+void ComponentCalls::serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
+                           Handler handler) {
   listen_for_ends();
   auto& subarchitecture = shell_.identity().subarchitecture;
   auto mine = field(&Call::subarchitecture) == subarchitecture &&
@@ -185,7 +187,7 @@ void Calls::serve(const TypeDescriptor& request_type, const TypeDescriptor& repl
   }
 }
 
-void Calls::listen_for_ends() {
+void ComponentCalls::listen_for_ends() {
   if (std::exchange(serving_, true))
     return;
   auto gone =
@@ -201,7 +203,7 @@ void Calls::listen_for_ends() {
   });
 }
 
-void Calls::take(const Address& call_at, const Handler& handler) {
+void ComponentCalls::take(const Address& call_at, const Handler& handler) {
   if (!served_.begin(call_at))
     return;
   auto call = claim(call_at);
@@ -212,7 +214,7 @@ void Calls::take(const Address& call_at, const Handler& handler) {
   clean_up();
 }
 
-std::shared_ptr<const Call> Calls::claim(const Address& call_at) {
+std::shared_ptr<const Call> ComponentCalls::claim(const Address& call_at) {
   try {
     auto call = component_.read<Call>(call_at).object;
     component_.add(
@@ -230,7 +232,7 @@ std::shared_ptr<const Call> Calls::claim(const Address& call_at) {
   return nullptr;
 }
 
-void Calls::answer(const Address& call_at, const Call& call, const Handler& handler) {
+void ComponentCalls::answer(const Address& call_at, const Call& call, const Handler& handler) {
   auto outer = std::exchange(current_, call_at);
   CallProgress progress{call_at, call.caller, shell_.identity().name, CallState::done, {}, {}};
   try {
@@ -251,18 +253,18 @@ void Calls::answer(const Address& call_at, const Call& call, const Handler& hand
 }
 
 /// Not at once: operations would have to wait for their answers in the middle of other operations.
-void Calls::clean_up_later() {
+void ComponentCalls::clean_up_later() {
   shell_.call_in_turn("the end of a call", [this] { clean_up(); });
 }
 
-void Calls::clean_up() {
+void ComponentCalls::clean_up() {
   for (auto& call_at : served_.take_ended())
     for (auto& address : {progress_of(call_at), component_.here(call_at.id + reply_suffix)})
       if (component_.exists(address))
         component_.delete_entry(address);
 }
 
-Address Calls::progress_of(const Address& call) const {
+Address ComponentCalls::progress_of(const Address& call) const {
   return component_.here(call.id + progress_suffix);
 }
 

@@ -1,4 +1,4 @@
-#include "castor/actors/component/served_calls.hpp"
+#include "castor/actors/runtime/served_calls.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/component/component.hpp"
+#include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/base/caf.hpp"
@@ -36,22 +36,18 @@ private:
 };
 
 /// A component's push and pull connections, at either end. Used on the component's own thread only.
-class Connections {
+class ComponentConnections final : public Connections {
 public:
-  explicit Connections(ComponentShell& shell) : shell_(shell) {}
+  explicit ComponentConnections(ComponentShell& shell) : shell_(shell) {}
 
-  // -- of one that provides
+  void provide(const TypeDescriptorPtr& type, std::function<Value()> make) override;
+  void push(const Value& x) override;
 
-  void provide(const TypeDescriptorPtr& type, std::function<Value()> make);
-  void push(const Value& x);
-
-  // -- of one that receives
-
-  /// Both throw ConnectionError; ProviderDown if the provider has ended and is not back within the
-  /// component's deadline.
-  Value pull(const std::string& provider, const TypeDescriptorPtr& type);
+  /// Both throw ProviderDown if the provider has ended and is not back within the component's
+  /// deadline.
+  Value pull(const std::string& provider, const TypeDescriptorPtr& type) override;
   void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
-                 std::function<void(const Value&)> callback);
+                 std::function<void(const Value&)> callback) override;
 
   // -- what arrives
 

@@ -1,4 +1,4 @@
-#include "castor/actors/runtime/connections.hpp"
+#include "castor/actors/runtime/component_connections.hpp"
 
 #include "castor/actors/runtime/shell.hpp"
 #include "castor/base/plain_words.hpp"
@@ -13,7 +13,7 @@
 namespace castor {
 
 /// Where the reply to a request arrives; gives it back at the end of its life.
-class Connections::ReplySlot {
+class ComponentConnections::ReplySlot {
 public:
   ReplySlot(ComponentShell& shell, std::uint64_t id) : shell_(shell), id_(id) {
     shell_.open_slot(id_);
@@ -32,11 +32,11 @@ private:
 
 // -- of one that provides
 
-void Connections::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
+void ComponentConnections::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
   provisions_[type->name()].make = std::move(make);
 }
 
-void Connections::push(const Value& x) {
+void ComponentConnections::push(const Value& x) {
   // What was taken meanwhile makes room, also for a component that never waits.
   shell_.file_arrived();
   auto& subscribers = provisions_[x.type_name()].subscribers;
@@ -59,11 +59,11 @@ void Connections::push(const Value& x) {
   }
 }
 
-void Connections::send(const Subscriber& to, Value x) {
+void ComponentConnections::send(const Subscriber& to, Value x) {
   shell_.send(to.actor, Pushed{shell_.identity().name, std::move(x)});
 }
 
-void Connections::taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x) {
+void ComponentConnections::taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x) {
   auto provision = provisions_.find(x.type);
   if (provision == provisions_.end())
     return;
@@ -76,12 +76,12 @@ void Connections::taken(const caf::strong_actor_ptr& subscriber, const PushesTak
   }
 }
 
-void Connections::forget(const caf::actor_addr& subscriber) {
+void ComponentConnections::forget(const caf::actor_addr& subscriber) {
   for (auto& [type, provision] : provisions_)
     std::erase_if(provision.subscribers, [&](auto& x) { return x.actor == subscriber; });
 }
 
-void Connections::work_off_pull(caf::mailbox_element& x, const PullRequest& request) {
+void ComponentConnections::work_off_pull(caf::mailbox_element& x, const PullRequest& request) {
   auto& self = shell_.identity().name;
   auto i = provisions_.find(request.type->name());
   Outcome<Value> outcome;
@@ -106,19 +106,20 @@ void Connections::work_off_pull(caf::mailbox_element& x, const PullRequest& requ
   shell_.respond(x, caf::make_message(std::move(outcome)));
 }
 
-void Connections::record(bool pushed, const Value& x) {
+void ComponentConnections::record(bool pushed, const Value& x) {
   if (auto& recorder = shell_.services().pushes)
     recorder->record(shell_.identity().name, pushed, x);
 }
 
-void Connections::work_off_hand_out(caf::mailbox_element& x, const HandOut& order) {
+void ComponentConnections::work_off_hand_out(caf::mailbox_element& x, const HandOut& order) {
   provide(order.value.type_ptr(), [value = order.value] { return value; });
   if (order.push)
     push(order.value);
   shell_.respond(x, caf::make_message(Acknowledged{}));
 }
 
-void Connections::work_off_push_request(caf::mailbox_element& x, const PushRequest& request) {
+void ComponentConnections::work_off_push_request(caf::mailbox_element& x,
+                                                 const PushRequest& request) {
   if (!x.sender)
     return;
   auto actor = caf::actor_cast<caf::actor>(x.sender);
@@ -130,7 +131,7 @@ void Connections::work_off_push_request(caf::mailbox_element& x, const PushReque
 
 // -- of one that receives
 
-caf::actor Connections::find_provider(const std::string& name) const {
+caf::actor ComponentConnections::find_provider(const std::string& name) const {
   auto& neighbours = shell_.neighbours();
   if (auto i = neighbours.providers.find(name); i != neighbours.providers.end())
     return i->second;
@@ -145,9 +146,10 @@ caf::actor Connections::find_provider(const std::string& name) const {
     (guess.empty() ? "add a COMPONENT line for it to the system's .cast file" : guess));
 }
 
-caf::actor Connections::await_provider(const std::string& name, const caf::actor_addr& gone,
-                                       const std::string& task,
-                                       ComponentShell::Clock::time_point until) const {
+caf::actor ComponentConnections::await_provider(const std::string& name,
+                                                const caf::actor_addr& gone,
+                                                const std::string& task,
+                                                ComponentShell::Clock::time_point until) const {
   auto cannot = [&] { return "cannot " + task + " " + name + ": "; };
   auto& known = shell_.neighbours().known_providers;
   if (auto i = known.find(name); gone && i != known.end() && !i->second)
@@ -169,8 +171,9 @@ caf::actor Connections::await_provider(const std::string& name, const caf::actor
 }
 
 template <class Request>
-Connections::Answer Connections::ask(const std::string& provider, const Request& request,
-                                     const std::string& task) {
+ComponentConnections::Answer ComponentConnections::ask(const std::string& provider,
+                                                       const Request& request,
+                                                       const std::string& task) {
   auto until = ComponentShell::Clock::now() + shell_.deadline();
   for (caf::actor_addr gone;;) {
     auto actor = await_provider(provider, gone, task, until);
@@ -201,12 +204,12 @@ Connections::Answer Connections::ask(const std::string& provider, const Request&
   }
 }
 
-Value Connections::pull(const std::string& provider, const TypeDescriptorPtr& type) {
+Value ComponentConnections::pull(const std::string& provider, const TypeDescriptorPtr& type) {
   return ask(provider, PullRequest{type}, "pull a " + type->name() + " from").value;
 }
 
-void Connections::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
-                            std::function<void(const Value&)> callback) {
+void ComponentConnections::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                                     std::function<void(const Value&)> callback) {
   auto known = receptions_.find({provider, type->name()});
   if (known == receptions_.end()) {
     auto limit = shell_.push_limit();
@@ -220,11 +223,11 @@ void Connections::subscribe(const std::string& provider, const TypeDescriptorPtr
   known->second.callbacks.push_back(std::move(callback));
 }
 
-PushRequest Connections::push_request(const TypeDescriptorPtr& type) const {
+PushRequest ComponentConnections::push_request(const TypeDescriptorPtr& type) const {
   return {type, shell_.push_limit(), shell_.identity().full_name()};
 }
 
-void Connections::meet() {
+void ComponentConnections::meet() {
   auto& providers = shell_.neighbours().providers;
   for (auto& [key, reception] : receptions_) {
     auto i = providers.find(key.first);
@@ -236,7 +239,7 @@ void Connections::meet() {
   }
 }
 
-void Connections::work_off_push(const caf::mailbox_element& x, const Pushed& pushed) {
+void ComponentConnections::work_off_push(const caf::mailbox_element& x, const Pushed& pushed) {
   auto i = receptions_.find({pushed.provider, pushed.value.type_name()});
   if (i == receptions_.end())
     return;
@@ -256,7 +259,7 @@ void Connections::work_off_push(const caf::mailbox_element& x, const Pushed& pus
 
 // --
 
-bool Connections::work_off(caf::mailbox_element& x) {
+bool ComponentConnections::work_off(caf::mailbox_element& x) {
   auto& content = x.content();
   if (content.match_elements<PullRequest>())
     work_off_pull(x, content.get_as<PullRequest>(0));
@@ -271,7 +274,7 @@ bool Connections::work_off(caf::mailbox_element& x) {
   return true;
 }
 
-void Connections::clear() {
+void ComponentConnections::clear() {
   provisions_.clear();
   receptions_.clear();
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/value.hpp"
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace castor {
+
+/// A push or pull connection that cannot be: the message says why.
+class ConnectionError : public std::runtime_error {
+public:
+  using runtime_error::runtime_error;
+};
+
+/// A component's push and pull connections, at either end, without the types of values.
+class Connections {
+public:
+  virtual ~Connections() = default;
+
+  // -- of one that provides
+
+  virtual void provide(const TypeDescriptorPtr& type, std::function<Value()> make) = 0;
+  virtual void push(const Value& x) = 0;
+
+  // -- of one that receives: both throw ConnectionError
+
+  virtual Value pull(const std::string& provider, const TypeDescriptorPtr& type) = 0;
+  virtual void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
+                         std::function<void(const Value&)> callback) = 0;
+};
+
+} // namespace castor
