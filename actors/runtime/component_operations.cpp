@@ -211,8 +211,8 @@ void ComponentOperations::release_quietly(const Address& address, LeaseToken tok
   try {
     auto outcome = shell_.try_unlock(address, token);
     if (!outcome)
-      castor::note(LogLevel::warning, shell_.identity().full_name(),
-                   "a lease did not last as long as its guard: " + outcome.failure().message);
+      note(LogLevel::warning, shell_.identity().full_name(),
+           "a lease did not last as long as its guard: " + outcome.failure().message);
   } catch (const InjectedCrash&) {
     // It comes again where it can be thrown.
   }

@@ -13,7 +13,7 @@ using ::testing::IsEmpty;
 
 namespace {
 
-/// A tree of two files in a module on top of another.
+/// Two modules, one on top of the other.
 const Modules modules{{"low", {}}, {"high", {"low"}}};
 
 } // namespace
