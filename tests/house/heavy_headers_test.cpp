@@ -1,3 +1,5 @@
+#include "castor/tests/house/include_graph.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -22,7 +24,7 @@ bool may_be_heavy(const fs::path& header) {
 
 TEST(Headers, DoNotMakeEverybodyPayForHeavyOnes) {
   std::regex heavy{"#include [\"<](opencv2|mrpt|ompl|caf/io|openssl)/.*"};
-  for (auto* folder : {"base", "wm", "actors", "perception", "binding", "communication", "tools"})
+  for (auto& folder : product_folders(CASTOR_SOURCE_DIR))
     for (auto& x : fs::recursive_directory_iterator(fs::path{CASTOR_SOURCE_DIR} / folder)) {
       if (x.path().extension() != ".hpp" || may_be_heavy(x.path()))
         continue;

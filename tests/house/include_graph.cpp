@@ -96,6 +96,17 @@ private:
 
 } // namespace
 
+std::vector<std::string> product_folders(const fs::path& root) {
+  static const std::set<std::string> others{"benchmarks", "build", "docs", "tests"};
+  std::vector<std::string> result;
+  for (auto& x : fs::directory_iterator(root)) {
+    auto name = x.path().filename().string();
+    if (x.is_directory() && !name.starts_with('.') && others.count(name) == 0)
+      result.push_back(name);
+  }
+  return result;
+}
+
 IncludeGraph include_graph(const fs::path& root, const std::vector<std::string>& folders) {
   IncludeGraph result;
   for (auto& folder : folders)

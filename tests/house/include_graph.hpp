@@ -12,6 +12,10 @@ namespace castor::test {
 /// `#include "castor/..."` has.
 using IncludeGraph = std::map<std::string, std::vector<std::string>>;
 
+/// The folders of the product: all that are not hidden, but for the build's, benchmarks,
+/// documentation and tests.
+std::vector<std::string> product_folders(const std::filesystem::path& root);
+
 /// Of the headers and sources in these folders. Throws std::runtime_error if one cannot be read.
 IncludeGraph include_graph(const std::filesystem::path& root,
                            const std::vector<std::string>& folders);
