@@ -233,16 +233,6 @@ private:
   FilterId subscribe(const ChangeFilter& filter, EventStream stream);
   void receive_probe(DeadlockProbe probe);
 
-  // -- tasks
-  const caf::actor& task_manager() const;
-  void propose(const TaskProposal& task) override;
-  void retract(const TaskId& id) override;
-  void complete(const TaskId& id, TaskOutcome outcome) override;
-  void decide(const TaskDecided& x) override;
-  void report(const TaskEvent& event) override;
-
-  // -- operations
-
   template <class Result>
   Result take(caf::mailbox_element& x, const Address& address) {
     auto& content = x.content();
@@ -252,6 +242,14 @@ private:
   }
 
   Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
+
+  // -- tasks
+  const caf::actor& task_manager() const;
+  void propose(const TaskProposal& task) override;
+  void retract(const TaskId& id) override;
+  void complete(const TaskId& id, TaskOutcome outcome) override;
+  void decide(const TaskDecided& x) override;
+  void report(const TaskEvent& event) override;
 
   std::unique_ptr<Component> component_;
   ManagedComponent* managed_ = nullptr;
