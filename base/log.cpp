@@ -84,13 +84,13 @@ void log(LogLevel level, std::string_view who, std::string_view what) {
   logger().log(to_spdlog(level), "[{}] {}", printable(who), as_logged(what));
 }
 
-void note(LogLevel level, std::string_view who, std::string_view what) {
+void log_runtime(LogLevel level, std::string_view who, std::string_view what) {
   if (level >= log_level())
     log(level, who, what);
 }
 
-void note(LogLevel level, std::string_view what) {
-  note(level, "castor", what);
+void log_runtime(LogLevel level, std::string_view what) {
+  log_runtime(level, "castor", what);
 }
 
 namespace {
@@ -117,7 +117,7 @@ void note_repeated(LogLevel level, std::string_view what) {
   auto text = all.messages[level].add(what, std::chrono::steady_clock::now());
   guard.unlock();
   if (text)
-    note(level, *text);
+    log_runtime(level, *text);
 }
 
 void write_repeated() {
@@ -126,7 +126,7 @@ void write_repeated() {
   std::lock_guard guard{all.mutex};
   for (auto& [level, messages] : all.messages)
     for (auto& text : messages.take_due(now))
-      note(level, text);
+      log_runtime(level, text);
 }
 
 void guard_log_lines(std::shared_ptr<void> (*make)()) {
@@ -141,7 +141,7 @@ void flush_log() {
     if (guard)
       for (auto& [level, messages] : all.messages)
         for (auto& text : messages.take_all())
-          note(level, text);
+          log_runtime(level, text);
   }
   logger().flush();
 }

@@ -19,8 +19,8 @@ void log(LogLevel level, std::string_view who, std::string_view what);
 
 /// Logs what the runtime itself has to say of somebody, or of itself, unless that is below the
 /// level.
-void note(LogLevel level, std::string_view who, std::string_view what);
-void note(LogLevel level, std::string_view what);
+void log_runtime(LogLevel level, std::string_view who, std::string_view what);
+void log_runtime(LogLevel level, std::string_view what);
 
 /// Logs what others cause, and could cause at will, such as those who connect: of messages that
 /// differ in their digits only, a few are written every ten seconds, and the others are counted.

@@ -281,13 +281,13 @@ void measure(const Case& x, int times) {
 }
 
 void crash(System& system, std::vector<NodeProcess*>&, Witness&) {
-  system.befall("service", ComponentFault{});
+  system.inject("service", ComponentFault{});
 }
 
 void hang(System& system, std::vector<NodeProcess*>&, Witness&) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = 1h;
-  system.befall("service", fault);
+  system.inject("service", fault);
 }
 
 void kill_first(System&, std::vector<NodeProcess*>& nodes, Witness&) {

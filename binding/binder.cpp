@@ -40,7 +40,7 @@ private:
 /// Whether the union is what `make_union` would make, and its members know of it. Most are, so this
 /// is found out without making one.
 bool is_up_to_date(std::span<const ProxyRef> ordered, const std::string& id,
-                   const BindingUnion& known, const Surroundings& surroundings) {
+                   const BindingUnion& known, const RelationContext& context) {
   if (known.proxy_ids.size() != ordered.size() || known.type != ordered.front().proxy->type)
     return false;
   Parts features{known.features};
@@ -51,7 +51,7 @@ bool is_up_to_date(std::span<const ProxyRef> ordered, const std::string& id,
     if (*ordered[i].id != known.proxy_ids[i] || proxy.source != known.sources[i] ||
         proxy.union_id != id || proxy.proxy_ids != known.proxy_ids ||
         !features.next_is(proxy.features) || !out_ports.next_is(proxy.out_ports) ||
-        !in_ports.next_is(surroundings.in_ports(*ordered[i].id)))
+        !in_ports.next_is(context.in_ports(*ordered[i].id)))
       return false;
   }
   return features.is_read() && out_ports.is_read() && in_ports.is_read();
@@ -59,14 +59,14 @@ bool is_up_to_date(std::span<const ProxyRef> ordered, const std::string& id,
 
 } // namespace
 
-BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& surroundings) {
+BindingUnion make_union(std::span<const ProxyRef> members, const RelationContext& context) {
   std::vector<ProxyRef> ordered(members.begin(), members.end());
   put_in_order(ordered);
   BindingUnion result;
   result.type = ordered.front().proxy->type;
   for (const auto& member : ordered) {
     const auto& proxy = *member.proxy;
-    const auto in_ports = surroundings.in_ports(*member.id);
+    const auto in_ports = context.in_ports(*member.id);
     result.proxy_ids.push_back(*member.id);
     result.sources.push_back(proxy.source);
     result.features.insert(result.features.end(), proxy.features.begin(), proxy.features.end());

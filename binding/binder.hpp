@@ -12,9 +12,9 @@
 namespace castor::binding {
 
 /// The union of these proxies, by binding order whatever order they are given in. Ports of the
-/// members' relations are in `surroundings`.
+/// members' relations are in `context`.
 /// \pre there is at least one.
-BindingUnion make_union(std::span<const ProxyRef> members, const Surroundings& surroundings);
+BindingUnion make_union(std::span<const ProxyRef> members, const RelationContext& context);
 
 /// The proxy with what its union makes of it.
 BindingProxy bound(BindingProxy proxy, const std::string& union_id, const BindingUnion& in);

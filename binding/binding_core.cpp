@@ -100,25 +100,25 @@ BindingChange BindingCore::set(const std::string& id, BindingProxy proxy) {
   if (auto* old = find(id))
     take_out(*old);
   put_in(id, std::move(proxy));
-  return work_through();
+  return propagate();
 }
 
 BindingChange BindingCore::remove(const std::string& id) {
   if (auto* old = find(id))
     take_out(*old);
-  return work_through();
+  return propagate();
 }
 
 BindingChange BindingCore::add(FeatureComparisonCompetence competence) {
   comparator_.add(std::move(competence));
-  concern_everybody();
-  return work_through();
+  invalidate_all();
+  return propagate();
 }
 
 BindingChange BindingCore::remove_competences(const std::string& subarchitecture) {
   comparator_.remove(subarchitecture);
-  concern_everybody();
-  return work_through();
+  invalidate_all();
+  return propagate();
 }
 
 BindingChange BindingCore::answer(const Feature& a, const Feature& b, Truth equivalent) {
@@ -128,11 +128,11 @@ BindingChange BindingCore::answer(const Feature& a, const Feature& b, Truth equi
     const bool says_one = std::any_of(features.begin(), features.end(),
                                       [&](const Feature& x) { return x == a || x == b; });
     if (says_one) {
-      concern_all(node);
-      concern_related(node, nullptr);
+      invalidate(node);
+      invalidate_related(node, nullptr);
     }
   }
-  return work_through();
+  return propagate();
 }
 
 void BindingCore::put_in(const std::string& id, BindingProxy proxy) {
@@ -147,12 +147,12 @@ void BindingCore::put_in(const std::string& id, BindingProxy proxy) {
   by_id_[id] = &node;
   touched_proxies_.insert(id);
   link_ports(node);
-  concern_all(node);
-  concern_related(node, nullptr);
+  invalidate(node);
+  invalidate_related(node, nullptr);
 }
 
 void BindingCore::take_out(Node& x) {
-  concern_related(x, nullptr);
+  invalidate_related(x, nullptr);
   if (x.is_first()) {
     // Those for whom it was the best are among the members.
     for (auto current = nodes_.upper_bound(x.rank); current != nodes_.end(); ++current)
@@ -162,15 +162,15 @@ void BindingCore::take_out(Node& x) {
   } else {
     auto* first = x.first;
     leave(x);
-    concern_those_after(x, {first});
+    invalidate_after(x, {first});
     for (const auto* member : first->members)
-      concern_related(*member, nullptr);
+      invalidate_related(*member, nullptr);
   }
   unlink_ports(x);
-  concerned_.erase(&x);
-  for (auto& [node, concern] : concerned_) {
-    if (std::erase(concern.unions, &x) > 0)
-      concern.all = true;
+  dirty_.erase(&x);
+  for (auto& [node, dirty] : dirty_) {
+    if (std::erase(dirty.unions, &x) > 0)
+      dirty.all = true;
   }
   touched_proxies_.insert(x.rank.id);
   by_id_.erase(x.rank.id);
@@ -209,12 +209,12 @@ void BindingCore::unlink_ports(const Node& x) {
 
 // -- binding --------------------------------------------------------------------------------------
 
-BindingChange BindingCore::work_through() {
-  while (!concerned_.empty()) {
-    const auto next = concerned_.begin();
+BindingChange BindingCore::propagate() {
+  while (!dirty_.empty()) {
+    const auto next = dirty_.begin();
     auto& node = *next->first;
     const auto why = std::move(next->second);
-    concerned_.erase(next);
+    dirty_.erase(next);
     if (why.all) {
       judge_all(node);
     } else {
@@ -286,13 +286,13 @@ void BindingCore::move(Node& x, Node& to) {
   to.members.insert(place, &x);
   update_members(to);
   touched_proxies_.insert(x.rank.id);
-  concern_those_after(x, {from, &to});
+  invalidate_after(x, {from, &to});
   if (from && from != &x) {
     for (const auto* member : from->members)
-      concern_related(*member, &x);
+      invalidate_related(*member, &x);
   }
   for (const auto* member : to.members)
-    concern_related(*member, &x);
+    invalidate_related(*member, &x);
 }
 
 void BindingCore::leave(Node& x) {
@@ -306,7 +306,7 @@ void BindingCore::dissolve(Node& first) {
   for (auto* member : std::exchange(first.members, {})) {
     member->first = nullptr;
     if (member != &first)
-      concern_all(*member);
+      invalidate(*member);
   }
   update_members(first);
 }

@@ -31,10 +31,10 @@ struct BindingChange {
 ///
 /// What they have to be follows from the proxies alone. In binding order (BindingRank), each proxy
 /// is scored against the unions of those before it, and joins the best one that beats NIL, or
-/// founds one. A change is worked through in the same order: whom it may concern is looked at again
+/// founds one. A change is propagated in the same order: what it invalidates is computed again
 /// once, when everybody before has been. So it ends, and it does not matter in which order proxies
 /// have come; one that goes leaves no trace.
-class BindingCore final : private Surroundings {
+class BindingCore final : private RelationContext {
 public:
   explicit BindingCore(ComparatorOptions options = {});
 
@@ -108,8 +108,8 @@ private:
     bool operator()(const Node* a, const Node* b) const { return a->rank < b->rank; }
   };
 
-  /// Why a proxy is to be looked at again.
-  struct Concern {
+  /// What of a proxy has to be computed again.
+  struct Invalidation {
     /// Everything may have changed; else only these unions.
     bool all = false;
     std::vector<Node*> unions;
@@ -126,15 +126,15 @@ private:
   void unlink_ports(const Node& x);
   void update_has_ports(const std::string& id);
 
-  void concern_all(Node& x);
-  void concern_everybody();
-  void concern(Node& x, Node& first);
-  bool may_concern(const Node& whom, const Node& what) const;
-  void concern_those_after(const Node& x, std::initializer_list<Node*> unions);
-  void concern_related(const Node& x, const Node* after);
+  void invalidate(Node& x);
+  void invalidate_all();
+  void invalidate(Node& x, Node& first);
+  bool may_affect(const Node& whom, const Node& what) const;
+  void invalidate_after(const Node& x, std::initializer_list<Node*> unions);
+  void invalidate_related(const Node& x, const Node* after);
   std::vector<Node*> related(const Node& x) const;
 
-  BindingChange work_through();
+  BindingChange propagate();
   void judge_all(Node& x);
   void judge_union(Node& x, Node& first);
   void consider(Node& x, Node& first, const BindingScore& score);
@@ -149,7 +149,7 @@ private:
   std::map<BindingRank, Node> nodes_;
   std::unordered_map<std::string, Node*> by_id_;
   std::unordered_map<std::string, std::vector<Port>> in_ports_;
-  std::map<Node*, Concern, ByRank> concerned_;
+  std::map<Node*, Invalidation, ByRank> dirty_;
   /// By their first member's id.
   std::set<std::string> touched_unions_;
   std::set<std::string> touched_proxies_;

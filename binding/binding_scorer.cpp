@@ -16,7 +16,7 @@ namespace {
 bool sources_exclude_each_other(const BindingProxy& a, const BindingProxy& b) {
   const auto refuses = [](const BindingProxy& x, const BindingProxy& y) {
     return std::any_of(x.features.begin(), x.features.end(), [&](const Feature& feature) {
-      return feature.kind == FeatureKind::other_source_id && !feature.holds &&
+      return feature.kind == FeatureKind::other_source_id && feature.negated &&
              feature.text == y.source;
     });
   };
@@ -81,7 +81,7 @@ void BindingScorer::add_features(const BindingProxy& proxy, const BindingProxy& 
         continue;
       score.comparable = true;
       // That something is not red says little for its being the thing that is blue.
-      if (truth == Truth::yes && own.holds && other.holds)
+      if (truth == Truth::yes && !own.negated && !other.negated)
         matched |= bit(own.kind);
     }
   }
@@ -105,11 +105,11 @@ BindingScore BindingScorer::feature_score(const ProxyRef& proxy,
 }
 
 BindingScore BindingScorer::score(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                                  const Surroundings& surroundings, bool sits_there) const {
+                                  const RelationContext& context, bool sits_there) const {
   auto result = feature_score(proxy, members);
   // What features rule out, relations do not bring back.
   if (result.comparable && !result.mismatch)
-    add_relations(proxy, members, surroundings, result);
+    add_relations(proxy, members, context, result);
   if (sits_there && !result.mismatch && !result.relation_mismatch && result.matches == 0 &&
       result.relation_matches == 0) {
     result.comparable = true;
@@ -130,11 +130,11 @@ bool BindingScorer::exclude_each_other(const ProxyRef& a, const ProxyRef& b) con
 /// For those that are bound before the judged one, what counts is what became of them; for others,
 /// what they say.
 Truth BindingScorer::same_thing(const ProxyRef& judged, const std::string& a, const std::string& b,
-                                const Surroundings& surroundings) const {
+                                const RelationContext& context) const {
   if (a == b)
     return Truth::yes;
-  const ProxyRef first{&a, surroundings.proxy(a)};
-  const ProxyRef second{&b, surroundings.proxy(b)};
+  const ProxyRef first{&a, context.proxy(a)};
+  const ProxyRef second{&b, context.proxy(b)};
   if (!first.proxy || !second.proxy)
     return Truth::unknown;
   if (!precedes(first, judged) || !precedes(second, judged)) {
@@ -145,8 +145,8 @@ Truth BindingScorer::same_thing(const ProxyRef& judged, const std::string& a, co
     add_features(*first.proxy, *second.proxy, matched, score);
     return matched != 0 ? Truth::yes : Truth::unknown;
   }
-  const auto mine = surroundings.bound_with(a);
-  const auto theirs = surroundings.bound_with(b);
+  const auto mine = context.bound_with(a);
+  const auto theirs = context.bound_with(b);
   for (const auto& x : mine) {
     if (*x.id == b)
       return Truth::yes;
@@ -163,11 +163,11 @@ Truth BindingScorer::same_thing(const ProxyRef& judged, const std::string& a, co
 /// Whether two relations that lead here and there are one, as far as it can be seen from their
 /// other ends. Never no: something may well be left of two things.
 Truth BindingScorer::relation_between(const ProxyRef& proxy, const Port& own, const Port& other,
-                                      const Surroundings& surroundings) const {
+                                      const RelationContext& context) const {
   if (own.label != other.label || own.owner == other.owner)
     return Truth::unknown;
-  const auto* mine = surroundings.proxy(own.owner);
-  const auto* theirs = surroundings.proxy(other.owner);
+  const auto* mine = context.proxy(own.owner);
+  const auto* theirs = context.proxy(other.owner);
   if (!mine || !theirs)
     return Truth::unknown;
   const auto* my_label = find_feature(mine->features, FeatureKind::relation_label);
@@ -177,7 +177,7 @@ Truth BindingScorer::relation_between(const ProxyRef& proxy, const Port& own, co
   for (const auto& x : mine->out_ports) {
     for (const auto& y : theirs->out_ports) {
       if (x.label != own.label && x.label == y.label &&
-          same_thing(proxy, x.proxy, y.proxy, surroundings) == Truth::yes)
+          same_thing(proxy, x.proxy, y.proxy, context) == Truth::yes)
         return Truth::yes;
     }
   }
@@ -185,7 +185,7 @@ Truth BindingScorer::relation_between(const ProxyRef& proxy, const Port& own, co
 }
 
 void BindingScorer::add_relations(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                                  const Surroundings& surroundings, BindingScore& score) const {
+                                  const RelationContext& context, BindingScore& score) const {
   for (const auto& port : proxy.proxy->out_ports) {
     bool matches = false;
     for (const auto& member : members) {
@@ -196,19 +196,19 @@ void BindingScorer::add_relations(const ProxyRef& proxy, std::span<const ProxyRe
       for (const auto& other : member.proxy->out_ports) {
         if (other.label != port.label)
           continue;
-        const Truth truth = same_thing(proxy, port.proxy, other.proxy, surroundings);
+        const Truth truth = same_thing(proxy, port.proxy, other.proxy, context);
         score.relation_mismatch |= truth == Truth::no;
         matches |= truth == Truth::yes;
       }
     }
     score.relation_matches += matches ? 1 : 0;
   }
-  for (const auto& port : surroundings.in_ports(*proxy.id)) {
+  for (const auto& port : context.in_ports(*proxy.id)) {
     const bool matches = std::any_of(members.begin(), members.end(), [&](const ProxyRef& member) {
-      const auto ports = surroundings.in_ports(*member.id);
+      const auto ports = context.in_ports(*member.id);
       return precedes(member, proxy) &&
              std::any_of(ports.begin(), ports.end(), [&](const Port& other) {
-               return relation_between(proxy, port, other, surroundings) == Truth::yes;
+               return relation_between(proxy, port, other, context) == Truth::yes;
              });
     });
     score.relation_matches += matches ? 1 : 0;

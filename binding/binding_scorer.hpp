@@ -23,9 +23,9 @@ inline bool precedes(const ProxyRef& a, const ProxyRef& b) {
 
 /// What the scorer has to know of a proxy's relations: what is on working memory besides the proxy
 /// and the union in question.
-class Surroundings {
+class RelationContext {
 public:
-  virtual ~Surroundings() = default;
+  virtual ~RelationContext() = default;
 
   /// The proxy of that id; nullptr if it is not (or not yet) there.
   virtual const BindingProxy* proxy(const std::string& id) const = 0;
@@ -49,7 +49,7 @@ public:
   /// \param sits_there whether it is a member now and stays one if nothing speaks against it; what
   ///        comes of it then depends on history.
   BindingScore score(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                     const Surroundings& surroundings, bool sits_there = false) const;
+                     const RelationContext& context, bool sits_there = false) const;
 
   /// The part of the score that features and types make up.
   BindingScore feature_score(const ProxyRef& proxy, std::span<const ProxyRef> members) const;
@@ -62,11 +62,11 @@ private:
   void add_features(const BindingProxy& proxy, const BindingProxy& member, KindSet& matched,
                     BindingScore& score) const;
   void add_relations(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                     const Surroundings& surroundings, BindingScore& score) const;
+                     const RelationContext& context, BindingScore& score) const;
   Truth relation_between(const ProxyRef& proxy, const Port& own, const Port& other,
-                         const Surroundings& surroundings) const;
+                         const RelationContext& context) const;
   Truth same_thing(const ProxyRef& judged, const std::string& a, const std::string& b,
-                   const Surroundings& surroundings) const;
+                   const RelationContext& context) const;
   bool exclude_each_other(const ProxyRef& a, const ProxyRef& b) const;
 
   const FeatureComparator& comparator_;

@@ -14,7 +14,7 @@ namespace castor::binding {
 
 /// The proxies and unions of the binding working memory, as a component has seen them last. Both
 /// come and go one by one, so a union may name members that are not known yet, or are gone.
-class BindingView final : public Surroundings {
+class BindingView final : public RelationContext {
 public:
   void set(const std::string& id, std::shared_ptr<const BindingProxy> proxy);
   void set(const std::string& id, std::shared_ptr<const BindingUnion> in);

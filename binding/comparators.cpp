@@ -96,12 +96,12 @@ bool may_compare(FeatureKind a, FeatureKind b) {
 }
 
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options) {
-  if (a.holds && b.holds)
+  if (!a.negated && !b.negated)
     return compare_statements(a, b, options);
-  if (!a.holds && !b.holds)
+  if (a.negated && b.negated)
     return Truth::unknown;
-  const Feature& stated = a.holds ? a : b;
-  const Feature& denied = a.holds ? b : a;
+  const Feature& stated = a.negated ? b : a;
+  const Feature& denied = a.negated ? a : b;
   if (are(a.kind, b.kind, source_id, other_source_id))
     return a.text == b.text ? Truth::no : Truth::unknown;
   if (are(a.kind, b.kind, this_proxy_id, existing_proxy_id))
@@ -109,7 +109,7 @@ Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& optio
   if (a.kind == temporal_frame && b.kind == temporal_frame)
     return a.text == b.text ? Truth::no : Truth::unknown;
   Feature affirmed = denied;
-  affirmed.holds = true;
+  affirmed.negated = false;
   const Truth base = compare_statements(stated, affirmed, options);
   if (base == Truth::unknown || !is_evidence(a.kind, b.kind))
     return Truth::unknown;
@@ -119,7 +119,7 @@ Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& optio
 }
 
 bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options) {
-  return a.kind == concept_name && b.kind == concept_name && a.holds && b.holds &&
+  return a.kind == concept_name && b.kind == concept_name && !a.negated && !b.negated &&
          a.text != b.text && subsumes(a.text, b.text, options);
 }
 

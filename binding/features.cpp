@@ -30,7 +30,7 @@ std::string to_string(FeatureKind kind) {
 }
 
 std::string to_string(const Feature& x) {
-  auto result = (x.holds ? "" : "not ") + to_string(x.kind);
+  auto result = (x.negated ? "not " : "") + to_string(x.kind);
   if (!x.text.empty())
     result += ' ' + x.text;
   if (!x.numbers.empty())

@@ -23,7 +23,7 @@ std::optional<std::uint32_t> unknown_of(const DescribedThing& thing, const Bindi
                                         const FeatureComparator& comparator) {
   std::uint32_t unknown = 0;
   for (const auto& described : thing.features) {
-    if (described.kind == FeatureKind::existing_proxy_id && described.holds) {
+    if (described.kind == FeatureKind::existing_proxy_id && !described.negated) {
       if (std::find(of.proxy_ids.begin(), of.proxy_ids.end(), described.text) == of.proxy_ids.end())
         return std::nullopt;
       continue;
@@ -119,7 +119,7 @@ std::vector<UnionRelation> relations_between(const std::map<std::string, Binding
     if (of.type != ProxyType::relation)
       continue;
     for (const auto& feature : of.features) {
-      if (feature.kind != FeatureKind::relation_label || !feature.holds)
+      if (feature.kind != FeatureKind::relation_label || feature.negated)
         continue;
       for (const auto& from : of.out_ports) {
         for (const auto& to : of.out_ports) {

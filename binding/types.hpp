@@ -53,46 +53,46 @@ struct Feature {
   std::string text;
   std::vector<double> numbers;
   AnyEntryPointer data;
-  /// False for what it is not, as in "not red".
-  bool holds = true;
+  /// As in "not red".
+  bool negated = false;
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
 /// A kind whose value is a word: concept, colour, ...
 inline Feature feature(FeatureKind kind, std::string text) {
-  return {kind, std::move(text), {}, {}, true};
+  return {kind, std::move(text), {}, {}, false};
 }
 
-/// The same, said not to hold.
-inline Feature negated(Feature x) {
-  x.holds = !x.holds;
+/// "red" of "not red", and the other way round.
+inline Feature negation_of(Feature x) {
+  x.negated = !x.negated;
   return x;
 }
 
 /// Metres.
 inline Feature location_at(double x, double y, double z) {
-  return {FeatureKind::location, {}, {x, y, z}, {}, true};
+  return {FeatureKind::location, {}, {x, y, z}, {}, false};
 }
 
 /// Not to be bound to anything from that subarchitecture.
 inline Feature not_from(std::string subarchitecture) {
-  return negated(feature(FeatureKind::other_source_id, std::move(subarchitecture)));
+  return negation_of(feature(FeatureKind::other_source_id, std::move(subarchitecture)));
 }
 
 /// The tether to what the proxy stands for.
 inline Feature tether_to(AnyEntryPointer data) {
-  return {FeatureKind::source_data, {}, {}, std::move(data), true};
+  return {FeatureKind::source_data, {}, {}, std::move(data), false};
 }
 
 /// Microseconds since the system began.
 inline Feature created_at(std::int64_t time) {
-  return {FeatureKind::creation_time, {}, {static_cast<double>(time)}, {}, true};
+  return {FeatureKind::creation_time, {}, {static_cast<double>(time)}, {}, false};
 }
 
 /// Still salient if there is no end.
 inline Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end = std::nullopt) {
-  Feature result{FeatureKind::salience, {}, {static_cast<double>(begin)}, {}, true};
+  Feature result{FeatureKind::salience, {}, {static_cast<double>(begin)}, {}, false};
   if (end)
     result.numbers.push_back(static_cast<double>(*end));
   return result;
@@ -350,7 +350,7 @@ CASTOR_REFLECT_ENUM(FeatureKind, concept_name, name, relation_label, colour, sha
                     location, source_id, other_source_id, source_data, this_proxy_id,
                     existing_proxy_id, creation_time, salience, temporal_frame, group, singular,
                     area_id, person_id, debug_string)
-CASTOR_REFLECT(Feature, kind, text, numbers, data, holds)
+CASTOR_REFLECT(Feature, kind, text, numbers, data, negated)
 CASTOR_REFLECT_ENUM(ProxyType, basic, group, relation)
 CASTOR_REFLECT(Port, label, proxy, owner)
 CASTOR_REFLECT_ENUM(ProxyState, fresh, updated, reprocessed, bound)

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/description.hpp"
 
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/actors/component/health.hpp"
 #include "castor/base/text.hpp"
 

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/grammar.hpp"
 
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/actors/cast/component_line.hpp"
 #include "castor/actors/cast/keywords.hpp"
 #include "castor/actors/cast/supervision_rules.hpp"
@@ -23,9 +23,9 @@ namespace castor::cast {
 
 namespace {
 
-class Grammar {
+class StatementReader {
 public:
-  Grammar(Preprocessed& input, const ParseOptions& options, DiagnosticLog& log)
+  StatementReader(Preprocessed& input, const ParseOptions& options, DiagnosticLog& log)
     : input_(input), options_(options), log_(log) {
     // nop
   }
@@ -38,7 +38,7 @@ public:
     check_reserved_names();
     auto names = subarchitecture_names();
     result_.access_rules =
-      access_rules_.finish(names, !options_.running_subarchitectures.empty(), log_);
+      access_rule_parser_.finish(names, !options_.running_subarchitectures.empty(), log_);
     supervision_rules_.finish(names, result_, log_);
     result_.host_names = input_.hosts.definitions();
     for (auto& x : dropped_)
@@ -121,7 +121,7 @@ private:
         standalone_lines_.push_back({&line, default_host_});
         return;
       case SectionKeyword::access:
-        access_rules_.read(words, line, log_);
+        access_rule_parser_.read(words, line, log_);
         return;
       case SectionKeyword::supervise:
         supervision_rules_.read_supervise(words, line, log_);
@@ -420,7 +420,7 @@ private:
   const StructureLine* section_end_ = nullptr;
   std::string default_host_;
   std::vector<StandaloneLine> standalone_lines_;
-  AccessRules access_rules_;
+  AccessRuleParser access_rule_parser_;
   SupervisionRules supervision_rules_;
   std::map<std::string, const SourceLine*, std::less<>> subarchitecture_lines_;
   std::map<std::string, const StructureLine*, std::less<>> component_lines_;
@@ -430,7 +430,7 @@ private:
 } // namespace
 
 Structure parse_structure(Preprocessed& input, const ParseOptions& options, DiagnosticLog& log) {
-  return Grammar(input, options, log).run();
+  return StatementReader(input, options, log).run();
 }
 
 } // namespace castor::cast

@@ -1,6 +1,6 @@
 #include "castor/actors/cast/running.hpp"
 
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/base/suggestion.hpp"
 
 #include <algorithm>

@@ -23,8 +23,8 @@ void Registry::add(ComponentClass x) {
   auto name = x.name;
   std::lock_guard guard{mutex};
   if (!classes_.try_emplace(name, std::move(x)).second)
-    note(LogLevel::error, "castor",
-         "two libraries have a component class " + name + "; the one loaded first is used");
+    log_runtime(LogLevel::error, "castor",
+                "two libraries have a component class " + name + "; the one loaded first is used");
 }
 
 const ComponentClass* Registry::find(const std::string& name) const {

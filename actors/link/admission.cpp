@@ -41,7 +41,7 @@ std::optional<Admission::Connection> Admission::admit(Connection x, const std::s
   return out;
 }
 
-void Admission::hear(Connection x) {
+void Admission::has_sent(Connection x) {
   if (auto i = waiting_.find(x); i != waiting_.end())
     i->second.is_silent = false;
 }

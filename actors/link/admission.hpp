@@ -39,7 +39,7 @@ public:
   std::optional<Connection> admit(Connection x, const std::string& address, Time now);
 
   /// Something came over a connection.
-  void hear(Connection x);
+  void has_sent(Connection x);
 
   /// A connection was closed, or belongs to somebody else now.
   void remove(Connection x) { waiting_.erase(x); }

@@ -89,7 +89,7 @@ public:
       },
       [link](const caf::io::connection_closed_msg& x) { link->end_.closed(x.handle.id()); },
       [link](LinkReminder x) { link->end_.remind(x); },
-      [link](const LinkFault& x) { link->end_.befall(x); },
+      [link](const LinkFault& x) { link->end_.inject(x); },
       [link](const Dialled& x) { link->dialled(x); },
       [link](const AdoptConnection& x) { link->adopt(*x.accepted); },
       [link](const LinkPatience& x) { link->end_.set_patience(x.patience); },

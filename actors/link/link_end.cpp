@@ -49,7 +49,7 @@ void LinkEnd::dial() {
 void LinkEnd::dialled(Connection x) {
   ++attempt_;
   begin_connection(x, std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::dials));
-  guarded([this] { say({}); });
+  guarded([this] { write({}); });
 }
 
 void LinkEnd::adopt(Connection x, std::shared_ptr<Channel> channel, const Hello& hello,
@@ -63,9 +63,9 @@ void LinkEnd::adopt(Connection x, std::shared_ptr<Channel> channel, const Hello&
   if (connection_)
     drop_connection();
   begin_connection(x, std::move(channel));
-  heard_words_ = std::move(received);
+  handshake_input_ = std::move(received);
   guarded([&] {
-    say({});
+    write({});
     established(hello);
   });
 }
@@ -73,8 +73,8 @@ void LinkEnd::adopt(Connection x, std::shared_ptr<Channel> channel, const Hello&
 void LinkEnd::begin_connection(Connection x, std::shared_ptr<Channel> channel) {
   connection_ = x;
   channel_ = std::move(channel);
-  has_greeted_ = greeted_ = deaf_ = false;
-  heard_words_.clear();
+  hello_sent_ = greeted_ = discarding_input_ = false;
+  handshake_input_.clear();
   delayed_.clear();
   in_buffer_ = 0;
   heard_ = driver_.now();
@@ -174,9 +174,9 @@ void LinkEnd::guarded(F&& f) {
   }
 }
 
-// -- what is made to befall it
+// -- injected faults
 
-void LinkEnd::befall(const LinkFault& x) {
+void LinkEnd::inject(const LinkFault& x) {
   auto until = driver_.now() + x.duration;
   switch (x.kind) {
     case LinkFault::Kind::silence:
@@ -218,17 +218,17 @@ void LinkEnd::say_delayed() {
   while (connection_ && !delayed_.empty() && delayed_.front().first <= now) {
     auto words = std::move(delayed_.front().second);
     delayed_.pop_front();
-    say_now(std::move(words));
+    write_now(std::move(words));
   }
 }
 
 // -- what is said
 
-void LinkEnd::say(std::vector<char> words) {
+void LinkEnd::write(std::vector<char> words) {
   auto now = driver_.now();
   bool is_late = now < delayed_until_;
   if (!is_late && delayed_.empty()) {
-    say_now(std::move(words));
+    write_now(std::move(words));
     return;
   }
   if (is_late)
@@ -243,9 +243,9 @@ void LinkEnd::say(std::vector<char> words) {
 }
 
 /// Says it, after the greeting if that is due.
-void LinkEnd::say_now(std::vector<char> words) {
-  if (!has_greeted_ && channel_->is_ready()) {
-    has_greeted_ = true;
+void LinkEnd::write_now(std::vector<char> words) {
+  if (!hello_sent_ && channel_->is_ready()) {
+    hello_sent_ = true;
     auto hello = parts_.self;
     hello.known = incarnation_;
     hello.received = session_.received();
@@ -280,7 +280,7 @@ void LinkEnd::established(const Hello& x) {
   backoff_ = 20ms;
   LinkRecord::add(record_->connections, 1);
   tell(LinkState::up, {});
-  hear(std::exchange(heard_words_, {}));
+  read(std::exchange(handshake_input_, {}));
   flush();
 }
 
@@ -289,18 +289,18 @@ void LinkEnd::receive(Connection from, std::span<const std::uint8_t> bytes) {
     return;
   // What was not heard is not made good for but by another connection, and what follows is not to
   // be heard without it.
-  deaf_ = deaf_ || is_silent();
-  if (deaf_)
+  discarding_input_ = discarding_input_ || is_silent();
+  if (discarding_input_)
     return;
   heard_ = driver_.now();
   LinkRecord::add(record_->bytes_in, bytes.size());
   guarded([&] {
     auto words = channel_->receive(bytes);
-    say({});
+    write({});
     if (greeted_) {
-      hear(words);
+      read(words);
     } else {
-      heard_words_.insert(heard_words_.end(), words.begin(), words.end());
+      handshake_input_.insert(handshake_input_.end(), words.begin(), words.end());
       hear_greeting();
     }
     flush();
@@ -308,7 +308,7 @@ void LinkEnd::receive(Connection from, std::span<const std::uint8_t> bytes) {
 }
 
 void LinkEnd::hear_greeting() {
-  auto greeting = read_greeting(heard_words_);
+  auto greeting = read_greeting(handshake_input_);
   if (!greeting)
     return;
   if (auto* refusal = std::get_if<Refusal>(&*greeting)) {
@@ -321,7 +321,7 @@ void LinkEnd::hear_greeting() {
   established(std::get<Hello>(*greeting));
 }
 
-void LinkEnd::hear(std::span<const std::uint8_t> bytes) {
+void LinkEnd::read(std::span<const std::uint8_t> bytes) {
   session_.receive(bytes, [this](IncomingMessage x) {
     LinkRecord::add(record_->messages_in, 1);
     parts_.mesh->receive(parts_.peer, std::move(x), driver_.context());
@@ -354,8 +354,8 @@ void LinkEnd::flush() {
   while (in_buffer_ < buffered && session_.has_something_to_say()) {
     std::vector<char> words;
     session_.produce(words, buffered - in_buffer_);
-    spoke_ = spoke_ || !words.empty();
-    say(std::move(words));
+    wrote_since_tick_ = wrote_since_tick_ || !words.empty();
+    write(std::move(words));
   }
   record_->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
 }
@@ -365,15 +365,15 @@ void LinkEnd::tick() {
     return;
   driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
   auto now = driver_.now();
-  if (connection_ && deaf_ && !is_silent())
+  if (connection_ && discarding_input_ && !is_silent())
     disconnected("what was said was not heard");
   if (connection_) {
     if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
       disconnected("no sign of life");
-    } else if (greeted_ && !std::exchange(spoke_, false)) {
+    } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
       session_.remind();
       flush();
-      spoke_ = false;
+      wrote_since_tick_ = false;
     }
   }
   if (!greeted_ && now - down_since_ > parts_.options.patience)

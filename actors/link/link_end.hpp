@@ -75,7 +75,7 @@ public:
   /// Says goodbye, and ends.
   void close(const std::string& reason);
   void remind(LinkReminder of);
-  void befall(const LinkFault& x);
+  void inject(const LinkFault& x);
   void set_patience(std::chrono::milliseconds x) { parts_.options.patience = x; }
 
   // -- what becomes of connections
@@ -105,12 +105,12 @@ private:
 
   bool loses_next();
   void say_delayed();
-  void say(std::vector<char> words);
-  void say_now(std::vector<char> words);
+  void write(std::vector<char> words);
+  void write_now(std::vector<char> words);
 
   void established(const Hello& x);
   void hear_greeting();
-  void hear(std::span<const std::uint8_t> bytes);
+  void read(std::span<const std::uint8_t> bytes);
   void flush();
   void tick();
   void tell(LinkState state, const std::string& why);
@@ -123,18 +123,18 @@ private:
   /// Whether the peer has introduced itself over the present connection.
   bool greeted_ = false;
   /// Whether the link has introduced itself over it.
-  bool has_greeted_ = false;
+  bool hello_sent_ = false;
   bool over_ = false;
   std::shared_ptr<Channel> channel_;
   /// What the peer has said before it was established.
-  Bytes heard_words_;
+  Bytes handshake_input_;
   /// The peer's, once it is known.
   std::uint64_t incarnation_ = 0;
   /// Counts the connections, on the side that makes them.
   std::uint64_t attempt_ = 0;
   std::unordered_set<std::uint64_t> told_types_;
   std::size_t in_buffer_ = 0;
-  bool spoke_ = false;
+  bool wrote_since_tick_ = false;
   Clock::time_point heard_;
   Clock::time_point down_since_;
   std::string reason_;
@@ -142,7 +142,7 @@ private:
   Clock::time_point silent_until_;
   FaultTicket silence_ticket_;
   /// Something was said that was not heard.
-  bool deaf_ = false;
+  bool discarding_input_ = false;
   Clock::time_point delayed_until_;
   Clock::duration delay_{0};
   FaultTicket delay_ticket_;

@@ -8,7 +8,7 @@
 
 namespace castor {
 
-/// Something is to befall a link, on purpose, as seen from one of its ends.
+/// An injected fault of a link, as seen from one of its ends.
 struct LinkFault {
   enum class Kind : std::uint8_t {
     /// Nothing passes, either way, and nobody is told.

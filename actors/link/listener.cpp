@@ -66,7 +66,7 @@ public:
     auto listener = shared_from_this();
     return {
       [listener](const caf::io::new_connection_msg& x) { listener->admit(x.handle); },
-      [listener](const caf::io::new_data_msg& x) { listener->hear(x); },
+      [listener](const caf::io::new_data_msg& x) { listener->read(x); },
       [listener](const caf::io::connection_closed_msg& x) {
         if (auto stranger = listener->forget(x.handle))
           note_repeated(stranger->is_own() ? LogLevel::debug : LogLevel::info,
@@ -117,12 +117,12 @@ private:
     turn_away(handle, why);
   }
 
-  void hear(const caf::io::new_data_msg& x) {
+  void read(const caf::io::new_data_msg& x) {
     auto i = strangers_.find(x.handle);
     if (i == strangers_.end() || x.buf.empty())
       return;
     auto& stranger = i->second;
-    admission_.hear(x.handle.id());
+    admission_.has_sent(x.handle.id());
     bool is_first = !std::exchange(stranger.has_spoken, true);
     if (is_first && speaks_otherwise(x.handle, x.buf.front()))
       return;
@@ -130,11 +130,11 @@ private:
       auto words = stranger.channel->receive(
         {reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()});
       stranger.received.insert(stranger.received.end(), words.begin(), words.end());
-      say(x.handle, *stranger.channel, {});
+      write(x.handle, *stranger.channel, {});
       if (auto greeting = read_greeting(stranger.received))
         welcome(x.handle, stranger, *greeting);
     } catch (const SecurityError& e) {
-      say(x.handle, *stranger.channel, {});
+      write(x.handle, *stranger.channel, {});
       turn_away(x.handle, e.what());
     } catch (const LinkError& e) {
       turn_away(x.handle, e.what());
@@ -168,7 +168,7 @@ private:
     self_->flush(handle);
   }
 
-  void say(connection_handle handle, Channel& channel, std::vector<char> words) {
+  void write(connection_handle handle, Channel& channel, std::vector<char> words) {
     channel.write(std::move(words), self_->wr_buf(handle));
     self_->flush(handle);
   }
@@ -183,7 +183,7 @@ private:
     if (auto* refusal = std::get_if<Refusal>(&link)) {
       std::vector<char> words;
       write_greeting(words, *refusal);
-      say(handle, *stranger.channel, std::move(words));
+      write(handle, *stranger.channel, std::move(words));
       turn_away(handle, refusal->reason, refusal->final ? LogLevel::warning : LogLevel::debug);
       return;
     }

@@ -164,8 +164,9 @@ void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
   } else {
     out(Subject::message, sender, number, x.mid.integer_value());
     if (!mesh_->table().write(content, out)) {
-      note(LogLevel::error, std::string{"a message that cannot travel to another process: "} +
-                              name_of_type(content));
+      log_runtime(LogLevel::error,
+                  std::string{"a message that cannot travel to another process: "} +
+                    name_of_type(content));
       caf::detail::sync_request_bouncer{caf::make_error(caf::sec::unexpected_message)}(x.sender,
                                                                                        x.mid);
       return;
@@ -264,7 +265,7 @@ void Mesh::add_port(std::shared_ptr<LinkPort> port) {
   processes_[process].port = std::move(port);
 }
 
-void Mesh::befall(ProcessNumber peer, const LinkFault& x) {
+void Mesh::inject(ProcessNumber peer, const LinkFault& x) {
   std::lock_guard guard{mutex_};
   if (auto i = processes_.find(peer); i != processes_.end() && i->second.port)
     caf::anon_send(i->second.port->link(), x);

@@ -123,8 +123,8 @@ public:
   /// The link that leads to a process.
   void add_port(std::shared_ptr<LinkPort> port);
 
-  /// Lets something befall the link to a process.
-  void befall(ProcessNumber peer, const LinkFault& x);
+  /// Injects a fault into the link to a process.
+  void inject(ProcessNumber peer, const LinkFault& x);
 
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;

@@ -272,16 +272,16 @@ void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
 }
 
 template <class A>
-void wire(A&, WirePart<A, AccessQuery>&) {}
+void wire(A&, WirePart<A, UsageQuery>&) {}
 
 template <class A>
-void wire(A& a, WirePart<A, Access>& x) {
+void wire(A& a, WirePart<A, Usage>& x) {
   a(x.component, x.subarchitecture, x.type, x.adds, x.overwrites, x.deletes, x.reads, x.events);
 }
 
 template <class A>
-void wire(A& a, WirePart<A, AccessReport>& x) {
-  a(x.accesses);
+void wire(A& a, WirePart<A, UsageReport>& x) {
+  a(x.usages);
 }
 
 // -- components
@@ -296,7 +296,7 @@ void wire(A& a, WirePart<A, caf::actor>& x) {
 
 template <class A>
 void wire(A& a, WirePart<A, EnterPhase>& x) {
-  a(x.phase, x.conductor);
+  a(x.phase, x.phase_controller);
 }
 
 template <class A>

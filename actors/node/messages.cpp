@@ -12,7 +12,7 @@ const WireTable& system_messages() {
     Outcome<EntryPtr>, QueryRequest, Outcome<std::vector<EntryPtr>>, ExistsQuery, Outcome<bool>,
     VersionQuery, LockRequest, Outcome<Lease>, UnlockRequest, Outcome<Acknowledged>, CancelWait,
     RenewRequest, RenewReply, LockQuery, Outcome<LockStatus>, DeadlockProbe, StatusQuery,
-    WorkingMemoryStatus, AccessQuery, AccessReport,
+    WorkingMemoryStatus, UsageQuery, UsageReport,
     // Events
     Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, EventsTaken, Interest, Acknowledged,
     ForwardedEvents, RoutedEvents,
@@ -21,7 +21,7 @@ const WireTable& system_messages() {
     Outcome<Value>, PushRequest, Pushed, PushesTaken,
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
-    BefallComponent, ComponentFault, BefallLink, JumpClock, JournalFault, FaultHappened,
+    InjectComponentFault, ComponentFault, InjectLinkFault, JumpClock, JournalFault, FaultHappened,
     PartStatusQuery, PartStatus, EndSystem, TaskEvent, TypesQuery, TypesReport>();
   return result;
 }

@@ -56,7 +56,7 @@ JournalOptions journal_options(const WorkingMemoryClass& wm_class,
   auto result = wm_class.journal_of(subarchitecture);
   result.system = plan.system;
   result.returning = incarnation > 1;
-  result.report = [](const std::string& what) { note(LogLevel::error, what); };
+  result.report = [](const std::string& what) { log_runtime(LogLevel::error, what); };
   return result;
 }
 
@@ -201,7 +201,7 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
   });
   if (auto problem = spawn_.why_no_threads ? spawn_.why_no_threads(1) : std::string{};
       !problem.empty()) {
-    note(LogLevel::error, component, problem);
+    log_runtime(LogLevel::error, component, problem);
     return;
   }
   spawn_component(*x, incarnation);

@@ -50,7 +50,7 @@ PartMade restart(Self self, const RestartComponent& x) {
   return {{}, state.part->actors()};
 }
 
-void befall(Self self, const BefallComponent& x) {
+void inject(Self self, const InjectComponentFault& x) {
   if (!self->state.part)
     return;
   for (auto& resident : self->state.part->residents()) {
@@ -194,13 +194,13 @@ caf::behavior part_agent(Self self, PartAgentParts parts) {
     [self](const PartPlan& x) { return make(self, x); },
     [self](const RestartComponent& x) { return restart(self, x); },
     [self](const JoinParts& x) { return join(self, x); },
-    [self](const BefallComponent& x) {
-      befall(self, x);
+    [self](const InjectComponentFault& x) {
+      inject(self, x);
       return Acknowledged{};
     },
-    [self](const BefallLink& x) {
+    [self](const InjectLinkFault& x) {
       if (auto& mesh = self->state.parts.mesh)
-        mesh->befall(x.peer, x.fault);
+        mesh->inject(x.peer, x.fault);
     },
     [self](PartStatusQuery) {
       PartStatus result;

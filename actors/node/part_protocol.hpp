@@ -123,14 +123,14 @@ struct ComponentHangs {
   std::uint64_t incarnation = 0;
 };
 
-/// Something is to befall a component, or a working memory, which then crashes whatever it is.
-struct BefallComponent {
+/// A fault to inject into a component; a working memory crashes, whatever the fault is.
+struct InjectComponentFault {
   std::string name;
   ComponentFault fault;
 };
 
-/// Something is to befall the link to another process.
-struct BefallLink {
+/// A fault to inject into the link to another process.
+struct InjectLinkFault {
   ProcessNumber peer = 0;
   LinkFault fault;
 };
@@ -167,8 +167,8 @@ CASTOR_LOCAL_MESSAGE(castor::JoinParts)
 CASTOR_LOCAL_MESSAGE(castor::RestartComponent)
 CASTOR_LOCAL_MESSAGE(castor::ComponentEnded)
 CASTOR_LOCAL_MESSAGE(castor::ComponentHangs)
-CASTOR_LOCAL_MESSAGE(castor::BefallComponent)
-CASTOR_LOCAL_MESSAGE(castor::BefallLink)
+CASTOR_LOCAL_MESSAGE(castor::InjectComponentFault)
+CASTOR_LOCAL_MESSAGE(castor::InjectLinkFault)
 CASTOR_LOCAL_MESSAGE(castor::PartStatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::PartStatus)
 CASTOR_LOCAL_MESSAGE(castor::EndSystem)

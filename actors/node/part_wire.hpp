@@ -152,7 +152,7 @@ void wire(A& a, WirePart<A, ComponentFault>& x) {
 }
 
 template <class A>
-void wire(A& a, WirePart<A, BefallComponent>& x) {
+void wire(A& a, WirePart<A, InjectComponentFault>& x) {
   a(x.name, x.fault);
 }
 
@@ -162,7 +162,7 @@ void wire(A& a, WirePart<A, LinkFault>& x) {
 }
 
 template <class A>
-void wire(A& a, WirePart<A, BefallLink>& x) {
+void wire(A& a, WirePart<A, InjectLinkFault>& x) {
   a(x.peer, x.fault);
 }
 

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How often a wait is interrupted to see whether it should go on.
-constexpr std::chrono::milliseconds glance{50};
+constexpr std::chrono::milliseconds poll_interval{50};
 
 /// At the first line that needs the process.
 Diagnostic out_of_reach(const ArchitectureDescription& architecture, const Placement& placement,
@@ -144,7 +144,7 @@ ProcessNumber Processes::open_link(const ProcessDescription& description) {
   parts.self.incarnation = incarnation_;
   secure(parts, options_.credentials, options_.insecure);
   parts.options = options_.link;
-  parts.on_news = [this](const LinkNews& news) { hear(news); };
+  parts.on_news = [this](const LinkNews& news) { on_link_news(news); };
   auto link = spawn_(std::move(parts));
   std::lock_guard guard{mutex_};
   processes_[number].link = link;
@@ -153,7 +153,7 @@ ProcessNumber Processes::open_link(const ProcessDescription& description) {
   return number;
 }
 
-void Processes::hear(const LinkNews& news) {
+void Processes::on_link_news(const LinkNews& news) {
   {
     std::lock_guard guard{mutex_};
     if (news.peer >= processes_.size())
@@ -164,11 +164,12 @@ void Processes::hear(const LinkNews& news) {
       x.description.name = news.name;
     if (x.joined && !silent_) {
       if (news.state == LinkState::up)
-        note(LogLevel::info, "node " + news.name + " is in reach again");
+        log_runtime(LogLevel::info, "node " + news.name + " is in reach again");
       else
-        note(LogLevel::warning,
-             "node " + news.name +
-               (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") + news.reason);
+        log_runtime(LogLevel::warning,
+                    "node " + news.name +
+                      (news.state == LinkState::lost ? " is lost: " : " is out of reach: ") +
+                      news.reason);
     }
     x.joined = x.joined || news.state == LinkState::up;
     if (news.state == LinkState::up)
@@ -188,7 +189,7 @@ void Processes::await_connections(const ArchitectureDescription& architecture,
                        [](auto& x) { return x.news.state != LinkState::down; });
   };
   while (!settled() && Clock::now() < until && !interrupted())
-    changed_.wait_for(guard, glance);
+    changed_.wait_for(guard, poll_interval);
   std::vector<Diagnostic> problems;
   for (auto i = first; i < processes_.size(); ++i) {
     auto& x = processes_[i];
@@ -226,7 +227,7 @@ std::vector<ProcessDescription> Processes::descriptions() const {
   return result;
 }
 
-void Processes::be_silent() {
+void Processes::suppress_notifications() {
   std::lock_guard guard{mutex_};
   silent_ = true;
 }

@@ -68,7 +68,7 @@ public:
   std::vector<ProcessDescription> descriptions() const;
 
   /// What changes from now on is nobody's concern.
-  void be_silent();
+  void suppress_notifications();
 
   /// Takes leave of all others, and waits until that has been said.
   void close(const std::string& reason);
@@ -90,7 +90,7 @@ private:
   ProcessNumber open_link(const ProcessDescription& description);
   void await_connections(const ArchitectureDescription& architecture, const Placement& placement,
                          std::size_t first);
-  void hear(const LinkNews& news);
+  void on_link_news(const LinkNews& news);
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
   caf::actor_system& system_;

@@ -94,7 +94,7 @@ void ComponentCalls::take_back(const Made& made) {
   try {
     component_.write(WriteBatch{}.delete_entry(made.call).delete_entry(made.request));
   } catch (const WorkingMemoryException& e) {
-    note(LogLevel::debug, shell_.identity().full_name(), e.what());
+    log_runtime(LogLevel::debug, shell_.identity().full_name(), e.what());
   } catch (const ComponentStopped&) {
     // The next operation will say so.
   }

@@ -50,7 +50,7 @@ void ComponentConnections::push(const Value& x) {
     } else if (to.flow.dropped() > dropped) {
       ++shell_.counters().pushes_dropped;
       if (dropped == 0)
-        note(
+        log_runtime(
           LogLevel::warning, shell_.identity().full_name(),
           fmt::format("{} does not keep up with the {}s that are pushed: of more than {} that it "
                       "has not taken, the oldest are dropped. Its --push-limit can be raised",

@@ -1,6 +1,6 @@
 #include "castor/actors/runtime/component_operations.hpp"
 
-#include "castor/actors/runtime/befalling.hpp"
+#include "castor/actors/runtime/injected_faults.hpp"
 #include "castor/actors/runtime/shell.hpp"
 #include "castor/base/log.hpp"
 
@@ -211,8 +211,8 @@ void ComponentOperations::release_quietly(const Address& address, LeaseToken tok
   try {
     auto outcome = shell_.try_unlock(address, token);
     if (!outcome)
-      note(LogLevel::warning, shell_.identity().full_name(),
-           "a lease did not last as long as its guard: " + outcome.failure().message);
+      log_runtime(LogLevel::warning, shell_.identity().full_name(),
+                  "a lease did not last as long as its guard: " + outcome.failure().message);
   } catch (const InjectedCrash&) {
     // It comes again where it can be thrown.
   }

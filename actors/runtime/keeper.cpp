@@ -66,11 +66,12 @@ caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
     [self, watch, parts = std::move(parts)](TickAtom) {
       auto now = self->clock().now();
       for (auto& x : watch->check(now)) {
-        note(LogLevel::warning, x.component->identity().full_name(),
-             fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
-                         "hears neither events nor a stop meanwhile, and its leases run out",
-                         std::chrono::duration<double>(x.duration).count(),
-                         std::chrono::duration<double>(x.component->budget()).count()));
+        log_runtime(
+          LogLevel::warning, x.component->identity().full_name(),
+          fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
+                      "hears neither events nor a stop meanwhile, and its leases run out",
+                      std::chrono::duration<double>(x.duration).count(),
+                      std::chrono::duration<double>(x.component->budget()).count()));
         if (parts.on_overrun)
           parts.on_overrun(x);
       }

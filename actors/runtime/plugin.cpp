@@ -165,7 +165,7 @@ void load_bundled_plugins() {
     return;
   for (auto& library : bundled_plugins())
     if (auto problem = load_plugin(library))
-      note(LogLevel::warning, *problem);
+      log_runtime(LogLevel::warning, *problem);
 }
 
 ClassLookup find_class(const std::string& name) {

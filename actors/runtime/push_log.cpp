@@ -77,7 +77,7 @@ UnixTime unix_now() {
 // -- writer
 
 PushLogWriter::PushLogWriter(const std::filesystem::path& file, const std::string& provider)
-  : database_(file, sqlite::Access::write) {
+  : database_(file, sqlite::OpenMode::write) {
   if (database_.number("PRAGMA application_id") == 0)
     make_tables(database_, provider);
   database_.run("PRAGMA synchronous=NORMAL; PRAGMA journal_size_limit=16777216");
@@ -208,13 +208,13 @@ PushLogReader::PushLogReader(std::filesystem::path file) : file_(std::move(file)
     if (!std::filesystem::exists(file_, error))
       throw JournalError("there is no such file");
     try {
-      database_ = std::make_unique<sqlite::Database>(file_, sqlite::Access::read);
+      database_ = std::make_unique<sqlite::Database>(file_, sqlite::OpenMode::read);
       database_->run("BEGIN; SELECT count(*) FROM sqlite_schema");
     } catch (const sqlite::Error& e) {
       if (e.is_corruption() || std::filesystem::exists(file_.string() + "-wal", error))
         throw;
       // Nothing can be written beside it, and nobody writes it.
-      database_ = std::make_unique<sqlite::Database>(file_, sqlite::Access::read_unchanging);
+      database_ = std::make_unique<sqlite::Database>(file_, sqlite::OpenMode::read_unchanging);
     }
     if (database_->number("PRAGMA application_id") != application_id)
       throw JournalError("it is no file of recorded pushes");

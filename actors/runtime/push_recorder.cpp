@@ -54,9 +54,9 @@ void PushRecorder::work() {
     try {
       write(batch, lost);
     } catch (const std::exception& e) {
-      note(LogLevel::error, "cannot record what stand-alone components hand out in " +
-                              folder_.string() + ": " + e.what() +
-                              "; nothing more of it is recorded");
+      log_runtime(LogLevel::error, "cannot record what stand-alone components hand out in " +
+                                     folder_.string() + ": " + e.what() +
+                                     "; nothing more of it is recorded");
       std::unique_lock guard{mutex_};
       changed_.wait(guard, [this] {
         waiting_.clear();

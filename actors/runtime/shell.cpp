@@ -146,7 +146,7 @@ void ComponentShell::let_go() {
   proposers_.clear();
   watched_.clear();
   connections_.clear();
-  conductor_ = nullptr;
+  phase_controller_ = nullptr;
   neighbours_ = nullptr;
 }
 
@@ -176,7 +176,7 @@ void ComponentShell::live() {
   if (push_limit() == 0)
     throw std::invalid_argument("--push-limit is 0, but the least is 1");
   user_code(phase_name(Phase::configure), [this] {
-    befalling_.in_phase(Phase::configure);
+    injected_faults_.in_phase(Phase::configure);
     component_->configure();
   });
   in_configure_ = false;
@@ -185,7 +185,7 @@ void ComponentShell::live() {
   await_phase(Phase::start);
   started_ = true;
   user_code(phase_name(Phase::start), [this] {
-    befalling_.in_phase(Phase::start);
+    injected_faults_.in_phase(Phase::start);
     component_->start();
   });
   record_->set_state(ComponentState::started);
@@ -203,7 +203,7 @@ void ComponentShell::await_phase(Phase phase) {
   while (phases_.empty() || phases_.front() != phase) {
     if (stopping_)
       throw ComponentStopped{};
-    befalling_.at_runtime();
+    injected_faults_.at_runtime();
     if (started_ && !work_.empty()) {
       auto x = std::move(work_.front());
       work_.pop_front();
@@ -217,15 +217,15 @@ void ComponentShell::await_phase(Phase phase) {
 }
 
 void ComponentShell::phase_done(Phase phase, std::string failure) {
-  if (conductor_)
-    send(conductor_, PhaseDone{identity().number, phase, std::move(failure)});
+  if (phase_controller_)
+    send(phase_controller_, PhaseDone{identity().number, phase, std::move(failure)});
 }
 
 void ComponentShell::fail(const std::string& what) {
   auto report = "failed in " + doing_ + ": " + shorten(what, longest_failure);
   // Whose configuration is wrong in the first life is named by who started the system.
   bool is_refused = in_configure_ && identity().incarnation == 1;
-  note(is_refused ? LogLevel::debug : LogLevel::error, identity().full_name(), report);
+  log_runtime(is_refused ? LogLevel::debug : LogLevel::error, identity().full_name(), report);
   record_->fail(std::move(report));
   if (in_configure_)
     phase_done(Phase::configure, what);
@@ -259,10 +259,10 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
     meet(content.get_as<NeighboursPtr>(0));
   } else if (content.match_elements<EnterPhase>()) {
     auto& command = content.get_as<EnterPhase>(0);
-    conductor_ = command.conductor;
+    phase_controller_ = command.phase_controller;
     phases_.push_back(command.phase);
   } else if (content.match_elements<ComponentFault>()) {
-    befalling_.take(content.get_as<ComponentFault>(0), Clock::now());
+    injected_faults_.take(content.get_as<ComponentFault>(0), Clock::now());
   } else if (content.match_elements<caf::exit_msg>()) {
     stopping_ = true;
   } else if (content.match_elements<caf::down_msg>()) {
@@ -317,7 +317,7 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
     file_arrived();
     if (stopping_)
       return false;
-    befalling_.at_runtime();
+    injected_faults_.at_runtime();
     if (working_memory_lost_)
       throw WorkingMemoryLostException{
         {FailureKind::working_memory_lost,
@@ -345,7 +345,7 @@ void ComponentShell::respond(caf::mailbox_element& x, caf::message reply) {
 void ComponentShell::begin_callback() {
   ++callbacks_;
   ++record_->counters.callbacks;
-  befalling_.in_callback();
+  injected_faults_.in_callback();
 }
 
 void ComponentShell::work_off(Work& x) {
@@ -364,7 +364,7 @@ void ComponentShell::work_off_message(caf::mailbox_element& x) {
   if (managed_ && content.match_elements<TaskDecided>()) {
     auto& decided = content.get_as<TaskDecided>(0);
     user_code("task " + decided.id, [&] {
-      befalling_.in_callback();
+      injected_faults_.in_callback();
       managed_->decided(decided);
     });
   } else if (manager_ && content.match_elements<ProposeTask>()) {
@@ -458,7 +458,7 @@ ComponentShell::wait_until(const std::function<bool()>& done, Clock::time_point 
   while (!done()) {
     if (stopping_ && !in_stop_hook_)
       throw ComponentStopped{};
-    befalling_.at_runtime();
+    injected_faults_.at_runtime();
     if (working_memory_lost_)
       return Failure{FailureKind::working_memory_lost,
                      "the working memory of " + identity().subarchitecture +

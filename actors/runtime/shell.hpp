@@ -3,10 +3,10 @@
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/component_runtime.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/runtime/befalling.hpp"
 #include "castor/actors/runtime/component_connections.hpp"
 #include "castor/actors/runtime/component_operations.hpp"
 #include "castor/actors/runtime/crash_report.hpp"
+#include "castor/actors/runtime/injected_faults.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
 #include "castor/actors/runtime/neighbours.hpp"
 #include "castor/actors/runtime/operation_log.hpp"
@@ -265,7 +265,7 @@ private:
   /// What arrived, oldest first.
   std::deque<Work> work_;
   std::deque<Phase> phases_;
-  caf::actor conductor_;
+  caf::actor phase_controller_;
   bool stopping_ = false;
   bool in_stop_hook_ = false;
   bool working_memory_lost_ = false;
@@ -295,7 +295,7 @@ private:
   /// The cycle that its wait has to be given up for; empty for none.
   std::string deadlock_;
 
-  Befalling befalling_;
+  InjectedFaults injected_faults_;
   ComponentOperations operations_{*this};
   ComponentConnections connections_{*this};
   std::map<TaskId, caf::actor> proposers_;

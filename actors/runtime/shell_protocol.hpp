@@ -19,10 +19,10 @@ enum class Phase : std::uint8_t { configure, start, run };
 /// Enter the next phase of life; answered with PhaseDone where the phase ends of itself.
 struct EnterPhase {
   Phase phase = Phase::configure;
-  caf::actor conductor;
+  caf::actor phase_controller;
 };
 
-/// To the conductor: the component has configured itself or has started, or failed to.
+/// To the phase controller: the component has configured itself or has started, or failed to.
 struct PhaseDone {
   std::uint32_t component = 0;
   Phase phase = Phase::configure;
@@ -30,7 +30,7 @@ struct PhaseDone {
   std::string failure;
 };
 
-/// Something is to befall a component, on purpose.
+/// A fault to inject into a component.
 struct ComponentFault {
   enum class Kind : std::uint8_t {
     /// It ends when it next turns to the runtime, an isolated one with its process.

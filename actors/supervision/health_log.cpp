@@ -16,9 +16,10 @@ void HealthLog::down(const Subject& who, const std::string& reason, bool will_re
   if (!is_new && will_restart)
     return;
   if (!who.reports_itself)
-    note(LogLevel::warning, who.name, reason + (will_restart ? "; it is started again" : ""));
+    log_runtime(LogLevel::warning, who.name,
+                reason + (will_restart ? "; it is started again" : ""));
   else
-    note(LogLevel::warning, who.name, will_restart ? "is started again" : "stays down");
+    log_runtime(LogLevel::warning, who.name, will_restart ? "is started again" : "stays down");
   ComponentDown x{who.name, who.subarchitecture, who.incarnation, reason, will_restart};
   if (options_.on_down)
     options_.on_down(x);
@@ -31,8 +32,8 @@ void HealthLog::up(const Subject& who) {
     return;
   auto down =
     std::chrono::duration_cast<std::chrono::microseconds>(self_->clock().now() - since.mapped());
-  note(LogLevel::info, who.name,
-       fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
+  log_runtime(LogLevel::info, who.name,
+              fmt::format("is back after {:.1f} ms", static_cast<double>(down.count()) / 1000));
   ComponentUp x{who.name, who.subarchitecture, who.incarnation, down.count()};
   if (options_.on_up)
     options_.on_up(x);

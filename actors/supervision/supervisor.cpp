@@ -92,10 +92,10 @@ public:
       [me](const PhaseDone& x) { me->phase_done(x); },
       [me](const ComponentEnded& x) { me->ended(x); },
       [me](const ComponentHangs& x) { me->end_hanging(x); },
-      [me](const BefallComponent& x) { me->befall_next_life(x); },
-      [me](const LinkNews& x) { me->hear(x); },
+      [me](const InjectComponentFault& x) { me->inject_after_restart(x); },
+      [me](const LinkNews& x) { me->on_link_news(x); },
       [me](const RoundDue& x) { me->remind(x); },
-      [me](const OrphanDue& x) { me->look_after_orphan(x); },
+      [me](const OrphanDue& x) { me->check_orphan(x); },
     };
   }
 
@@ -111,7 +111,7 @@ private:
     Deployments::Order order;
     order.wait_for_all = true;
     order.plan = [this, x] {
-      become(x.architecture, x.placement);
+      update_architecture(x.architecture, x.placement);
       return plan();
     };
     order.done = [this, promise](const Deployments::Problems& problems) mutable {
@@ -122,7 +122,8 @@ private:
     return promise;
   }
 
-  void become(const ArchitectureDescription& architecture, const Placement& placement) {
+  void update_architecture(const ArchitectureDescription& architecture,
+                           const Placement& placement) {
     // Where something was moved to meanwhile is known better here.
     auto known = std::exchange(placement_, placement);
     for (auto& [host, process] : known.hosts)
@@ -171,7 +172,7 @@ private:
     }
     result.open_access = options_.open_access;
     result.broadcast = options_.broadcast;
-    result.coordinator = parts_.desk;
+    result.coordinator = parts_.end_listener;
     result.supervisor = caf::actor_cast<caf::actor>(self_);
     result.task_observer = parts_.task_observer;
     result.operations = options_.operations.string();
@@ -361,7 +362,7 @@ private:
       if (time() - round.since >= patience && kill_to_stop(round, name))
         return false;
       if (time() - round.since >= patience) {
-        note(LogLevel::error, name, "did not stop: it has not come back from its own code");
+        log_runtime(LogLevel::error, name, "did not stop: it has not come back from its own code");
         round.stuck.push_back(name);
         std::erase(round.start, name);
         i->second.given_up = true;
@@ -384,8 +385,8 @@ private:
     if (child.killed || !has_own_process(child) ||
         !options_.kill_child(architecture_.component(name)->host, Clock::now()))
       return false;
-    note(LogLevel::error, name,
-         "did not stop: it has not come back from its own code; its process is killed");
+    log_runtime(LogLevel::error, name,
+                "did not stop: it has not come back from its own code; its process is killed");
     child.killed = true;
     if (!round.makes)
       round.stuck.push_back(name);
@@ -416,7 +417,7 @@ private:
     order.plan = [this] { return plan(); };
     order.done = [this, id = round.id](const Deployments::Problems& problems) {
       if (!problems.empty())
-        note(LogLevel::error, "supervisor", render(problems));
+        log_runtime(LogLevel::error, "supervisor", render(problems));
       auto i = find_round(id);
       if (i != rounds_.end())
         made(i, problems.empty() ? Names{} : Names{i->start.begin(), i->start.end()});
@@ -604,9 +605,9 @@ private:
     if (i == rounds_.end() || i->steps != x.step)
       return;
     if (i->step == Round::Step::configure || i->step == Round::Step::start) {
-      note(LogLevel::info, "supervisor",
-           fmt::format("waiting for {} to {}", i->order()[i->at],
-                       i->step == Round::Step::configure ? "configure" : "start"));
+      log_runtime(LogLevel::info, "supervisor",
+                  fmt::format("waiting for {} to {}", i->order()[i->at],
+                              i->step == Round::Step::configure ? "configure" : "start"));
       remind_later(*i, between_reports);
       return;
     }
@@ -618,7 +619,7 @@ private:
     return i == deployments_->actors().end() ? nullptr : caf::actor_cast<caf::actor>(i->second);
   }
 
-  void befall_next_life(const BefallComponent& x) {
+  void inject_after_restart(const InjectComponentFault& x) {
     auto phase =
       x.fault.kind == ComponentFault::Kind::blocked_configure ? Phase::configure : Phase::start;
     next_life_faults_[{x.name, phase}] = x.fault;
@@ -707,7 +708,7 @@ private:
   void end_system(const SupervisionDecision& decision, const std::string& name,
                   const std::string& reason) {
     note_down(name, reason, false);
-    caf::anon_send(parts_.desk,
+    caf::anon_send(parts_.end_listener,
                    EndSystem{1, "the supervisor: " + decision.reason + "; " + name + ' ' + reason});
   }
 
@@ -717,11 +718,11 @@ private:
     if (i == children_.end() || i->second.incarnation != x.incarnation || i->second.given_up ||
         !has_own_process(i->second))
       return;
-    note(LogLevel::warning, x.name, "hangs; its process is killed");
+    log_runtime(LogLevel::warning, x.name, "hangs; its process is killed");
     options_.kill_child(architecture_.component(x.name)->host, Clock::now());
   }
 
-  void look_after_orphan(const OrphanDue& x) {
+  void check_orphan(const OrphanDue& x) {
     // Its working memory still is there, so it has failed as anybody may.
     auto i = children_.find(x.name);
     if (i == children_.end())
@@ -734,9 +735,9 @@ private:
 
   void restart(const SupervisionDecision& decision, const std::string& name) {
     if (!decision.escalated.empty())
-      note(LogLevel::error, "supervisor",
-           fmt::format("{} fails as a whole and is started again: {}", decision.escalated,
-                       decision.reason));
+      log_runtime(LogLevel::error, "supervisor",
+                  fmt::format("{} fails as a whole and is started again: {}", decision.escalated,
+                              decision.reason));
     Round round;
     round.makes = true;
     round.delay = decision.delay;
@@ -821,8 +822,8 @@ private:
       return;
     for (auto& [host, process] : placement_.hosts)
       if (process == lost && options_.kill_child(host, processes_.last_up(lost)))
-        note(LogLevel::warning, processes_.state(lost).description.name,
-             "does not answer; its process is killed");
+        log_runtime(LogLevel::warning, processes_.state(lost).description.name,
+                    "does not answer; its process is killed");
   }
 
   /// Another process where a component may run, if its own is lost.
@@ -908,12 +909,12 @@ private:
       move(moving, "the loss of its node");
   }
 
-  void hear(const LinkNews& x) {
+  void on_link_news(const LinkNews& x) {
     if (x.state == LinkState::lost)
       lose(x.peer, x.reason);
     if (x.state == LinkState::up)
       if (auto awaited = awaited_.extract(x.peer)) {
-        note(LogLevel::info, "supervisor", "node " + x.name + " was started again");
+        log_runtime(LogLevel::info, "supervisor", "node " + x.name + " was started again");
         bring_back(awaited.mapped());
       }
     // Who was out of reach has missed something; the others do not know yet who is lost.
@@ -946,7 +947,7 @@ private:
   /// Those that have to wait for others.
   std::list<Round> waiting_;
   std::uint64_t last_round_ = 0;
-  /// What is to befall components where they are configured or started next.
+  /// Faults to inject into components when they are configured or started next.
   std::map<std::pair<std::string, Phase>, ComponentFault> next_life_faults_;
   /// What changes its process.
   Names moved_;

@@ -66,7 +66,7 @@ struct SupervisorParts {
   /// That of the jitter of delays; nothing for one that nobody knows.
   std::optional<std::uint64_t> seed = {};
   /// Is sent EndSystem.
-  caf::actor desk;
+  caf::actor end_listener;
   /// Is sent every TaskEvent; null if nobody wants to know.
   caf::actor task_observer;
   /// Called whenever the system has become another.

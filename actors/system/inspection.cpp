@@ -126,7 +126,7 @@ private:
   }
 
   void tell_accesses() {
-    auto result = std::make_shared<std::vector<Access>>();
+    auto result = std::make_shared<std::vector<Usage>>();
     auto done = when_all_have_answered([this, result] {
       std::string text;
       for (auto& x : *result)
@@ -134,10 +134,10 @@ private:
       say(text, true);
     });
     for (auto& [name, wm] : parts_.roster->working_memories)
-      self_->request(wm, inspection_patience, AccessQuery{})
+      self_->request(wm, inspection_patience, UsageQuery{})
         .then(
-          [=](const AccessReport& x) {
-            result->insert(result->end(), x.accesses.begin(), x.accesses.end());
+          [=](const UsageReport& x) {
+            result->insert(result->end(), x.usages.begin(), x.usages.end());
           },
           [done](const caf::error&) {});
   }

@@ -177,7 +177,7 @@ Json to_json(const SystemSummary& summary, const SystemRoster& roster) {
   return result;
 }
 
-Json to_json(const Access& x) {
+Json to_json(const Usage& x) {
   return {{"component", x.component},
           {"subarchitecture", x.subarchitecture},
           {"type", x.type},

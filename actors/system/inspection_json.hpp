@@ -32,7 +32,7 @@ struct SystemSummary;
 Json to_json(const SystemReport& report, const SystemRoster& roster);
 /// What the processes, working memories and components of a system did, for its end.
 Json to_json(const SystemSummary& summary, const SystemRoster& roster);
-Json to_json(const Access& x);
+Json to_json(const Usage& x);
 Json to_json(const ChangeEvent& x);
 Json to_json(const TaskEvent& x);
 Json to_json(const ReplayOutcome& x);

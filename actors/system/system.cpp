@@ -39,7 +39,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 /// How often the main thread looks up from waiting.
-constexpr auto glance = 50ms;
+constexpr auto poll_interval = 50ms;
 
 /// A component that was busy for longer than this when looked at keeps a system from being quiet;
 /// one that merely polls does not.
@@ -160,7 +160,7 @@ public:
       apply(architecture_, placement);
     } catch (const SystemError& e) {
       // A node that does not answer now will be told of it when it is asked for something else.
-      note(LogLevel::warning, e.what());
+      log_runtime(LogLevel::warning, e.what());
     }
     observe();
     return {};
@@ -176,7 +176,7 @@ public:
 
   void stop() {
     stopped_ = true;
-    processes_.be_silent();
+    processes_.suppress_notifications();
     refuse_orders();
     if (started_) {
       // With the working memories, whatever else is done to anybody is over.
@@ -186,20 +186,20 @@ public:
       flush_observer();
   }
 
-  bool befall(const std::string& component, const ComponentFault& x) {
+  bool inject(const std::string& component, const ComponentFault& x) {
     auto known = roster();
     auto i = known->placement.find(component);
     if (i == known->placement.end())
       return false;
     if (x.kind == ComponentFault::Kind::blocked_configure ||
         x.kind == ComponentFault::Kind::blocked_start) {
-      caf::anon_send(supervisor_, BefallComponent{component, observed(x)});
+      caf::anon_send(supervisor_, InjectComponentFault{component, observed(x)});
       return true;
     }
     if (!processes_.is_up(i->second))
       return false;
     auto agent = processes_.agent(i->second);
-    BefallComponent order{component, observed(x)};
+    InjectComponentFault order{component, observed(x)};
     if (i->second != 0) {
       caf::anon_send(agent, order);
       return true;
@@ -210,14 +210,14 @@ public:
     return true;
   }
 
-  void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
-    caf::anon_send(processes_.agent(a), BefallLink{b, observed(x)});
-    caf::anon_send(processes_.agent(b), BefallLink{a, observed(x)});
+  void inject(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
+    caf::anon_send(processes_.agent(a), InjectLinkFault{b, observed(x)});
+    caf::anon_send(processes_.agent(b), InjectLinkFault{a, observed(x)});
   }
 
   /// A fault that a working memory brings about itself; false if there is none in reach.
   template <class WorkingMemoryFault>
-  bool befall_working_memory(const std::string& subarchitecture, WorkingMemoryFault x) {
+  bool inject_into_working_memory(const std::string& subarchitecture, WorkingMemoryFault x) {
     auto known = roster();
     auto i = known->working_memories.find(subarchitecture);
     if (i == known->working_memories.end() || !is_in_reach(working_memory_of(subarchitecture)))
@@ -273,7 +273,7 @@ private:
   InjectedFault observed(InjectedFault x) const {
     if constexpr (requires { x.ticket; })
       if (x.ticket.number != 0)
-        x.ticket.observer = desk_;
+        x.ticket.observer = end_listener_;
     return x;
   }
 
@@ -288,7 +288,8 @@ private:
   /// For a glance; whether a component has ended the system.
   bool sleep() {
     std::unique_lock guard{mutex_};
-    changed_.wait_for(guard, glance, [this] { return ended_.has_value() || !orders_.empty(); });
+    changed_.wait_for(guard, poll_interval,
+                      [this] { return ended_.has_value() || !orders_.empty(); });
     return ended_.has_value();
   }
 
@@ -310,7 +311,7 @@ private:
         .then([answer](const Answer& x) { answer->set_value(x); },
               [answer](const caf::error&) { answer->set_value(std::nullopt); });
     });
-    while (future.wait_for(glance) != std::future_status::ready)
+    while (future.wait_for(poll_interval) != std::future_status::ready)
       if (interruptible && interrupted())
         return std::nullopt;
     return future.get();
@@ -320,7 +321,7 @@ private:
 
   void make() {
     // Anybody may end the system, from the moment when there is somebody.
-    desk_ = system_.spawn([this]() -> caf::behavior {
+    end_listener_ = system_.spawn([this]() -> caf::behavior {
       return {
         [this](const EndSystem& x) { end_asked_for(x); },
         [this](const FaultHappened& x) {
@@ -347,16 +348,16 @@ private:
     parts.options = &options_;
     parts.file = architecture_.file;
     parts.epoch = epoch_;
-    parts.desk = desk_;
+    parts.end_listener = end_listener_;
     parts.task_observer = options_.on_task ? observer_ : nullptr;
-    parts.on_change = [this](SystemRosterPtr x) { become(std::move(x)); };
+    parts.on_change = [this](SystemRosterPtr x) { update_roster(std::move(x)); };
     supervisor_ = system_.spawn(supervisor, std::move(parts));
     std::lock_guard guard{mutex_};
     reported_to_ = supervisor_;
   }
 
   /// Called by the supervisor.
-  void become(SystemRosterPtr x) {
+  void update_roster(SystemRosterPtr x) {
     std::lock_guard guard{mutex_};
     roster_ = std::move(x);
     if (endpoint_)
@@ -366,7 +367,7 @@ private:
   }
 
   /// Called by the network.
-  void hear(const LinkNews& x) {
+  void on_link_news(const LinkNews& x) {
     std::lock_guard guard{mutex_};
     if (reported_to_)
       caf::anon_send(reported_to_, x);
@@ -393,7 +394,7 @@ private:
     try {
       apply(architecture_, before);
     } catch (const SystemError& e) {
-      note(LogLevel::warning, e.what());
+      log_runtime(LogLevel::warning, e.what());
     }
   }
 
@@ -599,7 +600,7 @@ private:
     std::string list;
     for (auto& name : stopped)
       list += (list.empty() ? "" : ", ") + name;
-    note(LogLevel::info, "stopped, in this order: " + list);
+    log_runtime(LogLevel::info, "stopped, in this order: " + list);
   }
 
   void end() {
@@ -618,7 +619,7 @@ private:
     processes_.close("the system has ended");
     caf::anon_send_exit(processes_.agent(0), caf::exit_reason::user_shutdown);
     caf::anon_send_exit(observer_, caf::exit_reason::user_shutdown);
-    caf::anon_send_exit(desk_, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(end_listener_, caf::exit_reason::user_shutdown);
   }
 
   ArchitectureDescription architecture_;
@@ -644,8 +645,8 @@ private:
   caf::scoped_actor self_{system_};
 
   Processes processes_{system_, options_, new_system_name(architecture_),
-                       [this](const LinkNews& x) { hear(x); }};
-  caf::actor desk_;
+                       [this](const LinkNews& x) { on_link_news(x); }};
+  caf::actor end_listener_;
   caf::actor supervisor_;
   caf::actor observer_;
   caf::actor endpoint_;
@@ -694,20 +695,20 @@ std::string System::remove(const std::string& name) {
   return implementation_->remove(name);
 }
 
-bool System::befall(const std::string& component, const ComponentFault& x) {
-  return implementation_->befall(component, x);
+bool System::inject(const std::string& component, const ComponentFault& x) {
+  return implementation_->inject(component, x);
 }
 
-void System::befall(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
-  implementation_->befall(a, b, x);
+void System::inject(ProcessNumber a, ProcessNumber b, const LinkFault& x) {
+  implementation_->inject(a, b, x);
 }
 
-bool System::befall(const std::string& subarchitecture, const JournalFault& x) {
-  return implementation_->befall_working_memory(subarchitecture, x);
+bool System::inject(const std::string& subarchitecture, const JournalFault& x) {
+  return implementation_->inject_into_working_memory(subarchitecture, x);
 }
 
 bool System::jump_clock(const std::string& subarchitecture, Timestamp by) {
-  return implementation_->befall_working_memory(subarchitecture, JumpClock{by});
+  return implementation_->inject_into_working_memory(subarchitecture, JumpClock{by});
 }
 
 SystemRosterPtr System::roster() const {

@@ -107,17 +107,17 @@ public:
   /// Takes leave of the nodes, where the system cannot be destroyed; to be called last.
   void abandon();
 
-  /// Lets something befall a component or a working memory; false if there is none of that name in
+  /// Injects a fault into a component or a working memory; false if there is none of that name in
   /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards
   /// comes after the fault.
-  bool befall(const std::string& component, const ComponentFault& x);
+  bool inject(const std::string& component, const ComponentFault& x);
 
-  /// Lets something befall the link between two processes, by their numbers.
-  void befall(ProcessNumber a, ProcessNumber b, const LinkFault& x);
+  /// Injects a fault into the link between two processes, by their numbers.
+  void inject(ProcessNumber a, ProcessNumber b, const LinkFault& x);
 
-  /// Lets something befall the journal of a working memory, until that has ended; false if there is
+  /// Injects a fault into the journal of a working memory, until that has ended; false if there is
   /// no such working memory in reach.
-  bool befall(const std::string& subarchitecture, const JournalFault& x);
+  bool inject(const std::string& subarchitecture, const JournalFault& x);
 
   /// Lets the clock of a working memory jump; false if there is none in reach.
   bool jump_clock(const std::string& subarchitecture, Timestamp by);

@@ -40,7 +40,7 @@ class ReferenceResolver final : public BindingComponent {
     for (auto& [id, x] : view().unions())
       if (std::ranges::any_of(x->features, [](auto& feature) {
             return feature.kind == FeatureKind::temporal_frame && feature.text == perceived_frame &&
-                   feature.holds;
+                   !feature.negated;
           }))
         result.emplace(id, *x);
     return result;

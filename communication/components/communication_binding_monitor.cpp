@@ -129,7 +129,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     if (scope != nullptr)
       for (auto& x : features_of(form, *scope))
         add_feature(proxy, feature(*root, "Polarity") == "neg" && x.text != "thing"
-                             ? binding::negated(x)
+                             ? binding::negation_of(x)
                              : x);
     if (!is_deictic(*thing))
       for (auto& x : referents.referents)

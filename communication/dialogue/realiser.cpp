@@ -80,7 +80,7 @@ enum class Combining { application, all };
 
 class Realisation {
 public:
-  Realisation(const RealisationTarget& target, Grammar& grammar, std::size_t limit,
+  Realisation(const RealisationTarget& target, CombinatoryGrammar& grammar, std::size_t limit,
               Combining combining)
     : target_(target), grammar_(grammar), limit_(limit), combining_(combining) {
     // nop
@@ -187,7 +187,7 @@ private:
   }
 
   const RealisationTarget& target_;
-  Grammar& grammar_;
+  CombinatoryGrammar& grammar_;
   std::size_t limit_;
   Combining combining_;
   std::priority_queue<PartialSentence, std::vector<PartialSentence>, CostsMore> agenda_;

@@ -29,7 +29,7 @@ public:
 private:
   std::shared_ptr<const Lexicon> lexicon_;
   RealiserLimits limits_;
-  Grammar grammar_;
+  CombinatoryGrammar grammar_;
 };
 
 } // namespace castor::communication

@@ -143,7 +143,7 @@ std::vector<std::string> SceneKnowledge::words(const std::string& union_id,
   if (x == nullptr)
     return result;
   for (auto& feature : x->features)
-    if (feature.kind == kind && feature.holds && !feature.text.empty() &&
+    if (feature.kind == kind && !feature.negated && !feature.text.empty() &&
         feature.text != "unknown" &&
         std::find(result.begin(), result.end(), feature.text) == result.end())
       result.push_back(feature.text);

@@ -43,12 +43,14 @@ bool is_normal(const Edge& left, const Edge& right, Combinator how) {
 
 } // namespace
 
-Grammar::Grammar(const Lexicon& words) : lexicon(words), combinators(categories) {
+CombinatoryGrammar::CombinatoryGrammar(const Lexicon& words)
+  : lexicon(words), combinators(categories) {
   for (std::size_t i = 0; i < words.categories().size(); ++i)
     categories.intern(words.categories()[static_cast<CategoryId>(i)]);
 }
 
-Chart::Chart(Grammar& grammar, const ChartLimits& limits) : grammar_(grammar), limits_(limits) {
+Chart::Chart(CombinatoryGrammar& grammar, const ChartLimits& limits)
+  : grammar_(grammar), limits_(limits) {
   // nop
 }
 

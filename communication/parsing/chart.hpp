@@ -34,10 +34,10 @@ struct Edge {
 };
 
 /// A parser's knowledge of categories, which grows while it parses.
-struct Grammar {
-  explicit Grammar(const Lexicon& words);
-  Grammar(const Grammar&) = delete;
-  Grammar& operator=(const Grammar&) = delete;
+struct CombinatoryGrammar {
+  explicit CombinatoryGrammar(const Lexicon& words);
+  CombinatoryGrammar(const CombinatoryGrammar&) = delete;
+  CombinatoryGrammar& operator=(const CombinatoryGrammar&) = delete;
 
   const Lexicon& lexicon;
   CategoryTable categories;
@@ -50,7 +50,7 @@ struct Grammar {
 /// 1996; Hockenmaier and Bisk 2010).
 class Chart {
 public:
-  Chart(Grammar& grammar, const ChartLimits& limits);
+  Chart(CombinatoryGrammar& grammar, const ChartLimits& limits);
 
   /// \returns false if there are too many words already
   bool add(std::string word);
@@ -81,7 +81,7 @@ private:
   Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end);
   Symbol quoted(const std::string& word);
 
-  Grammar& grammar_;
+  CombinatoryGrammar& grammar_;
   ChartLimits limits_;
   std::vector<std::string> words_;
   /// By end, then by begin.

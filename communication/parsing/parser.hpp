@@ -37,7 +37,7 @@ public:
   /// first; empty if it is not.
   std::vector<LogicalForm> readings(std::string_view utterance);
 
-  Grammar& grammar() { return grammar_; }
+  CombinatoryGrammar& grammar() { return grammar_; }
 
   /// Whether an utterance may be of this category.
   bool is_root(CategoryId category);
@@ -45,7 +45,7 @@ public:
 private:
   std::shared_ptr<const Lexicon> lexicon_;
   ParserOptions options_;
-  Grammar grammar_;
+  CombinatoryGrammar grammar_;
   std::map<CategoryId, bool> roots_;
 };
 

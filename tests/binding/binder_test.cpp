@@ -88,7 +88,7 @@ TEST(Binder, RenewsAUnionWhoseMembersSaySomethingElse) {
   EXPECT_THAT(plan.proxies, IsEmpty()) << "they are where they were";
 }
 
-class NoRelations final : public Surroundings {
+class NoRelations final : public RelationContext {
   const BindingProxy* proxy(const std::string&) const override { return nullptr; }
   std::span<const Port> in_ports(const std::string& id) const override {
     return id == "b" ? std::span<const Port>{&port, 1} : std::span<const Port>{};

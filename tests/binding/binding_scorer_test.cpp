@@ -76,7 +76,7 @@ TEST_F(Scorer, CountsNothingForWhatIsUnknown) {
 
 TEST_F(Scorer, NeverBindsWhatExcludesEachOther) {
   add("a", {concept_of("thing"), colour("red")});
-  add("b", {concept_of("thing"), negated(colour("red"))});
+  add("b", {concept_of("thing"), negation_of(colour("red"))});
   add("c", {concept_of("thing"), frame("perceived")});
   add("d", {concept_of("thing"), frame("desired")});
   add("e", {concept_of("thing"), not_from("vision")});
@@ -92,7 +92,7 @@ TEST_F(Scorer, NeverBindsWhatExcludesEachOther) {
 
 TEST_F(Scorer, DoesNotCountDenialsAsMatches) {
   add("a", {colour("blue")});
-  add("b", {negated(colour("red"))});
+  add("b", {negation_of(colour("red"))});
   EXPECT_EQ(score("b", {"a"}), score_of(0));
 }
 

@@ -57,7 +57,7 @@ public:
       default:
         return feature(FeatureKind::existing_proxy_id, id(below(12)));
     }
-    result.holds = !once_in(6);
+    result.negated = once_in(6);
     return result;
   }
 

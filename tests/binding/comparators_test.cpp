@@ -66,13 +66,13 @@ TEST(Comparators, TimeFramesSourcesAndGroupsOnlyExclude) {
 TEST(Comparators, KnowWhatIsDenied) {
   const auto red = test::colour("red");
   const auto blue = test::colour("blue");
-  EXPECT_EQ(compare_both(negated(red), red), Truth::no);
-  EXPECT_EQ(compare_both(negated(red), blue), Truth::yes);
-  EXPECT_EQ(compare_both(negated(red), negated(red)), Truth::unknown);
-  EXPECT_EQ(compare_both(negated(red), test::colour("unknown")), Truth::unknown);
-  EXPECT_EQ(compare_both(negated(concept_of("thing")), concept_of("ball")), Truth::no);
-  EXPECT_EQ(compare_both(negated(concept_of("ball")), concept_of("thing")), Truth::unknown);
-  EXPECT_EQ(compare_both(negated(concept_of("ball")), concept_of("box")), Truth::yes);
+  EXPECT_EQ(compare_both(negation_of(red), red), Truth::no);
+  EXPECT_EQ(compare_both(negation_of(red), blue), Truth::yes);
+  EXPECT_EQ(compare_both(negation_of(red), negation_of(red)), Truth::unknown);
+  EXPECT_EQ(compare_both(negation_of(red), test::colour("unknown")), Truth::unknown);
+  EXPECT_EQ(compare_both(negation_of(concept_of("thing")), concept_of("ball")), Truth::no);
+  EXPECT_EQ(compare_both(negation_of(concept_of("ball")), concept_of("thing")), Truth::unknown);
+  EXPECT_EQ(compare_both(negation_of(concept_of("ball")), concept_of("box")), Truth::yes);
 }
 
 TEST(FeatureComparator, AsksOthersAsFarAsItIsNotTrusted) {
@@ -104,8 +104,8 @@ TEST(FeatureComparator, ConfirmsWhatIsSaidInFull) {
   EXPECT_TRUE(comparator.confirms(concept_of("ball"), concept_of("ball")));
   EXPECT_FALSE(comparator.confirms(concept_of("thing"), concept_of("ball")));
   EXPECT_FALSE(comparator.confirms(concept_of("box"), concept_of("ball")));
-  EXPECT_TRUE(comparator.confirms(concept_of("box"), negated(concept_of("ball"))));
-  EXPECT_TRUE(comparator.confirms(test::colour("blue"), negated(test::colour("red"))));
+  EXPECT_TRUE(comparator.confirms(concept_of("box"), negation_of(concept_of("ball"))));
+  EXPECT_TRUE(comparator.confirms(test::colour("blue"), negation_of(test::colour("red"))));
 }
 
 TEST(FeatureComparator, LetsOthersCompareKindsThatItCannot) {

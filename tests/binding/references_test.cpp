@@ -57,7 +57,7 @@ protected:
 TEST_F(References, AreFoundByFeatures) {
   EXPECT_EQ(firsts({{{{concept_of("box")}}}, {}}),
             (Ids{"union of box", "union of red1", "union of red2"}));
-  EXPECT_EQ(firsts({{{{concept_of("thing"), negated(colour("red"))}}}, {}}),
+  EXPECT_EQ(firsts({{{{concept_of("thing"), negation_of(colour("red"))}}}, {}}),
             (Ids{"union of box", "union of ball"}));
   EXPECT_TRUE(firsts({{{{colour("green"), concept_of("box")}}}, {}}).empty());
   EXPECT_TRUE(firsts({}).empty());

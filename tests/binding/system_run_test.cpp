@@ -87,7 +87,7 @@ TEST(SystemRun, GoesThroughTheStagesOfThePaper) {
   EXPECT_EQ(tether->data.address, (Address{"vision", "0:1"}));
 }
 
-class NothingAround final : public Surroundings {
+class NothingAround final : public RelationContext {
   const BindingProxy* proxy(const std::string&) const override { return nullptr; }
   std::span<const Port> in_ports(const std::string&) const override { return {}; }
   std::vector<ProxyRef> bound_with(const std::string&) const override { return {}; }

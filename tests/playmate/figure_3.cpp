@@ -35,7 +35,7 @@ std::string feature(const json& x) {
   if (kind == "source_data")
     return "tether to " + x["data"]["address"]["subarchitecture"].get<std::string>() + ' ' +
            x["data"]["type"].get<std::string>();
-  return (x["holds"].get<bool>() ? "" : "not ") + kind + ' ' +
+  return (x["negated"].get<bool>() ? "not " : "") + kind + ' ' +
          without_numbers(x["text"].get<std::string>());
 }
 

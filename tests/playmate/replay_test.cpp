@@ -82,7 +82,7 @@ std::string content_of(const json& value) {
   for (auto& x : value["features"]) {
     if (of_this_run.count(x["kind"]) > 0)
       continue;
-    auto text = x["kind"].get<std::string>() + (x["holds"].get<bool>() ? "=" : "!=") +
+    auto text = x["kind"].get<std::string>() + (x["negated"].get<bool>() ? "!=" : "=") +
                 x["text"].get<std::string>();
     for (auto& number : x["numbers"])
       text += " " + std::to_string(std::lround(1000 * number.get<double>()));

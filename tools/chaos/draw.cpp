@@ -10,7 +10,7 @@ namespace {
 template <class Items>
 const auto& one_of(const Items& items, SeededRandom& random) {
   if (items.empty())
-    throw std::invalid_argument{"nothing in the system is what a fault is to befall"};
+    throw std::invalid_argument{"the system has no target of the kind that a fault needs"};
   return random.one_of(items);
 }
 

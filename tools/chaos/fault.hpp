@@ -265,7 +265,7 @@ const char* missed_occasion(const Fault& x) noexcept;
 /// As a plan has it: "delay 50ms between coordinator and node1 for 1s".
 std::string to_string(const Fault& x);
 
-/// Whom it befalls: the name of a component, process or subarchitecture, several of them, or what
+/// Its target: the name of a component, process or subarchitecture, several of them, or what
 /// it is drawn from, as a plan has it.
 std::string target_of(const Fault& x);
 

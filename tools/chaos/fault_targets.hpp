@@ -10,7 +10,7 @@
 
 namespace castor::faults {
 
-/// What faults may befall in a system.
+/// The possible targets of faults in a system.
 struct FaultTargets {
   /// How many restarts a supervisor allows within a period.
   struct RestartLimit {
@@ -59,8 +59,8 @@ std::string_view word_for(const FaultTargets& targets, const std::string& compon
 FaultTargets targets_of(const ArchitectureDescription& architecture,
                         std::vector<std::string> nodes);
 
-/// The names of a plan that there are none of in the system, and faults that cannot befall what
-/// they name.
+/// The names of a plan that there are none of in the system, and faults that cannot be injected
+/// into what they name.
 std::vector<Diagnostic> check_plan(const FaultPlan& plan, const FaultTargets& targets);
 
 } // namespace castor::faults

@@ -45,9 +45,9 @@ std::string not_there(const std::string& name) {
   return "there is no " + name + " in reach";
 }
 
-/// Lets the same befall every link between the one and the other; whether there is any.
-bool befall_links(System& system, const std::vector<std::string>& group,
-                  const std::vector<std::string>& others, const LinkFault& fault) {
+/// Injects the same fault into every link between the one and the other; false if there is none.
+bool inject_into_links(System& system, const std::vector<std::string>& group,
+                       const std::vector<std::string>& others, const LinkFault& fault) {
   auto roster = system.roster();
   bool found = false;
   for (auto& x : group)
@@ -56,7 +56,7 @@ bool befall_links(System& system, const std::vector<std::string>& group,
       auto b = number_of(*roster, y);
       if (!a || !b || a == b)
         continue;
-      system.befall(*a, *b, fault);
+      system.inject(*a, *b, fault);
       found = true;
     }
   return found;
@@ -140,10 +140,10 @@ FaultRecord Injector::inject(const Fault& fault) {
   guard.unlock();
   auto outcome = std::visit(
     [&](auto& x) {
-      if constexpr (requires { this->befall(x, index + 1); })
-        return befall(x, index + 1);
+      if constexpr (requires { this->inject(x, index + 1); })
+        return inject(x, index + 1);
       else
-        return befall(x);
+        return inject(x);
     },
     fault);
   guard.lock();
@@ -152,11 +152,11 @@ FaultRecord Injector::inject(const Fault& fault) {
   result.violation = outcome.violation;
   if (!outcome.done) {
     result.state = FaultState::not_injected;
-    note(LogLevel::info, "faults", "not injected: " + result.fault + ": " + result.outcome);
+    log_runtime(LogLevel::info, "faults", "not injected: " + result.fault + ": " + result.outcome);
   } else if (!missed_[index]) {
     happened(result);
   } else if (result.state == FaultState::armed) {
-    note(LogLevel::info, "faults", "armed: " + result.fault);
+    log_runtime(LogLevel::info, "faults", "armed: " + result.fault);
   }
   return result;
 }
@@ -164,8 +164,8 @@ FaultRecord Injector::inject(const Fault& fault) {
 void Injector::happened(FaultRecord& x) {
   x.state = FaultState::happened;
   x.happened = now();
-  note(LogLevel::info, "faults",
-       "happened: " + x.fault + (x.outcome.empty() ? "" : ": " + x.outcome));
+  log_runtime(LogLevel::info, "faults",
+              "happened: " + x.fault + (x.outcome.empty() ? "" : ": " + x.outcome));
 }
 
 void Injector::on_happened(std::uint64_t fault) {
@@ -192,7 +192,8 @@ void Injector::conclude() {
       continue;
     record.state = FaultState::never;
     record.outcome = missed_[i];
-    note(LogLevel::info, "faults", "never came to it: " + record.fault + ": " + record.outcome);
+    log_runtime(LogLevel::info, "faults",
+                "never came to it: " + record.fault + ": " + record.outcome);
   }
 }
 
@@ -209,46 +210,47 @@ void Injector::when_over(const Lasting& x, std::function<void()> f) {
 namespace {
 
 template <class Outcome>
-Outcome befall_component(System& system, const ComponentTarget& target, const ComponentFault& x) {
-  if (!system.befall(target.name, x))
+Outcome inject_into_component(System& system, const ComponentTarget& target,
+                              const ComponentFault& x) {
+  if (!system.inject(target.name, x))
     return {false, not_there("component " + target.name)};
   return {};
 }
 
 } // namespace
 
-Injector::Outcome Injector::befall(const Crash& x) {
-  return befall_component<Outcome>(*parts_.system, x.component, {});
+Injector::Outcome Injector::inject(const Crash& x) {
+  return inject_into_component<Outcome>(*parts_.system, x.component, {});
 }
 
-Injector::Outcome Injector::befall(const Throw& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Throw& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::failure};
   fault.callback = x.callback;
   fault.ticket.number = number;
-  return befall_component<Outcome>(*parts_.system, x.component, fault);
+  return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::befall(const Hang& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Hang& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = lasting(x.duration);
   fault.ticket.number = number;
-  return befall_component<Outcome>(*parts_.system, x.component, fault);
+  return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::befall(const Block& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Block& x, std::uint64_t number) {
   ComponentFault fault{x.phase == Block::Phase::start ? ComponentFault::Kind::blocked_start
                                                       : ComponentFault::Kind::blocked_configure};
   fault.by = lasting(x.duration);
   fault.ticket.number = number;
-  return befall_component<Outcome>(*parts_.system, x.component, fault);
+  return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::befall(const Slow& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Slow& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::slowness};
   fault.by = x.by;
   fault.duration = lasting(x.duration);
   fault.ticket.number = number;
-  return befall_component<Outcome>(*parts_.system, x.component, fault);
+  return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
 bool Injector::with_process(const std::string& name, const std::function<void(pid_t)>& f) const {
@@ -264,21 +266,21 @@ Injector::Outcome Injector::signal(const std::string& process, int signal) {
   return {};
 }
 
-Injector::Outcome Injector::befall(const Kill& x) {
+Injector::Outcome Injector::inject(const Kill& x) {
   return signal(x.process.name, SIGKILL);
 }
 
-Injector::Outcome Injector::befall(const Stop& x) {
+Injector::Outcome Injector::inject(const Stop& x) {
   auto outcome = signal(x.process.name, SIGSTOP);
   when_over(x.duration, [this, name = x.process.name] { signal(name, SIGCONT); });
   return outcome;
 }
 
-Injector::Outcome Injector::befall(const Continue& x) {
+Injector::Outcome Injector::inject(const Continue& x) {
   return signal(x.process.name, SIGCONT);
 }
 
-Injector::Outcome Injector::befall(const UseUpDescriptors& x) {
+Injector::Outcome Injector::inject(const UseUpDescriptors& x) {
   pid_t process = 0;
   Outcome outcome;
   auto begin = [&](pid_t number) {
@@ -312,7 +314,7 @@ void Injector::end_shortage(const std::string& name, pid_t process) {
         with_process(child, [this](pid_t x) { shortages_.raise_inherited(x); });
 }
 
-Injector::Outcome Injector::befall(const Flood& x) {
+Injector::Outcome Injector::inject(const Flood& x) {
   auto roster = parts_.system->roster();
   auto number = number_of(*roster, x.process.name);
   if (!number || *number == 0)
@@ -321,14 +323,14 @@ Injector::Outcome Injector::befall(const Flood& x) {
   auto strangers = std::make_shared<Strangers>(Endpoint{process.host, process.port}, x.rate);
   when_over(x.duration, [strangers, name = x.process.name] {
     auto counts = strangers->stop();
-    note(LogLevel::info, "faults",
-         "flood " + name + " is over: " + std::to_string(counts.connected) + " connections, and " +
-           std::to_string(counts.failed) + " that could not be made");
+    log_runtime(LogLevel::info, "faults",
+                "flood " + name + " is over: " + std::to_string(counts.connected) +
+                  " connections, and " + std::to_string(counts.failed) + " that could not be made");
   });
   return {};
 }
 
-Injector::Outcome Injector::befall(const Partition& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Partition& x, std::uint64_t number) {
   auto others = x.from;
   if (others.empty()) {
     others = names_of(*parts_.system->roster());
@@ -336,24 +338,24 @@ Injector::Outcome Injector::befall(const Partition& x, std::uint64_t number) {
       return std::find(x.group.begin(), x.group.end(), name) != x.group.end();
     });
   }
-  if (!befall_links(*parts_.system, x.group, others,
-                    {LinkFault::Kind::silence, lasting(x.duration), {}, 0, {number}}))
+  if (!inject_into_links(*parts_.system, x.group, others,
+                         {LinkFault::Kind::silence, lasting(x.duration), {}, 0, {number}}))
     return {false, "there is no link between them"};
   return {};
 }
 
-Injector::Outcome Injector::befall(const Delay& x, std::uint64_t number) {
-  if (!befall_links(*parts_.system, {x.link.first}, {x.link.second},
-                    {LinkFault::Kind::delay, lasting(x.duration), x.by, 0, {number}}))
+Injector::Outcome Injector::inject(const Delay& x, std::uint64_t number) {
+  if (!inject_into_links(*parts_.system, {x.link.first}, {x.link.second},
+                         {LinkFault::Kind::delay, lasting(x.duration), x.by, 0, {number}}))
     return {false, "there is no such link"};
   return {};
 }
 
-Injector::Outcome Injector::befall(const Drop& x, std::uint64_t number) {
+Injector::Outcome Injector::inject(const Drop& x, std::uint64_t number) {
   LinkFault fault{LinkFault::Kind::loss, lasting(x.duration)};
   fault.part = x.part.thousandths * 10;
   fault.ticket.number = number;
-  if (!befall_links(*parts_.system, {x.link.first}, {x.link.second}, fault))
+  if (!inject_into_links(*parts_.system, {x.link.first}, {x.link.second}, fault))
     return {false, "there is no such link"};
   return {};
 }
@@ -366,30 +368,31 @@ constexpr const char* only_simulated =
 
 } // namespace
 
-Injector::Outcome Injector::befall(const Duplicate&) {
+Injector::Outcome Injector::inject(const Duplicate&) {
   return {false, only_simulated};
 }
 
-Injector::Outcome Injector::befall(const Reorder&) {
+Injector::Outcome Injector::inject(const Reorder&) {
   return {false, only_simulated};
 }
 
-Injector::Outcome Injector::befall_journal(const MemoryTarget& memory, const JournalFault& x) {
-  if (!parts_.system->befall(memory.subarchitecture, x))
+Injector::Outcome Injector::inject_into_journal(const MemoryTarget& memory, const JournalFault& x) {
+  if (!parts_.system->inject(memory.subarchitecture, x))
     return {false, not_there("working memory of " + memory.subarchitecture)};
   return {};
 }
 
-Injector::Outcome Injector::befall(const FailJournal& x, std::uint64_t number) {
-  return befall_journal(x.memory, {JournalFault::Kind::failure, lasting(x.duration), {}, {number}});
+Injector::Outcome Injector::inject(const FailJournal& x, std::uint64_t number) {
+  return inject_into_journal(x.memory,
+                             {JournalFault::Kind::failure, lasting(x.duration), {}, {number}});
 }
 
-Injector::Outcome Injector::befall(const SlowJournal& x, std::uint64_t number) {
-  return befall_journal(x.memory,
-                        {JournalFault::Kind::slowness, lasting(x.duration), x.by, {number}});
+Injector::Outcome Injector::inject(const SlowJournal& x, std::uint64_t number) {
+  return inject_into_journal(x.memory,
+                             {JournalFault::Kind::slowness, lasting(x.duration), x.by, {number}});
 }
 
-Injector::Outcome Injector::befall(const RemoveJournal& x) {
+Injector::Outcome Injector::inject(const RemoveJournal& x) {
   auto journal = parts_.journals.find(x.memory.subarchitecture);
   if (journal == parts_.journals.end())
     return {false, not_there("journal of " + x.memory.subarchitecture)};
@@ -400,7 +403,7 @@ Injector::Outcome Injector::befall(const RemoveJournal& x) {
   }
 }
 
-Injector::Outcome Injector::befall(const ClaimJournal& x) {
+Injector::Outcome Injector::inject(const ClaimJournal& x) {
   auto journal = parts_.journals.find(x.memory.subarchitecture);
   if (journal == parts_.journals.end())
     return {false, not_there("journal of " + x.memory.subarchitecture)};
@@ -422,7 +425,7 @@ Injector::Outcome Injector::befall(const ClaimJournal& x) {
   }
 }
 
-Injector::Outcome Injector::befall(const JumpClock& x) {
+Injector::Outcome Injector::inject(const JumpClock& x) {
   if (!parts_.system->jump_clock(x.memory.subarchitecture, x.by))
     return {false, not_there("working memory of " + x.memory.subarchitecture)};
   return {};

@@ -34,7 +34,7 @@ struct InjectorParts {
   std::map<std::string, std::filesystem::path> journals = {};
 };
 
-/// Lets the faults of a schedule befall a running system, on a thread of its own.
+/// Injects the faults of a schedule into a running system, on a thread of its own.
 class Injector {
 public:
   using Clock = std::chrono::steady_clock;
@@ -49,7 +49,7 @@ public:
   /// filter's place among those that the plan watches (`watched_by`).
   void on_change(std::size_t filter);
 
-  /// Lets a fault befall the system now, whatever the schedule says. All its targets have names.
+  /// Injects a fault now, whatever the schedule says. All its targets have names.
   FaultRecord inject(const Fault& fault);
 
   /// A fault of this number has taken effect (`SystemOptions::on_fault_happened`).
@@ -79,32 +79,32 @@ private:
   void work();
   void happened(FaultRecord& x);
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
-  Outcome befall(const Crash& x);
-  Outcome befall(const Throw& x, std::uint64_t number);
-  Outcome befall(const Hang& x, std::uint64_t number);
-  Outcome befall(const Block& x, std::uint64_t number);
-  Outcome befall(const Slow& x, std::uint64_t number);
-  Outcome befall(const Kill& x);
-  Outcome befall(const Stop& x);
-  Outcome befall(const Continue& x);
-  Outcome befall(const UseUpDescriptors& x);
-  Outcome befall(const Flood& x);
-  Outcome befall(const Partition& x, std::uint64_t number);
-  Outcome befall(const Delay& x, std::uint64_t number);
-  Outcome befall(const Drop& x, std::uint64_t number);
-  Outcome befall(const Duplicate& x);
-  Outcome befall(const Reorder& x);
-  Outcome befall(const FailJournal& x, std::uint64_t number);
-  Outcome befall(const SlowJournal& x, std::uint64_t number);
-  Outcome befall(const RemoveJournal& x);
-  Outcome befall(const ClaimJournal& x);
-  Outcome befall(const JumpClock& x);
+  Outcome inject(const Crash& x);
+  Outcome inject(const Throw& x, std::uint64_t number);
+  Outcome inject(const Hang& x, std::uint64_t number);
+  Outcome inject(const Block& x, std::uint64_t number);
+  Outcome inject(const Slow& x, std::uint64_t number);
+  Outcome inject(const Kill& x);
+  Outcome inject(const Stop& x);
+  Outcome inject(const Continue& x);
+  Outcome inject(const UseUpDescriptors& x);
+  Outcome inject(const Flood& x);
+  Outcome inject(const Partition& x, std::uint64_t number);
+  Outcome inject(const Delay& x, std::uint64_t number);
+  Outcome inject(const Drop& x, std::uint64_t number);
+  Outcome inject(const Duplicate& x);
+  Outcome inject(const Reorder& x);
+  Outcome inject(const FailJournal& x, std::uint64_t number);
+  Outcome inject(const SlowJournal& x, std::uint64_t number);
+  Outcome inject(const RemoveJournal& x);
+  Outcome inject(const ClaimJournal& x);
+  Outcome inject(const JumpClock& x);
 
   /// The same for the coordinator, too.
   bool with_process(const std::string& name, const std::function<void(pid_t)>& f) const;
   Outcome signal(const std::string& process, int signal);
   void end_shortage(const std::string& name, pid_t process);
-  Outcome befall_journal(const MemoryTarget& memory, const JournalFault& x);
+  Outcome inject_into_journal(const MemoryTarget& memory, const JournalFault& x);
   /// Calls a function once a fault that lasts is over.
   void when_over(const Lasting& x, std::function<void()> f);
   /// Something that lasts until the end of the run if nothing else is said.

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-/// What befalls journals from outside of the system that writes them.
+/// Faults of journals from outside of the system that writes them.
 namespace castor::faults {
 
 /// The files of the journals that an architecture asks for, by subarchitecture, as processes that

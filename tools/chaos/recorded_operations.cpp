@@ -4,7 +4,7 @@
 #include "castor/tools/chaos/answers.hpp"
 #include "castor/tools/chaos/change_check.hpp"
 #include "castor/tools/chaos/rounded.hpp"
-#include "castor/tools/linearizability/lapses.hpp"
+#include "castor/tools/linearizability/lease_expiries.hpp"
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/memory/working_memory.hpp"
 
@@ -228,8 +228,8 @@ Judgement judge_operations(const Recording& recording, const MemoryConditions& c
   auto lives = by_life(all, !conditions.went_down || conditions.durable);
   Checker checker;
   for (auto& [life, history] : lives) {
-    auto lapses =
-      possible_lapses(history, static_cast<Tick>(conditions.lease.count()) * 1000, ends, until);
+    auto lapses = possible_lease_expiries(
+      history, static_cast<Tick>(conditions.lease.count()) * 1000, ends, until);
     history.insert(history.end(), lapses.begin(), lapses.end());
     auto verdict = checker.check(history);
     if (verdict.ok() || result.verdict == Kind::violation)

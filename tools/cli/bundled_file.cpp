@@ -28,8 +28,9 @@ std::string file_or_bundled(const std::string& file) {
     auto bundled = (share / file).lexically_normal();
     if (!fs::is_regular_file(bundled, error))
       continue;
-    note(LogLevel::info, fmt::format("{} is not in this folder: taking {}, which comes with Castor",
-                                     file, bundled.string()));
+    log_runtime(LogLevel::info,
+                fmt::format("{} is not in this folder: taking {}, which comes with Castor", file,
+                            bundled.string()));
     return bundled.string();
   }
   return file;

@@ -99,7 +99,7 @@ public:
         : simulation::parse_seeds(arguments_.seeds).from;
     progress_.emplace("chaos");
     if (!setup_.question.types.empty() || !has_plan()) {
-      note(LogLevel::info, "first without faults, to see what it does and how it ends then");
+      log_runtime(LogLevel::info, "first without faults, to see what it does and how it ends then");
       faultless_ = run_without_faults(setup_, first_seed, signals_, *progress_);
       if (signals_.count() > 0)
         return a_component_failed;
@@ -272,7 +272,7 @@ private:
     setup_.workload = read_workload(file, setup_.architecture);
     if (!setup_.workload)
       return false;
-    note(LogLevel::info, "workload: " + file);
+    log_runtime(LogLevel::info, "workload: " + file);
     if (auto& same = setup_.workload->workload.same) {
       setup_.question.types.insert(same->types.begin(), same->types.end());
       setup_.question.ignored.insert(same->but_for.begin(), same->but_for.end());

@@ -163,7 +163,7 @@ struct FreeContext {
 
 } // namespace
 
-std::string accesses_as_svg(const Json& report, const std::vector<Json>& accesses) {
+std::string usage_as_svg(const Json& report, const std::vector<Json>& accesses) {
   std::unique_ptr<GVC_t, FreeContext> context{gvContext()};
   std::unique_ptr<Agraph_t, CloseGraph> graph{
     agmemread(as_dot(graph_of(report, accesses)).c_str())};

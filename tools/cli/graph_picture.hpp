@@ -11,7 +11,7 @@ namespace castor::cli {
 /// to `graph`. Subarchitectures are boxes with their working memory and components; solid arrows
 /// are writes, dashed ones reads and events, with the types of the entries beside them. Throws
 /// std::runtime_error.
-std::string accesses_as_svg(const nlohmann::ordered_json& report,
-                            const std::vector<nlohmann::ordered_json>& accesses);
+std::string usage_as_svg(const nlohmann::ordered_json& report,
+                         const std::vector<nlohmann::ordered_json>& accesses);
 
 } // namespace castor::cli

@@ -217,7 +217,7 @@ int graph(const Arguments& arguments) {
   auto accesses = ask_for_all(system, {{"do", "graph"}});
   bool draws = svg.is_open() || png.is_open();
   if (draws) {
-    auto picture = accesses_as_svg(report, accesses);
+    auto picture = usage_as_svg(report, accesses);
     if (svg.is_open())
       svg << picture;
     if (png.is_open())
@@ -227,7 +227,7 @@ int graph(const Arguments& arguments) {
     for (auto& x : accesses)
       print(x.dump() + '\n');
   else if (!draws)
-    print(accesses_as_dot(report, accesses));
+    print(usage_as_dot(report, accesses));
   return success;
 }
 

@@ -160,7 +160,7 @@ std::string change_as_text(const Json& change, bool coloured) {
   return result;
 }
 
-std::string accesses_as_dot(const Json& report, const std::vector<Json>& accesses) {
+std::string usage_as_dot(const Json& report, const std::vector<Json>& accesses) {
   std::map<std::string, std::set<std::string>> components;
   std::map<std::string, std::set<std::string>> types;
   std::set<std::string> known;

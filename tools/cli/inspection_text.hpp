@@ -21,6 +21,6 @@ std::string change_as_text(const Json& change, bool coloured);
 
 /// Who uses which types of entries, as a graph in the language of Graphviz: `report` is the answer
 /// to `ps`, `accesses` those to `graph`.
-std::string accesses_as_dot(const Json& report, const std::vector<Json>& accesses);
+std::string usage_as_dot(const Json& report, const std::vector<Json>& accesses);
 
 } // namespace castor::cli

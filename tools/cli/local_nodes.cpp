@@ -229,8 +229,8 @@ void LocalNodes::take_leave(const std::string& host) {
   auto status = end_child(std::exchange(x.id, -1));
   close(std::exchange(x.input, -1));
   close(std::exchange(x.end, -1));
-  note(LogLevel::warning, "the process of " + x.node.name + ' ' + how_it_ended(status) +
-                            (restarts_ ? "; it is started again" : ""));
+  log_runtime(LogLevel::warning, "the process of " + x.node.name + ' ' + how_it_ended(status) +
+                                   (restarts_ ? "; it is started again" : ""));
 }
 
 void LocalNodes::restart(const std::string& host) {
@@ -246,7 +246,7 @@ void LocalNodes::restart(const std::string& host) {
     started.failed = false;
   } catch (const std::runtime_error& e) {
     if (!std::exchange(started.failed, true))
-      note(LogLevel::error, std::string{e.what()} + "; it is tried again every second");
+      log_runtime(LogLevel::error, std::string{e.what()} + "; it is tried again every second");
   }
   guard.lock();
   x = std::move(started);

@@ -122,9 +122,9 @@ int node(Arguments arguments) {
       return bad_input;
     }
   } else if (arguments.insecure && !is_socket_path(at.host)) {
-    note(LogLevel::warning, "INSECURE: whoever reaches " + to_string(at) +
-                              (is_loopback(at.host) ? ", every user of this machine," : "") +
-                              " can run what they like on this machine");
+    log_runtime(LogLevel::warning, "INSECURE: whoever reaches " + to_string(at) +
+                                     (is_loopback(at.host) ? ", every user of this machine," : "") +
+                                     " can run what they like on this machine");
   } else if (!is_loopback(at.host)) {
     fmt::print(stderr,
                "castor: whoever reaches {} could run what they like on this machine: give the "

@@ -9,7 +9,7 @@
 
 namespace castor::cli {
 
-/// What faults may befall in a system whose hosts are nodes of these names.
+/// The possible targets of faults in a system whose hosts are nodes of these names.
 faults::FaultTargets targets_in(const ArchitectureDescription& architecture);
 
 /// Prints what of a plan cannot be brought about; whether that is nothing.

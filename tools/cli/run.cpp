@@ -253,7 +253,8 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   try {
     options.endpoint = endpoint_of_process(architecture->file);
   } catch (const std::runtime_error& e) {
-    note(LogLevel::warning, std::string{"`castor ps` will not find the system: "} + e.what());
+    log_runtime(LogLevel::warning,
+                std::string{"`castor ps` will not find the system: "} + e.what());
   }
   auto title = std::filesystem::path{architecture->file}.filename().string();
   std::unique_ptr<System> system;
@@ -280,13 +281,13 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (was_started)
     reason = system->wait({duration(arguments.at_most), duration(arguments.quiet)});
   if (reason == EndReason::interrupted)
-    note(LogLevel::info, signals.has_output_ended()
-                           ? "nobody reads the output any more: stopping"
-                           : "interrupted: stopping (once more to leave at once)");
+    log_runtime(LogLevel::info, signals.has_output_ended()
+                                  ? "nobody reads the output any more: stopping"
+                                  : "interrupted: stopping (once more to leave at once)");
   if (auto ended = system->ended()) {
     status = ended->first;
     why_ended = ended->second;
-    note(LogLevel::info, "ended by " + ended->second);
+    log_runtime(LogLevel::info, "ended by " + ended->second);
   }
   if (picture)
     picture->end(*system);

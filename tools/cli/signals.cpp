@@ -29,7 +29,7 @@ using Answer = EndRequests::Answer;
 using namespace std::chrono_literals;
 
 /// How often standard input is looked at.
-constexpr auto glance = 50ms;
+constexpr auto poll_interval = 50ms;
 /// Seconds that the end by force may take: what it says may block, as everything else.
 constexpr unsigned last_words = 1;
 
@@ -157,7 +157,7 @@ private:
       auto deadline = state().requests.deadline();
       if (!end_with_input_)
         return deadline;
-      auto next = Clock::now() + glance;
+      auto next = Clock::now() + poll_interval;
       return deadline ? std::min(*deadline, next) : next;
     }();
     if (!until) {

@@ -173,9 +173,9 @@ std::string in_brackets(const Json& numbers) {
 }
 
 /// What the fields of any entry say, the most telling first.
-class Telling {
+class EntrySummary {
 public:
-  explicit Telling(const Json& value) { look("", value, 0); }
+  explicit EntrySummary(const Json& value) { look("", value, 0); }
 
   std::string brief() const {
     std::vector<std::string> result;
@@ -240,7 +240,7 @@ std::string features_in_words(const Json& features) {
     if (std::find(std::begin(of_binding), std::end(of_binding), kind) != std::end(of_binding))
       continue;
     std::replace(kind.begin(), kind.end(), '_', ' ');
-    auto words = (x.at("holds") == true ? "" : "not ") + kind;
+    auto words = (x.at("negated") == true ? "not " : "") + kind;
     if (auto text = x.at("text").get<std::string>(); !text.empty())
       words += ' ' + text;
     if (auto& numbers = x.at("numbers"); !numbers.empty())
@@ -259,7 +259,7 @@ std::string in_words(const Json& entry) {
   else if (has_type(entry, union_type) || has_type(entry, proxy_type))
     what = features_in_words(entry.at("value").at("features"));
   else
-    what = Telling{entry.at("value")}.brief();
+    what = EntrySummary{entry.at("value")}.brief();
   return joined_address(entry) + "  " + type + (what.empty() ? "" : ": " + what);
 }
 

@@ -139,7 +139,7 @@ faults::WorkloadRecord WorkloadRun::end() {
                                            {"values", true}}))
         hear(x, std::nullopt);
     } catch (const std::exception& e) {
-      note(LogLevel::warning, "workload", e.what());
+      log_runtime(LogLevel::warning, "workload", e.what());
     }
   faults::WorkloadRecord result;
   result.file = workload_.workload.file;
@@ -318,7 +318,7 @@ void WorkloadRun::listen() {
     } catch (const Over&) {
       return;
     } catch (const std::exception& e) {
-      note(LogLevel::debug, "workload", e.what());
+      log_runtime(LogLevel::debug, "workload", e.what());
       std::unique_lock guard{mutex_};
       changed_.wait_for(guard, time_between_tries, [this] { return is_over_.load(); });
     }

@@ -94,7 +94,7 @@ void SimulatedComponent::on_exit() {
   SimulatedClient::on_exit();
   neighbours_ = nullptr;
   home_ = nullptr;
-  conductor_ = nullptr;
+  phase_controller_ = nullptr;
   manager_.reset();
   calls_.reset();
   if (system_world_.over)
@@ -135,7 +135,7 @@ void SimulatedComponent::meet(NeighboursPtr neighbours) {
 }
 
 void SimulatedComponent::enter(const EnterPhase& x) {
-  conductor_ = x.conductor;
+  phase_controller_ = x.phase_controller;
   trace("enters phase " + std::to_string(int(x.phase)));
   switch (x.phase) {
     case Phase::configure:
@@ -290,8 +290,8 @@ void SimulatedComponent::call(const std::string& subarchitecture,
 }
 
 void SimulatedComponent::phase_done(Phase phase) {
-  if (conductor_)
-    send(conductor_, PhaseDone{record_->identity().number, phase, {}});
+  if (phase_controller_)
+    send(phase_controller_, PhaseDone{record_->identity().number, phase, {}});
 }
 
 void SimulatedComponent::fail(const std::string& why) {

@@ -138,7 +138,7 @@ private:
   const Life process_;
   NeighboursPtr neighbours_;
   WorkingMemoryActor home_;
-  caf::actor conductor_;
+  caf::actor phase_controller_;
   std::optional<SimulatedTaskManager> manager_;
   /// Proposed, and not over.
   std::map<TaskId, TaskProposal> tasks_;

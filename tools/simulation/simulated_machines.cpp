@@ -320,10 +320,10 @@ void SimulatedMachines::end() {
   }
 }
 
-// -- what befalls them
+// -- injected faults
 
-void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
-  processes_concerned_ = processes_concerned_ || !std::holds_alternative<faults::Crash>(fault);
+void SimulatedMachines::inject(const faults::Fault& fault, std::uint64_t seed) {
+  processes_affected_ = processes_affected_ || !std::holds_alternative<faults::Crash>(fault);
   std::visit(
     Overloaded{
       [&](const faults::Crash& x) { crash(x.component.name); },
@@ -339,10 +339,10 @@ void SimulatedMachines::befall(const faults::Fault& fault, std::uint64_t seed) {
             silence(from, other, *x.duration);
       },
       [&](const faults::Delay& x) {
-        befall_link(x.link, {LinkFault::Kind::delay, *x.duration, x.by});
+        inject_into_link(x.link, {LinkFault::Kind::delay, *x.duration, x.by});
       },
       [&](const faults::Drop& x) {
-        befall_link(x.link, {LinkFault::Kind::loss, *x.duration, {}, 10 * x.part.thousandths});
+        inject_into_link(x.link, {LinkFault::Kind::loss, *x.duration, {}, 10 * x.part.thousandths});
       },
       [&](const faults::FailJournal& x) {
         if (auto actor = memory(x.memory.subarchitecture))
@@ -412,10 +412,10 @@ void SimulatedMachines::hang(const faults::Hang& x) {
 
 void SimulatedMachines::silence(Machine a, Machine b, Clock::duration x) {
   silences_.push_back({a, b, now() + x});
-  befall_link(a, b, {LinkFault::Kind::silence, std::chrono::ceil<Timestamp>(x)});
+  inject_into_link(a, b, {LinkFault::Kind::silence, std::chrono::ceil<Timestamp>(x)});
 }
 
-void SimulatedMachines::befall_link(Machine a, Machine b, const LinkFault& x) {
+void SimulatedMachines::inject_into_link(Machine a, Machine b, const LinkFault& x) {
   for (auto& link : links_) {
     auto here = machine_of(link.life);
     auto there = machine(link.peer);
@@ -424,8 +424,8 @@ void SimulatedMachines::befall_link(Machine a, Machine b, const LinkFault& x) {
   }
 }
 
-void SimulatedMachines::befall_link(const faults::LinkTarget& link, const LinkFault& x) {
-  befall_link(machine(link.first), machine(link.second), x);
+void SimulatedMachines::inject_into_link(const faults::LinkTarget& link, const LinkFault& x) {
+  inject_into_link(machine(link.first), machine(link.second), x);
 }
 
 } // namespace castor::simulation

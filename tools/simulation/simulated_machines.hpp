@@ -45,7 +45,8 @@ struct MemoryLife {
   bool alive() const { return end == linearizability::never; }
 };
 
-/// The machines of a simulated system, the processes on them, and what can befall those.
+/// The machines of a simulated system, the processes on them, and the faults that can be injected
+/// into those.
 class SimulatedMachines {
 public:
   using Machine = std::size_t;
@@ -70,9 +71,9 @@ public:
   void start_node(Machine x);
   bool is_there(Machine x) const { return processes_[x].there; }
 
-  // -- what befalls them
+  // -- injected faults
 
-  void befall(const faults::Fault& x, std::uint64_t seed);
+  void inject(const faults::Fault& x, std::uint64_t seed);
   /// Brings back what is due.
   void catch_up();
   /// Everything works from now on, as far as it depends on machines.
@@ -92,7 +93,7 @@ public:
     return lost_.count({a, b}) > 0 || lost_.count({b, a}) > 0;
   }
   /// Whether anything befell processes or what is between them.
-  bool are_processes_concerned() const { return processes_concerned_; }
+  bool are_processes_affected() const { return processes_affected_; }
 
   /// The disk of the machine that a process runs on.
   const SimulatedDisk& disk_of(Life x) const { return disks_[machine_of(x)]; }
@@ -143,8 +144,8 @@ private:
   void hang(const faults::Hang& x);
   void kill(Machine x, std::chrono::milliseconds back_after);
   void silence(Machine a, Machine b, Clock::duration x);
-  void befall_link(Machine a, Machine b, const LinkFault& x);
-  void befall_link(const faults::LinkTarget& link, const LinkFault& x);
+  void inject_into_link(Machine a, Machine b, const LinkFault& x);
+  void inject_into_link(const faults::LinkTarget& link, const LinkFault& x);
 
   caf::actor_system& system_;
   SystemWorld& world_;
@@ -165,7 +166,7 @@ private:
   /// Of links, the processes with which they had a connection.
   std::map<caf::actor, Life> peers_;
   std::set<std::pair<Life, Life>> lost_;
-  bool processes_concerned_ = false;
+  bool processes_affected_ = false;
 };
 
 /// The actor, as the scheduler sees it.

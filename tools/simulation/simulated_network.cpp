@@ -71,7 +71,7 @@ public:
         link->end_.remind(x);
         link->settle();
       },
-      [link](const LinkFault& x) { link->end_.befall(x); },
+      [link](const LinkFault& x) { link->end_.inject(x); },
       [link](const Connected& x) {
         link->connected(x);
         link->settle();

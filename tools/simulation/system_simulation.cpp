@@ -169,7 +169,7 @@ private:
     processes_.emplace(
       system, options_, "simulated", [this](const LinkNews& x) { caf::anon_send(supervisor_, x); },
       machines_->spawn_link(0));
-    desk_ = system.spawn([this]() -> caf::behavior {
+    end_listener_ = system.spawn([this]() -> caf::behavior {
       return {[this](const EndSystem& x) { ended_.emplace(x.reason); }};
     });
     SupervisorParts parts;
@@ -177,7 +177,7 @@ private:
     parts.options = &options_;
     parts.epoch = begin_;
     parts.seed = world_->random();
-    parts.desk = desk_;
+    parts.end_listener = end_listener_;
     parts.on_change = [](const SystemRosterPtr&) {};
     supervisor_ = system.spawn(supervisor, std::move(parts));
     world_->expect_no_exception(supervisor_, "the supervisor");
@@ -194,8 +194,8 @@ private:
     processes_->open(placement);
     StartComponents start;
     for_each_component(architecture_, [&](auto& x) { start.names.push_back(x.name); });
-    conductor_ = system.spawn([this, start, deploy = Deploy{architecture_, placement}](
-                                caf::event_based_actor* self) -> caf::behavior {
+    phase_controller_ = system.spawn([this, start, deploy = Deploy{architecture_, placement}](
+                                       caf::event_based_actor* self) -> caf::behavior {
       self->request(supervisor_, caf::infinite, deploy)
         .then([this, self, start](const Deployed& x) {
           if (!x.problems.empty())
@@ -286,7 +286,7 @@ private:
         throw std::runtime_error{"it does not come to rest"};
       while (!due_.empty() && due_.begin()->first <= time()) {
         auto fault = due_.extract(due_.begin());
-        machines_->befall(fault.mapped(), result_->seed);
+        machines_->inject(fault.mapped(), result_->seed);
       }
       machines_->catch_up();
       auto job = ready_job();
@@ -359,7 +359,7 @@ private:
     auto since = down_.extract(x.component);
     if (!since)
       world_->find(x.component + " is said to be back and was not down");
-    else if (!machines_->are_processes_concerned() && time() - since.mapped() > most_downtime)
+    else if (!machines_->are_processes_affected() && time() - since.mapped() > most_downtime)
       world_->find(x.component + " was not there for " +
                    std::to_string((time() - since.mapped()).count() / 1000) + " ms");
   }
@@ -685,7 +685,7 @@ private:
   void clear() {
     world_->over = true;
     machines_->end();
-    for (auto* x : {&supervisor_, &agent_, &desk_, &conductor_})
+    for (auto* x : {&supervisor_, &agent_, &end_listener_, &phase_controller_})
       caf::anon_send_exit(std::exchange(*x, nullptr), caf::exit_reason::kill);
     scheduler.run();
     if (processes_)
@@ -713,10 +713,10 @@ private:
   ArchitectureDescription architecture_;
   SystemOptions options_;
   std::optional<Processes> processes_;
-  caf::actor desk_;
+  caf::actor end_listener_;
   caf::actor supervisor_;
   caf::actor agent_;
-  caf::actor conductor_;
+  caf::actor phase_controller_;
   bool started_ = false;
   std::optional<std::string> ended_;
   std::multimap<Timestamp, faults::Fault> due_;

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::milliseconds;
 
 /// How often a condition is looked at.
-constexpr Milliseconds glance{2};
+constexpr Milliseconds poll_interval{2};
 
 /// Entries that are shown where another one was expected.
 constexpr std::size_t most_shown = 10;
@@ -216,7 +216,7 @@ public:
     while (!condition()) {
       if (Clock::now() > until || system_.ended())
         return condition();
-      std::this_thread::sleep_for(glance);
+      std::this_thread::sleep_for(poll_interval);
     }
     return true;
   }

@@ -61,10 +61,10 @@ public:
   /// Stops the system.
   ~TestSystem();
 
-  /// Lets something befall the system now, in the words of fault plans (docs/fault-plans.md):
+  /// Injects a fault now, in the words of fault plans (docs/fault-plans.md):
   /// "crash segmentor", "throw in callback 3 of segmentor", "hang tracker for 3s", "fail journal of
-  /// vision". Throws std::invalid_argument if it cannot befall this system, and std::runtime_error
-  /// if nothing of that name is there at the moment.
+  /// vision". Throws std::invalid_argument if this system has no such target, and
+  /// std::runtime_error if nothing of that name is there at the moment.
   void inject(std::string_view fault);
 
   /// Lets the clocks of all working memories jump: leases and entries end whose time is over then.

@@ -31,28 +31,28 @@ bool say_the_same(const ChangeEvent& a, const ChangeEvent& b) {
 
 } // namespace
 
-void EventBacklog::push(Piece piece) {
+void EventBacklog::push(Batch batch) {
   if (merging_) {
-    for (auto& notice : piece)
+    for (auto& notice : batch)
       merge(notice);
     rest_if_empty();
     return;
   }
-  std::erase_if(piece, [](auto& notice) { return notice.filters.empty(); });
-  if (piece.empty())
+  std::erase_if(batch, [](auto& notice) { return notice.filters.empty(); });
+  if (batch.empty())
     return;
-  size_ += piece.size();
-  waiting_.emplace_hint(waiting_.end(), ++last_arrival_, std::move(piece));
+  size_ += batch.size();
+  waiting_.emplace_hint(waiting_.end(), ++last_arrival_, std::move(batch));
   if (size_ > bound_)
     begin_merging();
 }
 
-EventBacklog::Piece EventBacklog::pop() {
+EventBacklog::Batch EventBacklog::pop() {
   auto first = waiting_.extract(waiting_.begin());
-  auto& piece = first.mapped();
+  auto& batch = first.mapped();
   last_taken_ = first.key();
-  size_ -= piece.size();
-  for (auto& [event, filters] : piece) {
+  size_ -= batch.size();
+  for (auto& [event, filters] : batch) {
     auto story = stories_.find(event->address);
     if (story == stories_.end())
       continue;
@@ -63,21 +63,21 @@ EventBacklog::Piece EventBacklog::pop() {
     trim(story);
   }
   rest_if_empty();
-  return std::move(piece);
+  return std::move(batch);
 }
 
 void EventBacklog::erase(std::uint32_t filter) {
   for (auto i = waiting_.begin(); i != waiting_.end();) {
-    auto& piece = i->second;
-    auto notices = piece.size();
-    std::erase_if(piece, [&](auto& notice) {
+    auto& batch = i->second;
+    auto notices = batch.size();
+    std::erase_if(batch, [&](auto& notice) {
       std::erase(notice.filters, filter);
       return notice.filters.empty();
     });
-    size_ -= notices - piece.size();
+    size_ -= notices - batch.size();
     // The forms of one event count once.
-    suppressed_ += merging_ ? piece.empty() : notices - piece.size();
-    i = piece.empty() ? waiting_.erase(i) : std::next(i);
+    suppressed_ += merging_ ? batch.empty() : notices - batch.size();
+    i = batch.empty() ? waiting_.erase(i) : std::next(i);
   }
   for (auto i = stories_.begin(); i != stories_.end();) {
     auto story = i++;
@@ -90,8 +90,8 @@ void EventBacklog::erase(std::uint32_t filter) {
 void EventBacklog::begin_merging() {
   merging_ = true;
   size_ = 0;
-  for (auto& [arrival, piece] : std::exchange(waiting_, {}))
-    for (auto& notice : piece)
+  for (auto& [arrival, batch] : std::exchange(waiting_, {}))
+    for (auto& notice : batch)
       merge(notice);
   rest_if_empty();
 }
@@ -164,7 +164,7 @@ ChangeEventPtr EventBacklog::take_back(Arrival& arrival, std::uint32_t filter) {
   return event;
 }
 
-void EventBacklog::trim(Stories::iterator story) {
+void EventBacklog::trim(EntryHistories::iterator story) {
   auto& [born, by_filter] = story->second;
   std::erase_if(by_filter, [](auto& x) { return x.second.gone == 0 && x.second.there == 0; });
   if (by_filter.empty() && born <= last_taken_)

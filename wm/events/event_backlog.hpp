@@ -31,7 +31,7 @@ class EventBacklog {
 public:
   /// What goes out together: the notices of one write, or, where filters have seen different parts
   /// of an entry's story, the forms in which they get the same event.
-  using Piece = std::vector<ChangeNotice>;
+  using Batch = std::vector<ChangeNotice>;
 
   explicit EventBacklog(std::size_t bound) : bound_(bound) {}
 
@@ -40,13 +40,13 @@ public:
   ///
   /// While it merges, it should be given the events that no filter wants, too: it then need not
   /// keep what single-minded filters (only ADD, only DELETE) want of entries that came and went.
-  void push(Piece piece);
+  void push(Batch batch);
   void push(ChangeEventPtr event, std::vector<std::uint32_t> filters) {
-    push(Piece{{std::move(event), std::move(filters)}});
+    push(Batch{{std::move(event), std::move(filters)}});
   }
 
   /// What comes next; there must be something.
-  Piece pop();
+  Batch pop();
 
   /// The filter is withdrawn; its number may come again for another.
   void erase(std::uint32_t filter);
@@ -72,12 +72,12 @@ private:
   };
 
   /// Of one entry, while events are merged.
-  struct Story {
+  struct EntryHistory {
     /// When the entry was added, if that was seen.
     Arrival born = 0;
     std::map<std::uint32_t, Pending> by_filter;
   };
-  using Stories = std::unordered_map<Address, Story>;
+  using EntryHistories = std::unordered_map<Address, EntryHistory>;
 
   void begin_merging();
   void merge(const ChangeNotice& notice);
@@ -85,15 +85,15 @@ private:
   /// The event waits no longer for this filter; null if none did.
   ChangeEventPtr take_back(Arrival& arrival, std::uint32_t filter);
   /// Forgets what is of no use any more.
-  void trim(Stories::iterator story);
+  void trim(EntryHistories::iterator story);
   void rest_if_empty();
 
   std::size_t bound_;
-  /// While events are merged, each piece is of a single event.
-  std::map<Arrival, Piece> waiting_;
+  /// While events are merged, each batch is of a single event.
+  std::map<Arrival, Batch> waiting_;
   std::size_t size_ = 0;
   bool merging_ = false;
-  Stories stories_;
+  EntryHistories stories_;
   Arrival last_arrival_ = 0;
   Arrival last_taken_ = 0;
   std::uint64_t suppressed_ = 0;

@@ -21,17 +21,17 @@ inline constexpr std::uint32_t least_queue_limit = 16;
 /// wait: what was taken but not acknowledged has its place in the backlog.
 class EventFlow {
 public:
-  using Piece = EventBacklog::Piece;
+  using Batch = EventBacklog::Batch;
 
   explicit EventFlow(std::uint32_t limit = standard_queue_limit)
     : limit_(std::max(limit, least_queue_limit)),
       backlog_(Receipts::batch_for(std::max(limit, least_queue_limit))) {}
 
-  /// Returns what is to be sent at once: the piece, or nothing.
-  std::optional<Piece> push(Piece piece) {
+  /// Returns what is to be sent at once: the batch, or nothing.
+  std::optional<Batch> push(Batch batch) {
     if (backlog_.empty() && in_flight_ < limit_)
-      return sent(std::move(piece));
-    backlog_.push(std::move(piece));
+      return sent(std::move(batch));
+    backlog_.push(std::move(batch));
     return std::nullopt;
   }
 
@@ -39,7 +39,7 @@ public:
   void acknowledge(std::size_t count) { in_flight_ -= std::min(count, in_flight_); }
 
   /// What may be sent now of that which waits.
-  std::optional<Piece> next() {
+  std::optional<Batch> next() {
     if (backlog_.empty() || in_flight_ >= limit_)
       return std::nullopt;
     return sent(backlog_.pop());
@@ -53,9 +53,9 @@ public:
   const EventBacklog& backlog() const { return backlog_; }
 
 private:
-  Piece sent(Piece piece) {
-    in_flight_ += piece.size();
-    return piece;
+  Batch sent(Batch batch) {
+    in_flight_ += batch.size();
+    return batch;
   }
 
   std::size_t limit_;

@@ -51,7 +51,7 @@ void make(const std::filesystem::path& file, const std::string& subarchitecture)
   unfinished += ".new-" + std::to_string(getpid());
   std::filesystem::remove(unfinished);
   {
-    sqlite::Database database{unfinished, sqlite::Access::write};
+    sqlite::Database database{unfinished, sqlite::OpenMode::write};
     database.run(
       ("PRAGMA synchronous=FULL; PRAGMA application_id=" + std::to_string(application_id) +
        "; PRAGMA user_version=" + std::to_string(format_version))
@@ -100,7 +100,7 @@ public:
                                "journal itself");
         make(options_.file, subarchitecture_);
       }
-      database_.emplace(options_.file, sqlite::Access::write, options_.vfs);
+      database_.emplace(options_.file, sqlite::OpenMode::write, options_.vfs);
       // What is not known to be sound is not written.
       database_->checkpoint_on_close(false);
       database_->run("PRAGMA cell_size_check=ON; PRAGMA trusted_schema=OFF; "

@@ -7,7 +7,7 @@
 
 namespace castor {
 
-/// What is made to befall a journal, as a disk that is full or slow would.
+/// A fault injected into a journal, as a disk that is full or slow would.
 struct JournalFault {
   enum class Kind : std::uint8_t {
     /// Nothing can be written: the journal fails at the next write.

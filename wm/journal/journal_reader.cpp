@@ -19,13 +19,13 @@ std::unique_ptr<sqlite::Database> open_for_reading(const std::filesystem::path& 
   if (!std::filesystem::exists(file, error))
     throw JournalError("there is no such file");
   try {
-    auto result = std::make_unique<sqlite::Database>(file, sqlite::Access::read);
+    auto result = std::make_unique<sqlite::Database>(file, sqlite::OpenMode::read);
     result->run("BEGIN; SELECT count(*) FROM sqlite_schema");
     return result;
   } catch (const sqlite::Error& e) {
     if (e.is_corruption() || std::filesystem::exists(file.string() + "-wal", error))
       throw;
-    auto result = std::make_unique<sqlite::Database>(file, sqlite::Access::read_unchanging);
+    auto result = std::make_unique<sqlite::Database>(file, sqlite::OpenMode::read_unchanging);
     result->run("BEGIN");
     return result;
   }

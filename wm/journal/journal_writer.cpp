@@ -34,7 +34,7 @@ public:
       self_->delayed_send(self_, parts_.delay, SyncAtom::value);
   }
 
-  void befall(const JournalFault& x) {
+  void inject(const JournalFault& x) {
     auto until = self_->clock().now() + x.duration;
     switch (x.kind) {
       case JournalFault::Kind::failure:
@@ -180,7 +180,7 @@ caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts pa
   self->set_down_handler([self](const caf::down_msg&) { self->send(self, CloseAtom::value); });
   return {
     [writer](const JournalWrite& x) { writer->take(x); },
-    [writer](const JournalFault& x) { writer->befall(x); },
+    [writer](const JournalFault& x) { writer->inject(x); },
     [writer](SyncAtom) { writer->sync(); },
     [writer](AppendAtom) { writer->append(); },
     [writer](TidyAtom) { writer->tidy(); },

@@ -54,7 +54,7 @@ void check(sqlite3* database, int code) {
     fail(database, code);
 }
 
-std::string uri(const std::filesystem::path& file, Access access) {
+std::string uri(const std::filesystem::path& file, OpenMode mode) {
   std::string result = "file:";
   std::error_code error;
   auto path = std::filesystem::absolute(file, error);
@@ -66,7 +66,7 @@ std::string uri(const std::filesystem::path& file, Access access) {
       result += c;
     }
   }
-  return access == Access::read_unchanging ? result + "?immutable=1" : result;
+  return mode == OpenMode::read_unchanging ? result + "?immutable=1" : result;
 }
 
 /// SQLite would open a named pipe, and wait for what comes from it.
@@ -89,14 +89,14 @@ bool Error::is_corruption() const {
          primary == SQLITE_CONSTRAINT || primary == SQLITE_ERROR;
 }
 
-Database::Database(const std::filesystem::path& file, Access access, const std::string& vfs) {
+Database::Database(const std::filesystem::path& file, OpenMode mode, const std::string& vfs) {
   refuse_special(file);
   sqlite3* opened = nullptr;
   auto flags =
     SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX |
-    (access == Access::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY);
+    (mode == OpenMode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY);
   auto code =
-    sqlite3_open_v2(uri(file, access).c_str(), &opened, flags, vfs.empty() ? nullptr : vfs.c_str());
+    sqlite3_open_v2(uri(file, mode).c_str(), &opened, flags, vfs.empty() ? nullptr : vfs.c_str());
   handle_.reset(opened);
   check(opened, code);
   sqlite3_extended_result_codes(opened, 1);

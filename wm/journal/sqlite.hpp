@@ -26,7 +26,7 @@ private:
   int code_;
 };
 
-enum class Access : std::uint8_t {
+enum class OpenMode : std::uint8_t {
   /// The file is made if there is none.
   write,
   read,
@@ -37,7 +37,7 @@ enum class Access : std::uint8_t {
 class Database {
 public:
   /// `vfs` is what the file is reached through; empty for the operating system's own.
-  Database(const std::filesystem::path& file, Access access, const std::string& vfs = {});
+  Database(const std::filesystem::path& file, OpenMode mode, const std::string& vfs = {});
 
   /// Statements without a result, or whose result is of no interest.
   void run(const char* statements);

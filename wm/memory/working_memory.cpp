@@ -46,10 +46,10 @@ void monitor(Self self, const caf::strong_actor_ptr& who) {
 namespace {
 
 void note_change(WorkingMemoryState& state, const ChangeEvent& x) {
-  auto what = x.operation == Operation::add         ? &Access::adds
-              : x.operation == Operation::overwrite ? &Access::overwrites
-                                                    : &Access::deletes;
-  state.accesses.note(x.source, x.address.subarchitecture, x.type_name(), what);
+  auto what = x.operation == Operation::add         ? &Usage::adds
+              : x.operation == Operation::overwrite ? &Usage::overwrites
+                                                    : &Usage::deletes;
+  state.usage.record(x.source, x.address.subarchitecture, x.type_name(), what);
 }
 
 } // namespace
@@ -247,7 +247,7 @@ WorkingMemoryActor::behavior_type working_memory(Self self, WorkingMemoryOptions
     },
     [self](const JournalNews& x) { hear_of_journal(self, x); },
     [self](StatusQuery) { return status(self->state); },
-    [self](AccessQuery) { return AccessReport{self->state.accesses.all()}; },
+    [self](UsageQuery) { return UsageReport{self->state.usage.all()}; },
   };
 }
 

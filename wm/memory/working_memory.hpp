@@ -150,7 +150,7 @@ struct WorkingMemoryState {
   InterestId last_interest = 0;
 
   WorkingMemoryStatus counters;
-  AccessLog accesses;
+  UsageLog usage;
   std::vector<FilterIndex::Key> matched;
   std::vector<FilterIndex::Key> matched_by_peers;
 };

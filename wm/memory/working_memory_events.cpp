@@ -20,8 +20,8 @@ bool is_ignored(const WorkingMemoryState& state, const ChangeEvent& event) {
 /// What each subscriber is to be told.
 using Notices = std::map<std::uint32_t, std::vector<ChangeNotice>>;
 
-void note(const WorkingMemoryState& state, const ChangeEventPtr& event,
-          const std::vector<FilterIndex::Key>& keys, Notices& notices) {
+void collect_notices(const WorkingMemoryState& state, const ChangeEventPtr& event,
+                     const std::vector<FilterIndex::Key>& keys, Notices& notices) {
   for_each_receiver(keys, [&](std::uint32_t number, std::vector<FilterId> ids) {
     notices[number].push_back({event, std::move(ids)});
   });
@@ -31,13 +31,13 @@ void note(const WorkingMemoryState& state, const ChangeEventPtr& event,
       list.push_back({event, {}});
 }
 
-void send(Self self, const caf::actor& to, EventFlow::Piece piece) {
-  self->state.counters.delivered += piece.size();
-  say(self, [to, piece = std::move(piece)]() mutable {
-    if (piece.size() == 1)
-      caf::anon_send(to, std::move(piece.front()));
+void send(Self self, const caf::actor& to, EventFlow::Batch batch) {
+  self->state.counters.delivered += batch.size();
+  emit_after_sync(self, [to, batch = std::move(batch)]() mutable {
+    if (batch.size() == 1)
+      caf::anon_send(to, std::move(batch.front()));
     else
-      caf::anon_send(to, ChangeNotices{std::move(piece)});
+      caf::anon_send(to, ChangeNotices{std::move(batch)});
   });
 }
 
@@ -57,11 +57,11 @@ void send_notices(Self self, Notices notices) {
         continue;
       ++state.counters.matched;
       if (!subscriber.component.empty())
-        state.accesses.note(subscriber.component, event->address.subarchitecture,
-                            event->type_name(), &Access::events);
+        state.usage.record(subscriber.component, event->address.subarchitecture, event->type_name(),
+                           &Usage::events);
     }
-    if (auto piece = subscriber.flow.push(std::move(list)))
-      send(self, subscriber.actor, *std::move(piece));
+    if (auto batch = subscriber.flow.push(std::move(list)))
+      send(self, subscriber.actor, *std::move(batch));
     else
       note_whether_behind(state, number);
   }
@@ -194,7 +194,7 @@ void emit(Self self, const std::vector<Change>& changes) {
     if (!local.empty() || !foreign.empty())
       compare();
     sort_unique(local);
-    note(state, event, local, notices);
+    collect_notices(state, event, local, notices);
     sort_unique(foreign);
     forwarded.add(event, foreign);
   }
@@ -214,7 +214,7 @@ void receive_forwarded(Self self, const ForwardedEvents& forwarded) {
       if (auto i = state.interests_by_id.find(id); i != state.interests_by_id.end())
         keys.insert(keys.end(), i->second->filters.begin(), i->second->filters.end());
     sort_unique(keys);
-    note(state, event, keys, notices);
+    collect_notices(state, event, keys, notices);
   }
   send_notices(self, std::move(notices));
 }
@@ -256,10 +256,10 @@ void acknowledge(Self self, const EventsTaken& taken) {
     return;
   auto& [actor, component, flow, filters] = state.subscribers.at(*number);
   flow.acknowledge(taken.count);
-  while (auto piece = flow.next()) {
-    for (auto& notice : *piece)
+  while (auto batch = flow.next()) {
+    for (auto& notice : *batch)
       state.counters.coalesced += notice.event->coalesced;
-    send(self, actor, *std::move(piece));
+    send(self, actor, *std::move(batch));
   }
   note_whether_behind(state, *number);
 }

@@ -44,7 +44,7 @@ WorkingMemoryState::WaitKey key_of(const Client& client, WaitNumber number) {
 
 template <class Reply>
 void begin_wait(Self self, const Client& client, WaitNumber number, const std::string& id,
-                const OwedAnswerPtr<Reply>& answer,
+                const DeferredReplyPtr<Reply>& answer,
                 std::function<void(const SettledWait&)> finish) {
   self->state.waits[key_of(client, number)] = {id, std::move(finish),
                                                [answer] { answer->forgo(); }};
@@ -56,7 +56,7 @@ struct PendingQuery {
   ClientPtr client;
   WaitNumber number = 0;
   Timestamp deadline{0};
-  OwedAnswerPtr<Outcome<std::vector<EntryPtr>>> answer;
+  DeferredReplyPtr<Outcome<std::vector<EntryPtr>>> answer;
 };
 
 /// The first entry that the client has to wait for, or null.
@@ -74,8 +74,8 @@ void note_reads(WorkingMemoryState& state, const ClientPtr& client,
                 const std::vector<EntryPtr>& entries) {
   if (client)
     for (auto& x : entries)
-      state.accesses.note(client->component, x->address.subarchitecture, x->type_name(),
-                          &Access::reads);
+      state.usage.record(client->component, x->address.subarchitecture, x->type_name(),
+                         &Usage::reads);
 }
 
 Outcome<EntryPtr> read_for(WorkingMemoryState& state, const std::string& id,
@@ -227,7 +227,7 @@ caf::result<Outcome<EntryPtr>> read(Self self, const ReadRequest& request) {
   if (!request.patience.client || state.leases.may_read(address.id, *request.patience.client))
     return read_for(state, address.id, request.patience.client);
   remember_client(self, request.patience.client);
-  auto answer = owe<Outcome<EntryPtr>>(self);
+  auto answer = defer<Outcome<EntryPtr>>(self);
   begin_wait(self, *request.patience.client, request.patience.number, address.id, answer,
              [self, answer, address, client = request.patience.client](const SettledWait& x) {
                if (x.result == SettledWait::Result::readable)
@@ -254,7 +254,7 @@ caf::result<Outcome<std::vector<EntryPtr>>> query(Self self, const QueryRequest&
   remember_client(self, client);
   auto pending = std::make_shared<PendingQuery>(PendingQuery{
     request.query, client, request.patience.number, deadline_of(now(self), request.patience),
-    owe<Outcome<std::vector<EntryPtr>>>(self)});
+    defer<Outcome<std::vector<EntryPtr>>>(self)});
   resume_query(self, pending);
   return pending->answer->promise();
 }
@@ -281,7 +281,7 @@ caf::result<Outcome<Lease>> lock(Self self, const LockRequest& request) {
                                   to_string(*client) + " cannot lock " + to_string(address) +
                                     " now: " + describe(*state.leases.holding(address.id)),
                                   address}};
-  auto answer = owe<Outcome<Lease>>(self);
+  auto answer = defer<Outcome<Lease>>(self);
   begin_wait(self, *request.patience.client, request.patience.number, address.id, answer,
              [self, answer, address, client](const SettledWait& x) {
                if (x.result == SettledWait::Result::granted)

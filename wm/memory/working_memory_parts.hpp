@@ -23,12 +23,13 @@ Failure unknown_subarchitecture(const WorkingMemoryState& state, const Address& 
 /// An answer that somebody waits for. If it is never given, because the working memory ends before,
 /// they hear that.
 template <class Reply>
-class OwedAnswer {
+class DeferredReply {
 public:
-  explicit OwedAnswer(caf::typed_response_promise<Reply> promise) : promise_(std::move(promise)) {}
-  OwedAnswer(const OwedAnswer&) = delete;
-  OwedAnswer& operator=(const OwedAnswer&) = delete;
-  ~OwedAnswer() {
+  explicit DeferredReply(caf::typed_response_promise<Reply> promise)
+    : promise_(std::move(promise)) {}
+  DeferredReply(const DeferredReply&) = delete;
+  DeferredReply& operator=(const DeferredReply&) = delete;
+  ~DeferredReply() {
     if (wanted_ && promise_.pending())
       promise_.deliver(caf::make_error(caf::sec::request_receiver_down));
   }
@@ -46,18 +47,18 @@ private:
 };
 
 template <class Reply>
-using OwedAnswerPtr = std::shared_ptr<OwedAnswer<Reply>>;
+using DeferredReplyPtr = std::shared_ptr<DeferredReply<Reply>>;
 
 /// The answer to the current message is given later.
 template <class Reply>
-OwedAnswerPtr<Reply> owe(Self self) {
-  return std::make_shared<OwedAnswer<Reply>>(self->template make_response_promise<Reply>());
+DeferredReplyPtr<Reply> defer(Self self) {
+  return std::make_shared<DeferredReply<Reply>>(self->template make_response_promise<Reply>());
 }
 
 /// Says something that others may conclude from what has happened to entries: not before that is
 /// safe in the journal.
 template <class F>
-void say(Self self, F&& f) {
+void emit_after_sync(Self self, F&& f) {
   auto& gate = self->state.gate;
   if (gate.holds())
     gate.push(std::forward<F>(f));
@@ -71,7 +72,7 @@ caf::result<Reply> say_reply(Self self, caf::result<Reply> reply) {
   auto& gate = self->state.gate;
   if (!gate.holds() || reply.flag != caf::rt_value)
     return reply;
-  auto answer = owe<Reply>(self);
+  auto answer = defer<Reply>(self);
   gate.push([answer, message = std::move(reply.value)] {
     answer->deliver(Reply{message.template get_as<Reply>(0)});
   });
@@ -80,8 +81,8 @@ caf::result<Reply> say_reply(Self self, caf::result<Reply> reply) {
 
 /// And of an answer that has waited.
 template <class Reply>
-void say_reply(Self self, OwedAnswerPtr<Reply> answer, Reply reply) {
-  say(self, [answer = std::move(answer), reply = std::move(reply)]() mutable {
+void say_reply(Self self, DeferredReplyPtr<Reply> answer, Reply reply) {
+  emit_after_sync(self, [answer = std::move(answer), reply = std::move(reply)]() mutable {
     answer->deliver(std::move(reply));
   });
 }
@@ -215,7 +216,7 @@ private:
   /// By peer, for those in this process.
   std::map<std::uint32_t, std::vector<ForwardedEvent>> near_;
   /// By route.
-  std::map<std::size_t, EventFlow::Piece> far_;
+  std::map<std::size_t, EventFlow::Batch> far_;
 };
 
 /// The sender, a route, can take more.

@@ -11,8 +11,8 @@
 #include "castor/wm/journal/journal_mode.hpp"
 #include "castor/wm/journal/journal_news.hpp"
 #include "castor/wm/leases/deadlock_probe.hpp"
-#include "castor/wm/store/access_log.hpp"
 #include "castor/wm/store/type_query.hpp"
+#include "castor/wm/store/usage_log.hpp"
 #include "castor/wm/store/write_request.hpp"
 
 #include <cstdint>
@@ -136,7 +136,7 @@ struct Unsubscribe {
   FilterId id = 0;
 };
 
-/// To a component: what an atomic write did, in one piece.
+/// To a component: what an atomic write did, in one batch.
 struct ChangeNotices {
   std::vector<ChangeNotice> notices;
 };
@@ -258,10 +258,10 @@ struct WorkingMemoryStatus {
 };
 
 /// Asks who uses what.
-struct AccessQuery {};
+struct UsageQuery {};
 
-struct AccessReport {
-  std::vector<Access> accesses;
+struct UsageReport {
+  std::vector<Usage> usages;
 };
 
 /// Every operation names the address; the working memory of another subarchitecture is reached
@@ -296,7 +296,7 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<WakeUp>,
   // A fault on purpose.
   caf::reacts_to<JumpClock>,
-  // Another one, that is to befall its journal.
+  // A fault to inject into its journal.
   caf::reacts_to<JournalFault>,
   // Registers a filter of the sender; answers once it is in force in every working memory
   // concerned.
@@ -316,7 +316,7 @@ using WorkingMemoryActor = caf::typed_actor<
   // Answers how it is doing.
   caf::replies_to<StatusQuery>::with<WorkingMemoryStatus>,
   // Answers what was done with the entries here, and which events of others were told here.
-  caf::replies_to<AccessQuery>::with<AccessReport>>;
+  caf::replies_to<UsageQuery>::with<UsageReport>>;
 
 } // namespace castor
 
@@ -347,8 +347,8 @@ CASTOR_LOCAL_MESSAGE(castor::Peers)
 CASTOR_LOCAL_MESSAGE(castor::Acknowledged)
 CASTOR_LOCAL_MESSAGE(castor::StatusQuery)
 CASTOR_LOCAL_MESSAGE(castor::WorkingMemoryStatus)
-CASTOR_LOCAL_MESSAGE(castor::AccessQuery)
-CASTOR_LOCAL_MESSAGE(castor::AccessReport)
+CASTOR_LOCAL_MESSAGE(castor::UsageQuery)
+CASTOR_LOCAL_MESSAGE(castor::UsageReport)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Version>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::EntryPtr>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<std::vector<castor::EntryPtr>>)

@@ -19,10 +19,10 @@ std::uint32_t new_number(WorkingMemoryState& state, std::uint32_t peer, Interest
   return route.last_number;
 }
 
-void send_piece(Self self, Route& route, const EventFlow::Piece& piece) {
+void send_batch(Self self, Route& route, const EventFlow::Batch& batch) {
   auto& state = self->state;
   RoutedEvents result;
-  for (auto& [event, numbers] : piece) {
+  for (auto& [event, numbers] : batch) {
     std::map<std::uint32_t, std::vector<InterestId>> by_peer;
     for (auto number : numbers)
       if (auto i = route.receivers.find(number); i != route.receivers.end())
@@ -36,7 +36,7 @@ void send_piece(Self self, Route& route, const EventFlow::Piece& piece) {
     result.events.push_back(std::move(routed));
   }
   // As a message of this actor's, so that the way knows whom to acknowledge it to.
-  say(self, [self, outlet = route.outlet, result = std::move(result)]() mutable {
+  emit_after_sync(self, [self, outlet = route.outlet, result = std::move(result)]() mutable {
     caf::actor_cast<caf::abstract_actor*>(outlet)->enqueue(
       caf::actor_cast<caf::strong_actor_ptr>(self), caf::make_message_id(),
       caf::make_message(std::move(result)), self->context());
@@ -158,31 +158,32 @@ void ForwardedChanges::add(const ChangeEventPtr& event, const std::vector<Filter
       near_[number].push_back({event, std::move(ids)});
       return;
     }
-    auto& piece = far_[*peer.route];
-    if (!share || piece.empty() || piece.back().event != event)
-      piece.push_back({event, {}});
+    auto& batch = far_[*peer.route];
+    if (!share || batch.empty() || batch.back().event != event)
+      batch.push_back({event, {}});
     for (auto id : ids)
-      piece.back().filters.push_back(peer.interests.at(id).number);
+      batch.back().filters.push_back(peer.interests.at(id).number);
   });
   // A backlog that merges is better off if it knows of the others, too.
   for (std::size_t i = 0; i < state.routes.size(); ++i)
     if (state.routes[i].flow.backlog().is_merging())
-      if (auto& piece = far_[i]; piece.empty() || piece.back().event != event)
-        piece.push_back({event, {}});
+      if (auto& batch = far_[i]; batch.empty() || batch.back().event != event)
+        batch.push_back({event, {}});
 }
 
 void ForwardedChanges::send() {
   auto& state = self_->state;
   for (auto& [number, list] : near_) {
     state.counters.forwarded += list.size();
-    say(self_, [self = self_, to = state.peers[number].actor, list = std::move(list)]() mutable {
-      self->send(to, ForwardedEvents{std::move(list)});
-    });
+    emit_after_sync(
+      self_, [self = self_, to = state.peers[number].actor, list = std::move(list)]() mutable {
+        self->send(to, ForwardedEvents{std::move(list)});
+      });
   }
-  for (auto& [number, piece] : far_) {
+  for (auto& [number, batch] : far_) {
     auto& route = state.routes[number];
-    if (auto now = route.flow.push(std::move(piece)))
-      send_piece(self_, route, *now);
+    if (auto now = route.flow.push(std::move(batch)))
+      send_batch(self_, route, *now);
   }
 }
 
@@ -197,8 +198,8 @@ std::optional<std::size_t> find_route(const WorkingMemoryState& state, const caf
 void acknowledge_route(Self self, std::size_t route, std::uint64_t count) {
   auto& x = self->state.routes[route];
   x.flow.acknowledge(count);
-  while (auto piece = x.flow.next())
-    send_piece(self, x, *piece);
+  while (auto batch = x.flow.next())
+    send_batch(self, x, *batch);
 }
 
 void end_route(Self self, const caf::actor_addr& who) {

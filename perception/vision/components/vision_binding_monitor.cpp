@@ -103,7 +103,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     LearnInstruction instruction{true, id, {}};
     std::string words;
     for (auto& x : all)
-      if (x.holds && (x.kind == FeatureKind::colour || x.kind == FeatureKind::shape) &&
+      if (!x.negated && (x.kind == FeatureKind::colour || x.kind == FeatureKind::shape) &&
           std::ranges::find(own, x) == own.end()) {
         instruction.attributes.push_back(
           {x.kind == FeatureKind::colour ? "colour" : "shape", {x.text, 1}});

@@ -273,7 +273,7 @@ protected:
                                subarchitecture("b") + "CPP MG server Managed\n")};
     ASSERT_TRUE(system.start());
     ASSERT_TRUE(eventually([&] { return is_left(system, "CallProgress"); }));
-    ASSERT_TRUE(system.befall("a_wm", ComponentFault{}));
+    ASSERT_TRUE(system.inject("a_wm", ComponentFault{}));
     EXPECT_TRUE(eventually([&] { return calls == 2; })) << "the caller is back";
     EXPECT_TRUE(eventually([&] { return was_cancelled.load(); }));
     reply = true;

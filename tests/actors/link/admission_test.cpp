@@ -28,7 +28,7 @@ protected:
 TEST_F(AdmissionTest, ThoseWhoSayNothingHaveLessTime) {
   admit(1, "a");
   admit(2, "b");
-  admission.hear(2);
+  admission.has_sent(2);
   EXPECT_THAT(admission.late(now + 50ms), IsEmpty());
   EXPECT_THAT(admission.late(now + 200ms), ElementsAre(1));
   EXPECT_THAT(admission.late(now + 2000ms), ElementsAre(1, 2));
@@ -39,7 +39,7 @@ TEST_F(AdmissionTest, TheOldestSilentOneGivesWay) {
   admit(2, "b");
   admit(3, "c");
   admit(4, "d");
-  admission.hear(1);
+  admission.has_sent(1);
   EXPECT_EQ(admit(5, "e"), 2);
   EXPECT_EQ(admit(6, "f"), 3);
   EXPECT_EQ(admission.size(), 4u);
@@ -51,7 +51,7 @@ TEST_F(AdmissionTest, WhoeverTakesTooMuchMakesRoomForItselfOnly) {
     admit(i, "a");
   EXPECT_EQ(admit(5, "a"), 2);
   for (int i = 3; i <= 5; ++i)
-    admission.hear(i);
+    admission.has_sent(i);
   EXPECT_EQ(admit(6, "a"), 6);
   EXPECT_EQ(admit(7, "c"), 1);
 }
@@ -65,7 +65,7 @@ TEST_F(AdmissionTest, StrangersGiveWayBeforeThoseWhoAreKnown) {
   EXPECT_EQ(admit(5, "d"), 2);
   // Everybody speaks: only one who is known gets in at once.
   for (int i : {1, 3, 4, 5})
-    admission.hear(i);
+    admission.has_sent(i);
   EXPECT_EQ(admit(6, "e"), 6);
   EXPECT_EQ(admit(7, "known"), 3);
 }
@@ -73,7 +73,7 @@ TEST_F(AdmissionTest, StrangersGiveWayBeforeThoseWhoAreKnown) {
 TEST_F(AdmissionTest, SlowSpeakersKeepNobodyOutForLong) {
   for (int i = 1; i <= 4; ++i) {
     admit(i, std::to_string(i));
-    admission.hear(i);
+    admission.has_sent(i);
   }
   EXPECT_EQ(admit(5, "e"), 5);
   now += 150ms;

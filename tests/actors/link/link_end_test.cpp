@@ -130,7 +130,7 @@ TEST_F(LinkEndTest, HearsWhatIsSaid) {
 }
 
 TEST_F(LinkEndTest, AfterAGapNothingIsHeardBeforeThereIsAnotherConnection) {
-  b.end->befall({LinkFault::Kind::silence, 100ms});
+  b.end->inject({LinkFault::Kind::silence, 100ms});
   say("lost");
   carry(1);
   time += 200ms;

@@ -146,7 +146,7 @@ TEST_F(PushLog, FindsDamage) {
     auto log = writer();
     append(log, {{1ms, true, picture(7, 1)}});
   }
-  sqlite::Database{file, sqlite::Access::write}.run(
+  sqlite::Database{file, sqlite::OpenMode::write}.run(
     "UPDATE chunks SET bytes = zeroblob(length(bytes)) WHERE number = 3");
   EXPECT_THROW(read(), JournalError);
 }

@@ -112,7 +112,7 @@ protected:
                   if (x.phase == Phase::configure && name == slow)
                     late = done;
                   else if (x.phase != Phase::run)
-                    self->send(x.conductor, done);
+                    self->send(x.phase_controller, done);
                 }};
       }));
       result.actors[name] = caf::actor_cast<caf::strong_actor_ptr>(made.back());
@@ -204,8 +204,8 @@ TEST_F(SupervisorTest, WhoBlocksInConfigureIsStoppedAllTheSame) {
   EXPECT_THAT(ups, testing::Contains(testing::Field(&ComponentUp::component, "a_tm")));
 }
 
-TEST_F(SupervisorTest, WhatIsToBefallTheNextLifeComesBeforeItsStart) {
-  caf::anon_send(supervisor, BefallComponent{"u", {ComponentFault::Kind::blocked_start}});
+TEST_F(SupervisorTest, FaultsForTheNextStartAreInjectedBeforeIt) {
+  caf::anon_send(supervisor, InjectComponentFault{"u", {ComponentFault::Kind::blocked_start}});
   run();
   EXPECT_THAT(faults, IsEmpty());
   for (int life = 1; life <= 2; ++life) {

@@ -121,7 +121,7 @@ TEST(FaultPlan, NamesInQuotesAreNames) {
   EXPECT_EQ(fault_in(R"(crash "a \"b\" \\ # c")"), (Fault{Crash{{R"(a "b" \ # c)", {}}}}));
 }
 
-TEST(FaultPlan, FaultsSayWhomTheyBefall) {
+TEST(FaultPlan, FaultsNameTheirTargets) {
   EXPECT_EQ(target_of(fault_in("hang tracker for 1s")), "tracker");
   EXPECT_EQ(target_of(fault_in("crash any component of vision")), "any component of vision");
   EXPECT_EQ(target_of(fault_in("kill any node")), "any node");

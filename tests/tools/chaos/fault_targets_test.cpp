@@ -49,7 +49,7 @@ TEST(FaultTargets, NamesOfNothingAreFound) {
   EXPECT_THAT(flaws_in("at 1s crash tracker or crash trakcer"), HasSubstr("'tracker'"));
 }
 
-TEST(FaultTargets, FaultsThatCannotBefallThemAreFound) {
+TEST(FaultTargets, FaultsThatCannotBeInjectedIntoThemAreFound) {
   EXPECT_THAT(flaws_in("at 1s kill segmentor"),
               AllOf(HasSubstr("has no process of its own"), HasSubstr("write crash segmentor")));
   EXPECT_THAT(flaws_in("at 1s block start of vision_wm"), HasSubstr("has no start()"));

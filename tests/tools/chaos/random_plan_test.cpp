@@ -41,7 +41,7 @@ RC_GTEST_PROP(RandomPlan, FitsTheSystemAndLeavesItToRest, (std::uint64_t seed)) 
   }
 }
 
-TEST(RandomPlan, HasEverythingThatCanBefallTheSystemAndAnEndToIt) {
+TEST(RandomPlan, HasEveryKindOfFaultThatTheSystemHasTargetsForAndAnEndOfEach) {
   auto targets = test::table_top();
   targets.subarchitectures.front().goes_on_without_journal = true;
   RandomPlanOptions options;

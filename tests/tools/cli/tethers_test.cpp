@@ -31,12 +31,12 @@ Json pointer(const std::string& subarchitecture, const std::string& id, const st
   return {{"address", {{"subarchitecture", subarchitecture}, {"id", id}}}, {"type", type}};
 }
 
-Json feature(const std::string& kind, const std::string& text, bool holds = true) {
+Json feature(const std::string& kind, const std::string& text, bool negated = false) {
   return {{"kind", kind},
           {"text", text},
           {"numbers", Json::array()},
           {"data", pointer("", "", "")},
-          {"holds", holds}};
+          {"negated", negated}};
 }
 
 Json tether(const std::string& subarchitecture, const std::string& id, const std::string& type) {
@@ -91,7 +91,7 @@ protected:
           {red, feature("this_proxy_id", "v ball"), tether("vision", "0:1", "SceneObject")},
           "union 1"),
     proxy("s ball",
-          {feature("concept_name", "ball"), feature("shape", "cube", false),
+          {feature("concept_name", "ball"), feature("shape", "cube", true),
            tether("speech", "w3", "Word")},
           "union 1"),
     proxy("v box", {tether("vision", "0:2", "SceneObject")}, "union 2"),

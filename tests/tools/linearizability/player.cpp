@@ -23,7 +23,7 @@ constexpr auto grace = 500ms;
 constexpr std::size_t longest_lock_wait_ms = 20;
 
 /// How often who waits for others looks whether they are there.
-constexpr auto glance = 100us;
+constexpr auto poll_interval = 100us;
 
 constexpr std::size_t most_operations = 60;
 /// What a player may have begun before it sees that others have begun enough, with all that it has
@@ -41,7 +41,7 @@ void Player::run() {
   auto dies = chance(10);
   world_->enter();
   try {
-    while (!world_->all_have_entered() && sleep_for(glance))
+    while (!world_->all_have_entered() && sleep_for(poll_interval))
       continue;
     play(dies);
   } catch (...) {
@@ -390,7 +390,7 @@ void Player::leave() {
 
 void Closer::run() {
   World world{path_.get()};
-  while (!world.may_close() && sleep_for(glance))
+  while (!world.may_close() && sleep_for(poll_interval))
     continue;
   if (!world.may_close())
     return;

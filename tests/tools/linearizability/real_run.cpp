@@ -3,7 +3,7 @@
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/log.hpp"
-#include "castor/tools/linearizability/lapses.hpp"
+#include "castor/tools/linearizability/lease_expiries.hpp"
 
 #include <algorithm>
 #include <random>
@@ -67,8 +67,9 @@ void judge(RealRunResult& result, const World& world, std::chrono::milliseconds 
            const std::map<Client, Tick>& ends) {
   std::ranges::copy(world.findings(), std::back_inserter(result.findings));
   result.history = world.operations();
-  std::ranges::copy(possible_lapses(result.history, Tick(std::chrono::nanoseconds{lease}.count()),
-                                    ends, world.now()),
+  std::ranges::copy(possible_lease_expiries(result.history,
+                                            Tick(std::chrono::nanoseconds{lease}.count()), ends,
+                                            world.now()),
                     std::back_inserter(result.history));
   result.verdict = Checker{{.max_states = 4'000'000}}.check(result.history);
 }

@@ -66,11 +66,11 @@ TEST(TimelineSummary, LongListsAreCounted) {
 
 TEST(TimelineSummary, FeaturesAreToldWordsFirstAndWhatIsNotSoLast) {
   EXPECT_THAT(told(R"({"features": [
-    {"kind": "other_source", "text": "vision", "numbers": [], "holds": false},
+    {"kind": "other_source", "text": "vision", "numbers": [], "negated": true},
     {"kind": "source_data", "text": "", "numbers": [], "data": {"address":
-       {"subarchitecture": "vision", "id": "0:1"}, "type": "SceneObject"}, "holds": true},
-    {"kind": "creation_time", "text": "", "numbers": [1234567], "holds": true},
-    {"kind": "colour", "text": "blue", "numbers": [], "holds": true}]})"),
+       {"subarchitecture": "vision", "id": "0:1"}, "type": "SceneObject"}, "negated": false},
+    {"kind": "creation_time", "text": "", "numbers": [1234567], "negated": false},
+    {"kind": "colour", "text": "blue", "numbers": [], "negated": false}]})"),
               ElementsAre("colour blue", "source data \u2192 vision/0:1 SceneObject",
                           "not other source vision"));
 }

@@ -99,11 +99,11 @@ std::vector<Step> steps(bool with_takes, bool with_withdrawals) {
 /// Entries and their versions, and the events that writes to them make.
 class World {
 public:
-  using Piece = EventBacklog::Piece;
+  using Batch = EventBacklog::Batch;
 
   /// The notices of writes at once. Of several writes of one entry the first counts.
-  Piece make(const std::vector<Write>& writes) {
-    Piece result;
+  Batch make(const std::vector<Write>& writes) {
+    Batch result;
     std::set<Address> written;
     for (auto& x : writes) {
       auto address = x.address;
@@ -162,8 +162,8 @@ public:
 
   explicit Naive(std::size_t bound) : bound_(bound) {}
 
-  void push(const EventBacklog::Piece& piece) {
-    for (auto& notice : piece) {
+  void push(const EventBacklog::Batch& batch) {
+    for (auto& notice : batch) {
       auto order = ++pushed_;
       if (merging)
         merge({*notice.event, order}, notice.filters);
@@ -179,8 +179,8 @@ public:
   }
 
   /// Fails unless this is what comes next.
-  void pop(const EventBacklog::Piece& piece) {
-    for (auto& [event, wanted_by] : piece) {
+  void pop(const EventBacklog::Batch& batch) {
+    for (auto& [event, wanted_by] : batch) {
       RC_ASSERT(!wanted_by.empty());
       if (!merging) {
         RC_ASSERT(!queue_.empty());
@@ -291,8 +291,8 @@ private:
 /// One that has registered all the filters, and follows what it is told.
 class Receiver {
 public:
-  void hear(const EventBacklog::Piece& piece) {
-    for (auto& [event, wanted_by] : piece) {
+  void hear(const EventBacklog::Batch& batch) {
+    for (auto& [event, wanted_by] : batch) {
       auto& address = event->address;
       auto& last_sequence = last_sequences_[address.subarchitecture];
       RC_ASSERT(event->sequence >= last_sequence);
@@ -343,19 +343,19 @@ RC_GTEST_PROP(EventBacklogProperties, TellsAShorterStoryWithTheSameEnd, ()) {
   std::size_t pushed = 0;
   std::set<std::pair<std::string, std::uint64_t>> popped;
   auto take = [&] {
-    auto piece = backlog.pop();
-    naive.pop(piece);
-    receiver.hear(piece);
-    for (auto& notice : piece)
+    auto batch = backlog.pop();
+    naive.pop(batch);
+    receiver.hear(batch);
+    for (auto& notice : batch)
       popped.emplace(notice.event->address.subarchitecture, notice.event->sequence);
   };
   for (auto& step : steps(true, false)) {
     if (step.kind == Step::write) {
-      auto piece = world.make(step.writes);
+      auto batch = world.make(step.writes);
       pushed += static_cast<std::size_t>(std::count_if(
-        piece.begin(), piece.end(), [](auto& notice) { return !notice.filters.empty(); }));
-      naive.push(piece);
-      backlog.push(std::move(piece));
+        batch.begin(), batch.end(), [](auto& notice) { return !notice.filters.empty(); }));
+      naive.push(batch);
+      backlog.push(std::move(batch));
     } else if (!backlog.empty()) {
       take();
     }
@@ -379,9 +379,9 @@ RC_GTEST_PROP(EventBacklogProperties, ForgetsWithdrawnFiltersOnly, ()) {
   Naive naive{bound};
   for (auto& step : steps(true, true)) {
     if (step.kind == Step::write) {
-      auto piece = world.make(step.writes);
-      naive.push(piece);
-      backlog.push(std::move(piece));
+      auto batch = world.make(step.writes);
+      naive.push(batch);
+      backlog.push(std::move(batch));
     } else if (step.kind == Step::withdraw) {
       naive.withdraw(step.filter);
       backlog.erase(step.filter);
@@ -401,15 +401,15 @@ RC_GTEST_PROP(EventBacklogProperties, NeverGrowsBeyondItsBoundAndTheEntriesThere
   std::set<Address> known;
   for (auto& step : steps(false, false)) {
     auto before = world.there;
-    auto piece = world.make(step.writes);
+    auto batch = world.make(step.writes);
     if (!backlog.is_merging()) {
       known.clear();
       for (auto& [address, version] : before)
         known.insert(address);
-      for (auto& notice : piece)
+      for (auto& notice : batch)
         known.insert(notice.event->address);
     }
-    backlog.push(std::move(piece));
+    backlog.push(std::move(batch));
     auto entries = known;
     for (auto& [address, version] : world.there)
       entries.insert(address);

@@ -73,10 +73,10 @@ TEST(EventBacklog, GivesBackUnchangedWhatStaysWithinItsBound) {
   backlog.push(remove("x", 1), {1, 2});
   EXPECT_EQ(backlog.size(), 3u);
   EXPECT_FALSE(backlog.is_merging());
-  auto piece = backlog.pop();
-  ASSERT_EQ(piece.size(), 1u);
-  EXPECT_EQ(piece[0].event, first);
-  EXPECT_EQ(piece[0].filters, (Filters{1, 2}));
+  auto batch = backlog.pop();
+  ASSERT_EQ(batch.size(), 1u);
+  EXPECT_EQ(batch[0].event, first);
+  EXPECT_EQ(batch[0].filters, (Filters{1, 2}));
   EXPECT_EQ(drained(backlog), (Lines{"OVERWRITE x v1 changed 1 for 2", "DELETE x v1 for 1 2"}));
   EXPECT_EQ(backlog.suppressed(), 0u);
 }

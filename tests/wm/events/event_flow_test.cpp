@@ -17,8 +17,8 @@ namespace castor::test {
 namespace {
 
 struct ArriveAsEvents {
-  void operator()(const EventFlow::Piece& piece, std::deque<std::uint64_t>& queue) const {
-    for (auto& notice : piece)
+  void operator()(const EventFlow::Batch& batch, std::deque<std::uint64_t>& queue) const {
+    for (auto& notice : batch)
       queue.push_back(notice.event->sequence);
   }
 };
@@ -30,15 +30,15 @@ public:
 
   /// So many entries are written at once, for the first time.
   void write(std::size_t entries) {
-    EventFlow::Piece piece;
+    EventFlow::Batch batch;
     for (std::size_t i = 0; i < entries; ++i) {
       auto event = std::make_shared<ChangeEvent>();
       event->address = {"a", std::to_string(++written)};
       event->type = descriptor_of<Box>();
       event->sequence = written;
-      piece.push_back({event, {1}});
+      batch.push_back({event, {1}});
     }
-    send(flow.push(std::move(piece)));
+    send(flow.push(std::move(batch)));
   }
 
   std::uint64_t written = 0;

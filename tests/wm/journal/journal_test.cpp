@@ -340,7 +340,7 @@ TEST_F(Journal, IsRefusedIfRowsAreMissingOfWhichNoOtherTells) {
         store.sync();
         store.file().close();
       }
-      sqlite::Database{options.file, sqlite::Access::write}.run(
+      sqlite::Database{options.file, sqlite::OpenMode::write}.run(
         ("DELETE FROM " + std::string{what}).c_str());
       EXPECT_THAT(refusal(), HasSubstr("missing"));
     }
@@ -348,7 +348,7 @@ TEST_F(Journal, IsRefusedIfRowsAreMissingOfWhichNoOtherTells) {
 
 TEST_F(Journal, DoesNothingThatWasAddedToItsSchema) {
   write_some();
-  sqlite::Database{options.file, sqlite::Access::write}.run(
+  sqlite::Database{options.file, sqlite::OpenMode::write}.run(
     "CREATE TRIGGER swallow BEFORE INSERT ON log BEGIN SELECT RAISE(IGNORE); END");
   auto write = [&] {
     JournaledStore store{options};

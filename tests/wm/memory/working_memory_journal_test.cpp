@@ -375,7 +375,7 @@ protected:
     wm.erase("e");
   }
 
-  void befall(const JournalFault& x) {
+  void inject(const JournalFault& x) {
     caf::anon_send(wm.at("e"), x);
     scheduler.run();
   }
@@ -471,7 +471,7 @@ const JournalFault slow{JournalFault::Kind::slowness, 1s, 20ms};
 TEST_F(FiledWorkingMemory, EndsWhenItsJournalIsMadeToFailAndIsBackWithAllThatItHasAcknowledged) {
   start();
   add({"e", "1"}, 1);
-  befall(failing);
+  inject(failing);
   outsider->monitor(wm.at("e"));
   auto answer = begin_add({"e", "2"});
   EXPECT_FALSE(answer->has_value());
@@ -492,7 +492,7 @@ TEST_F(FiledWorkingMemory, GoesOnAndSaysSoWhenItsJournalIsMadeToFail) {
   journal.go_on_without = true;
   start();
   add({"e", "1"});
-  befall(failing);
+  inject(failing);
   EXPECT_TRUE(begin_add({"e", "2"})->has_value());
   EXPECT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. e goes on without a journal")));
   EXPECT_THAT(status("e").journal.failure, HasSubstr("it was made to fail"));
@@ -505,7 +505,7 @@ TEST_F(FiledWorkingMemory, GoesOnAndSaysSoWhenItsJournalIsMadeToFail) {
 
 TEST_F(FiledWorkingMemory, DoesNotNoticeAFailureDuringWhichNothingWasWritten) {
   start();
-  befall(failing);
+  inject(failing);
   pass(1s);
   EXPECT_TRUE(begin_add({"e", "1"})->has_value());
   EXPECT_THAT(reports, IsEmpty());
@@ -513,7 +513,7 @@ TEST_F(FiledWorkingMemory, DoesNotNoticeAFailureDuringWhichNothingWasWritten) {
 
 TEST_F(FiledWorkingMemory, AnswersLaterAsLongAsItsJournalIsMadeSlow) {
   start();
-  befall(slow);
+  inject(slow);
   auto first = begin_add({"e", "1"});
   pass(19ms);
   // These come while the first is being written: the next group is theirs.
@@ -537,7 +537,7 @@ TEST_F(FiledWorkingMemory, AnswersLaterAsLongAsItsJournalIsMadeSlow) {
 TEST_F(FiledWorkingMemory, WritesDownWhatASlowJournalHasNotTakenBeforeItEnds) {
   journal.mode = JournalMode::batched;
   start();
-  befall(slow);
+  inject(slow);
   add({"e", "1"});
   pass(journal.delay);
   add({"e", "2"});
@@ -553,7 +553,7 @@ TEST_F(FiledWorkingMemory, SaysThatAcknowledgedChangesMayBeLostIfItsJournalFails
   journal.mode = JournalMode::batched;
   start();
   add({"e", "1"});
-  befall(failing);
+  inject(failing);
   end();
   EXPECT_THAT(
     reports, ElementsAre(HasSubstr("it was made to fail. What was acknowledged last may be lost")));

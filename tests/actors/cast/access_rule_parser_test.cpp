@@ -1,4 +1,4 @@
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 
 #include "castor/tests/actors/cast/support.hpp"
 
@@ -19,7 +19,7 @@ const std::string systems = "HOST h\n"
                             "SUBARCHITECTURE binding\nCPP WM W\nCPP TM T\n"
                             "SUBARCHITECTURE speech\nCPP WM W\nCPP TM T\n";
 
-TEST(AccessRules, LetOthersWrite) {
+TEST(AccessRuleParser, LetOthersWrite) {
   auto result = parse(systems + "ACCESS vision WRITES binding # proxies\n");
   ASSERT_TRUE(is_clean(result));
   const auto& architecture = *result.architecture;
@@ -31,7 +31,7 @@ TEST(AccessRules, LetOthersWrite) {
   EXPECT_TRUE(architecture.may_write("speech", "speech"));
 }
 
-TEST(AccessRules, MayNameAll) {
+TEST(AccessRuleParser, MayNameAll) {
   auto result = parse(systems + "ACCESS * WRITES binding\nACCESS speech WRITES *\n");
   ASSERT_TRUE(is_clean(result));
   EXPECT_TRUE(result.architecture->may_write("vision", "binding"));
@@ -40,18 +40,18 @@ TEST(AccessRules, MayNameAll) {
   EXPECT_TRUE(is_clean(parse(systems + "ACCESS * WRITES *\n")));
 }
 
-TEST(AccessRules, MayStandBeforeTheSubarchitectures) {
+TEST(AccessRuleParser, MayStandBeforeTheSubarchitectures) {
   EXPECT_TRUE(is_clean(parse("ACCESS vision WRITES binding\n" + systems)));
 }
 
-TEST(AccessRules, NeedKnownNames) {
+TEST(AccessRuleParser, NeedKnownNames) {
   auto result = parse(systems + "ACCESS visoin WRITES nowhere\n");
   EXPECT_TRUE(
     reports(result, Severity::error, 11, "no subarchitecture 'visoin'", "did you mean 'vision'?"));
   EXPECT_TRUE(reports(result, Severity::error, 11, "no subarchitecture 'nowhere'", "or * for all"));
 }
 
-TEST(AccessRules, MustBeWellFormed) {
+TEST(AccessRuleParser, MustBeWellFormed) {
   for (std::string line : {"ACCESS", "ACCESS vision", "ACCESS vision WRITES", "ACCESS # x",
                            "ACCESS vision reads binding", "ACCESS vision WRITES #binding"})
     EXPECT_TRUE(reports(parse(systems + line), Severity::error, 11, "no access rule",
@@ -61,14 +61,14 @@ TEST(AccessRules, MustBeWellFormed) {
                       "'speech' is ignored"));
 }
 
-TEST(AccessRules, WithoutEffectGetAWarning) {
+TEST(AccessRuleParser, WithoutEffectGetAWarning) {
   EXPECT_TRUE(reports(parse(systems + "ACCESS vision WRITES vision"), Severity::warning, 11,
                       "its own working memory in any case"));
   auto repeated = parse(systems + "ACCESS vision WRITES binding\nACCESS vision WRITES binding");
   EXPECT_TRUE(reports(repeated, Severity::warning, 12, "stands at main.cast:11 already"));
 }
 
-TEST(AccessRules, LetOperatorsWriteEverywhereUnlessTheySayOtherwise) {
+TEST(AccessRuleParser, LetOperatorsWriteEverywhereUnlessTheySayOtherwise) {
   auto may = [](const std::string& rules, const char* owner) {
     auto result = parse(systems + rules);
     EXPECT_TRUE(is_clean(result)) << rules;
@@ -84,7 +84,7 @@ TEST(AccessRules, LetOperatorsWriteEverywhereUnlessTheySayOtherwise) {
   EXPECT_TRUE(may("ACCESS operator WRITES *\n", "binding"));
 }
 
-TEST(AccessRules, OfOperatorsAreCheckedToo) {
+TEST(AccessRuleParser, OfOperatorsAreCheckedToo) {
   EXPECT_TRUE(reports(parse(systems + "ACCESS operater WRITES vision\n"), Severity::error, 11,
                       "no subarchitecture 'operater'", "did you mean 'operator'?"));
   EXPECT_TRUE(reports(parse(systems + "ACCESS operator WRITES notihng\n"), Severity::error, 11,
@@ -98,7 +98,7 @@ TEST(AccessRules, OfOperatorsAreCheckedToo) {
                       "has a meaning of its own in ACCESS lines"));
 }
 
-TEST(AccessRules, DoNotHideHostsOfThatName) {
+TEST(AccessRuleParser, DoNotHideHostsOfThatName) {
   auto result = parse("HOST h\nSUBARCHITECTURE s\nCPP WM W\nCPP TM T\nACCESS CPP MG a A\n"
                       "ACCESSORY CPP MG b B\n");
   ASSERT_TRUE(is_clean(result));

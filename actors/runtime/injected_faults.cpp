@@ -1,4 +1,4 @@
-#include "castor/actors/runtime/befalling.hpp"
+#include "castor/actors/runtime/injected_faults.hpp"
 
 #include <stdexcept>
 #include <thread>
@@ -6,7 +6,7 @@
 
 namespace castor {
 
-void Befalling::take(const ComponentFault& x, Clock::time_point now) {
+void InjectedFaults::take(const ComponentFault& x, Clock::time_point now) {
   switch (x.kind) {
     case ComponentFault::Kind::crash:
       crash_ = true;
@@ -33,14 +33,14 @@ void Befalling::take(const ComponentFault& x, Clock::time_point now) {
   }
 }
 
-void Befalling::in_phase(Phase x) {
+void InjectedFaults::in_phase(Phase x) {
   if (auto blocked = blocked_.extract(x)) {
     report_effect(blocked.mapped().ticket);
     std::this_thread::sleep_for(blocked.mapped().by);
   }
 }
 
-void Befalling::in_callback() {
+void InjectedFaults::in_callback() {
   if (auto hang = std::exchange(hang_, std::nullopt)) {
     report_effect(hang_ticket_);
     std::this_thread::sleep_for(*hang);

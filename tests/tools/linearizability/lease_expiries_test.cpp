@@ -1,4 +1,4 @@
-#include "castor/tools/linearizability/lapses.hpp"
+#include "castor/tools/linearizability/lease_expiries.hpp"
 
 #include "castor/tests/tools/linearizability/records.hpp"
 #include "castor/tools/linearizability/checker.hpp"
@@ -21,7 +21,8 @@ History two_locks(Tick second) {
 }
 
 Verdict::Kind verdict(History history, const std::map<Client, Tick>& ends = {}) {
-  std::ranges::copy(possible_lapses(history, duration, ends, end), std::back_inserter(history));
+  std::ranges::copy(possible_lease_expiries(history, duration, ends, end),
+                    std::back_inserter(history));
   return Checker{}.check(history).kind;
 }
 
@@ -47,11 +48,11 @@ TEST(PossibleLapses, CountFromTheFirstOfSeveralLocks) {
   auto history = two_locks(104);
   history.push_back(lock(1, LockLevel::o, {30, 40}, obtained(1)));
   EXPECT_EQ(verdict(history), Verdict::Kind::violation);
-  EXPECT_EQ(possible_lapses(history, duration, {}, end).size(), 2u);
+  EXPECT_EQ(possible_lease_expiries(history, duration, {}, end).size(), 2u);
 }
 
 TEST(PossibleLapses, DoNotComeAfterTheEnd) {
-  EXPECT_TRUE(possible_lapses(two_locks(end), duration, {}, 50).empty());
+  EXPECT_TRUE(possible_lease_expiries(two_locks(end), duration, {}, 50).empty());
 }
 
 } // namespace castor::linearizability

@@ -1,4 +1,4 @@
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 
 #include "castor/actors/cast/unknown_name.hpp"
 #include "castor/base/text.hpp"
@@ -31,7 +31,7 @@ void check_name(const std::string& name, std::string_view special, const Structu
 
 } // namespace
 
-void AccessRules::read(WordStream& words, const StructureLine& line, DiagnosticLog& log) {
+void AccessRuleParser::read(WordStream& words, const StructureLine& line, DiagnosticLog& log) {
   auto writer = words.next();
   auto verb = words.next();
   auto owner = words.next();
@@ -47,7 +47,7 @@ void AccessRules::read(WordStream& words, const StructureLine& line, DiagnosticL
   lines_.push_back(&line);
 }
 
-void AccessRules::check_operator_rule(std::size_t number, bool joins, DiagnosticLog& log) {
+void AccessRuleParser::check_operator_rule(std::size_t number, bool joins, DiagnosticLog& log) {
   const auto& line = *lines_[number];
   if (joins)
     log.report(
@@ -61,8 +61,8 @@ void AccessRules::check_operator_rule(std::size_t number, bool joins, Diagnostic
 }
 
 std::vector<AccessRule>
-AccessRules::finish(const std::set<std::string, std::less<>>& subarchitectures, bool joins,
-                    DiagnosticLog& log) {
+AccessRuleParser::finish(const std::set<std::string, std::less<>>& subarchitectures, bool joins,
+                         DiagnosticLog& log) {
   std::map<std::pair<std::string_view, std::string_view>, const StructureLine*> seen;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
     const auto& [writer, owner, where] = rules_[i];

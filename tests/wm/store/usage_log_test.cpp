@@ -1,4 +1,4 @@
-#include "castor/wm/store/access_log.hpp"
+#include "castor/wm/store/usage_log.hpp"
 
 #include "castor/tests/wm/memory/working_memories.hpp"
 
@@ -12,26 +12,26 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(AccessLog, CountsByComponentSubarchitectureAndType) {
-  AccessLog log;
+TEST(UsageLog, CountsByComponentSubarchitectureAndType) {
+  UsageLog log;
   EXPECT_THAT(log.all(), IsEmpty());
-  log.note("b", "vision", "ROI", &Access::adds);
-  log.note("a", "vision", "ROI", &Access::reads);
-  log.note("b", "vision", "ROI", &Access::adds);
-  log.note("b", "vision", "Ball", &Access::deletes);
-  log.note("b", "arm", "ROI", &Access::overwrites);
-  log.note("b", "arm", "ROI", &Access::events);
-  EXPECT_THAT(log.all(), ElementsAre(Access{"a", "vision", "ROI", 0, 0, 0, 1, 0},
-                                     Access{"b", "arm", "ROI", 0, 1, 0, 0, 1},
-                                     Access{"b", "vision", "Ball", 0, 0, 1, 0, 0},
-                                     Access{"b", "vision", "ROI", 2, 0, 0, 0, 0}));
+  log.record("b", "vision", "ROI", &Usage::adds);
+  log.record("a", "vision", "ROI", &Usage::reads);
+  log.record("b", "vision", "ROI", &Usage::adds);
+  log.record("b", "vision", "Ball", &Usage::deletes);
+  log.record("b", "arm", "ROI", &Usage::overwrites);
+  log.record("b", "arm", "ROI", &Usage::events);
+  EXPECT_THAT(log.all(), ElementsAre(Usage{"a", "vision", "ROI", 0, 0, 0, 1, 0},
+                                     Usage{"b", "arm", "ROI", 0, 1, 0, 0, 1},
+                                     Usage{"b", "vision", "Ball", 0, 0, 1, 0, 0},
+                                     Usage{"b", "vision", "ROI", 2, 0, 0, 0, 0}));
   EXPECT_EQ(log.all().back().writes(), 2u);
 }
 
 class Accesses : public WorkingMemories {
 protected:
-  std::vector<Access> of(const std::string& name) {
-    return ask<AccessReport>(wm.at(name), AccessQuery{}).accesses;
+  std::vector<Usage> of(const std::string& name) {
+    return ask<UsageReport>(wm.at(name), UsageQuery{}).usages;
   }
 
   static Patience reader() {
@@ -48,8 +48,8 @@ TEST_F(Accesses, AreCountedWhereTheEntriesAre) {
   items.type = "Item";
   ask<Outcome<std::vector<EntryPtr>>>(wm.at("b"), QueryRequest{items, reader()});
   remove({"a", "x"});
-  EXPECT_THAT(of("a"), ElementsAre(Access{"reader", "a", "Item", 0, 0, 0, 2, 0},
-                                   Access{"tester", "a", "Item", 1, 1, 1, 0, 0}));
+  EXPECT_THAT(of("a"), ElementsAre(Usage{"reader", "a", "Item", 0, 0, 0, 2, 0},
+                                   Usage{"tester", "a", "Item", 1, 1, 1, 0, 0}));
   EXPECT_THAT(of("b"), IsEmpty());
 }
 
@@ -68,9 +68,9 @@ TEST_F(Accesses, EventsAreCountedWhereTheyAreTold) {
   subscribe(onlooker, "b", 1, any_change().anywhere());
   add({"a", "x"});
   add({"b", "y"});
-  EXPECT_THAT(of("b"), ElementsAre(Access{"tester", "b", "Item", 1, 0, 0, 0, 0},
-                                   Access{"watcher", "a", "Item", 0, 0, 0, 0, 1},
-                                   Access{"watcher", "b", "Item", 0, 0, 0, 0, 1}));
+  EXPECT_THAT(of("b"), ElementsAre(Usage{"tester", "b", "Item", 1, 0, 0, 0, 0},
+                                   Usage{"watcher", "a", "Item", 0, 0, 0, 0, 1},
+                                   Usage{"watcher", "b", "Item", 0, 0, 0, 0, 1}));
 }
 
 } // namespace

@@ -9,12 +9,12 @@
 
 namespace castor {
 
-/// Thrown where a component that is to crash turns to the runtime. It derives from nothing, as
-/// nothing can be done about it.
+/// Thrown where a component that is to crash calls the runtime. It derives from nothing, so that
+/// no handler of std::exception swallows it.
 struct InjectedCrash {};
 
-/// What has been made to befall a component. Used on the component's own thread only.
-class Befalling {
+/// The faults that were injected into a component. Used on the component's own thread only.
+class InjectedFaults {
 public:
   using Clock = std::chrono::steady_clock;
 

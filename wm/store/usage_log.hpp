@@ -11,7 +11,7 @@
 namespace castor {
 
 /// What a component has done so far with the entries of a type in one working memory.
-struct Access {
+struct Usage {
   std::string component;
   /// Whose working memory holds the entries.
   std::string subarchitecture;
@@ -25,32 +25,32 @@ struct Access {
 
   std::uint64_t writes() const { return adds + overwrites + deletes; }
 
-  friend bool operator==(const Access&, const Access&) = default;
+  friend bool operator==(const Usage&, const Usage&) = default;
 };
 
 /// Who uses what, and how often.
-class AccessLog {
+class UsageLog {
 public:
   /// Counts one more.
-  void note(std::string_view component, std::string_view subarchitecture, std::string_view type,
-            std::uint64_t Access::*what) {
+  void record(std::string_view component, std::string_view subarchitecture, std::string_view type,
+              std::uint64_t Usage::*what) {
     auto key = std::tie(component, subarchitecture, type);
-    auto i = accesses_.lower_bound(key);
-    if (i == accesses_.end() || key_of(i->second) != key) {
-      Access x;
+    auto i = usages_.lower_bound(key);
+    if (i == usages_.end() || key_of(i->second) != key) {
+      Usage x;
       x.component = component;
       x.subarchitecture = subarchitecture;
       x.type = type;
-      i = accesses_.emplace_hint(i, Key{x.component, x.subarchitecture, x.type}, x);
+      i = usages_.emplace_hint(i, Key{x.component, x.subarchitecture, x.type}, x);
     }
     ++(i->second.*what);
   }
 
   /// By component, subarchitecture and type.
-  std::vector<Access> all() const {
-    std::vector<Access> result;
-    for (auto& [key, access] : accesses_)
-      result.push_back(access);
+  std::vector<Usage> all() const {
+    std::vector<Usage> result;
+    for (auto& [key, usage] : usages_)
+      result.push_back(usage);
     return result;
   }
 
@@ -58,9 +58,9 @@ private:
   using Key = std::tuple<std::string, std::string, std::string>;
   using View = std::tuple<std::string_view, std::string_view, std::string_view>;
 
-  static View key_of(const Access& x) { return {x.component, x.subarchitecture, x.type}; }
+  static View key_of(const Usage& x) { return {x.component, x.subarchitecture, x.type}; }
 
-  std::map<Key, Access, std::less<>> accesses_;
+  std::map<Key, Usage, std::less<>> usages_;
 };
 
 } // namespace castor

@@ -1,4 +1,4 @@
-#include "castor/tools/linearizability/lapses.hpp"
+#include "castor/tools/linearizability/lease_expiries.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -13,8 +13,8 @@ bool locks(const OperationRecord& x) {
 
 } // namespace
 
-History possible_lapses(const History& operations, Tick lease_duration,
-                        const std::map<Client, Tick>& ends, Tick end) {
+History possible_lease_expiries(const History& operations, Tick lease_duration,
+                                const std::map<Client, Tick>& ends, Tick end) {
   History result;
   auto add = [&](const OperationRecord& lock, Token token, Tick from) {
     if (from > end)

@@ -23,7 +23,7 @@ inline constexpr std::string_view nothing = "nothing";
 
 /// Collects lines of the form `ACCESS writer WRITES owner`. The names may belong to
 /// subarchitectures further down in the file, so they are checked in the end.
-class AccessRules {
+class AccessRuleParser {
 public:
   /// @param words stands behind ACCESS
   /// @param line must outlive this object

@@ -5,30 +5,30 @@
 #include <optional>
 #include <vector>
 
-// Whom a change may concern: who has to be looked at again.
+// Invalidation: which proxies and unions have to be looked at again after a change.
 
 namespace castor::binding {
 
-void BindingCore::concern_all(Node& x) {
-  concerned_[&x].all = true;
+void BindingCore::invalidate(Node& x) {
+  dirty_[&x].all = true;
 }
 
 /// What kinds say of each other has changed.
-void BindingCore::concern_everybody() {
+void BindingCore::invalidate_all() {
   for (auto& [rank, node] : nodes_) {
     node.beside = comparator_.evidence_beside(node.kinds);
-    concern_all(node);
+    invalidate(node);
   }
 }
 
-void BindingCore::concern(Node& x, Node& first) {
-  auto& unions = concerned_[&x].unions;
+void BindingCore::invalidate(Node& x, Node& first) {
+  auto& unions = dirty_[&x].unions;
   if (std::find(unions.begin(), unions.end(), &first) == unions.end())
     unions.push_back(&first);
 }
 
 /// Whether it makes a difference to the one if the other is in a union or not.
-bool BindingCore::may_concern(const Node& whom, const Node& what) const {
+bool BindingCore::may_affect(const Node& whom, const Node& what) const {
   if (whom.proxy.type != what.proxy.type)
     return false;
   const ProxyRef members[] = {what.ref()};
@@ -39,7 +39,7 @@ bool BindingCore::may_concern(const Node& whom, const Node& what) const {
 }
 
 /// The proxy has come into these unions, or left them.
-void BindingCore::concern_those_after(const Node& x, std::initializer_list<Node*> unions) {
+void BindingCore::invalidate_after(const Node& x, std::initializer_list<Node*> unions) {
   for (auto current = nodes_.upper_bound(x.rank); current != nodes_.end(); ++current) {
     auto& other = current->second;
     std::optional<bool> may;
@@ -50,9 +50,9 @@ void BindingCore::concern_those_after(const Node& x, std::initializer_list<Node*
         std::any_of(other.best.begin(), other.best.end(),
                     [&](const Candidate& candidate) { return candidate.first == first; });
       if (!is_choice && !may)
-        may = may_concern(other, x);
+        may = may_affect(other, x);
       if (is_choice || *may)
-        concern(other, *first);
+        invalidate(other, *first);
     }
   }
 }
@@ -78,12 +78,12 @@ std::vector<BindingCore::Node*> BindingCore::related(const Node& x) const {
 }
 
 /// What the proxy is, or whom it is bound with, may tell something of those that it is related to;
-/// after a certain proxy if that is all that can be concerned.
-void BindingCore::concern_related(const Node& x, const Node* after) {
+/// after a certain proxy if that is all that can be affected.
+void BindingCore::invalidate_related(const Node& x, const Node* after) {
   const auto is_after = [&](const Node& y) { return !after || after->rank < y.rank; };
   for (auto* other : related(x)) {
     if (is_after(*other))
-      concern_all(*other);
+      invalidate(*other);
     auto* first = other->first;
     if (!first)
       continue;
@@ -93,7 +93,7 @@ void BindingCore::concern_related(const Node& x, const Node* after) {
     for (auto current = begin; current != nodes_.end(); ++current) {
       auto& later = current->second;
       if ((later.beside & first->member_kinds) != 0 && later.has_ports)
-        concern(later, *first);
+        invalidate(later, *first);
     }
   }
 }
