@@ -83,11 +83,11 @@ castor_system_mutant(messages_are_lost_with_a_connection actors/link/session.cpp
   TO "")
 
 castor_system_mutant(half_deaf_links_go_on actors/link/link_end.cpp
-  FROM "deaf_ = deaf_ || is_silent();
-  if (deaf_)
+  FROM "discarding_input_ = discarding_input_ || is_silent();
+  if (discarding_input_)
     return;"
   TO "if (is_silent()) {
-    deaf_ = true;
+    discarding_input_ = true;
     return;
   }")
 
