@@ -105,16 +105,11 @@ BindingScore BindingScorer::feature_score(const ProxyRef& proxy,
 }
 
 BindingScore BindingScorer::score(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                                  const RelationContext& context, bool sits_there) const {
+                                  const RelationContext& context) const {
   auto result = feature_score(proxy, members);
   // What features rule out, relations do not bring back.
   if (result.comparable && !result.mismatch)
     add_relations(proxy, members, context, result);
-  if (sits_there && !result.mismatch && !result.relation_mismatch && result.matches == 0 &&
-      result.relation_matches == 0) {
-    result.comparable = true;
-    result.sticky = nil_score().sticky + 1;
-  }
   return result;
 }
 

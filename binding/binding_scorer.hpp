@@ -46,10 +46,8 @@ public:
   ///
   /// \param members in any order. Those that do not come before the proxy in binding order are left
   ///        out; if no one is left, the union is not comparable.
-  /// \param sits_there whether it is a member now and stays one if nothing speaks against it; what
-  ///        comes of it then depends on history.
   BindingScore score(const ProxyRef& proxy, std::span<const ProxyRef> members,
-                     const RelationContext& context, bool sits_there = false) const;
+                     const RelationContext& context) const;
 
   /// The part of the score that features and types make up.
   BindingScore feature_score(const ProxyRef& proxy, std::span<const ProxyRef> members) const;

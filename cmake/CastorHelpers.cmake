@@ -181,3 +181,19 @@ function(castor_fuzzed name folder)
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(${name} PUBLIC -fsanitize=fuzzer,address,undefined)
 endfunction()
+
+# castor_text_source(<namespace>::<function> <file>): a source whose <function> returns the text of
+# <file> as std::string_view, added to CASTOR_TEXT_SOURCES, so that programs need not look for it.
+function(castor_text_source name text_file)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${text_file}")
+  file(READ "${text_file}" CASTOR_TEXT)
+  string(REGEX MATCH "^(.*)::([^:]+)$" matched "${name}")
+  set(CASTOR_TEXT_NAMESPACE ${CMAKE_MATCH_1})
+  set(CASTOR_TEXT_FUNCTION ${CMAKE_MATCH_2})
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    OUTPUT_VARIABLE folder)
+  set(CASTOR_TEXT_FILE "${folder}/${text_file}")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${CASTOR_TEXT_FUNCTION}.cpp")
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/text_file.cpp.in" "${source}" @ONLY)
+  set(CASTOR_TEXT_SOURCES ${CASTOR_TEXT_SOURCES} "${source}" PARENT_SCOPE)
+endfunction()

@@ -9,9 +9,6 @@ namespace castor::semeval {
 
 namespace {
 
-using communication::Board;
-using communication::RclTree;
-
 /// A layout has five configurations, and eight scenes: of moves from the first to each other one,
 /// and back.
 constexpr int scenes_per_layout = 8;
@@ -38,7 +35,7 @@ std::map<std::pair<int, int>, Board> read_boards(const std::filesystem::path& fi
     std::pair<int, int> key;
     if (!(head >> key.first >> key.second))
       return;
-    const auto board = communication::parse_board(block.substr(block.find('\n') + 1));
+    const auto board = parse_board(block.substr(block.find('\n') + 1));
     if (!board)
       fail(file, number, "the layout before this line is none");
     boards[key] = *board;
@@ -66,8 +63,8 @@ std::map<std::string, RclTree> read_trees(const std::filesystem::path& file) {
     if (second == std::string::npos)
       continue;
     try {
-      trees[line.substr(0, first)] = communication::parse_rcl(line.substr(second + 1));
-    } catch (const communication::RclError& error) {
+      trees[line.substr(0, first)] = parse_rcl(line.substr(second + 1));
+    } catch (const RclError& error) {
       fail(file, number, error.what());
     }
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/communication/robot_commands/board.hpp"
-#include "castor/communication/robot_commands/rcl_tree.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,8 +13,8 @@ namespace castor::semeval {
 struct Command {
   std::string id;
   std::string text;
-  communication::RclTree tree;
-  communication::Board board;
+  RclTree tree;
+  Board board;
   /// The layout that its scene is one of: eight scenes share the same blocks.
   int layout = 0;
 };

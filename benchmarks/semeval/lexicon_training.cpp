@@ -1,6 +1,6 @@
 #include "castor/benchmarks/semeval/lexicon_training.hpp"
 
-#include "castor/communication/robot_commands/command_words.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,6 @@
 namespace castor::semeval {
 
 namespace {
-
-using communication::RclTree;
 
 /// What a phrase may stand for: a family of the lexicon and a predicate.
 using Use = std::pair<std::string, std::string>;
@@ -33,7 +31,7 @@ std::string family_of_type(const std::string& type) {
 class Alignment {
 public:
   explicit Alignment(const Command& command)
-    : words_(communication::command_tokens(command.text)), is_used_(words_.size(), false) {
+    : words_(command_tokens(command.text)), is_used_(words_.size(), false) {
     collect(command.tree);
     for (const auto* relation : unannotated_)
       guess(*relation);

@@ -44,7 +44,7 @@ public:
       failures_.open(failures);
   }
 
-  Score examine(communication::CommandInterpreter& interpreter,
+  Score examine(semeval::CommandInterpreter& interpreter,
                 const std::vector<const Command*>& commands) {
     Score score;
     for (const auto* command : commands) {
@@ -78,8 +78,8 @@ private:
   std::ofstream failures_;
 };
 
-communication::CommandInterpreter train(const std::vector<const Command*>& commands) {
-  const auto lexicon = communication::robot_command_lexicon(semeval::learn_words(commands));
+semeval::CommandInterpreter train(const std::vector<const Command*>& commands) {
+  const auto lexicon = semeval::robot_command_lexicon(semeval::learn_words(commands));
   return {lexicon, semeval::learn_weights(lexicon, commands)};
 }
 
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
   try {
     Examination examination(failures);
     if (is_shipped) {
-      auto interpreter = communication::robot_command_interpreter();
+      auto interpreter = semeval::robot_command_interpreter();
       const auto corpus = semeval::read_corpus(test_folder.empty() ? train_folder : test_folder);
       print("test", examination.examine(interpreter, all_of(corpus)));
       return 0;

@@ -3,7 +3,7 @@
 //
 //   build/release/benchmarks/semeval/train_robot_commands
 //
-// writes communication/lexicon/robot_commands_words.ccg and robot_commands.weights.
+// writes benchmarks/semeval/robot_commands/robot_commands_words.ccg and robot_commands.weights.
 
 #include "castor/benchmarks/semeval/corpus.hpp"
 #include "castor/benchmarks/semeval/lexicon_training.hpp"
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   using namespace castor;
   CLI::App app{"Learns the lexicon and the weights of robot commands"};
   std::string train_folder = "../shared/data/semeval2014_t6/train_data";
-  std::string output = "communication/lexicon";
+  std::string output = "benchmarks/semeval/robot_commands";
   app.add_option("--train", train_folder, "Folder of the training commands");
   app.add_option("--output", output, "Folder of the lexicon");
   CLI11_PARSE(app, argc, argv);
@@ -28,8 +28,7 @@ int main(int argc, char** argv) {
     for (const auto& command : corpus)
       commands.push_back(&command);
     const auto words = semeval::learn_words(commands);
-    const auto weights =
-      semeval::learn_weights(communication::robot_command_lexicon(words), commands);
+    const auto weights = semeval::learn_weights(semeval::robot_command_lexicon(words), commands);
     const std::string origin = "# Written by train_robot_commands (benchmarks/semeval).\n";
     std::ofstream(output + "/robot_commands_words.ccg") << origin << words;
     std::ofstream(output + "/robot_commands.weights")

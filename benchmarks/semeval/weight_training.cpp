@@ -10,8 +10,6 @@ namespace castor::semeval {
 
 namespace {
 
-using communication::CommandWeights;
-
 struct Example {
   struct Reading {
     std::vector<std::pair<std::uint32_t, float>> features;
@@ -27,7 +25,7 @@ public:
   }
 
   /// Adds what the parser makes of a command, unless none of it is right, or all.
-  void add(std::vector<communication::CommandCandidate> candidates, const std::string& right) {
+  void add(std::vector<CommandCandidate> candidates, const std::string& right) {
     Example example;
     std::size_t right_ones = 0;
     for (const auto& candidate : candidates) {
@@ -112,7 +110,7 @@ private:
 CommandWeights learn_weights(std::shared_ptr<const communication::Lexicon> lexicon,
                              std::span<const Command* const> commands,
                              const WeightTraining& training) {
-  communication::CommandInterpreter interpreter(std::move(lexicon), {});
+  CommandInterpreter interpreter(std::move(lexicon), {});
   LogLinearModel with_board(training);
   LogLinearModel without_board(training);
   for (const auto* command : commands) {

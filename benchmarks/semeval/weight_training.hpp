@@ -2,7 +2,7 @@
 
 #include "castor/benchmarks/semeval/corpus.hpp"
 
-#include "castor/communication/robot_commands/command_interpreter.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_interpreter.hpp"
 
 #include <span>
 
@@ -17,8 +17,8 @@ struct WeightTraining {
 
 /// Learns the weights of readings: a log-linear model of the annotated tree among all that the
 /// parser finds, by AdaGrad. The same commands in the same order give the same weights.
-communication::CommandWeights learn_weights(std::shared_ptr<const communication::Lexicon> lexicon,
-                                            std::span<const Command* const> commands,
-                                            const WeightTraining& training = {});
+CommandWeights learn_weights(std::shared_ptr<const communication::Lexicon> lexicon,
+                             std::span<const Command* const> commands,
+                             const WeightTraining& training = {});
 
 } // namespace castor::semeval

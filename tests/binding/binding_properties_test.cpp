@@ -1,9 +1,9 @@
 // What holds for whatever proxies come and go, against binding from scratch, one after the other.
 #include "castor/binding/binder.hpp"
-#include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_judge.hpp"
 #include "castor/tests/binding/chance.hpp"
 #include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include <gtest/gtest.h>
 

@@ -25,10 +25,8 @@ BindingScore score_of(std::uint32_t matches, std::uint32_t relation_matches = 0,
 
 class Scorer : public ::testing::Test {
 protected:
-  BindingScore score(const std::string& id, const std::vector<std::string>& members,
-                     bool sits_there = false) const {
-    return BindingScorer{comparator}.score(memory.ref(id), memory.refs(members), memory,
-                                           sits_there);
+  BindingScore score(const std::string& id, const std::vector<std::string>& members) const {
+    return BindingScorer{comparator}.score(memory.ref(id), memory.refs(members), memory);
   }
 
   void add(const std::string& id, std::vector<Feature> features,
@@ -114,14 +112,6 @@ TEST_F(Scorer, LooksOnlyAtThoseBefore) {
   EXPECT_EQ(score("b", {"a"}), score_of(1));
   tell(memory, "a", with_precedence(proxy_from("comsys", {concept_of("thing")}), 1));
   EXPECT_EQ(score("a", {"b"}), score_of(1));
-}
-
-TEST_F(Scorer, KeepsWhoSitsThereWithoutEvidence) {
-  add("a", {colour("unknown")});
-  add("b", {colour("red")});
-  EXPECT_TRUE(beats(score("b", {"a"}, true), nil_score()));
-  add("c", {colour("blue")});
-  EXPECT_FALSE(beats(score("c", {"b"}, true), nil_score()));
 }
 
 TEST_F(Scorer, OrdersEqualsBySalience) {

@@ -2,9 +2,9 @@
 // components fail: what comes of it is what BindingCore makes of the same proxies.
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/system/system.hpp"
-#include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/tests/binding/chance.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
 #include <gmock/gmock.h>

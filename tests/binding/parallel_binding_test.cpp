@@ -1,12 +1,12 @@
 // A scorer, a judge and a binder that work in parallel, each at its own pace, on proxies that come,
 // change and go meanwhile: whatever the interleaving, they end up with the unions of BindingCore.
 #include "castor/binding/binder.hpp"
-#include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_judge.hpp"
 #include "castor/binding/binding_score.hpp"
 #include "castor/binding/binding_view.hpp"
 #include "castor/tests/binding/chance.hpp"
 #include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include <gtest/gtest.h>
 

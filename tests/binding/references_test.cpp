@@ -1,7 +1,7 @@
 #include "castor/binding/references.hpp"
 
-#include "castor/binding/binding_core.hpp"
 #include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The run of section 5.1.3 of the paper: the PlayMate is shown a blue square, and told that "this
 // is a blue square".
-#include "castor/binding/binding_core.hpp"
 #include "castor/binding/binding_score.hpp"
 #include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/binding/binding_core.hpp"
 #include "castor/binding/references.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include <string>
 #include <utility>

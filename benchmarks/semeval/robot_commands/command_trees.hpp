@@ -1,14 +1,14 @@
 #pragma once
 
-#include "castor/communication/robot_commands/rcl_tree.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 #include "castor/communication/types.hpp"
 
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// The RCL trees that a meaning may stand for: more than one if "one" may refer to several
 /// entities. Leaves know the word that they begin with.
-std::vector<RclTree> command_trees(const LogicalForm& form);
+std::vector<RclTree> command_trees(const communication::LogicalForm& form);
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// A tree of the Robot Commands Language of SemEval-2014 task 6, as in
 ///
@@ -39,4 +39,4 @@ RclTree parse_rcl(std::string_view text);
 /// Without tokens; two trees mean the same if and only if they look the same.
 std::string to_string(const RclTree& tree);
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,8 +1,8 @@
-#include "castor/communication/robot_commands/command_words.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_words.hpp"
 
 #include <cctype>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 std::vector<std::string> command_tokens(std::string_view command) {
   constexpr std::string_view marks = ",.;:!?()-";
@@ -25,7 +25,8 @@ std::vector<std::string> command_tokens(std::string_view command) {
   return tokens;
 }
 
-std::vector<std::string> corrected(std::vector<std::string> words, const Lexicon& lexicon) {
+std::vector<std::string> corrected(std::vector<std::string> words,
+                                   const communication::Lexicon& lexicon) {
   for (auto& word : words) {
     if (lexicon.knows(word))
       continue;
@@ -36,4 +37,4 @@ std::vector<std::string> corrected(std::vector<std::string> words, const Lexicon
   return words;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,4 +1,4 @@
-#include "castor/binding/binding_core.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
 
 #include "castor/binding/binder.hpp"
 #include "castor/binding/binding_judge.hpp"

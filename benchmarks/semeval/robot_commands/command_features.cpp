@@ -1,10 +1,10 @@
-#include "castor/communication/robot_commands/command_features.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_features.hpp"
 
-#include "castor/communication/robot_commands/grounding_features.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding_features.hpp"
 
 #include <algorithm>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -13,7 +13,7 @@ constexpr int max_words_between = 3;
 
 class FeatureExtractor {
 public:
-  FeatureExtractor(const CommandDerivation& derivation, const Lexicon& lexicon)
+  FeatureExtractor(const CommandDerivation& derivation, const communication::Lexicon& lexicon)
     : derivation_(derivation), lexicon_(lexicon), ends_(derivation.words.size() + 1, 0) {
     for (const auto& choice : derivation.meaning->choices)
       ends_[choice.begin] = choice.end;
@@ -148,7 +148,7 @@ private:
   }
 
   const CommandDerivation& derivation_;
-  const Lexicon& lexicon_;
+  const communication::Lexicon& lexicon_;
   /// Where the phrase that begins at each word ends.
   std::vector<int> ends_;
   std::vector<CommandFeature> features_;
@@ -157,12 +157,12 @@ private:
 } // namespace
 
 std::vector<CommandFeature> command_features(const CommandDerivation& derivation,
-                                             const Lexicon& lexicon, const RclTree& tree,
-                                             const Board* board) {
+                                             const communication::Lexicon& lexicon,
+                                             const RclTree& tree, const Board* board) {
   auto features = FeatureExtractor(derivation, lexicon).extract(tree);
   if (board != nullptr)
     add_grounding_features(tree, *board, features);
   return features;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

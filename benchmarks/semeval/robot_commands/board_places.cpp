@@ -1,8 +1,8 @@
-#include "castor/communication/robot_commands/board_places.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board_places.hpp"
 
 #include <algorithm>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::vector<Referent> places(std::string_view type,
   return found;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,12 +1,12 @@
-#include "castor/communication/robot_commands/grounding.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding.hpp"
 
-#include "castor/communication/robot_commands/board_places.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board_places.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -260,4 +260,4 @@ bool Grounding::is_clear(const Referent& referent) const {
   return board_.at({static_cast<int>(at.x), static_cast<int>(at.y), referent.top + 1}) == nullptr;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,8 +1,8 @@
-#include "castor/communication/robot_commands/grounding.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding.hpp"
 
 #include <gmock/gmock.h>
 
-using namespace castor::communication;
+using namespace castor::semeval;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "castor/benchmarks/semeval/robot_commands/command_features.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 #include "castor/communication/parsing/parser.hpp"
-#include "castor/communication/robot_commands/command_features.hpp"
-#include "castor/communication/robot_commands/rcl_tree.hpp"
 
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// How much features speak for a reading, with and without a board.
 struct CommandWeights {
@@ -44,7 +44,7 @@ struct CommandCandidate {
 /// threads at once.
 class CommandInterpreter {
 public:
-  CommandInterpreter(std::shared_ptr<const Lexicon> lexicon, CommandWeights weights);
+  CommandInterpreter(std::shared_ptr<const communication::Lexicon> lexicon, CommandWeights weights);
 
   /// The readings, the likeliest first; empty if the command is not understood.
   /// @param board null if it is not known
@@ -54,18 +54,19 @@ public:
   std::vector<CommandCandidate> candidates(std::string_view command, const Board* board);
 
 private:
-  std::vector<CommandCandidate> candidates(const IncrementalParse& parse, const Board* board) const;
+  std::vector<CommandCandidate> candidates(const communication::IncrementalParse& parse,
+                                           const Board* board) const;
 
-  Parser parser_;
+  communication::Parser parser_;
   CommandWeights weights_;
 };
 
 /// What was learned from the training commands of SemEval-2014 task 6, which is part of the
-/// library.
+/// program.
 CommandInterpreter robot_command_interpreter();
 
 /// The lexicon of commands: its families, and then these words.
-/// @param words as in communication/lexicon/robot_commands_words.ccg
-std::shared_ptr<const Lexicon> robot_command_lexicon(std::string_view words);
+/// @param words as in robot_commands_words.ccg
+std::shared_ptr<const communication::Lexicon> robot_command_lexicon(std::string_view words);
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,9 +1,9 @@
-#include "castor/communication/robot_commands/rcl_tree.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 
 #include <algorithm>
 #include <charconv>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::string to_string(const RclTree& tree) {
   return text + ")";
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// A board has so many rows and columns.
 inline constexpr int board_size = 8;
@@ -46,4 +46,4 @@ struct Board {
 /// them.
 std::optional<Board> parse_board(std::string_view text);
 
-} // namespace castor::communication
+} // namespace castor::semeval

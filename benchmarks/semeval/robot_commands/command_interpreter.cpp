@@ -1,8 +1,8 @@
-#include "castor/communication/robot_commands/command_interpreter.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_interpreter.hpp"
 
+#include "castor/benchmarks/semeval/robot_commands/command_trees.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_words.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"
-#include "castor/communication/robot_commands/command_trees.hpp"
-#include "castor/communication/robot_commands/command_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 std::string_view robot_commands_text();
 std::string_view robot_commands_words_text();
@@ -20,8 +20,8 @@ std::string_view robot_commands_weights_text();
 namespace {
 
 /// Commands are more ambiguous than other utterances, because every chain of relations is.
-ParserOptions parser_options() {
-  ParserOptions options;
+communication::ParserOptions parser_options() {
+  communication::ParserOptions options;
   options.chart.edges_per_span = 16;
   options.chart.meanings_per_edge = 48;
   options.readings = 128;
@@ -83,7 +83,7 @@ std::string to_string(const CommandWeights& weights) {
   return text;
 }
 
-CommandInterpreter::CommandInterpreter(std::shared_ptr<const Lexicon> lexicon,
+CommandInterpreter::CommandInterpreter(std::shared_ptr<const communication::Lexicon> lexicon,
                                        CommandWeights weights)
   : parser_(std::move(lexicon), parser_options()), weights_(std::move(weights)) {
   // nop
@@ -94,7 +94,7 @@ std::vector<CommandCandidate> CommandInterpreter::candidates(std::string_view co
   auto limits = parser_.options().chart;
   const auto words = corrected(command_tokens(command), parser_.lexicon());
   const auto parse = [&] {
-    IncrementalParse parsed(parser_, limits);
+    communication::IncrementalParse parsed(parser_, limits);
     for (const auto& word : words)
       parsed.add(word);
     parsed.finish();
@@ -107,12 +107,13 @@ std::vector<CommandCandidate> CommandInterpreter::candidates(std::string_view co
   return parse();
 }
 
-std::vector<CommandCandidate> CommandInterpreter::candidates(const IncrementalParse& parse,
-                                                             const Board* board) const {
+std::vector<CommandCandidate>
+CommandInterpreter::candidates(const communication::IncrementalParse& parse,
+                               const Board* board) const {
   std::vector<CommandCandidate> found;
   for (const auto* meaning : parse.meanings()) {
-    const auto form =
-      logical_form(*meaning, [&parse](Symbol symbol) { return parse.chart().text(symbol); });
+    const auto form = logical_form(
+      *meaning, [&parse](communication::Symbol symbol) { return parse.chart().text(symbol); });
     for (auto& tree : command_trees(form)) {
       auto features =
         command_features({parse.chart().words(), meaning}, parser_.lexicon(), tree, board);
@@ -142,9 +143,9 @@ std::vector<CommandReading> CommandInterpreter::interpret(std::string_view comma
   return sorted;
 }
 
-std::shared_ptr<const Lexicon> robot_command_lexicon(std::string_view words) {
-  auto read = read_lexicon(std::string(robot_commands_text()) + "\n" + std::string(words),
-                           "robot_commands.ccg");
+std::shared_ptr<const communication::Lexicon> robot_command_lexicon(std::string_view words) {
+  auto read = communication::read_lexicon(
+    std::string(robot_commands_text()) + "\n" + std::string(words), "robot_commands.ccg");
   if (!read.problems.empty())
     throw std::runtime_error(to_string(read.problems.front()));
   return read.lexicon;
@@ -155,4 +156,4 @@ CommandInterpreter robot_command_interpreter() {
           parse_command_weights(robot_commands_weights_text())};
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,11 +1,11 @@
-#include "castor/communication/robot_commands/grounding_features.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding_features.hpp"
 
-#include "castor/communication/robot_commands/board_places.hpp"
-#include "castor/communication/robot_commands/grounding.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board_places.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding.hpp"
 
 #include <algorithm>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -112,4 +112,4 @@ void add_grounding_features(const RclTree& tree, const Board& board,
     grounding.add_event(tree.children[i], i > 0);
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,8 +1,8 @@
-#include "castor/communication/robot_commands/rcl_tree.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 
 #include <gtest/gtest.h>
 
-using namespace castor::communication;
+using namespace castor::semeval;
 
 TEST(RclTree, IsReadAsItIsWritten) {
   const std::string text = "(event: (action: take) (entity: (id: 1) (color: red) (type: cube) "

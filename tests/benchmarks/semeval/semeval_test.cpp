@@ -12,7 +12,7 @@ using testing::HasSubstr;
 namespace {
 
 semeval::Command command(const std::string& text, const std::string& tree) {
-  return {"1", text, communication::parse_rcl(tree), {}, 1};
+  return {"1", text, semeval::parse_rcl(tree), {}, 1};
 }
 
 std::vector<semeval::Command> examples() {
@@ -58,8 +58,8 @@ TEST(LearnedWords, SayRelationsThatNothingWasAnnotatedWith) {
 TEST(LearnedWeights, PreferWhatWasRight) {
   const auto commands = examples();
   const auto all = pointers(commands);
-  const auto lexicon = communication::robot_command_lexicon(semeval::learn_words(all));
-  communication::CommandInterpreter interpreter(lexicon, semeval::learn_weights(lexicon, all));
+  const auto lexicon = semeval::robot_command_lexicon(semeval::learn_words(all));
+  semeval::CommandInterpreter interpreter(lexicon, semeval::learn_weights(lexicon, all));
   for (const auto& example : commands) {
     const auto readings = interpreter.interpret(example.text, nullptr);
     ASSERT_FALSE(readings.empty()) << example.text;

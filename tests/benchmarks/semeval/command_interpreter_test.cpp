@@ -1,10 +1,10 @@
-#include "castor/communication/robot_commands/command_interpreter.hpp"
-#include "castor/communication/robot_commands/command_words.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_interpreter.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_words.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-using namespace castor::communication;
+using namespace castor::semeval;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

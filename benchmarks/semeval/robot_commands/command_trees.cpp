@@ -1,23 +1,23 @@
-#include "castor/communication/robot_commands/command_trees.hpp"
+#include "castor/benchmarks/semeval/robot_commands/command_trees.hpp"
 
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
 #include <charconv>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
 /// The word of a nominal such as w12; 0 if no word brought it.
-int word_of(const Nominal& nominal) {
+int word_of(const communication::Nominal& nominal) {
   int word = 0;
   if (nominal.name.starts_with('w'))
     std::from_chars(nominal.name.data() + 1, nominal.name.data() + nominal.name.size(), word);
   return word;
 }
 
-RclTree leaf(const std::string& label, const Nominal& nominal) {
+RclTree leaf(const std::string& label, const communication::Nominal& nominal) {
   const int word = word_of(nominal);
   return {label, nominal.proposition, {}, word, word};
 }
@@ -25,7 +25,7 @@ RclTree leaf(const std::string& label, const Nominal& nominal) {
 /// Writes a logical form as a tree, children in RCL's order.
 class TreeWriter {
 public:
-  explicit TreeWriter(const LogicalForm& form) : form_(form) {
+  explicit TreeWriter(const communication::LogicalForm& form) : form_(form) {
     // nop
   }
 
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  RclTree event(const Nominal& nominal) const {
+  RclTree event(const communication::Nominal& nominal) const {
     RclTree tree{"event", {}, {leaf("action", nominal)}, 0, 0};
     if (const auto* what = dependent(form_, nominal, "entity"))
       tree.children.push_back(entity(*what));
@@ -50,7 +50,7 @@ private:
     return tree;
   }
 
-  RclTree entity(const Nominal& nominal) const {
+  RclTree entity(const communication::Nominal& nominal) const {
     RclTree tree{"entity", {}, {}, 0, 0};
     for (const auto* label : {"cardinal", "indicator", "color", "type"})
       for (const auto& relation : nominal.relations)
@@ -61,7 +61,7 @@ private:
     return tree;
   }
 
-  RclTree relation(const Nominal& nominal) const {
+  RclTree relation(const communication::Nominal& nominal) const {
     RclTree tree{"spatial-relation", {}, {}, 0, 0};
     if (const auto* measure = dependent(form_, nominal, "measure"))
       tree.children.push_back({"measure", {}, {entity(*measure)}, 0, 0});
@@ -71,7 +71,7 @@ private:
     return tree;
   }
 
-  const LogicalForm& form_;
+  const communication::LogicalForm& form_;
 };
 
 void collect_entities(RclTree& tree, std::vector<RclTree*>& entities) {
@@ -107,7 +107,7 @@ RclTree with_references(RclTree tree, std::size_t antecedent) {
 
 } // namespace
 
-std::vector<RclTree> command_trees(const LogicalForm& form) {
+std::vector<RclTree> command_trees(const communication::LogicalForm& form) {
   auto tree = TreeWriter(form).write();
   std::vector<RclTree*> entities;
   collect_entities(tree, entities);
@@ -126,4 +126,4 @@ std::vector<RclTree> command_trees(const LogicalForm& form) {
   return trees;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

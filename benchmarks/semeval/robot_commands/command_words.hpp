@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// The tokens of a command as its annotations count them: words in lower case, and every
 /// punctuation mark and hyphen by itself.
@@ -14,6 +14,7 @@ std::vector<std::string> command_tokens(std::string_view command);
 
 /// The same words, those that the lexicon does not know replaced by the nearest that it does, where
 /// one is near. Words that none comes near stay.
-std::vector<std::string> corrected(std::vector<std::string> words, const Lexicon& lexicon);
+std::vector<std::string> corrected(std::vector<std::string> words,
+                                   const communication::Lexicon& lexicon);
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,10 +1,10 @@
-#include "castor/communication/robot_commands/board.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board.hpp"
 
 #include <algorithm>
 #include <sstream>
 #include <utility>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::optional<Board> parse_board(std::string_view text) {
   return board;
 }
 
-} // namespace castor::communication
+} // namespace castor::semeval

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "castor/communication/robot_commands/board.hpp"
-#include "castor/communication/robot_commands/rcl_tree.hpp"
+#include "castor/benchmarks/semeval/robot_commands/board.hpp"
+#include "castor/benchmarks/semeval/robot_commands/rcl_tree.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 /// Something that an entity of a command may be: a block, a stack, or a part of the board.
 struct Referent {
@@ -48,4 +48,4 @@ private:
   const RclTree& command_;
 };
 
-} // namespace castor::communication
+} // namespace castor::semeval

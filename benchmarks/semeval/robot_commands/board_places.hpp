@@ -1,12 +1,12 @@
 #pragma once
 
-#include "castor/communication/robot_commands/grounding.hpp"
+#include "castor/benchmarks/semeval/robot_commands/grounding.hpp"
 
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
-namespace castor::communication {
+namespace castor::semeval {
 
 std::uint64_t cell(int x, int y);
 
@@ -24,4 +24,4 @@ std::vector<Referent> places(std::string_view type,
 
 bool is_place(std::string_view type);
 
-} // namespace castor::communication
+} // namespace castor::semeval
