@@ -1,6 +1,6 @@
 #include "castor/actors/node/part.hpp"
 
-#include "castor/actors/cast/access_rules.hpp"
+#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/actors/component/health.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"

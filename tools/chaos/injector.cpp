@@ -140,10 +140,10 @@ FaultRecord Injector::inject(const Fault& fault) {
   guard.unlock();
   auto outcome = std::visit(
     [&](auto& x) {
-      if constexpr (requires { this->inject(x, index + 1); })
-        return inject(x, index + 1);
+      if constexpr (requires { this->apply(x, index + 1); })
+        return apply(x, index + 1);
       else
-        return inject(x);
+        return apply(x);
     },
     fault);
   guard.lock();
@@ -219,25 +219,25 @@ Outcome inject_into_component(System& system, const ComponentTarget& target,
 
 } // namespace
 
-Injector::Outcome Injector::inject(const Crash& x) {
+Injector::Outcome Injector::apply(const Crash& x) {
   return inject_into_component<Outcome>(*parts_.system, x.component, {});
 }
 
-Injector::Outcome Injector::inject(const Throw& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Throw& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::failure};
   fault.callback = x.callback;
   fault.ticket.number = number;
   return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::inject(const Hang& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Hang& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = lasting(x.duration);
   fault.ticket.number = number;
   return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::inject(const Block& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Block& x, std::uint64_t number) {
   ComponentFault fault{x.phase == Block::Phase::start ? ComponentFault::Kind::blocked_start
                                                       : ComponentFault::Kind::blocked_configure};
   fault.by = lasting(x.duration);
@@ -245,7 +245,7 @@ Injector::Outcome Injector::inject(const Block& x, std::uint64_t number) {
   return inject_into_component<Outcome>(*parts_.system, x.component, fault);
 }
 
-Injector::Outcome Injector::inject(const Slow& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Slow& x, std::uint64_t number) {
   ComponentFault fault{ComponentFault::Kind::slowness};
   fault.by = x.by;
   fault.duration = lasting(x.duration);
@@ -266,21 +266,21 @@ Injector::Outcome Injector::signal(const std::string& process, int signal) {
   return {};
 }
 
-Injector::Outcome Injector::inject(const Kill& x) {
+Injector::Outcome Injector::apply(const Kill& x) {
   return signal(x.process.name, SIGKILL);
 }
 
-Injector::Outcome Injector::inject(const Stop& x) {
+Injector::Outcome Injector::apply(const Stop& x) {
   auto outcome = signal(x.process.name, SIGSTOP);
   when_over(x.duration, [this, name = x.process.name] { signal(name, SIGCONT); });
   return outcome;
 }
 
-Injector::Outcome Injector::inject(const Continue& x) {
+Injector::Outcome Injector::apply(const Continue& x) {
   return signal(x.process.name, SIGCONT);
 }
 
-Injector::Outcome Injector::inject(const UseUpDescriptors& x) {
+Injector::Outcome Injector::apply(const UseUpDescriptors& x) {
   pid_t process = 0;
   Outcome outcome;
   auto begin = [&](pid_t number) {
@@ -314,7 +314,7 @@ void Injector::end_shortage(const std::string& name, pid_t process) {
         with_process(child, [this](pid_t x) { shortages_.raise_inherited(x); });
 }
 
-Injector::Outcome Injector::inject(const Flood& x) {
+Injector::Outcome Injector::apply(const Flood& x) {
   auto roster = parts_.system->roster();
   auto number = number_of(*roster, x.process.name);
   if (!number || *number == 0)
@@ -330,7 +330,7 @@ Injector::Outcome Injector::inject(const Flood& x) {
   return {};
 }
 
-Injector::Outcome Injector::inject(const Partition& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Partition& x, std::uint64_t number) {
   auto others = x.from;
   if (others.empty()) {
     others = names_of(*parts_.system->roster());
@@ -344,14 +344,14 @@ Injector::Outcome Injector::inject(const Partition& x, std::uint64_t number) {
   return {};
 }
 
-Injector::Outcome Injector::inject(const Delay& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Delay& x, std::uint64_t number) {
   if (!inject_into_links(*parts_.system, {x.link.first}, {x.link.second},
                          {LinkFault::Kind::delay, lasting(x.duration), x.by, 0, {number}}))
     return {false, "there is no such link"};
   return {};
 }
 
-Injector::Outcome Injector::inject(const Drop& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const Drop& x, std::uint64_t number) {
   LinkFault fault{LinkFault::Kind::loss, lasting(x.duration)};
   fault.part = x.part.thousandths * 10;
   fault.ticket.number = number;
@@ -368,11 +368,11 @@ constexpr const char* only_simulated =
 
 } // namespace
 
-Injector::Outcome Injector::inject(const Duplicate&) {
+Injector::Outcome Injector::apply(const Duplicate&) {
   return {false, only_simulated};
 }
 
-Injector::Outcome Injector::inject(const Reorder&) {
+Injector::Outcome Injector::apply(const Reorder&) {
   return {false, only_simulated};
 }
 
@@ -382,17 +382,17 @@ Injector::Outcome Injector::inject_into_journal(const MemoryTarget& memory, cons
   return {};
 }
 
-Injector::Outcome Injector::inject(const FailJournal& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const FailJournal& x, std::uint64_t number) {
   return inject_into_journal(x.memory,
                              {JournalFault::Kind::failure, lasting(x.duration), {}, {number}});
 }
 
-Injector::Outcome Injector::inject(const SlowJournal& x, std::uint64_t number) {
+Injector::Outcome Injector::apply(const SlowJournal& x, std::uint64_t number) {
   return inject_into_journal(x.memory,
                              {JournalFault::Kind::slowness, lasting(x.duration), x.by, {number}});
 }
 
-Injector::Outcome Injector::inject(const RemoveJournal& x) {
+Injector::Outcome Injector::apply(const RemoveJournal& x) {
   auto journal = parts_.journals.find(x.memory.subarchitecture);
   if (journal == parts_.journals.end())
     return {false, not_there("journal of " + x.memory.subarchitecture)};
@@ -403,7 +403,7 @@ Injector::Outcome Injector::inject(const RemoveJournal& x) {
   }
 }
 
-Injector::Outcome Injector::inject(const ClaimJournal& x) {
+Injector::Outcome Injector::apply(const ClaimJournal& x) {
   auto journal = parts_.journals.find(x.memory.subarchitecture);
   if (journal == parts_.journals.end())
     return {false, not_there("journal of " + x.memory.subarchitecture)};
@@ -425,7 +425,7 @@ Injector::Outcome Injector::inject(const ClaimJournal& x) {
   }
 }
 
-Injector::Outcome Injector::inject(const JumpClock& x) {
+Injector::Outcome Injector::apply(const JumpClock& x) {
   if (!parts_.system->jump_clock(x.memory.subarchitecture, x.by))
     return {false, not_there("working memory of " + x.memory.subarchitecture)};
   return {};

@@ -79,26 +79,26 @@ private:
   void work();
   void happened(FaultRecord& x);
   Timestamp now() const { return std::chrono::duration_cast<Timestamp>(Clock::now() - begin_); }
-  Outcome inject(const Crash& x);
-  Outcome inject(const Throw& x, std::uint64_t number);
-  Outcome inject(const Hang& x, std::uint64_t number);
-  Outcome inject(const Block& x, std::uint64_t number);
-  Outcome inject(const Slow& x, std::uint64_t number);
-  Outcome inject(const Kill& x);
-  Outcome inject(const Stop& x);
-  Outcome inject(const Continue& x);
-  Outcome inject(const UseUpDescriptors& x);
-  Outcome inject(const Flood& x);
-  Outcome inject(const Partition& x, std::uint64_t number);
-  Outcome inject(const Delay& x, std::uint64_t number);
-  Outcome inject(const Drop& x, std::uint64_t number);
-  Outcome inject(const Duplicate& x);
-  Outcome inject(const Reorder& x);
-  Outcome inject(const FailJournal& x, std::uint64_t number);
-  Outcome inject(const SlowJournal& x, std::uint64_t number);
-  Outcome inject(const RemoveJournal& x);
-  Outcome inject(const ClaimJournal& x);
-  Outcome inject(const JumpClock& x);
+  Outcome apply(const Crash& x);
+  Outcome apply(const Throw& x, std::uint64_t number);
+  Outcome apply(const Hang& x, std::uint64_t number);
+  Outcome apply(const Block& x, std::uint64_t number);
+  Outcome apply(const Slow& x, std::uint64_t number);
+  Outcome apply(const Kill& x);
+  Outcome apply(const Stop& x);
+  Outcome apply(const Continue& x);
+  Outcome apply(const UseUpDescriptors& x);
+  Outcome apply(const Flood& x);
+  Outcome apply(const Partition& x, std::uint64_t number);
+  Outcome apply(const Delay& x, std::uint64_t number);
+  Outcome apply(const Drop& x, std::uint64_t number);
+  Outcome apply(const Duplicate& x);
+  Outcome apply(const Reorder& x);
+  Outcome apply(const FailJournal& x, std::uint64_t number);
+  Outcome apply(const SlowJournal& x, std::uint64_t number);
+  Outcome apply(const RemoveJournal& x);
+  Outcome apply(const ClaimJournal& x);
+  Outcome apply(const JumpClock& x);
 
   /// The same for the coordinator, too.
   bool with_process(const std::string& name, const std::function<void(pid_t)>& f) const;
