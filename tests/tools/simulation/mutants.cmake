@@ -22,28 +22,28 @@ castor_system_mutant(restarts_forget_dependents actors/supervision/supervision_t
   TO "if (false)")
 
 castor_system_mutant(nodes_that_return_stay_empty actors/supervision/supervisor.cpp
-  FROM "if (auto awaited = awaited_.extract(x.peer)) {"
-  TO "if (auto awaited = awaited_.extract(ProcessNumber(x.peer + 100))) {")
+  FROM "if (auto awaited = failover_.take_awaited(x.peer)) {"
+  TO "if (auto awaited = failover_.take_awaited(ProcessNumber(x.peer + 100))) {")
 
-castor_system_mutant(lives_are_not_counted actors/supervision/supervisor.cpp
-  FROM "++child.incarnation;"
-  TO "child.incarnation = 2;")
+castor_system_mutant(lives_are_not_counted actors/supervision/system_model.cpp
+  FROM "++children_.at(name).incarnation;"
+  TO "children_.at(name).incarnation = 2;")
 
-castor_system_mutant(early_ends_are_missed actors/supervision/supervisor.cpp
-  FROM "if (round != rounds_.end() && round->step == Round::Step::make)
-        round->failures.push_back(x);"
+castor_system_mutant(early_ends_are_missed actors/supervision/transition_scheduler.cpp
+  FROM "if (i->step() == Step::make)
+      i->add_failure(x);"
   TO "")
 
-castor_system_mutant(waiting_rounds_lose_their_patience actors/supervision/supervisor.cpp
-  FROM "begun->since = time();"
+castor_system_mutant(waiting_transitions_lose_their_patience actors/supervision/transition_scheduler.cpp
+  FROM "begun->restart_turn(driver_.now());"
   TO "")
 
-castor_system_mutant(nobody_is_asked_again actors/supervision/supervisor.cpp
-  FROM "if (!actor || round.asked == actor.address())"
-  TO "if (!actor || round.asked)")
+castor_system_mutant(nobody_is_asked_again actors/supervision/transition_scheduler.cpp
+  FROM "(x.is_commanded() && !driver_.is_replaced(*name))"
+  TO "x.is_commanded()")
 
-castor_system_mutant(the_awaited_are_made_early actors/supervision/supervisor.cpp
-  FROM "if (moved_.count(name) > 0 || is_awaited(name))"
+castor_system_mutant(the_awaited_are_made_early actors/supervision/system_model.cpp
+  FROM "if (failover_.is_between_processes(name))"
   TO "if (false)")
 
 castor_system_mutant(memories_throw wm/memory/working_memory_leases.cpp
