@@ -60,7 +60,6 @@ const std::vector<std::vector<std::string>> known_circles{
   {"wm/filters/bound_predicate", "wm/filters/predicate", "wm/filters/predicate_parser",
    "wm/filters/predicate_tree"},
   {"wm/journal/journal", "wm/journal/journal_image", "wm/journal/journal_tables"},
-  {"wm/memory/working_memory", "wm/memory/working_memory_parts"},
   {"wm/values/encoding", "wm/values/known_types", "wm/values/type_descriptor"},
 };
 

@@ -93,8 +93,8 @@ castor_mutant(granted_waits_cannot_be_cancelled wm/leases/lease_table.cpp
   FROM "if (holding && holding->number == number && *holding->holder == client) {"
   TO "if (false) {")
 
-castor_mutant(deletion_keeps_the_lease wm/memory/working_memory.cpp
-  FROM "state.leases.erase(change.event->address.id);"
+castor_mutant(deletion_keeps_the_lease wm/memory/working_memory_shell.cpp
+  FROM "leases_.erase(change.event->address.id);"
   TO "{}")
 
 castor_mutant(waiters_hear_nothing_of_a_deletion wm/leases/lease_table.cpp
@@ -107,29 +107,29 @@ castor_mutant(versions_begin_anew wm/store/entry_store.cpp
   FROM "return i == tombstones_.end() ? floor_ : i->second.version + 1;"
   TO "return i == tombstones_.end() ? floor_ : 0;")
 
-castor_mutant(half_a_batch wm/memory/working_memory.cpp
-  FROM "commit(self, *std::move(effects));"
-  TO "commit(self, {effects->begin() + (effects->size() > 1), effects->end()});")
+castor_mutant(half_a_batch wm/memory/working_memory_shell.cpp
+  FROM "commit(*std::move(effects));"
+  TO "commit({effects->begin() + (effects->size() > 1), effects->end()});")
 
-castor_mutant(batches_ignore_leases wm/memory/working_memory.cpp
+castor_mutant(batches_ignore_leases wm/memory/working_memory_shell.cpp
   FROM "for (auto& x : request.writes)
       if (auto refused"
   TO "for (auto& x : std::vector<WriteRequest>{})
       if (auto refused")
 
-castor_mutant(deaths_settle_nothing wm/memory/working_memory_leases.cpp
+castor_mutant(deaths_settle_nothing wm/memory/working_memory_shell.cpp
   FROM "// Also if that was the last lease, when there is nothing to catch up with.
-  settle(self);"
+  settle();"
   TO "")
 
-castor_mutant(changes_told_backwards wm/memory/working_memory_events.cpp
+castor_mutant(changes_told_backwards wm/memory/subscriptions.cpp
   FROM "notices[number].push_back({event, std::move(ids)});"
   TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});")
 
-castor_mutant(nobody_is_told_of_deletions wm/memory/working_memory_events.cpp
-  FROM "state.peer_index.match(*event, content, foreign);"
-  TO "if (event->operation != Operation::remove)
-      state.peer_index.match(*event, content, foreign);")
+castor_mutant(nobody_is_told_of_deletions wm/memory/peer_routes.cpp
+  FROM "interests_.match(event, content, matched_);"
+  TO "if (event.operation != Operation::remove)
+    interests_.match(event, content, matched_);")
 
 # -- over nodes
 
@@ -164,9 +164,9 @@ castor_node_mutant(reads_are_answered_from_a_cache actors/runtime/component_oper
     return known;")
 
 castor_node_mutant(acknowledged_before_applied wm/memory/working_memory.cpp
-  FROM "[self](const WriteRequest& x) {"
-  TO "[self](const WriteRequest& x) -> caf::result<Outcome<Version>> {
-      auto* owner = find_peer(self->state, x.address.subarchitecture);
+  FROM "[shell](const WriteRequest& x) {"
+  TO "[shell](const WriteRequest& x) -> caf::result<Outcome<Version>> {
+      auto* owner = shell->events().find_peer(x.address.subarchitecture);
       if (owner && x.last_seen) {
         caf::anon_send(*owner, x);
         return Outcome<Version>{*x.last_seen + 1};

@@ -46,29 +46,29 @@ castor_system_mutant(the_awaited_are_made_early actors/supervision/system_model.
   FROM "if (failover_.is_between_processes(name))"
   TO "if (false)")
 
-castor_system_mutant(memories_throw wm/memory/working_memory_leases.cpp
-  FROM "if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {"
-  TO "if (request.token % 50 == 7)
+castor_system_mutant(memories_throw wm/memory/lease_service.cpp
+  FROM "if (table_.unlock(address.id, *client, token, now))"
+  TO "if (token % 50 == 7)
     throw std::runtime_error{\"out of order\"};
-  if (state.leases.unlock(address.id, *request.client, request.token, now(self))) {")
+  if (table_.unlock(address.id, *client, token, now))")
 
 # -- filters and leases
 
-castor_system_mutant(new_memories_do_not_know_filters wm/memory/working_memory_routes.cpp
-  FROM "if (!concerns(filter, peer))
-        continue;
+castor_system_mutant(new_memories_do_not_know_filters wm/memory/event_dispatcher.cpp
+  FROM "if (!peers_.is_concerned(peer, filter))
+        return;
       ++pending->missing;"
   TO "if (true)
-        continue;
+        return;
       ++pending->missing;")
 
-castor_system_mutant(the_dead_keep_their_leases wm/memory/working_memory_leases.cpp
-  FROM "state.leases.drop(*client.mapped(), time);"
-  TO "")
+castor_system_mutant(the_dead_keep_their_leases wm/memory/lease_service.cpp
+  FROM "table_.drop(client, now);"
+  TO "static_cast<void>(now);")
 
-castor_system_mutant(memories_count_from_the_start wm/memory/working_memory.cpp
-  FROM "auto first = (options.incarnation - 1) * numbers_per_life;"
-  TO "std::uint64_t first = 0;")
+castor_system_mutant(memories_count_from_the_start wm/memory/working_memory_shell.cpp
+  FROM "return (options.incarnation - 1) * numbers_per_life;"
+  TO "return 0 * options.incarnation;")
 
 # -- links
 
@@ -106,13 +106,13 @@ castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
 
 # -- journals
 
-castor_system_mutant(unsynced_changes_are_told wm/memory/working_memory_journal.cpp
+castor_system_mutant(unsynced_changes_are_told wm/memory/journal_outbox.cpp
   FROM "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {};"
   TO "    return {options.most_unsynced, options.most_unsynced_bytes};
   return {100, 100'000};")
 
-castor_system_mutant(bounds_of_batched_journals_are_ignored wm/memory/working_memory_journal.cpp
+castor_system_mutant(bounds_of_batched_journals_are_ignored wm/memory/journal_outbox.cpp
   FROM "return {options.most_unsynced, options.most_unsynced_bytes};"
   TO "return {10'000, options.most_unsynced_bytes};")
 
@@ -129,9 +129,9 @@ castor_system_mutant(journals_forget_deletions wm/journal/journal_image.cpp
     bury(record.id, record.version, record.sequence);"
   TO "    bury(record.id, record.version, record.sequence);")
 
-castor_system_mutant(sessions_repeat_tokens wm/memory/working_memory_journal.cpp
-  FROM "leases.first_token = opened.session * numbers_per_incarnation + 1;"
-  TO "leases.first_token = numbers_per_incarnation + 1;")
+castor_system_mutant(sessions_repeat_tokens wm/memory/working_memory_shell.cpp
+  FROM "options.opened_journal->session * numbers_per_incarnation"
+  TO "numbers_per_incarnation")
 
 castor_system_mutant(journals_bring_back_what_has_ended wm/store/entry_store.cpp
   FROM "    if (x.entry->life.ephemeral)
@@ -140,9 +140,9 @@ castor_system_mutant(journals_bring_back_what_has_ended wm/store/entry_store.cpp
 
 # -- clocks that jump
 
-castor_system_mutant(clocks_jump_twice wm/memory/working_memory.cpp
-  FROM "self->state.clock_jump += x.by;"
-  TO "self->state.clock_jump += 2 * x.by;")
+castor_system_mutant(clocks_jump_twice wm/memory/working_memory_shell.cpp
+  FROM "clock_jump_ += by;"
+  TO "clock_jump_ += 2 * by;")
 
 # -- tasks
 

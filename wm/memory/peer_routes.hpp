@@ -1,0 +1,150 @@
+#pragma once
+
+#include "castor/wm/events/event_flow.hpp"
+#include "castor/wm/filters/filter_index.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// The other working memories: what each wants of this one, and the events on their way to them.
+/// Those of one process share a route, on which each event goes once.
+///
+/// Whoever uses this sends: to a peer in this process by `send_near(PeerNumber,
+/// std::vector<ForwardedEvent>)`, on a route by `send_far(RouteNumber, RoutedEvents)`.
+class PeerRoutes {
+public:
+  /// Counted from 0 in the order of addition, and never used twice.
+  using PeerNumber = std::uint32_t;
+  using RouteNumber = std::size_t;
+
+  /// The events of one write that are to be sent.
+  struct Outgoing {
+    /// By peer, for those in this process.
+    std::map<PeerNumber, std::vector<ForwardedEvent>> near;
+    std::map<RouteNumber, EventFlow::Batch> far;
+  };
+
+  struct Counters {
+    /// As in WorkingMemoryStatus.
+    std::uint64_t forwarded = 0;
+    std::uint64_t routed = 0;
+    std::uint64_t coalesced = 0;
+    std::uint64_t suppressed = 0;
+    std::uint64_t backlog = 0;
+  };
+
+  /// With `broadcast`, every event goes to every peer, wanted or not, and on a route once for each.
+  explicit PeerRoutes(bool broadcast) : broadcast_(broadcast) {}
+
+  // -- peers
+
+  RouteNumber add_route();
+
+  /// Without a route it lives in this process.
+  PeerNumber add(const std::string& subarchitecture, std::optional<RouteNumber> route);
+
+  /// The peer is no part of the system any more; its name may come again, for another.
+  void remove(PeerNumber peer);
+  bool is_removed(PeerNumber peer) const { return peers_[peer].removed; }
+
+  /// The process at the end of the route is lost, with its peers.
+  void end_route(RouteNumber route);
+
+  /// The peer of that subarchitecture that was not removed.
+  std::optional<PeerNumber> find(const std::string& subarchitecture) const;
+  const std::string& subarchitecture(PeerNumber peer) const { return peers_[peer].subarchitecture; }
+
+  /// Those that were not removed.
+  std::vector<std::string> subarchitectures() const;
+
+  /// The peers with events that the filter can match, without those that are lost.
+  std::vector<PeerNumber> concerned(const ChangeFilter& filter) const;
+  bool is_concerned(PeerNumber peer, const ChangeFilter& filter) const;
+
+  /// The peer wants such events, or does not any more.
+  void set_interest(PeerNumber peer, const Interest& interest);
+
+  // -- events
+
+  bool wants_changed_fields(const ChangeEvent& event) const {
+    return interests_.wants_changed_fields(event);
+  }
+
+  /// The keys (receiver_keys.hpp) of the interests that want the event, in order; valid until the
+  /// next call.
+  const std::vector<FilterIndex::Key>& match(const ChangeEvent& event, const Value& content);
+
+  /// Adds an event to what is to be pushed.
+  void collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
+               Outgoing& outgoing) const;
+
+  template <class Near, class Far>
+  void push(Outgoing outgoing, Near&& send_near, Far&& send_far) {
+    for (auto& [peer, events] : outgoing.near) {
+      counters_.forwarded += events.size();
+      send_near(peer, std::move(events));
+    }
+    for (auto& [route, batch] : outgoing.far)
+      if (auto now = routes_[route].flow.push(std::move(batch)))
+        send_far(route, routed(routes_[route], *now));
+  }
+
+  /// The route has taken so many events.
+  template <class Far>
+  void acknowledge(RouteNumber route, std::uint64_t count, Far&& send_far) {
+    auto& x = routes_[route];
+    x.flow.acknowledge(count);
+    while (auto batch = x.flow.next())
+      send_far(route, routed(x, *batch));
+  }
+
+  Counters counters() const;
+
+private:
+  struct PeerInterest {
+    ChangeFilter filter;
+    /// What it is called on its peer's route, if it has one.
+    std::uint32_t number = 0;
+  };
+
+  struct Peer {
+    std::string subarchitecture;
+    /// Nothing for one in this process.
+    std::optional<RouteNumber> route;
+    /// Its process is.
+    bool lost = false;
+    bool removed = false;
+    std::map<InterestId, PeerInterest> interests;
+  };
+
+  struct Route {
+    EventFlow flow{route_limit};
+    /// What the filter numbers in the flow stand for: a peer, and its interest.
+    std::map<std::uint32_t, std::pair<PeerNumber, InterestId>> receivers;
+    std::uint32_t last_number = 0;
+  };
+
+  void erase(PeerNumber peer, InterestId id, const PeerInterest& interest);
+  void erase_interests(PeerNumber peer);
+  /// The batch in the form in which it goes on the route.
+  RoutedEvents routed(const Route& route, const EventFlow::Batch& batch);
+
+  bool broadcast_;
+  std::vector<Peer> peers_;
+  std::vector<Route> routes_;
+  /// By the peer's number above its interest's id.
+  FilterIndex interests_;
+  /// Without what is in the flows.
+  Counters counters_;
+  std::vector<FilterIndex::Key> matched_;
+};
+
+} // namespace castor

@@ -1,0 +1,152 @@
+#pragma once
+
+#include "castor/wm/events/event_flow.hpp"
+#include "castor/wm/filters/filter_index.hpp"
+#include "castor/wm/memory/remote_interests.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/store/usage_log.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// The filters that are registered at one working memory, and the events on their way to those who
+/// registered them. Whoever uses this sends: batches go to a function `send(Number, Batch)`.
+class Subscriptions {
+public:
+  /// Of a subscriber: one stream of events. Never used twice.
+  using Number = std::uint32_t;
+  using Batch = EventFlow::Batch;
+
+  /// Events of one write, by subscriber.
+  using Notices = std::map<Number, Batch>;
+
+  /// What nobody here wants of the other subarchitectures any more.
+  struct WithdrawnInterest {
+    InterestId id = 0;
+    ChangeFilter filter;
+  };
+
+  struct Counters {
+    /// As in WorkingMemoryStatus.
+    std::uint64_t matched = 0;
+    std::uint64_t delivered = 0;
+    std::uint64_t coalesced = 0;
+    std::uint64_t suppressed = 0;
+    std::uint64_t backlog = 0;
+  };
+
+  /// Changes in the ignored subarchitectures match no filter. Interests are numbered from above
+  /// `last_interest`.
+  Subscriptions(std::string subarchitecture, std::set<std::string> ignored,
+                InterestId last_interest)
+    : subarchitecture_(std::move(subarchitecture)), ignored_(std::move(ignored)),
+      interests_(last_interest) {}
+
+  // -- subscribers
+
+  /// The component is empty for a subscriber that is none, whose events are not logged as accesses.
+  Number add(std::string component, std::uint32_t queue_limit);
+
+  /// What is on its way to the subscriber is dropped.
+  std::vector<WithdrawnInterest> remove(Number number);
+
+  /// Registers a filter, whose subarchitecture is resolved, in the place of the former of that id,
+  /// if any, which has to be withdrawn before. Returns the interest to announce to the other
+  /// working memories; nothing for a filter of the own subarchitecture.
+  std::optional<InterestId> subscribe(Number number, FilterId id, const ChangeFilter& filter);
+
+  /// Withdraws a filter, if it is registered.
+  std::optional<WithdrawnInterest> unsubscribe(Number number, FilterId id);
+
+  /// Calls `f` with the filter and the number of each interest in the other working memories.
+  template <class F>
+  void for_each_interest(F&& f) const {
+    interests_.for_each(std::forward<F>(f));
+  }
+
+  // -- events
+
+  bool wants_changed_fields(const ChangeEvent& event) const {
+    return filters_.wants_changed_fields(event);
+  }
+
+  /// The keys (receiver_keys.hpp) of the filters that want the event, in order; valid until the
+  /// next call.
+  const std::vector<FilterIndex::Key>& match(const ChangeEvent& event, const Value& content);
+
+  /// Adds an event to what is to be pushed.
+  void collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
+               Notices& notices) const;
+
+  /// The events of a write in another working memory, by subscriber.
+  Notices receive(const ForwardedEvents& forwarded);
+
+  template <class F>
+  void push(Notices notices, UsageLog& usage, F&& send) {
+    for (auto& [number, batch] : notices) {
+      auto& subscriber = subscribers_.at(number);
+      count(subscriber, batch, usage);
+      if (auto now = subscriber.flow.push(std::move(batch))) {
+        counters_.delivered += now->size();
+        send(number, *std::move(now));
+      } else {
+        note_whether_merging(number, subscriber);
+      }
+    }
+  }
+
+  /// The subscriber has taken so many events.
+  template <class F>
+  void acknowledge(Number number, std::uint64_t count, F&& send) {
+    auto& subscriber = subscribers_.at(number);
+    subscriber.flow.acknowledge(count);
+    while (auto batch = subscriber.flow.next()) {
+      for (auto& notice : *batch)
+        counters_.coalesced += notice.event->coalesced;
+      counters_.delivered += batch->size();
+      send(number, *std::move(batch));
+    }
+    note_whether_merging(number, subscriber);
+  }
+
+  /// How many filters there are.
+  std::size_t size() const { return filters_.size(); }
+  Counters counters() const;
+
+private:
+  struct Subscriber {
+    std::string component;
+    EventFlow flow;
+    std::unordered_map<FilterId, ChangeFilter> filters;
+  };
+
+  bool is_ignored(const ChangeEvent& event) const {
+    return ignored_.count(event.address.subarchitecture) > 0;
+  }
+  void count(const Subscriber& subscriber, const Batch& batch, UsageLog& usage);
+  void note_whether_merging(Number number, const Subscriber& subscriber);
+
+  std::string subarchitecture_;
+  std::set<std::string> ignored_;
+  /// By the subscriber's number above its filter's id.
+  FilterIndex filters_;
+  std::map<Number, Subscriber> subscribers_;
+  Number last_number_ = 0;
+  /// Subscribers whose events are being merged.
+  std::set<Number> merging_;
+  RemoteInterests interests_;
+  /// Without what is in the flows.
+  Counters counters_;
+  std::vector<FilterIndex::Key> matched_;
+};
+
+} // namespace castor

@@ -1,0 +1,354 @@
+#include "castor/wm/memory/working_memory_shell.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace castor {
+
+namespace {
+
+/// Whether the journal says which numbers there were.
+bool has_journal(const WorkingMemoryOptions& options) {
+  return options.opened_journal && options.opened_journal->failure.empty();
+}
+
+std::uint64_t first_of_life(const WorkingMemoryOptions& options) {
+  return (options.incarnation - 1) * numbers_per_life;
+}
+
+EntryStoreOptions store_options(const WorkingMemoryOptions& options) {
+  auto result = options.store;
+  if (!has_journal(options))
+    result.first_version = first_of_life(options);
+  return result;
+}
+
+LeaseTableOptions lease_options(const WorkingMemoryOptions& options) {
+  auto result = options.leases;
+  // Of whatever session: a lease's token is never that of another.
+  result.first_token =
+    (has_journal(options) ? options.opened_journal->session * numbers_per_incarnation
+                          : first_of_life(options)) +
+    1;
+  return result;
+}
+
+} // namespace
+
+WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
+                                       const WorkingMemoryOptions& options)
+  : self_(self), store_(options.subarchitecture, store_options(options)),
+    leases_(store_, lease_options(options)), events_(self, outbox_, monitored_, usage_, options),
+    epoch_(options.epoch) {
+  allow_writers(options.writers);
+  if (!options.opened_journal)
+    return;
+  outbox_.open(options, now());
+  if (has_journal(options))
+    store_.restore(options.opened_journal->image, now(), options.opened_journal->time);
+  set_alarm();
+}
+
+Timestamp WorkingMemoryShell::now() const {
+  return std::chrono::duration_cast<Timestamp>(self_->clock().now() - epoch_) + clock_jump_;
+}
+
+// -- entries
+
+Outcome<Version> WorkingMemoryShell::write(const WriteRequest& request) {
+  catch_up();
+  auto refused = leases_.check(request);
+  auto effect = refused ? Outcome<EntryStore::Effect>{*refused} : store_.prepare(request);
+  if (!effect) {
+    ++refused_;
+    return effect.failure();
+  }
+  auto version = effect->entry->version;
+  std::vector<EntryStore::Effect> effects;
+  effects.push_back(*std::move(effect));
+  commit(std::move(effects));
+  return version;
+}
+
+Outcome<std::vector<Version>> WorkingMemoryShell::write_all(const BatchRequest& request) {
+  catch_up();
+  auto effects = store_.prepare(request.writes);
+  if (effects)
+    for (auto& x : request.writes)
+      if (auto refused = leases_.check(x)) {
+        effects = *refused;
+        break;
+      }
+  if (!effects) {
+    ++refused_;
+    return effects.failure();
+  }
+  std::vector<Version> versions;
+  for (auto& effect : *effects)
+    versions.push_back(effect.entry->version);
+  commit(*std::move(effects));
+  return versions;
+}
+
+void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
+  auto time = now();
+  std::vector<CommittedChange> changes;
+  changes.reserve(effects.size());
+  for (auto& effect : effects) {
+    if (effect.owner)
+      remember_client(effect.owner);
+    CommittedChange change{nullptr, effect.entry, effect.before};
+    change.event = store_.commit(std::move(effect), time);
+    count_change(*change.event);
+    if (change.event->operation == Operation::remove)
+      leases_.erase(change.event->address.id);
+    changes.push_back(std::move(change));
+  }
+  outbox_.write(changes);
+  events_.dispatch(changes);
+  leases_.settle();
+  set_alarm();
+}
+
+caf::result<Outcome<EntryPtr>> WorkingMemoryShell::read(const ReadRequest& request) {
+  catch_up();
+  auto& client = request.patience.client;
+  if (auto entry = leases_.try_read(request)) {
+    if (*entry)
+      count_read(client, ***entry);
+    return *std::move(entry);
+  }
+  remember_client(client);
+  auto answer = defer<Outcome<EntryPtr>>(self_);
+  leases_.wait_to_read(request, now(),
+                       {[this, answer, client = client](Outcome<EntryPtr> x) {
+                          if (x)
+                            count_read(client, **x);
+                          outbox_.reply(answer, std::move(x));
+                        },
+                        [answer] { answer->abandon(); }});
+  set_alarm();
+  return answer->promise();
+}
+
+caf::result<Outcome<std::vector<EntryPtr>>> WorkingMemoryShell::query(const QueryRequest& request) {
+  using Entries = std::vector<EntryPtr>;
+  catch_up();
+  auto& client = request.patience.client;
+  if (auto entries = leases_.try_query(request)) {
+    for (auto& entry : *entries)
+      count_read(client, *entry);
+    return Outcome<Entries>{*std::move(entries)};
+  }
+  remember_client(client);
+  auto answer = defer<Outcome<Entries>>(self_);
+  leases_.wait_to_query(request, now(),
+                        {[this, answer, client = client](Outcome<Entries> x) {
+                           if (x)
+                             for (auto& entry : *x)
+                               count_read(client, *entry);
+                           outbox_.reply(answer, std::move(x));
+                         },
+                         [answer] { answer->abandon(); }});
+  set_alarm();
+  return answer->promise();
+}
+
+Outcome<bool> WorkingMemoryShell::exists(const ExistsQuery& request) {
+  catch_up();
+  return store_.exists(request.address.id);
+}
+
+Outcome<Version> WorkingMemoryShell::version(const VersionQuery& request) {
+  catch_up();
+  return store_.version(request.address.id);
+}
+
+// -- leases
+
+caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request) {
+  catch_up();
+  auto result = leases_.try_lock(request, now());
+  if (result && !*result)
+    return *std::move(result);
+  remember_client(request.patience.client);
+  if (result) {
+    set_alarm();
+    return *std::move(result);
+  }
+  auto answer = defer<Outcome<Lease>>(self_);
+  leases_.wait_to_lock(request, now(),
+                       {[this, answer](Outcome<Lease> x) { outbox_.reply(answer, std::move(x)); },
+                        [answer] { answer->abandon(); }});
+  set_alarm();
+  return answer->promise();
+}
+
+Outcome<Acknowledged> WorkingMemoryShell::unlock(const UnlockRequest& request) {
+  catch_up();
+  auto result = leases_.unlock(request, now());
+  settle();
+  set_alarm();
+  return result;
+}
+
+Outcome<LockStatus> WorkingMemoryShell::lock_status(const LockQuery& request) {
+  catch_up();
+  return leases_.status(request.address);
+}
+
+void WorkingMemoryShell::cancel(const CancelWait& request) {
+  if (auto& owner = request.address.subarchitecture; owner != store_.subarchitecture()) {
+    if (auto* peer = events_.find_peer(owner))
+      self_->send(*peer, request);
+    return;
+  }
+  catch_up();
+  leases_.cancel(request, now());
+  settle();
+}
+
+caf::result<RenewReply> WorkingMemoryShell::renew(const RenewRequest& request) {
+  catch_up();
+  return outbox_.reply<RenewReply>(leases_.renew(request, now()));
+}
+
+void WorkingMemoryShell::follow(DeadlockProbe probe) {
+  auto& edge = probe.path.back();
+  if (edge.address.subarchitecture != store_.subarchitecture()) {
+    if (auto* peer = events_.find_peer(edge.address.subarchitecture))
+      self_->send(*peer, std::move(probe));
+    return;
+  }
+  if (auto next = leases_.follow(edge))
+    if (auto actor = actor_of(*next))
+      caf::anon_send(actor, std::move(probe));
+}
+
+// -- time
+
+void WorkingMemoryShell::catch_up() {
+  if (leases_.empty() && !store_.next_due())
+    return;
+  auto time = now();
+  leases_.expire(time);
+  if (auto due = store_.next_due(); due && *due <= time)
+    delete_due(time);
+  settle();
+}
+
+void WorkingMemoryShell::delete_due(Timestamp now) {
+  std::vector<EntryStore::Effect> effects;
+  for (auto& id : store_.due(now)) {
+    // What others may not delete is not forgotten either, until its lease ends.
+    if (auto until = leases_.protected_until(id))
+      store_.postpone(id, *until);
+    else
+      effects.push_back(store_.prepare_forgetting(id));
+  }
+  if (!effects.empty())
+    commit(std::move(effects));
+}
+
+void WorkingMemoryShell::settle() {
+  if (leases_.settle())
+    set_alarm();
+}
+
+void WorkingMemoryShell::set_alarm() {
+  auto next = std::min(leases_.next_deadline().value_or(Timestamp::max()),
+                       store_.next_due().value_or(Timestamp::max()));
+  if (next >= alarm_)
+    return;
+  alarm_ = next;
+  self_->delayed_send(self_, std::max(Timestamp{0}, next - now()), WakeUp{});
+}
+
+void WorkingMemoryShell::wake_up() {
+  alarm_ = Timestamp::max();
+  catch_up();
+  set_alarm();
+}
+
+void WorkingMemoryShell::jump_clock(Timestamp by) {
+  clock_jump_ += by;
+  wake_up();
+}
+
+// -- clients
+
+void WorkingMemoryShell::allow_writers(const std::set<std::string>& writers) {
+  for (auto& writer : writers) {
+    if (writer == "*")
+      store_.access().allow_all();
+    else
+      store_.access().allow(writer);
+  }
+}
+
+void WorkingMemoryShell::remember_client(const ClientPtr& client) {
+  auto& sender = self_->current_sender();
+  // Is lost already, or is nobody that a peer made up; its leases last as long as any.
+  if (!sender)
+    return;
+  if (clients_.try_emplace(caf::actor_cast<caf::actor_addr>(sender), client).second)
+    monitored_.add(sender);
+}
+
+void WorkingMemoryShell::end(const caf::actor_addr& who) {
+  monitored_.remove(who);
+  events_.end(who);
+  end_client(who);
+}
+
+void WorkingMemoryShell::end_client(const caf::actor_addr& who) {
+  auto client = clients_.extract(who);
+  if (!client)
+    return;
+  auto time = now();
+  leases_.drop(*client.mapped(), time);
+  store_.end_owner(*client.mapped(), time);
+  // Also if that was the last lease, when there is nothing to catch up with.
+  settle();
+  catch_up();
+  set_alarm();
+}
+
+caf::actor WorkingMemoryShell::actor_of(const Client& client) const {
+  for (auto& [address, known] : clients_)
+    if (*known == client)
+      return caf::actor_cast<caf::actor>(address);
+  return nullptr;
+}
+
+// -- status
+
+void WorkingMemoryShell::count_change(const ChangeEvent& x) {
+  auto what = x.operation == Operation::add         ? &Usage::adds
+              : x.operation == Operation::overwrite ? &Usage::overwrites
+                                                    : &Usage::deletes;
+  usage_.record(x.source, x.address.subarchitecture, x.type_name(), what);
+}
+
+void WorkingMemoryShell::count_read(const ClientPtr& client, const Entry& entry) {
+  if (client)
+    usage_.record(client->component, entry.address.subarchitecture, entry.type_name(),
+                  &Usage::reads);
+}
+
+WorkingMemoryStatus WorkingMemoryShell::status() const {
+  WorkingMemoryStatus result;
+  result.subarchitecture = store_.subarchitecture();
+  result.entries = store_.size();
+  for (auto& entry : store_.read_by_type({}))
+    ++result.entries_by_type[entry->type_name()];
+  result.events = store_.sequence();
+  result.refused = refused_;
+  result.leases = leases_.size();
+  result.waiting = leases_.waiting();
+  result.journal = outbox_.status();
+  events_.add_to(result);
+  return result;
+}
+
+} // namespace castor

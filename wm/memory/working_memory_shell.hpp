@@ -1,0 +1,118 @@
+#pragma once
+
+#include "castor/wm/memory/event_dispatcher.hpp"
+#include "castor/wm/memory/journal_outbox.hpp"
+#include "castor/wm/memory/lease_service.hpp"
+#include "castor/wm/memory/monitored_actors.hpp"
+#include "castor/wm/memory/working_memory_options.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/store/entry_store.hpp"
+#include "castor/wm/store/usage_log.hpp"
+
+#include <chrono>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor {
+
+/// What a working memory does with the operations of its clients: asks the store and the leases,
+/// commits, and has the events sent. Operations are those of the actor's current message.
+class WorkingMemoryShell {
+public:
+  WorkingMemoryShell(WorkingMemoryActor::pointer self, const WorkingMemoryOptions& options);
+
+  /// Answers here what is ours, hands on what is another working memory's.
+  template <class Reply, class Request, class F>
+  caf::result<Outcome<Reply>> at_owner(const Address& address, const Request& request, F&& answer) {
+    if (address.subarchitecture == store_.subarchitecture())
+      return outbox_.reply<Outcome<Reply>>(answer());
+    if (auto* peer = events_.find_peer(address.subarchitecture))
+      return self_->delegate(*peer, request);
+    return Outcome<Reply>{events_.unknown_subarchitecture(address)};
+  }
+
+  // -- operations on the entries here
+
+  Outcome<Version> write(const WriteRequest& request);
+  Outcome<std::vector<Version>> write_all(const BatchRequest& request);
+  caf::result<Outcome<EntryPtr>> read(const ReadRequest& request);
+  caf::result<Outcome<std::vector<EntryPtr>>> query(const QueryRequest& request);
+  Outcome<bool> exists(const ExistsQuery& request);
+  Outcome<Version> version(const VersionQuery& request);
+  caf::result<Outcome<Lease>> lock(const LockRequest& request);
+  Outcome<Acknowledged> unlock(const UnlockRequest& request);
+  Outcome<LockStatus> lock_status(const LockQuery& request);
+
+  // -- other operations
+
+  void cancel(const CancelWait& request);
+  caf::result<RenewReply> renew(const RenewRequest& request);
+  void follow(DeadlockProbe probe);
+
+  /// Subarchitectures whose components may write here from now on; "*" for all.
+  void allow_writers(const std::set<std::string>& writers);
+
+  /// Something may be due.
+  void wake_up();
+  void jump_clock(Timestamp by);
+
+  /// A monitored actor has ended.
+  void end(const caf::actor_addr& who);
+
+  WorkingMemoryStatus status() const;
+  UsageReport usage() const { return {usage_.all()}; }
+
+  EventDispatcher& events() { return events_; }
+  JournalOutbox& outbox() { return outbox_; }
+
+private:
+  /// Time since the system began.
+  Timestamp now() const;
+
+  /// Ends what is over by now: leases, waits, entries. Every operation begins with it.
+  void catch_up();
+  void delete_due(Timestamp now);
+
+  /// Applies effects that were prepared together, and tells everybody who wants to know.
+  void commit(std::vector<EntryStore::Effect> effects);
+
+  /// Answers those whose waits have ended.
+  void settle();
+
+  /// Sees to it that `wake_up` is called when something is due.
+  void set_alarm();
+
+  /// The sender of the current message is this client; it is watched from now on. To be called
+  /// before the message's response promise is made, which takes the sender.
+  void remember_client(const ClientPtr& client);
+
+  /// Releases its leases, expires its entries.
+  void end_client(const caf::actor_addr& who);
+  caf::actor actor_of(const Client& client) const;
+
+  void count_change(const ChangeEvent& event);
+  void count_read(const ClientPtr& client, const Entry& entry);
+
+  WorkingMemoryActor::pointer self_;
+  MonitoredActors monitored_{self_};
+  JournalOutbox outbox_{self_};
+  EntryStore store_;
+  LeaseService leases_;
+  UsageLog usage_;
+  EventDispatcher events_;
+
+  std::chrono::steady_clock::time_point epoch_;
+  /// How far the clock was made to be wrong.
+  Timestamp clock_jump_{0};
+  /// When the next WakeUp comes.
+  Timestamp alarm_ = Timestamp::max();
+  /// Clients that hold something here, or wait, or own an entry.
+  std::map<caf::actor_addr, ClientPtr> clients_;
+  /// Operations refused.
+  std::uint64_t refused_ = 0;
+};
+
+} // namespace castor
