@@ -22,7 +22,7 @@ void JournalImage::add_folded(JournalRecord record) {
 
 void JournalImage::add_deleted(const std::string& id, Version version, std::uint64_t sequence) {
   sequence_ = std::max(sequence_, sequence);
-  bury(id, version, sequence);
+  tombstones_.add(id, version, sequence);
 }
 
 void JournalImage::apply(JournalRecord record) {
@@ -32,11 +32,10 @@ void JournalImage::apply(JournalRecord record) {
   if (record.operation == Operation::add) {
     if (i != entries_.end())
       impossible(record, "there is an entry already");
-    if (auto old = deleted_.find(record.id); old != deleted_.end()) {
-      if (record.version != raised(old->second->version, old->second->sequence) + 1)
-        impossible(record, "it was deleted with version " + std::to_string(old->second->version));
-      burials_.erase(old->second);
-      deleted_.erase(old);
+    if (auto last = tombstones_.version(record.id)) {
+      if (record.version != *last + 1)
+        impossible(record, "it was deleted with version " + std::to_string(*last));
+      tombstones_.erase(record.id);
     }
   } else {
     if (i == entries_.end())
@@ -48,7 +47,7 @@ void JournalImage::apply(JournalRecord record) {
   sequence_ = record.sequence;
   if (record.operation == Operation::remove) {
     entries_.erase(i);
-    bury(record.id, record.version, record.sequence);
+    tombstones_.add(record.id, record.version, record.sequence);
     return;
   }
   auto id = record.id;
@@ -58,7 +57,7 @@ void JournalImage::apply(JournalRecord record) {
 void JournalImage::begin_incarnation(std::uint64_t number) {
   base_ = std::max(base_, number * numbers_per_incarnation);
   sequence_ = std::max(sequence_, base_);
-  floor_ = std::max(floor_, base_);
+  tombstones_.begin_incarnation(base_);
 }
 
 StoreImage JournalImage::store() const {
@@ -70,25 +69,14 @@ StoreImage JournalImage::store() const {
        x.sequence, x.time});
   std::sort(result.entries.begin(), result.entries.end(),
             [](auto& a, auto& b) { return a.sequence < b.sequence; });
-  for (auto& x : burials_)
-    result.deleted.emplace_back(x.id, raised(x.version, x.sequence));
-  result.floor = floor_;
+  tombstones_.for_each([&](auto& id, auto version) { result.deleted.emplace_back(id, version); });
+  result.floor = tombstones_.floor();
   result.sequence = sequence_;
   return result;
 }
 
 Version JournalImage::raised(Version version, std::uint64_t sequence) const {
   return sequence <= base_ ? std::max(version, base_) : version;
-}
-
-void JournalImage::bury(const std::string& id, Version version, std::uint64_t sequence) {
-  deleted_[id] = burials_.insert(burials_.end(), {id, version, sequence});
-  if (burials_.size() <= remembered_)
-    return;
-  auto& oldest = burials_.front();
-  floor_ = std::max(floor_, raised(oldest.version, oldest.sequence) + 1);
-  deleted_.erase(oldest.id);
-  burials_.pop_front();
 }
 
 } // namespace castor

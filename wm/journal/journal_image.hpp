@@ -1,10 +1,10 @@
 #pragma once
 
 #include "castor/wm/journal/journal.hpp"
+#include "castor/wm/store/tombstones.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <string>
 #include <unordered_map>
 
@@ -14,12 +14,12 @@ namespace castor {
 class JournalImage {
 public:
   explicit JournalImage(std::string subarchitecture, std::size_t remembered_deletions = 100'000)
-    : subarchitecture_(std::move(subarchitecture)), remembered_(remembered_deletions) {}
+    : subarchitecture_(std::move(subarchitecture)), tombstones_(remembered_deletions) {}
 
   // -- what was folded, each in the order in which it was written
   void add_folded(JournalRecord record);
   void add_deleted(const std::string& id, Version version, std::uint64_t sequence);
-  void set_floor(Version floor) { floor_ = floor; }
+  void raise_floor(Version floor) { tombstones_.raise_floor(floor); }
 
   /// The next of the changes that were not.
   void apply(JournalRecord record);
@@ -35,22 +35,12 @@ public:
   StoreImage store() const;
 
 private:
-  struct Deleted {
-    std::string id;
-    Version version = 0;
-    std::uint64_t sequence = 0;
-  };
-
   /// A version as it counts now: those of earlier incarnations are over.
   Version raised(Version version, std::uint64_t sequence) const;
-  void bury(const std::string& id, Version version, std::uint64_t sequence);
 
   std::string subarchitecture_;
-  std::size_t remembered_;
   std::unordered_map<std::string, JournalRecord> entries_;
-  std::list<Deleted> burials_;
-  std::unordered_map<std::string, std::list<Deleted>::iterator> deleted_;
-  Version floor_ = 0;
+  Tombstones tombstones_;
   std::uint64_t sequence_ = 0;
   /// The first of this incarnation's numbers.
   std::uint64_t base_ = 0;

@@ -201,7 +201,7 @@ JournalRecord read_record(sqlite::Statement& row, const Types& types, std::uint3
 JournalImage read_folded(sqlite::Database& database, const Meta& meta, const Types& types,
                          std::size_t remembered_deletions) {
   JournalImage result{meta.subarchitecture, remembered_deletions};
-  result.set_floor(meta.floor);
+  result.raise_floor(meta.floor);
   auto count = meta.entries;
   auto sum = meta.entries_sum;
   auto entries = select_records(database, "entries");

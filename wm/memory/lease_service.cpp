@@ -193,7 +193,7 @@ std::optional<Timestamp> LeaseService::protected_until(const std::string& id) co
 
 ClientPtr LeaseService::follow(WaitEdge& edge) const {
   if (edge.kind == WaitEdge::Kind::owner) {
-    auto owner = store_.owner(edge.address.id);
+    auto owner = store_.lifetimes().owner(edge.address.id);
     if (owner)
       edge.obstacle = *store_.version(edge.address.id);
     return owner;

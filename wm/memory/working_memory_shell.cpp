@@ -228,21 +228,21 @@ void WorkingMemoryShell::follow(DeadlockProbe probe) {
 // -- time
 
 void WorkingMemoryShell::catch_up() {
-  if (leases_.empty() && !store_.next_due())
+  if (leases_.empty() && !store_.lifetimes().next_due())
     return;
   auto time = now();
   leases_.expire(time);
-  if (auto due = store_.next_due(); due && *due <= time)
+  if (auto due = store_.lifetimes().next_due(); due && *due <= time)
     delete_due(time);
   settle();
 }
 
 void WorkingMemoryShell::delete_due(Timestamp now) {
   std::vector<EntryStore::Effect> effects;
-  for (auto& id : store_.due(now)) {
+  for (auto& id : store_.lifetimes().due(now)) {
     // What others may not delete is not forgotten either, until its lease ends.
     if (auto until = leases_.protected_until(id))
-      store_.postpone(id, *until);
+      store_.lifetimes().postpone(id, *until);
     else
       effects.push_back(store_.prepare_forgetting(id));
   }
@@ -257,7 +257,7 @@ void WorkingMemoryShell::settle() {
 
 void WorkingMemoryShell::set_alarm() {
   auto next = std::min(leases_.next_deadline().value_or(Timestamp::max()),
-                       store_.next_due().value_or(Timestamp::max()));
+                       store_.lifetimes().next_due().value_or(Timestamp::max()));
   if (next >= alarm_)
     return;
   alarm_ = next;
@@ -307,7 +307,7 @@ void WorkingMemoryShell::end_client(const caf::actor_addr& who) {
     return;
   auto time = now();
   leases_.drop(*client.mapped(), time);
-  store_.end_owner(*client.mapped(), time);
+  store_.lifetimes().end_owner(*client.mapped(), time);
   // Also if that was the last lease, when there is nothing to catch up with.
   settle();
   catch_up();

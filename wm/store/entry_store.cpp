@@ -38,7 +38,7 @@ Failure outdated(const WriteRequest& request, const Entry& there) {
 
 EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
   : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_),
-    floor_(options.first_version) {}
+    tombstones_(options.remembered_deletions, options.first_version) {}
 
 void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) {
   for (auto& x : image.entries) {
@@ -46,16 +46,18 @@ void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) 
     auto& table = types_[x.entry->type_name()];
     table.type = x.entry->value.type_ptr();
     table.recency.push_front(x.entry);
-    auto& slot = entries_[id];
-    slot = {x.entry, x.sequence, table.recency.begin(), {}, expiry_source, nullptr};
+    auto& [time_to_live, ephemeral, only_once] = x.entry->life;
+    bool may_end = time_to_live.count() > 0 || ephemeral;
     // The clock that tells the time since 1970 may have been set back.
-    set_due_after(slot, now - std::max(Timestamp{0}, time - x.time));
-    if (x.entry->life.ephemeral)
-      set_due(slot, now, owner_ended_source);
+    if (may_end)
+      lifetimes_.add(id, time_to_live, nullptr, now - std::max(Timestamp{0}, time - x.time));
+    if (ephemeral)
+      lifetimes_.orphan(id, now);
+    entries_[id] = {x.entry, x.sequence, table.recency.begin(), may_end};
   }
   for (auto& [id, version] : image.deleted)
-    bury(id, version);
-  floor_ = std::max(floor_, image.floor);
+    tombstones_.add(id, version, image.sequence);
+  tombstones_.raise_floor(image.floor);
   sequence_ = image.sequence;
 }
 
@@ -83,17 +85,18 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
     if (auto failure = check_value(request))
       return *failure;
     auto life = request.life.value_or(EntryLife{});
-    if (life.only_once && tombstones_.count(address.id) > 0)
+    if (life.only_once && tombstones_.contains(address.id))
       return Failure{FailureKind::already_exists,
                      to_string(client) + " cannot add " + to_string(address) +
                        ": there was one before, and this one is to be the only one of its id",
                      address};
-    return Effect{Operation::add,
-                  std::make_shared<const Entry>(Entry{address, version_for_add(address.id),
-                                                      request.value, client.component, life}),
-                  client.component,
-                  {},
-                  life.ephemeral ? request.client : nullptr};
+    return Effect{
+      Operation::add,
+      std::make_shared<const Entry>(Entry{address, tombstones_.version_for_add(address.id),
+                                          request.value, client.component, life}),
+      client.component,
+      {},
+      life.ephemeral ? request.client : nullptr};
   }
   if (i == entries_.end())
     return missing(request);
@@ -174,13 +177,13 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
     case Operation::add: {
       if (!table.type)
         table.type = entry->value.type_ptr();
-      exhume(id);
+      tombstones_.erase(id);
       table.recency.push_front(entry);
-      auto& slot = entries_[id];
-      slot = {entry, sequence_, table.recency.begin(), {}, expiry_source, effect.owner};
-      if (effect.owner)
-        ephemeral_.insert(id);
-      set_due_after(slot, now);
+      auto time_to_live = entry->life.time_to_live;
+      bool may_end = time_to_live.count() > 0 || effect.owner;
+      if (may_end)
+        lifetimes_.add(id, time_to_live, std::move(effect.owner), now);
+      entries_[id] = {entry, sequence_, table.recency.begin(), may_end};
       break;
     }
     case Operation::overwrite: {
@@ -189,17 +192,18 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
       table.recency.splice(table.recency.begin(), table.recency, slot.position);
       slot.entry = entry;
       slot.written = sequence_;
-      if (slot.due_source == expiry_source)
-        set_due_after(slot, now);
+      auto time_to_live = entry->life.time_to_live;
+      slot.may_end = slot.may_end || time_to_live.count() > 0;
+      if (slot.may_end)
+        lifetimes_.restart(id, time_to_live, now);
       break;
     }
     case Operation::remove: {
       auto i = entries_.find(id);
       table.recency.erase(i->second.position);
-      set_due(i->second, std::nullopt);
-      if (i->second.owner)
-        ephemeral_.erase(id);
-      bury(id, entry->version);
+      if (i->second.may_end)
+        lifetimes_.erase(id);
+      tombstones_.add(id, entry->version, sequence_);
       entries_.erase(i);
       break;
     }
@@ -207,54 +211,8 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
   return event;
 }
 
-ClientPtr EntryStore::owner(const std::string& id) const {
-  auto i = entries_.find(id);
-  return i == entries_.end() ? nullptr : i->second.owner;
-}
-
-void EntryStore::end_owner(const Client& owner, Timestamp now) {
-  for (auto& id : ephemeral_) {
-    auto& slot = entries_.at(id);
-    if (*slot.owner == owner)
-      set_due(slot, now, owner_ended_source);
-  }
-}
-
-std::optional<Timestamp> EntryStore::next_due() const {
-  return due_.empty() ? std::nullopt : std::optional{due_.begin()->first};
-}
-
-std::vector<std::string> EntryStore::due(Timestamp now) const {
-  std::vector<std::string> result;
-  for (auto i = due_.begin(); i != due_.end() && i->first <= now; ++i)
-    result.push_back(i->second);
-  return result;
-}
-
-void EntryStore::postpone(const std::string& id, Timestamp until) {
-  auto& slot = entries_.at(id);
-  set_due(slot, until, slot.due_source);
-}
-
 EntryStore::Effect EntryStore::prepare_forgetting(const std::string& id) const {
-  auto& slot = entries_.at(id);
-  return {Operation::remove, slot.entry, slot.due_source};
-}
-
-void EntryStore::set_due_after(Slot& slot, Timestamp now) {
-  auto time_to_live = slot.entry->life.time_to_live;
-  if (slot.due || time_to_live.count() > 0)
-    set_due(slot, time_to_live.count() > 0 ? std::optional{now + time_to_live} : std::nullopt);
-}
-
-void EntryStore::set_due(Slot& slot, std::optional<Timestamp> due, const char* source) {
-  auto& id = slot.entry->address.id;
-  if (slot.due)
-    due_.erase({*slot.due, id});
-  slot.due = due;
-  slot.due_source = source;
-  if (due)
-    due_.emplace(*due, id);
+  return {Operation::remove, entries_.at(id).entry, lifetimes_.source(id)};
 }
 
 Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
@@ -307,18 +265,18 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
 Outcome<Version> EntryStore::version(const std::string& id) const {
   if (auto i = entries_.find(id); i != entries_.end())
     return i->second.entry->version;
-  if (auto i = tombstones_.find(id); i != tombstones_.end())
-    return i->second.version;
+  if (auto last = tombstones_.version(id))
+    return *last;
   Address address{subarchitecture_, id};
   return Failure{FailureKind::does_not_exist,
                  "there is no version of " + to_string(address) + ": " + absence(id), address};
 }
 
 std::string EntryStore::absence(const std::string& id) const {
-  if (tombstones_.count(id) > 0)
+  if (tombstones_.contains(id))
     return "it was deleted";
   std::string result = "nothing was added there";
-  if (floor_ > options_.first_version)
+  if (tombstones_.floor() > options_.first_version)
     result += ", or it was deleted too long ago to be remembered";
   return result;
 }
@@ -357,29 +315,6 @@ std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const
                    to_string(request.value.type()) + ", but " + subarchitecture_ + " knows " +
                    to_string(*i->second.type) + ". Build both sides from one declaration",
                  request.address};
-}
-
-Version EntryStore::version_for_add(const std::string& id) const {
-  auto i = tombstones_.find(id);
-  return i == tombstones_.end() ? floor_ : i->second.version + 1;
-}
-
-void EntryStore::bury(const std::string& id, Version version) {
-  tombstones_[id] = {version, burials_.insert(burials_.end(), id)};
-  if (burials_.size() <= options_.remembered_deletions)
-    return;
-  auto oldest = tombstones_.find(burials_.front());
-  floor_ = std::max(floor_, oldest->second.version + 1);
-  tombstones_.erase(oldest);
-  burials_.pop_front();
-}
-
-void EntryStore::exhume(const std::string& id) {
-  auto i = tombstones_.find(id);
-  if (i == tombstones_.end())
-    return;
-  burials_.erase(i->second.burial);
-  tombstones_.erase(i);
 }
 
 } // namespace castor

@@ -5,7 +5,9 @@
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/store/access_rules.hpp"
+#include "castor/wm/store/lifetimes.hpp"
 #include "castor/wm/store/store_image.hpp"
+#include "castor/wm/store/tombstones.hpp"
 #include "castor/wm/store/type_query.hpp"
 #include "castor/wm/store/write_request.hpp"
 
@@ -13,10 +15,8 @@
 #include <list>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace castor {
@@ -74,20 +74,9 @@ public:
 
   // -- entries that end of themselves
 
-  /// Whose end ends the entry; null if nobody's does, or if there is no entry.
-  ClientPtr owner(const std::string& id) const;
-
-  /// From now on the ephemeral entries of this client are due.
-  void end_owner(const Client& owner, Timestamp now);
-
-  /// When the next entry is due to be forgotten.
-  std::optional<Timestamp> next_due() const;
-
-  /// The ids of the entries that are due, the longest due first.
-  std::vector<std::string> due(Timestamp now) const;
-
-  /// An entry that is due is kept until then.
-  void postpone(const std::string& id, Timestamp until);
+  /// Those of the entries that are there.
+  Lifetimes& lifetimes() { return lifetimes_; }
+  const Lifetimes& lifetimes() const { return lifetimes_; }
 
   /// The deletion of an entry that is due.
   Effect prepare_forgetting(const std::string& id) const;
@@ -119,20 +108,13 @@ private:
     /// When it was last written, as a count of writes.
     std::uint64_t written = 0;
     Recency::iterator position;
-    /// When it is to be forgotten, and what then stands as the source.
-    std::optional<Timestamp> due;
-    const char* due_source = expiry_source;
-    ClientPtr owner;
+    /// Whether `lifetimes_` knows it.
+    bool may_end = false;
   };
 
   struct TypeTable {
     TypeDescriptorPtr type;
     Recency recency;
-  };
-
-  struct Tombstone {
-    Version version;
-    std::list<std::string>::iterator burial;
   };
 
   /// Why there is no entry of that id.
@@ -141,27 +123,14 @@ private:
   std::optional<Failure> check_address(const WriteRequest& request) const;
   std::optional<Failure> check_value(const WriteRequest& request) const;
   std::optional<Failure> check_type(const WriteRequest& request) const;
-  Version version_for_add(const std::string& id) const;
-  void bury(const std::string& id, Version version);
-  void exhume(const std::string& id);
-  /// What a write at that time means for the entry's end.
-  void set_due_after(Slot& slot, Timestamp now);
-  void set_due(Slot& slot, std::optional<Timestamp> due, const char* source = expiry_source);
 
   std::string subarchitecture_;
   EntryStoreOptions options_;
   AccessRules access_;
   std::unordered_map<std::string, Slot> entries_;
   std::unordered_map<std::string, TypeTable> types_;
-  std::unordered_map<std::string, Tombstone> tombstones_;
-  /// The ids of the tombstones, the longest deleted first.
-  std::list<std::string> burials_;
-  /// By the time at which they are due.
-  std::set<std::pair<Timestamp, std::string>> due_;
-  /// The ids of ephemeral entries.
-  std::set<std::string> ephemeral_;
-  /// Above every version that was forgotten.
-  Version floor_ = 0;
+  Tombstones tombstones_;
+  Lifetimes lifetimes_;
   std::uint64_t sequence_ = 0;
 };
 

@@ -103,9 +103,9 @@ castor_mutant(waiters_hear_nothing_of_a_deletion wm/leases/lease_table.cpp
   TO "for (auto& waiter : row->second.queue)
     deadlines_.erase({waiter.deadline, waiter.arrival});")
 
-castor_mutant(versions_begin_anew wm/store/entry_store.cpp
-  FROM "return i == tombstones_.end() ? floor_ : i->second.version + 1;"
-  TO "return i == tombstones_.end() ? floor_ : 0;")
+castor_mutant(versions_begin_anew wm/store/tombstones.cpp
+  FROM "return last ? *last + 1 : floor_;"
+  TO "return last ? 0 : floor_;")
 
 castor_mutant(half_a_batch wm/memory/working_memory_shell.cpp
   FROM "commit(*std::move(effects));"

@@ -126,16 +126,16 @@ castor_system_mutant(journals_are_not_written wm/journal/journal_writer.cpp
 
 castor_system_mutant(journals_forget_deletions wm/journal/journal_image.cpp
   FROM "    entries_.erase(i);
-    bury(record.id, record.version, record.sequence);"
-  TO "    bury(record.id, record.version, record.sequence);")
+    tombstones_.add(record.id"
+  TO "    tombstones_.add(record.id")
 
 castor_system_mutant(sessions_repeat_tokens wm/memory/working_memory_shell.cpp
   FROM "options.opened_journal->session * numbers_per_incarnation"
   TO "numbers_per_incarnation")
 
 castor_system_mutant(journals_bring_back_what_has_ended wm/store/entry_store.cpp
-  FROM "    if (x.entry->life.ephemeral)
-      set_due(slot, now, owner_ended_source);"
+  FROM "    if (ephemeral)
+      lifetimes_.orphan(id, now);"
   TO "")
 
 # -- clocks that jump
@@ -172,13 +172,13 @@ castor_system_mutant(retractions_let_nobody_in actors/task_manager/task_schedule
 # -- calls
 
 castor_system_mutant(calls_are_taken_again wm/store/entry_store.cpp
-  FROM "if (life.only_once && tombstones_.count(address.id) > 0)"
+  FROM "if (life.only_once && tombstones_.contains(address.id))"
   TO "if (false)")
 
-castor_system_mutant(the_dead_leave_their_entries wm/store/entry_store.cpp
-  FROM "    if (*slot.owner == owner)
+castor_system_mutant(the_dead_leave_their_entries wm/store/lifetimes.cpp
+  FROM "    if (*lifetime.owner == owner)
       set_due"
-  TO "    if (slot.owner == nullptr)
+  TO "    if (lifetime.owner == nullptr)
       set_due")
 
 castor_system_mutant(calls_outlive_their_working_memory actors/runtime/served_calls.cpp
