@@ -351,10 +351,7 @@ void SimulatedClient::write_several() {
         auto& record = world_.recorder[x.records[i]];
         if (answer)
           wrote(x.records[i], (*answer)[i]);
-        // All versions are checked before any lease, so of a batch an old version says nothing of
-        // the leases.
-        else if (answer.failure().address == world_.entries[record.entry].address &&
-                 answer.failure().kind != FailureKind::inconsistent)
+        else if (answer.failure().address == world_.entries[record.entry].address)
           failed(x.records[i], answer.failure());
         else
           world_.recorder.did_not_happen(x.records[i]);

@@ -1,5 +1,7 @@
 #include "castor/wm/memory/working_memory_shell.hpp"
 
+#include "castor/wm/memory/write_preparation.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -57,28 +59,19 @@ Timestamp WorkingMemoryShell::now() const {
 
 Outcome<Version> WorkingMemoryShell::write(const WriteRequest& request) {
   catch_up();
-  auto refused = leases_.check(request);
-  auto effect = refused ? Outcome<EntryStore::Effect>{*refused} : store_.prepare(request);
-  if (!effect) {
+  auto effects = prepare_writes(store_, leases_, {&request, 1});
+  if (!effects) {
     ++refused_;
-    return effect.failure();
+    return effects.failure();
   }
-  auto version = effect->entry->version;
-  std::vector<EntryStore::Effect> effects;
-  effects.push_back(*std::move(effect));
-  commit(std::move(effects));
+  auto version = effects->front().entry->version;
+  commit(*std::move(effects));
   return version;
 }
 
 Outcome<std::vector<Version>> WorkingMemoryShell::write_all(const BatchRequest& request) {
   catch_up();
-  auto effects = store_.prepare(request.writes);
-  if (effects)
-    for (auto& x : request.writes)
-      if (auto refused = leases_.check(x)) {
-        effects = *refused;
-        break;
-      }
+  auto effects = prepare_writes(store_, leases_, request.writes);
   if (!effects) {
     ++refused_;
     return effects.failure();

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <queue>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace castor {
 
@@ -137,28 +140,24 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
     client.component, i->second.entry};
 }
 
-Outcome<std::vector<EntryStore::Effect>>
-EntryStore::prepare(const std::vector<WriteRequest>& requests) const {
-  std::vector<Effect> result;
-  std::set<std::string_view> ids;
-  for (auto& request : requests) {
+std::optional<Failure> EntryStore::check_atomic(std::span<const WriteRequest> requests) const {
+  for (auto& request : requests)
     if (request.address.subarchitecture != subarchitecture_)
       return Failure{FailureKind::not_atomic,
                      to_string(*request.client) + " cannot write " + to_string(request.address) +
                        " and entries of " + subarchitecture_ +
                        " at once: an atomic write stays within one working memory",
                      request.address};
+  if (requests.size() < 2)
+    return std::nullopt;
+  std::set<std::string_view> ids;
+  for (auto& request : requests)
     if (!ids.insert(request.address.id).second)
       return Failure{FailureKind::not_atomic,
                      to_string(*request.client) + " cannot write " + to_string(request.address) +
                        " twice in one atomic write",
                      request.address};
-    auto effect = prepare(request);
-    if (!effect)
-      return effect.failure();
-    result.push_back(*std::move(effect));
-  }
-  return result;
+  return std::nullopt;
 }
 
 std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {

@@ -15,6 +15,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -63,14 +64,14 @@ public:
   const std::string& subarchitecture() const { return subarchitecture_; }
   AccessRules& access() { return access_; }
 
+  /// Why these writes cannot be one: they have to be of different entries, all of them here.
+  std::optional<Failure> check_atomic(std::span<const WriteRequest> requests) const;
+
   Outcome<Effect> prepare(const WriteRequest& request) const;
 
-  /// Applies an effect of `prepare`, with no other commit in between, and says what happened; which
-  /// fields changed is left out.
+  /// Applies an effect of `prepare`, and says what happened; which fields changed is left out.
+  /// Since it was prepared, only others of the same atomic write may have been committed.
   std::shared_ptr<ChangeEvent> commit(Effect effect, Timestamp now);
-
-  /// The effects of several writes of different entries, or the failure of the first that fails.
-  Outcome<std::vector<Effect>> prepare(const std::vector<WriteRequest>& requests) const;
 
   // -- entries that end of themselves
 

@@ -108,14 +108,14 @@ castor_mutant(versions_begin_anew wm/store/tombstones.cpp
   TO "return last ? 0 : floor_;")
 
 castor_mutant(half_a_batch wm/memory/working_memory_shell.cpp
-  FROM "commit(*std::move(effects));"
-  TO "commit({effects->begin() + (effects->size() > 1), effects->end()});")
+  FROM "commit(*std::move(effects));
+  return versions;"
+  TO "commit({effects->begin() + (effects->size() > 1), effects->end()});
+  return versions;")
 
-castor_mutant(batches_ignore_leases wm/memory/working_memory_shell.cpp
-  FROM "for (auto& x : request.writes)
-      if (auto refused"
-  TO "for (auto& x : std::vector<WriteRequest>{})
-      if (auto refused")
+castor_mutant(batches_ignore_leases wm/memory/write_preparation.cpp
+  FROM "if (auto refused = leases.check(request))"
+  TO "if (auto refused = requests.size() > 1 ? std::nullopt : leases.check(request))")
 
 castor_mutant(deaths_settle_nothing wm/memory/working_memory_shell.cpp
   FROM "// Also if that was the last lease, when there is nothing to catch up with.

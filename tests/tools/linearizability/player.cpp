@@ -203,10 +203,7 @@ void Player::write_several() {
     versions = SubarchitectureComponent::write(batch);
   } catch (const WorkingMemoryException& e) {
     for (auto& x : attempts) {
-      // All versions are checked before any lease, so of a batch an old version says nothing of the
-      // leases.
-      auto tells = address(x) == e.address() && e.kind() != FailureKind::inconsistent;
-      if (is_undecided(e, x) || tells)
+      if (is_undecided(e, x) || address(x) == e.address())
         take(x, [&](Result&) { throw; });
       else
         world_->drop(x.number);

@@ -55,8 +55,7 @@ JournalOptions options() {
 }
 
 JournalGroupPtr one_write(EntryStore& store, int i) {
-  std::vector<WriteRequest> requests(1);
-  auto& x = requests.front();
+  WriteRequest x;
   x.address = {"a", "e" + std::to_string(i % 5)};
   x.client = std::make_shared<const Client>(Client{"c", "a"});
   if (auto old = store.read(x.address.id)) {
@@ -65,16 +64,13 @@ JournalGroupPtr one_write(EntryStore& store, int i) {
   }
   if (x.operation != Operation::remove)
     x.value = Value::of(FuzzNote{i, "text"});
+  auto effect = store.prepare(x);
+  require(static_cast<bool>(effect));
+  auto entry = effect->entry;
+  auto before = effect->before;
+  auto event = store.commit(*std::move(effect), Timestamp{i});
   auto group = std::make_shared<JournalGroup>();
-  auto effects = store.prepare(requests);
-  require(static_cast<bool>(effects));
-  for (auto& effect : *std::move(effects)) {
-    auto entry = effect.entry;
-    auto before = effect.before;
-    auto event = store.commit(std::move(effect), Timestamp{i});
-    group->push_back(record_of(*event, *entry, before, UnixTime{0}));
-    group->back().write = group->front().sequence;
-  }
+  group->push_back(record_of(*event, *entry, before, UnixTime{0}));
   return group;
 }
 

@@ -64,11 +64,17 @@ public:
   bool write(std::vector<WriteRequest> requests) {
     for (auto& x : requests)
       x.client = client_;
-    auto effects = store_.prepare(requests);
-    if (!effects)
+    if (store_.check_atomic(requests))
       return false;
+    std::vector<EntryStore::Effect> effects;
+    for (auto& x : requests) {
+      auto effect = store_.prepare(x);
+      if (!effect)
+        return false;
+      effects.push_back(*std::move(effect));
+    }
     auto group = std::make_shared<JournalGroup>();
-    for (auto& effect : *std::move(effects)) {
+    for (auto& effect : effects) {
       auto entry = effect.entry;
       auto before = effect.before;
       auto event = store_.commit(std::move(effect), Timestamp{++clock_});
