@@ -59,7 +59,6 @@ const std::vector<std::vector<std::string>> known_circles{
   {"tools/chaos/fault_plan", "tools/chaos/statement_parser"},
   {"wm/filters/bound_predicate", "wm/filters/predicate", "wm/filters/predicate_parser",
    "wm/filters/predicate_tree"},
-  {"wm/journal/journal", "wm/journal/journal_image", "wm/journal/journal_tables"},
   {"wm/values/encoding", "wm/values/known_types", "wm/values/type_descriptor"},
 };
 

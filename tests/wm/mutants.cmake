@@ -11,11 +11,11 @@ function(castor_journal_mutant name source)
       GTest::gtest_main)
 endfunction()
 
-castor_journal_mutant(nothing_is_synced wm/journal/journal.cpp
+castor_journal_mutant(nothing_is_synced wm/journal/sqlite_journal.cpp
   FROM "PRAGMA synchronous=FULL; PRAGMA cache_size"
   TO "PRAGMA synchronous=OFF; PRAGMA cache_size")
 
-castor_journal_mutant(two_write_at_once wm/journal/journal.cpp
+castor_journal_mutant(two_write_at_once wm/journal/sqlite_journal.cpp
   FROM "if (newest == meta_.session)"
   TO "if (true)")
 

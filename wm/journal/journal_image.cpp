@@ -1,5 +1,7 @@
 #include "castor/wm/journal/journal_image.hpp"
 
+#include "castor/wm/journal/journal_error.hpp"
+
 #include <algorithm>
 
 namespace castor {
@@ -40,7 +42,7 @@ void JournalImage::apply(JournalRecord record) {
   } else {
     if (i == entries_.end())
       impossible(record, "there is no such entry");
-    auto version = raised(i->second.version, i->second.sequence);
+    auto version = version_of(i->second);
     if (record.version != version + (record.operation == Operation::overwrite ? 1 : 0))
       impossible(record, "it has version " + std::to_string(version));
   }
@@ -63,10 +65,9 @@ void JournalImage::begin_incarnation(std::uint64_t number) {
 StoreImage JournalImage::store() const {
   StoreImage result;
   for (auto& [id, x] : entries_)
-    result.entries.push_back(
-      {std::make_shared<const Entry>(
-         Entry{{subarchitecture_, id}, raised(x.version, x.sequence), x.value, x.source, x.life}),
-       x.sequence, x.time});
+    result.entries.push_back({std::make_shared<const Entry>(Entry{
+                                {subarchitecture_, id}, version_of(x), x.value, x.source, x.life}),
+                              x.sequence, x.time});
   std::sort(result.entries.begin(), result.entries.end(),
             [](auto& a, auto& b) { return a.sequence < b.sequence; });
   tombstones_.for_each([&](auto& id, auto version) { result.deleted.emplace_back(id, version); });
@@ -75,8 +76,8 @@ StoreImage JournalImage::store() const {
   return result;
 }
 
-Version JournalImage::raised(Version version, std::uint64_t sequence) const {
-  return sequence <= base_ ? std::max(version, base_) : version;
+Version JournalImage::version_of(const JournalRecord& x) const {
+  return Tombstones::version_in_incarnation(x.version, x.sequence, base_);
 }
 
 } // namespace castor

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/journal/journal.hpp"
+#include "castor/wm/journal/journal_record.hpp"
 #include "castor/wm/store/tombstones.hpp"
 
 #include <cstddef>
@@ -35,8 +35,8 @@ public:
   StoreImage store() const;
 
 private:
-  /// A version as it counts now: those of earlier incarnations are over.
-  Version raised(Version version, std::uint64_t sequence) const;
+  /// The version of an entry as it counts now.
+  Version version_of(const JournalRecord& x) const;
 
   std::string subarchitecture_;
   std::unordered_map<std::string, JournalRecord> entries_;

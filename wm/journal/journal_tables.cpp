@@ -1,5 +1,6 @@
 #include "castor/wm/journal/journal_tables.hpp"
 
+#include "castor/wm/journal/journal_error.hpp"
 #include "castor/wm/values/encoding.hpp"
 
 namespace castor::journal_tables {
@@ -134,6 +135,19 @@ Meta read_meta(sqlite::Database& database) {
   x.clean = row.number() != 0;
   require_checksum(row.number(), x.checksum(), "its first row");
   return x;
+}
+
+MetaWriter::MetaWriter(sqlite::Database& database)
+  : update_(database, "UPDATE meta SET session=?, incarnation=?, last=?, folded=?, floor=?, "
+                      "entries=?, deleted=?, entries_sum=?, deleted_sum=?, lossless=?, clean=?, "
+                      "checksum=?") {}
+
+void MetaWriter::write(const Meta& x) {
+  for (auto number : {x.session, x.incarnation, x.last, x.folded, x.floor, x.entries, x.deleted,
+                      x.entries_sum, x.deleted_sum, std::uint64_t{x.lossless},
+                      std::uint64_t{x.clean}, std::uint64_t{x.checksum()}})
+    update_.bind(number);
+  update_.run();
 }
 
 Sessions read_sessions(sqlite::Database& database) {

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "castor/wm/journal/journal.hpp"
 #include "castor/wm/journal/journal_image.hpp"
+#include "castor/wm/journal/journal_record.hpp"
 #include "castor/wm/journal/sqlite.hpp"
 #include "castor/wm/values/crc32.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 /// How a journal stands in its file. Every row carries a checksum of what it says.
@@ -60,6 +61,17 @@ struct Session {
 
 using Sessions = std::map<std::uint64_t, Session>;
 using Types = std::map<std::uint64_t, TypeDescriptorPtr>;
+
+/// Writes the row of `meta`, as a part of every transaction.
+class MetaWriter {
+public:
+  explicit MetaWriter(sqlite::Database& database);
+
+  void write(const Meta& x);
+
+private:
+  sqlite::Statement update_;
+};
 
 /// Throws JournalCorrupt.
 Meta read_meta(sqlite::Database& database);

@@ -46,8 +46,4 @@ void Tombstones::raise_floor(Version floor) {
   floor_ = std::max(floor_, floor);
 }
 
-Version Tombstones::current_version(const Tombstone& x) const {
-  return x.sequence <= first_number_ ? std::max(x.version, first_number_) : x.version;
-}
-
 } // namespace castor

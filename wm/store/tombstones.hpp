@@ -2,6 +2,7 @@
 
 #include "castor/wm/entries/entry.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <list>
@@ -47,6 +48,13 @@ public:
   /// count as no less.
   void begin_incarnation(std::uint64_t first_number);
 
+  /// A version as it counts in an incarnation whose numbers begin with `first_number`: none that
+  /// was written before is less.
+  static Version version_in_incarnation(Version version, std::uint64_t sequence,
+                                        std::uint64_t first_number) {
+    return sequence <= first_number ? std::max(version, first_number) : version;
+  }
+
   /// Above every version that was forgotten.
   Version floor() const { return floor_; }
   void raise_floor(Version floor);
@@ -63,7 +71,9 @@ public:
 private:
   using List = std::list<Tombstone>;
 
-  Version current_version(const Tombstone& x) const;
+  Version current_version(const Tombstone& x) const {
+    return version_in_incarnation(x.version, x.sequence, first_number_);
+  }
 
   std::size_t limit_;
   Version floor_;

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "castor/wm/entries/change_event.hpp"
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/journal/journal_tables.hpp"
+#include "castor/wm/journal/sqlite.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// Keeps a journal's file small: the oldest changes become part of the entries that they led to.
+class JournalCompaction {
+public:
+  JournalCompaction(sqlite::Database& database, std::size_t remembered_deletions)
+    : database_(database), remembered_deletions_(remembered_deletions) {}
+
+  /// Folds some of the oldest changes, for some milliseconds; what has become of them stands in
+  /// `meta` then. To be called in a transaction that writes `meta`.
+  void fold(journal_tables::Meta& meta);
+
+private:
+  struct OldChange {
+    std::uint64_t sequence = 0;
+    Operation operation = Operation::add;
+    Version version = 0;
+    std::uint64_t checksum = 0;
+    std::string id;
+  };
+
+  std::vector<OldChange> oldest_changes();
+
+  /// Puts what an entry has come to among the folded entries.
+  void fold(journal_tables::Meta& meta, const OldChange& x);
+
+  /// Puts a deletion among those that are remembered; may forget the oldest.
+  void remember_deletion(journal_tables::Meta& meta, const OldChange& x);
+
+  void take_out(const std::string& table, const std::string& id, std::uint64_t& count,
+                std::uint64_t& sum);
+
+  sqlite::Database& database_;
+  std::size_t remembered_deletions_;
+};
+
+} // namespace castor
