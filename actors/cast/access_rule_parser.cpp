@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/unknown_name.hpp"
 #include "castor/base/text.hpp"
+#include "castor/wm/entries/client.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -53,8 +54,11 @@ void AccessRuleParser::check_operator_rule(std::size_t number, bool joins, Diagn
     log.report(
       Severity::error, *line.line, "where operators may write was said when the system was started",
       "remove the line, or write it into the file that the system is started with", line.text);
-  auto is_other = [&](const AccessRule& x) { return x.writer == operators && x.owner != nothing; };
-  if (rules_[number].owner == nothing && std::any_of(rules_.begin(), rules_.end(), is_other))
+  auto is_other = [&](const AccessRule& x) {
+    return x.writer == operators && x.owner != AccessRule::nothing;
+  };
+  if (rules_[number].owner == AccessRule::nothing &&
+      std::any_of(rules_.begin(), rules_.end(), is_other))
     log.report(Severity::error, *line.line,
                "operators may write nothing, and another line lets them write",
                "remove one of the lines", line.text);
@@ -72,7 +76,7 @@ AccessRuleParser::finish(const std::set<std::string, std::less<>>& subarchitectu
       check_operator_rule(i, joins, log);
     check_name(writer, operators, line, subarchitectures, log);
     if (owner != writer || of_operators)
-      check_name(owner, of_operators ? nothing : "", line, subarchitectures, log);
+      check_name(owner, of_operators ? AccessRule::nothing : "", line, subarchitectures, log);
     else if (owner != "*")
       log.report(Severity::warning, *line.line,
                  in_quotes(owner) + " may write to its own working memory in any case",

@@ -4,22 +4,14 @@
 #include "castor/actors/cast/preprocessor.hpp"
 #include "castor/actors/cast/words.hpp"
 #include "castor/base/diagnostic_log.hpp"
-#include "castor/wm/entries/client.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace castor::cast {
-
-/// Writer of rules about people and programs outside of the system. They may write everywhere if no
-/// rule is about them.
-using castor::operators;
-/// Owner of a rule by which operators may write nowhere.
-inline constexpr std::string_view nothing = "nothing";
 
 /// Collects lines of the form `ACCESS writer WRITES owner`. The names may belong to
 /// subarchitectures further down in the file, so they are checked in the end.

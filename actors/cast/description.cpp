@@ -1,8 +1,8 @@
 #include "castor/actors/cast/description.hpp"
 
-#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/actors/component/health.hpp"
 #include "castor/base/text.hpp"
+#include "castor/wm/entries/client.hpp"
 
 #include <algorithm>
 
@@ -23,7 +23,7 @@ std::string_view without_dashes(std::string_view key) noexcept {
 }
 
 bool is_of_operators(const AccessRule& x) noexcept {
-  return x.writer == cast::operators;
+  return x.writer == operators;
 }
 
 } // namespace
@@ -100,7 +100,7 @@ bool ArchitectureDescription::may_write(std::string_view writer,
   auto covers = [](const std::string& pattern, std::string_view name) {
     return pattern == "*" || pattern == name;
   };
-  if (writer == cast::operators)
+  if (writer == operators)
     return owner != health_subarchitecture &&
            (std::none_of(access_rules.begin(), access_rules.end(), is_of_operators) ||
             std::any_of(access_rules.begin(), access_rules.end(), [&](const AccessRule& rule) {

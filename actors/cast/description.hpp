@@ -77,7 +77,11 @@ struct SubarchitectureDescription {
 
 /// Allows components of one subarchitecture to write to the working memory of another.
 struct AccessRule {
-  /// A subarchitecture, or "*" for all.
+  /// Owner of a rule by which operators may write nowhere.
+  static constexpr std::string_view nothing = "nothing";
+
+  /// A subarchitecture, "*" for all, or `operators`, who may write everywhere if no rule is about
+  /// them.
   std::string writer;
   std::string owner;
   SourceLocation where;

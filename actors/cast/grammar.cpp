@@ -8,6 +8,7 @@
 #include "castor/actors/component/health.hpp"
 #include "castor/base/suggestion.hpp"
 #include "castor/base/text.hpp"
+#include "castor/wm/entries/client.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -204,7 +205,7 @@ private:
              in_quotes(*name) + " is where every system tells of its own health",
              "give the subarchitecture another name");
       section_->is_broken = true;
-    } else if (*name == operators || *name == nothing) {
+    } else if (*name == operators || *name == AccessRule::nothing) {
       report(Severity::error, line, in_quotes(*name) + " has a meaning of its own in ACCESS lines",
              "give the subarchitecture another name");
       section_->is_broken = true;

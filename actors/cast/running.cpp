@@ -1,7 +1,7 @@
 #include "castor/actors/cast/running.hpp"
 
-#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/base/suggestion.hpp"
+#include "castor/wm/entries/client.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -69,7 +69,7 @@ Removal remove_subarchitecture(ArchitectureDescription& running, const std::stri
   std::erase_if(running.subarchitectures, [&](auto& y) { return y.name == name; });
   // Without their last rule operators might write everywhere.
   std::erase_if(running.access_rules, [&](auto& y) {
-    return y.writer == name || (y.owner == name && y.writer != cast::operators);
+    return y.writer == name || (y.owner == name && y.writer != operators);
   });
   std::erase_if(running.supervision, [&](auto& y) { return y.who == name; });
   std::erase_if(running.failover, [&](auto& y) { return y.who == name; });

@@ -35,7 +35,7 @@ protected:
   virtual void task_rejected(const TaskId&) {}
 
 private:
-  friend class ComponentShell;
+  friend class ComponentTasks;
 
   void decided(const TaskDecided& x);
 

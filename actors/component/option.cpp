@@ -1,6 +1,5 @@
 #include "castor/actors/component/option.hpp"
 
-#include "castor/actors/component/component.hpp"
 #include "castor/base/duration.hpp"
 #include "castor/base/suggestion.hpp"
 #include "castor/base/text.hpp"
@@ -11,9 +10,6 @@
 #include <cmath>
 
 namespace castor {
-
-OptionBase::OptionBase(Component* owner, std::string name, std::string help)
-  : OptionBase(owner->options(), std::move(name), std::move(help)) {}
 
 OptionBase::OptionBase(OptionList& owner, std::string name, std::string help)
   : name_(std::move(name)), help_(std::move(help)) {

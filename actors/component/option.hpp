@@ -15,8 +15,21 @@
 
 namespace castor {
 
-class Component;
-class OptionList;
+class OptionBase;
+
+/// The options of one component, in the order of their declaration.
+class OptionList {
+public:
+  void add(OptionBase& option) { options_.push_back(&option); }
+  const std::vector<OptionBase*>& all() const { return options_; }
+
+  /// What is wrong with the setting, with the nearest name or the kind of value expected; nothing
+  /// if it was taken. `name` is without dashes.
+  std::optional<std::string> set(std::string_view name, std::string_view value);
+
+private:
+  std::vector<OptionBase*> options_;
+};
 
 /// What an option names.
 enum class Reference : std::uint8_t { none, component, standalone, subarchitecture };
@@ -29,7 +42,6 @@ enum class Reference : std::uint8_t { none, component, standalone, subarchitectu
 /// and read like a value of that type from `configure()` on.
 class OptionBase {
 public:
-  OptionBase(Component* owner, std::string name, std::string help);
   OptionBase(OptionList& owner, std::string name, std::string help);
   OptionBase(const OptionBase&) = delete;
   OptionBase& operator=(const OptionBase&) = delete;
@@ -103,8 +115,10 @@ std::string print_option(const std::vector<std::string>& x);
 template <class T>
 class Option final : public OptionBase {
 public:
-  Option(Component* owner, std::string name, T standard, std::string help)
-    : OptionBase(owner, std::move(name), std::move(help)), value_(std::move(standard)) {}
+  /// @param owner a component, which has options()
+  template <class Owner>
+  Option(Owner* owner, std::string name, T standard, std::string help)
+    : OptionBase(owner->options(), std::move(name), std::move(help)), value_(std::move(standard)) {}
   Option(OptionList& owner, std::string name, T standard, std::string help)
     : OptionBase(owner, std::move(name), std::move(help)), value_(std::move(standard)) {}
 
@@ -184,20 +198,6 @@ public:
 
 private:
   T value_;
-};
-
-/// The options of one component, in the order of their declaration.
-class OptionList {
-public:
-  void add(OptionBase& option) { options_.push_back(&option); }
-  const std::vector<OptionBase*>& all() const { return options_; }
-
-  /// What is wrong with the setting, with the nearest name or the kind of value expected; nothing
-  /// if it was taken. `name` is without dashes.
-  std::optional<std::string> set(std::string_view name, std::string_view value);
-
-private:
-  std::vector<OptionBase*> options_;
 };
 
 } // namespace castor

@@ -29,7 +29,7 @@ protected:
   void decide(const TaskId& id, TaskDecision decision, const std::string& reason = {});
 
 private:
-  friend class ComponentShell;
+  friend class ComponentTasks;
 
   void proposed(TaskProposal task);
   void retracted(const TaskId& id);

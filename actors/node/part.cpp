@@ -1,6 +1,5 @@
 #include "castor/actors/node/part.hpp"
 
-#include "castor/actors/cast/access_rule_parser.hpp"
 #include "castor/actors/component/health.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"
@@ -10,6 +9,7 @@
 #include "castor/actors/runtime/plugin.hpp"
 #include "castor/actors/runtime/shell.hpp"
 #include "castor/base/log.hpp"
+#include "castor/wm/entries/client.hpp"
 #include "castor/wm/memory/working_memory.hpp"
 
 #include <algorithm>
@@ -363,10 +363,10 @@ std::set<std::string> SystemPart::writers(const std::string& subarchitecture) co
   if (open_access_)
     result.insert("*");
   for (auto& rule : architecture_.access_rules)
-    if (rule.writer != cast::operators && (rule.owner == subarchitecture || rule.owner == "*"))
+    if (rule.writer != operators && (rule.owner == subarchitecture || rule.owner == "*"))
       result.insert(rule.writer);
-  if (architecture_.may_write(cast::operators, subarchitecture))
-    result.emplace(cast::operators);
+  if (architecture_.may_write(operators, subarchitecture))
+    result.emplace(operators);
   else if (result.erase("*") > 0)
     // All subarchitectures, but not operators.
     for (auto& x : architecture_.subarchitectures)

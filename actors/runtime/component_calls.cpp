@@ -1,7 +1,6 @@
 #include "castor/actors/runtime/component_calls.hpp"
 
 #include "castor/actors/component/subarchitecture_component.hpp"
-#include "castor/actors/runtime/shell.hpp"
 #include "castor/base/plain_words.hpp"
 
 #include <algorithm>
@@ -25,13 +24,13 @@ constexpr EntryLife first_claim{.ephemeral = true, .only_once = true};
 Value ComponentCalls::call(const std::string& subarchitecture, const Value& request,
                            const TypeDescriptor& reply_type, const CallOptions& options) {
   listen_to(subarchitecture);
-  auto until = ComponentShell::Clock::now() + options.timeout.value_or(shell_.deadline());
+  auto until = ComponentContext::Clock::now() + options.timeout.value_or(parts_.context.deadline());
   for (int attempt = 0;; ++attempt) {
     Made made{component_.here(component_.new_id()), component_.here(component_.new_id())};
     // Its progress may be heard of before the write that makes it has returned.
     auto& open = open_[made.call.id];
     // The wait is older than all that serving the call may have to wait for.
-    open.since = shell_.now();
+    open.since = parts_.context.now();
     std::optional<Value> reply;
     try {
       make(made, subarchitecture, request, reply_type);
@@ -48,7 +47,7 @@ Value ComponentCalls::call(const std::string& subarchitecture, const Value& requ
     if (attempt >= options.retries)
       throw CallException{{FailureKind::call_failed,
                            "the component of " + subarchitecture + " that served the " +
-                             request.type_name() + " of " + shell_.identity().full_name() +
+                             request.type_name() + " of " + parts_.context.identity().full_name() +
                              " ended while it worked on it. A call that may be served twice can "
                              "be given retries",
                            made.call}};
@@ -58,10 +57,10 @@ Value ComponentCalls::call(const std::string& subarchitecture, const Value& requ
 void ComponentCalls::listen_to(const std::string& subarchitecture) {
   if (!listened_to_.insert(subarchitecture).second)
     return;
-  shell_.add_listener(changed<CallProgress>()
-                        .in(subarchitecture)
-                        .where(&CallProgress::caller, shell_.identity().name),
-                      [this](const ChangeEvent& event) { note_progress(event); });
+  parts_.operations.add_listener(changed<CallProgress>()
+                                   .in(subarchitecture)
+                                   .where(&CallProgress::caller, parts_.context.identity().name),
+                                 [this](const ChangeEvent& event) { note_progress(event); });
 }
 
 void ComponentCalls::note_progress(const ChangeEvent& event) {
@@ -83,18 +82,18 @@ void ComponentCalls::make(const Made& made, const std::string& subarchitecture,
                      .add_value(made.request, request, with_its_writer)
                      .add(made.call,
                           Call{subarchitecture, request.type_name(), reply_type.name(),
-                               made.request, shell_.identity().name},
+                               made.request, parts_.context.identity().name},
                           with_its_writer));
 }
 
 void ComponentCalls::take_back(const Made& made) {
   // If the component stops now, its entries go with it.
-  if (!shell_.is_running())
+  if (!parts_.client.is_running())
     return;
   try {
     component_.write(WriteBatch{}.delete_entry(made.call).delete_entry(made.request));
   } catch (const WorkingMemoryException& e) {
-    log_runtime(LogLevel::debug, shell_.identity().full_name(), e.what());
+    log_runtime(LogLevel::debug, parts_.context.identity().full_name(), e.what());
   } catch (const ComponentStopped&) {
     // The next operation will say so.
   }
@@ -106,19 +105,19 @@ std::optional<Value> ComponentCalls::await_reply(const std::string& subarchitect
                                                  std::chrono::steady_clock::time_point until) {
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::owner;
-  wait.waiter = shell_.client();
-  wait.number = shell_.patience({}).number;
+  wait.waiter = parts_.context.client();
+  wait.number = parts_.client.patience({}).number;
   wait.since = open.since;
   wait.what = "waits for a reply to its " + request.type_name();
-  auto failure = shell_.wait_until([&] { return open.settled; }, until,
-                                   [&]() -> std::optional<WaitEdge> {
-                                     auto address =
-                                       obstacle(subarchitecture, made, request.type_name(), open);
-                                     if (!address)
-                                       return std::nullopt;
-                                     wait.address = *address;
-                                     return wait;
-                                   });
+  auto failure = parts_.client.wait_until([&] { return open.settled; }, until,
+                                          [&]() -> std::optional<WaitEdge> {
+                                            auto address = obstacle(subarchitecture, made,
+                                                                    request.type_name(), open);
+                                            if (!address)
+                                              return std::nullopt;
+                                            wait.address = *address;
+                                            return wait;
+                                          });
   if (failure)
     throw_failure(not_served(*failure, subarchitecture, request.type_name(), open));
   if (open.server_ended)
@@ -130,8 +129,8 @@ std::optional<Value> ComponentCalls::await_reply(const std::string& subarchitect
       return component_.read_entry(progress->reply)->value;
     throw CallException{{FailureKind::call_failed,
                          progress->server + " of " + subarchitecture + " could not serve the " +
-                           request.type_name() + " of " + shell_.identity().full_name() + ": " +
-                           progress->error,
+                           request.type_name() + " of " + parts_.context.identity().full_name() +
+                           ": " + progress->error,
                          made.call}};
   } catch (const DoesNotExistOnWM&) {
     return std::nullopt; // it ended after all, and took its answer along
@@ -143,7 +142,8 @@ Failure ComponentCalls::not_served(Failure failure, const std::string& subarchit
   failure.address = {subarchitecture, {}};
   if (failure.kind == FailureKind::no_answer)
     failure.message =
-      shell_.identity().full_name() + " got no reply to its " + request_type + " in time: " +
+      parts_.context.identity().full_name() + " got no reply to its " + request_type +
+      " in time: " +
       (open.taken ? "a component of " + subarchitecture + " is still at work on it"
                   : "no component of " + subarchitecture +
                       " took it. Does one of them call on_call<" + request_type + ">()?");
@@ -172,15 +172,15 @@ std::optional<Address> ComponentCalls::obstacle(const std::string& subarchitectu
 void ComponentCalls::serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
                            Handler handler) {
   listen_for_ends();
-  auto& subarchitecture = shell_.identity().subarchitecture;
+  auto& subarchitecture = parts_.context.identity().subarchitecture;
   auto mine = field(&Call::subarchitecture) == subarchitecture &&
               field(&Call::request_type) == request_type.name();
-  component_.add(CallServer{shell_.identity().name, request_type.name(), reply_type.name()},
+  component_.add(CallServer{parts_.context.identity().name, request_type.name(), reply_type.name()},
                  with_its_writer);
   component_.on_change(added<Call>().anywhere().where(mine),
                        [this, handler](const ChangeEvent& event) { take(event.address, handler); });
   // Some may have been waiting for somebody like this component.
-  for (auto& [name, working_memory] : shell_.neighbours().working_memories) {
+  for (auto& [name, working_memory] : parts_.context.neighbours().working_memories) {
     auto waiting = component_.read_where_in<Call>(name, mine);
     std::for_each(waiting.rbegin(), waiting.rend(),
                   [&](auto& call) { take(call.address, handler); });
@@ -190,14 +190,14 @@ void ComponentCalls::serve(const TypeDescriptor& request_type, const TypeDescrip
 void ComponentCalls::listen_for_ends() {
   if (std::exchange(serving_, true))
     return;
-  auto gone =
-    deleted<Call>().anywhere().where(&Call::subarchitecture, shell_.identity().subarchitecture);
-  shell_.add_listener(gone, [this](const ChangeEvent& event) {
+  auto gone = deleted<Call>().anywhere().where(&Call::subarchitecture,
+                                               parts_.context.identity().subarchitecture);
+  parts_.operations.add_listener(gone, [this](const ChangeEvent& event) {
     served_.deleted(event.address);
     clean_up_later();
   });
-  shell_.on_neighbours([this](const Neighbours& before) {
-    for (auto& subarchitecture : lost_working_memories(before, shell_.neighbours()))
+  parts_.context.on_neighbours([this](const Neighbours& before) {
+    for (auto& subarchitecture : lost_working_memories(before, parts_.context.neighbours()))
       served_.memory_lost(subarchitecture);
     clean_up_later();
   });
@@ -219,7 +219,7 @@ std::shared_ptr<const Call> ComponentCalls::claim(const Address& call_at) {
     auto call = component_.read<Call>(call_at).object;
     component_.add(
       progress_of(call_at),
-      CallProgress{call_at, call->caller, shell_.identity().name, CallState::taken, {}, {}},
+      CallProgress{call_at, call->caller, parts_.context.identity().name, CallState::taken, {}, {}},
       first_claim);
     return call;
   } catch (const DoesNotExistOnWM&) {
@@ -234,7 +234,8 @@ std::shared_ptr<const Call> ComponentCalls::claim(const Address& call_at) {
 
 void ComponentCalls::answer(const Address& call_at, const Call& call, const Handler& handler) {
   auto outer = std::exchange(current_, call_at);
-  CallProgress progress{call_at, call.caller, shell_.identity().name, CallState::done, {}, {}};
+  CallProgress progress{call_at,         call.caller, parts_.context.identity().name,
+                        CallState::done, {},          {}};
   try {
     auto reply = handler(component_.read_entry(call.request)->value);
     progress.reply = component_.here(call_at.id + reply_suffix);
@@ -254,7 +255,7 @@ void ComponentCalls::answer(const Address& call_at, const Call& call, const Hand
 
 /// Not at once: operations would have to wait for their answers in the middle of other operations.
 void ComponentCalls::clean_up_later() {
-  shell_.call_in_turn("the end of a call", [this] { clean_up(); });
+  parts_.inbox.put(Inbox::Task{"the end of a call", [this] { clean_up(); }});
 }
 
 void ComponentCalls::clean_up() {

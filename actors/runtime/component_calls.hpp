@@ -2,6 +2,10 @@
 
 #include "castor/actors/component/call_types.hpp"
 #include "castor/actors/component/calls.hpp"
+#include "castor/actors/runtime/component_context.hpp"
+#include "castor/actors/runtime/component_operations.hpp"
+#include "castor/actors/runtime/inbox.hpp"
+#include "castor/actors/runtime/operations_client.hpp"
 #include "castor/actors/runtime/served_calls.hpp"
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -19,16 +23,21 @@
 
 namespace castor {
 
-class ComponentShell;
 class SubarchitectureComponent;
 struct ChangeEvent;
-struct WaitEdge;
 
 /// The calls over working memory that one component makes and serves.
 class ComponentCalls final : public Calls {
 public:
-  ComponentCalls(SubarchitectureComponent& component, ComponentShell& shell)
-    : component_(component), shell_(shell) {}
+  struct Parts {
+    ComponentContext& context;
+    OperationsClient& client;
+    ComponentOperations& operations;
+    Inbox& inbox;
+  };
+
+  ComponentCalls(SubarchitectureComponent& component, const Parts& parts)
+    : component_(component), parts_(parts) {}
 
   Value call(const std::string& subarchitecture, const Value& request,
              const TypeDescriptor& reply_type, const CallOptions& options) override;
@@ -75,7 +84,7 @@ private:
   Address progress_of(const Address& call) const;
 
   SubarchitectureComponent& component_;
-  ComponentShell& shell_;
+  Parts parts_;
 
   std::map<std::string, Open> open_;
   std::set<std::string> listened_to_;

@@ -1,6 +1,7 @@
 #include "castor/actors/runtime/component_connections.hpp"
 
-#include "castor/actors/runtime/shell.hpp"
+#include "castor/actors/component/option.hpp"
+#include "castor/base/log.hpp"
 #include "castor/base/plain_words.hpp"
 #include "castor/base/suggestion.hpp"
 
@@ -15,20 +16,24 @@ namespace castor {
 /// Where the reply to a request arrives; gives it back at the end of its life.
 class ComponentConnections::ReplySlot {
 public:
-  ReplySlot(ComponentShell& shell, std::uint64_t id) : shell_(shell), id_(id) {
-    shell_.open_slot(id_);
+  ReplySlot(PumpedActor& actor, std::uint64_t id) : actor_(actor), id_(id) {
+    actor_.open_slot(id_);
   }
   ReplySlot(const ReplySlot&) = delete;
   ReplySlot& operator=(const ReplySlot&) = delete;
-  ~ReplySlot() { shell_.close_slot(id_); }
+  ~ReplySlot() { actor_.close_slot(id_); }
 
   /// Null until it has arrived.
-  const caf::mailbox_element_ptr& reply() const { return shell_.slot(id_); }
+  const caf::mailbox_element_ptr& reply() const { return actor_.slot(id_); }
 
 private:
-  ComponentShell& shell_;
+  PumpedActor& actor_;
   std::uint64_t id_;
 };
+
+ComponentConnections::ComponentConnections(const Parts& parts) : parts_(parts) {
+  parts_.context.on_neighbours([this](const Neighbours&) { renew_subscriptions(); });
+}
 
 // -- of one that provides
 
@@ -38,7 +43,7 @@ void ComponentConnections::provide(const TypeDescriptorPtr& type, std::function<
 
 void ComponentConnections::push(const Value& x) {
   // What was taken meanwhile makes room, also for a component that never waits.
-  shell_.file_arrived();
+  parts_.actor.file_arrived();
   auto& subscribers = provisions_[x.type_name()].subscribers;
   // What nobody gets to see is not recorded.
   if (!subscribers.empty())
@@ -48,10 +53,10 @@ void ComponentConnections::push(const Value& x) {
     if (auto now = to.flow.push(x)) {
       send(to, *std::move(now));
     } else if (to.flow.dropped() > dropped) {
-      ++shell_.counters().pushes_dropped;
+      ++parts_.context.counters().pushes_dropped;
       if (dropped == 0)
         log_runtime(
-          LogLevel::warning, shell_.identity().full_name(),
+          LogLevel::warning, parts_.context.identity().full_name(),
           fmt::format("{} does not keep up with the {}s that are pushed: of more than {} that it "
                       "has not taken, the oldest are dropped. Its --push-limit can be raised",
                       to.name, x.type_name(), to.flow.limit()));
@@ -60,7 +65,7 @@ void ComponentConnections::push(const Value& x) {
 }
 
 void ComponentConnections::send(const Subscriber& to, Value x) {
-  shell_.send(to.actor, Pushed{shell_.identity().name, std::move(x)});
+  parts_.actor.send(to.actor, Pushed{parts_.context.identity().name, std::move(x)});
 }
 
 void ComponentConnections::taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x) {
@@ -82,7 +87,7 @@ void ComponentConnections::forget(const caf::actor_addr& subscriber) {
 }
 
 void ComponentConnections::work_off_pull(caf::mailbox_element& x, const PullRequest& request) {
-  auto& self = shell_.identity().name;
+  auto& self = parts_.context.identity().name;
   auto i = provisions_.find(request.type->name());
   Outcome<Value> outcome;
   if (i == provisions_.end() || !i->second.make) {
@@ -94,28 +99,28 @@ void ComponentConnections::work_off_pull(caf::mailbox_element& x, const PullRequ
                       {self, {}}};
   } else {
     try {
-      shell_.user_code("providing a " + i->first, [&] { outcome = i->second.make(); });
+      parts_.code.run("providing a " + i->first, [&] { outcome = i->second.make(); });
       record(false, *outcome);
     } catch (const std::exception& e) {
       // Who pulls must learn of it too.
       outcome = Failure{FailureKind::no_answer, plain_words(e), {self, {}}};
-      shell_.respond(x, caf::make_message(std::move(outcome)));
+      parts_.actor.respond(x, caf::make_message(std::move(outcome)));
       throw;
     }
   }
-  shell_.respond(x, caf::make_message(std::move(outcome)));
+  parts_.actor.respond(x, caf::make_message(std::move(outcome)));
 }
 
 void ComponentConnections::record(bool pushed, const Value& x) {
-  if (auto& recorder = shell_.services().pushes)
-    recorder->record(shell_.identity().name, pushed, x);
+  if (auto& recorder = parts_.context.services().pushes)
+    recorder->record(parts_.context.identity().name, pushed, x);
 }
 
 void ComponentConnections::work_off_hand_out(caf::mailbox_element& x, const HandOut& order) {
   provide(order.value.type_ptr(), [value = order.value] { return value; });
   if (order.push)
     push(order.value);
-  shell_.respond(x, caf::make_message(Acknowledged{}));
+  parts_.actor.respond(x, caf::make_message(Acknowledged{}));
 }
 
 void ComponentConnections::work_off_push_request(caf::mailbox_element& x,
@@ -123,16 +128,16 @@ void ComponentConnections::work_off_push_request(caf::mailbox_element& x,
   if (!x.sender)
     return;
   auto actor = caf::actor_cast<caf::actor>(x.sender);
-  shell_.monitor(actor);
+  parts_.actor.monitor(actor);
   provisions_[request.type->name()].subscribers.push_back(
     {actor, request.subscriber, PushFlow{request.limit}});
-  shell_.respond(x, caf::make_message(Outcome<Value>{Value{}}));
+  parts_.actor.respond(x, caf::make_message(Outcome<Value>{Value{}}));
 }
 
 // -- of one that receives
 
 caf::actor ComponentConnections::find_provider(const std::string& name) const {
-  auto& neighbours = shell_.neighbours();
+  auto& neighbours = parts_.context.neighbours();
   if (auto i = neighbours.providers.find(name); i != neighbours.providers.end())
     return i->second;
   if (neighbours.known_providers.contains(name))
@@ -149,13 +154,13 @@ caf::actor ComponentConnections::find_provider(const std::string& name) const {
 caf::actor ComponentConnections::await_provider(const std::string& name,
                                                 const caf::actor_addr& gone,
                                                 const std::string& task,
-                                                ComponentShell::Clock::time_point until) const {
+                                                ComponentContext::Clock::time_point until) const {
   auto cannot = [&] { return "cannot " + task + " " + name + ": "; };
-  auto& known = shell_.neighbours().known_providers;
+  auto& known = parts_.context.neighbours().known_providers;
   if (auto i = known.find(name); gone && i != known.end() && !i->second)
     throw ConnectionError(cannot() + "it has ended with no result, and is not started again");
   caf::actor result;
-  auto failure = shell_.wait_until(
+  auto failure = parts_.client.wait_until(
     [&] {
       result = find_provider(name);
       return result && result.address() != gone;
@@ -166,21 +171,22 @@ caf::actor ComponentConnections::await_provider(const std::string& name,
   if (failure->kind != FailureKind::no_answer)
     throw ConnectionError(cannot() + failure->message);
   throw ProviderDown(name, cannot() + name + " is down, and was not started again within " +
-                             detail::print_option(shell_.deadline()) + ". The --deadline of " +
-                             shell_.identity().full_name() + " can be raised");
+                             detail::print_option(parts_.context.deadline()) +
+                             ". The --deadline of " + parts_.context.identity().full_name() +
+                             " can be raised");
 }
 
 template <class Request>
 ComponentConnections::Answer ComponentConnections::ask(const std::string& provider,
                                                        const Request& request,
                                                        const std::string& task) {
-  auto until = ComponentShell::Clock::now() + shell_.deadline();
+  auto until = ComponentContext::Clock::now() + parts_.context.deadline();
   for (caf::actor_addr gone;;) {
     auto actor = await_provider(provider, gone, task, until);
-    const ReplySlot slot{shell_,
-                         shell_.request(actor, caf::infinite, request).id().integer_value()};
+    const ReplySlot slot{parts_.actor,
+                         parts_.actor.request(actor, caf::infinite, request).id().integer_value()};
     // If its process is lost, nobody answers.
-    auto failure = shell_.wait_until(
+    auto failure = parts_.client.wait_until(
       [&] { return slot.reply() || find_provider(provider) != actor; }, until, {});
     auto cannot = [&] { return "cannot " + task + " " + provider + ": "; };
     if (const auto& reply = slot.reply()) {
@@ -188,17 +194,18 @@ ComponentConnections::Answer ComponentConnections::ask(const std::string& provid
       bool has_ended = content.match_elements<caf::error>() &&
                        content.get_as<caf::error>(0) == caf::sec::request_receiver_down;
       if (!has_ended) {
-        auto outcome = shell_.take<Outcome<Value>>(*reply, {provider, {}});
+        auto outcome = parts_.client.take<Outcome<Value>>(*reply, {provider, {}});
         if (!outcome)
           throw ConnectionError(cannot() + outcome.failure().message);
         return {std::move(actor), *std::move(outcome)};
       }
     } else if (failure) {
-      throw ConnectionError(
-        cannot() + (failure->kind == FailureKind::no_answer
-                      ? shell_.identity().full_name() + " got no answer within " +
-                          detail::print_option(shell_.deadline()) + ". Its --deadline can be raised"
-                      : failure->message));
+      throw ConnectionError(cannot() +
+                            (failure->kind == FailureKind::no_answer
+                               ? parts_.context.identity().full_name() + " got no answer within " +
+                                   detail::print_option(parts_.context.deadline()) +
+                                   ". Its --deadline can be raised"
+                               : failure->message));
     }
     gone = actor.address();
   }
@@ -212,7 +219,7 @@ void ComponentConnections::subscribe(const std::string& provider, const TypeDesc
                                      std::function<void(const Value&)> callback) {
   auto known = receptions_.find({provider, type->name()});
   if (known == receptions_.end()) {
-    auto limit = shell_.push_limit();
+    auto limit = parts_.context.push_limit();
     auto actor =
       ask(provider, push_request(type), "receive pushes of " + type->name() + " from").provider;
     known =
@@ -224,18 +231,18 @@ void ComponentConnections::subscribe(const std::string& provider, const TypeDesc
 }
 
 PushRequest ComponentConnections::push_request(const TypeDescriptorPtr& type) const {
-  return {type, shell_.push_limit(), shell_.identity().full_name()};
+  return {type, parts_.context.push_limit(), parts_.context.identity().full_name()};
 }
 
-void ComponentConnections::meet() {
-  auto& providers = shell_.neighbours().providers;
+void ComponentConnections::renew_subscriptions() {
+  auto& providers = parts_.context.neighbours().providers;
   for (auto& [key, reception] : receptions_) {
     auto i = providers.find(key.first);
     if (i == providers.end() || i->second == reception.provider)
       continue;
     reception.provider = i->second;
-    reception.receipts = Receipts{shell_.push_limit()};
-    shell_.send(reception.provider, push_request(reception.type));
+    reception.receipts = Receipts{parts_.context.push_limit()};
+    parts_.actor.send(reception.provider, push_request(reception.type));
   }
 }
 
@@ -245,15 +252,13 @@ void ComponentConnections::work_off_push(const caf::mailbox_element& x, const Pu
     return;
   auto& reception = i->second;
   if (auto count = reception.receipts.take())
-    shell_.send(caf::actor_cast<caf::actor>(x.sender), PushesTaken{i->first.second, count});
+    parts_.actor.send(caf::actor_cast<caf::actor>(x.sender), PushesTaken{i->first.second, count});
   // A callback may add others, for later pushes.
   auto callbacks = reception.callbacks.size();
   for (std::size_t n = 0; n < callbacks; ++n) {
     auto callback = reception.callbacks[n];
-    shell_.user_code("the callback for a " + i->first.second + " of " + pushed.provider, [&] {
-      shell_.begin_callback();
-      callback(pushed.value);
-    });
+    parts_.code.run_callback("the callback for a " + i->first.second + " of " + pushed.provider,
+                             [&] { callback(pushed.value); });
   }
 }
 

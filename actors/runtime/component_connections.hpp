@@ -2,7 +2,11 @@
 
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/push_flow.hpp"
+#include "castor/actors/runtime/component_context.hpp"
+#include "castor/actors/runtime/mailbox.hpp"
+#include "castor/actors/runtime/operations_client.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/actors/runtime/user_code.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/events/receipts.hpp"
@@ -20,8 +24,6 @@
 
 namespace castor {
 
-class ComponentShell;
-
 /// A stand-alone component is down, and was not back in time. Where it is the end of the component
 /// that waited for it, that is not the failure of that component.
 class ProviderDown : public ConnectionError {
@@ -38,7 +40,16 @@ private:
 /// A component's push and pull connections, at either end. Used on the component's own thread only.
 class ComponentConnections final : public Connections {
 public:
-  explicit ComponentConnections(ComponentShell& shell) : shell_(shell) {}
+  struct Parts {
+    PumpedActor& actor;
+    ComponentContext& context;
+    OperationsClient& client;
+    UserCode& code;
+  };
+
+  explicit ComponentConnections(const Parts& parts);
+  ComponentConnections(const ComponentConnections&) = delete;
+  ComponentConnections& operator=(const ComponentConnections&) = delete;
 
   void provide(const TypeDescriptorPtr& type, std::function<Value()> make) override;
   void push(const Value& x) override;
@@ -50,10 +61,6 @@ public:
                  std::function<void(const Value&)> callback) override;
 
   // -- what arrives
-
-  /// The neighbours are others now: of providers that were started again, pushes are asked for once
-  /// more.
-  void meet();
 
   /// A subscriber has taken pushes, for which it may be sent others.
   void taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x);
@@ -86,6 +93,8 @@ private:
     Receipts receipts;
   };
 
+  /// The neighbours are others now: asks providers that were started again for pushes once more.
+  void renew_subscriptions();
   /// Somebody gets that value.
   void record(bool pushed, const Value& x);
   void work_off_hand_out(caf::mailbox_element& x, const HandOut& order);
@@ -112,7 +121,7 @@ private:
   template <class Request>
   Answer ask(const std::string& provider, const Request& request, const std::string& task);
 
-  ComponentShell& shell_;
+  Parts parts_;
   /// By type.
   std::map<std::string, Provision> provisions_;
   /// By provider and type.

@@ -1,7 +1,6 @@
 #include "castor/actors/runtime/component_operations.hpp"
 
 #include "castor/actors/runtime/injected_faults.hpp"
-#include "castor/actors/runtime/shell.hpp"
 #include "castor/base/log.hpp"
 
 #include <memory>
@@ -15,18 +14,18 @@ namespace {
 /// Gives a reply's slot back when nobody takes the reply.
 class Claim {
 public:
-  Claim(ComponentShell& shell, std::uint64_t id) : shell_(shell), id_(id) {}
+  Claim(OperationsClient& client, std::uint64_t id) : client_(client), id_(id) {}
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
   ~Claim() {
     if (id_ != 0)
-      shell_.abandon(id_);
+      client_.abandon(id_);
   }
 
   std::uint64_t take() { return std::exchange(id_, 0); }
 
 private:
-  ComponentShell& shell_;
+  OperationsClient& client_;
   std::uint64_t id_;
 };
 
@@ -40,21 +39,22 @@ WriteRequest ComponentOperations::write_request(Operation operation, const Addre
   // What has to be encoded on its way is encoded here: in the own working memory, which hands it
   // on, others would wait for that.
   if (operation != Operation::remove &&
-      address.subarchitecture != shell_.identity().subarchitecture &&
-      shell_.is_in_another_process(address.subarchitecture))
+      address.subarchitecture != parts_.context.identity().subarchitecture &&
+      parts_.context.is_in_another_process(address.subarchitecture))
     value.bytes();
   return {operation,
           address,
           std::move(value),
           seen ? std::optional{seen->version} : std::nullopt,
-          shell_.client(),
-          shell_.leases().token(address),
+          parts_.context.client(),
+          parts_.context.leases().token(address),
           life,
           seen && seen->expected};
 }
 
-void ComponentOperations::note_write(Operation operation, const Address& address, Version version) {
-  auto& counters = shell_.counters();
+void ComponentOperations::remember_write(Operation operation, const Address& address,
+                                         Version version) {
+  auto& counters = parts_.context.counters();
   switch (operation) {
     case Operation::add:
       ++counters.adds;
@@ -67,7 +67,7 @@ void ComponentOperations::note_write(Operation operation, const Address& address
     case Operation::remove:
       ++counters.deletes;
       seen_.erase(address);
-      shell_.leases().forget(address);
+      parts_.context.leases().forget(address);
       break;
   }
 }
@@ -77,21 +77,21 @@ Pending<Version> ComponentOperations::write(Operation operation, const Address& 
   auto request = write_request(operation, address, std::move(value), life);
   auto last_seen = request.last_seen;
   auto expected = request.expected;
-  auto id = shell_.begin(request);
+  auto id = parts_.client.begin(request);
   // The next operation in the pipeline counts on this one; should it fail, so will they.
   if (last_seen)
     seen_.set(address, *last_seen + 1, true);
-  auto claim = std::make_shared<Claim>(shell_, id);
+  auto claim = std::make_shared<Claim>(parts_.client, id);
   return Pending<Version>{[this, claim, operation, address, last_seen, expected] {
     auto seen_meanwhile = seen_.find(address);
-    auto outcome = shell_.finish<Version>(claim->take(), address);
+    auto outcome = parts_.client.finish<Version>(claim->take(), address);
     if (!outcome) {
       if (last_seen && seen_meanwhile && seen_meanwhile->expected &&
           seen_meanwhile->version > *last_seen)
         seen_.set(address, *last_seen, expected);
       throw_failure(outcome.failure());
     }
-    note_write(operation, address, *outcome);
+    remember_write(operation, address, *outcome);
     // Of several overwrites in flight, the latest counts.
     if (operation == Operation::overwrite && seen_meanwhile && seen_meanwhile->version > *outcome)
       seen_.set(address, seen_meanwhile->version, seen_meanwhile->expected);
@@ -106,30 +106,31 @@ std::vector<Version> ComponentOperations::write(const WriteBatch& batch) {
   BatchRequest request{items.front().address.subarchitecture, {}};
   for (auto& x : items)
     request.writes.push_back(write_request(x.operation, x.address, x.value, x.life));
-  auto versions = value_or_throw(
-    shell_.finish<std::vector<Version>>(shell_.begin(request), {request.subarchitecture, {}}));
+  auto versions = value_or_throw(parts_.client.finish<std::vector<Version>>(
+    parts_.client.begin(request), {request.subarchitecture, {}}));
   for (std::size_t i = 0; i < items.size(); ++i)
-    note_write(items[i].operation, items[i].address, versions[i]);
+    remember_write(items[i].operation, items[i].address, versions[i]);
   return versions;
 }
 
 // -- reading
 
 Pending<EntryPtr> ComponentOperations::read(const Address& address) {
-  auto patience = shell_.patience(shell_.deadline());
-  auto claim = std::make_shared<Claim>(shell_, shell_.begin(ReadRequest{address, patience}));
+  auto patience = parts_.client.patience(parts_.context.deadline());
+  auto claim =
+    std::make_shared<Claim>(parts_.client, parts_.client.begin(ReadRequest{address, patience}));
   return Pending<EntryPtr>{[this, claim, address, patience] {
     WaitEdge wait;
     wait.kind = WaitEdge::Kind::read;
     wait.address = address;
     wait.what = "waits to read " + to_string(address);
-    auto outcome = shell_.finish_wait<EntryPtr>(claim->take(), std::move(wait), patience);
+    auto outcome = parts_.client.finish_wait<EntryPtr>(claim->take(), std::move(wait), patience);
     if (!outcome) {
       if (outcome.failure().kind == FailureKind::does_not_exist)
         seen_.erase(address);
       throw_failure(outcome.failure());
     }
-    ++shell_.counters().reads;
+    ++parts_.context.counters().reads;
     seen_.set(address, (*outcome)->version);
     return *outcome;
   }};
@@ -140,43 +141,45 @@ std::vector<EntryPtr> ComponentOperations::query(TypeQuery query) {
   wait.kind = WaitEdge::Kind::read;
   wait.address = {query.subarchitecture, {}};
   wait.what = "waits to read every " + query.type + " of " + query.subarchitecture;
-  auto patience = shell_.patience(shell_.deadline());
-  auto entries = value_or_throw(shell_.finish_wait<std::vector<EntryPtr>>(
-    shell_.begin(QueryRequest{std::move(query), patience}), std::move(wait), patience));
-  shell_.counters().reads += entries.size();
+  auto patience = parts_.client.patience(parts_.context.deadline());
+  auto entries = value_or_throw(parts_.client.finish_wait<std::vector<EntryPtr>>(
+    parts_.client.begin(QueryRequest{std::move(query), patience}), std::move(wait), patience));
+  parts_.context.counters().reads += entries.size();
   for (auto& entry : entries)
     seen_.set(entry->address, entry->version);
   return entries;
 }
 
 bool ComponentOperations::exists(const Address& address) {
-  return value_or_throw(shell_.finish<bool>(shell_.begin(ExistsQuery{address}), address));
+  return value_or_throw(
+    parts_.client.finish<bool>(parts_.client.begin(ExistsQuery{address}), address));
 }
 
 Version ComponentOperations::version(const Address& address) {
-  return value_or_throw(shell_.finish<Version>(shell_.begin(VersionQuery{address}), address));
+  return value_or_throw(
+    parts_.client.finish<Version>(parts_.client.begin(VersionQuery{address}), address));
 }
 
 // -- leases
 
 void ComponentOperations::lock(const Address& address, LockLevel level,
                                std::optional<std::chrono::nanoseconds> timeout) {
-  auto patience = shell_.patience(timeout.value_or(shell_.deadline()));
+  auto patience = parts_.client.patience(timeout.value_or(parts_.context.deadline()));
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::lock;
   wait.address = address;
   wait.what = "waits to lock " + to_string(address);
-  auto lease = value_or_throw(shell_.finish_wait<Lease>(
-    shell_.begin(LockRequest{address, level, patience}), std::move(wait), patience));
-  shell_.leases().add(address, lease.token);
+  auto lease = value_or_throw(parts_.client.finish_wait<Lease>(
+    parts_.client.begin(LockRequest{address, level, patience}), std::move(wait), patience));
+  parts_.context.leases().add(address, lease.token);
 }
 
 bool ComponentOperations::try_lock(const Address& address, LockLevel level) {
-  auto outcome =
-    shell_.finish<Lease>(shell_.begin(LockRequest{address, level, shell_.patience({})}), address);
+  auto outcome = parts_.client.finish<Lease>(
+    parts_.client.begin(LockRequest{address, level, parts_.client.patience({})}), address);
   if (!outcome && outcome.failure().kind == FailureKind::leased)
     return false;
-  shell_.leases().add(address, value_or_throw(std::move(outcome)).token);
+  parts_.context.leases().add(address, value_or_throw(std::move(outcome)).token);
   return true;
 }
 
@@ -186,32 +189,33 @@ void ComponentOperations::unlock(const Address& address) {
 }
 
 std::optional<LockLevel> ComponentOperations::level_of_others(const Address& address) {
-  auto status =
-    value_or_throw(shell_.finish<LockStatus>(shell_.begin(LockQuery{address}), address));
-  return status.holder && !(*status.holder == *shell_.client()) ? status.level : std::nullopt;
+  auto status = value_or_throw(
+    parts_.client.finish<LockStatus>(parts_.client.begin(LockQuery{address}), address));
+  return status.holder && !(*status.holder == *parts_.context.client()) ? status.level
+                                                                        : std::nullopt;
 }
 
 LeaseToken ComponentOperations::lease(const Address& address) const {
-  return shell_.leases().token(address);
+  return parts_.context.leases().token(address);
 }
 
 bool ComponentOperations::holds(const Address& address, LeaseToken token) const {
-  auto x = shell_.leases().find(address);
+  auto x = parts_.context.leases().find(address);
   return x && x->token == token && !x->lost;
 }
 
 void ComponentOperations::release(const Address& address, LeaseToken token) {
-  if (shell_.leases().release(address, token))
-    value_or_throw(shell_.try_unlock(address, token));
+  if (parts_.context.leases().release(address, token))
+    value_or_throw(parts_.client.try_unlock(address, token));
 }
 
 void ComponentOperations::release_quietly(const Address& address, LeaseToken token) {
-  if (!shell_.leases().release(address, token))
+  if (!parts_.context.leases().release(address, token))
     return;
   try {
-    auto outcome = shell_.try_unlock(address, token);
+    auto outcome = parts_.client.try_unlock(address, token);
     if (!outcome)
-      log_runtime(LogLevel::warning, shell_.identity().full_name(),
+      log_runtime(LogLevel::warning, parts_.context.identity().full_name(),
                   "a lease did not last as long as its guard: " + outcome.failure().message);
   } catch (const InjectedCrash&) {
     // It comes again where it can be thrown.
@@ -220,21 +224,47 @@ void ComponentOperations::release_quietly(const Address& address, LeaseToken tok
 
 // -- change events
 
+FilterId ComponentOperations::subscribe(const ChangeFilter& filter, EventStream stream) {
+  auto& identity = parts_.context.identity();
+  Subscribe request{++last_filter_, filter, stream};
+  request.component = identity.name;
+  // The option is about the component's own queue.
+  if (stream == EventStream::component)
+    request.queue_limit = parts_.queue_limit;
+  Address where{filter.subarchitecture.value_or(identity.subarchitecture), filter.id};
+  value_or_throw(parts_.client.finish<Acknowledged>(parts_.client.begin(request), where));
+  return request.id;
+}
+
 ReceiverId ComponentOperations::add_receiver(const ChangeFilter& filter, ChangeCallback callback,
                                              Priority priority) {
-  return shell_.add_receiver(filter, std::move(callback), priority);
+  // Events may arrive before the answer does.
+  auto id = last_filter_ + 1;
+  parts_.receivers.add(id, std::move(callback), priority);
+  try {
+    return subscribe(filter, EventStream::component);
+  } catch (const WorkingMemoryException&) {
+    parts_.receivers.remove(id);
+    throw;
+  }
+}
+
+void ComponentOperations::add_listener(const ChangeFilter& filter, ChangeCallback f) {
+  parts_.receivers.add_listener(last_filter_ + 1, std::move(f));
+  subscribe(filter, EventStream::runtime);
 }
 
 void ComponentOperations::remove_receiver(ReceiverId id) {
-  shell_.remove_receiver(id);
+  if (parts_.receivers.remove(id))
+    parts_.client.send(Unsubscribe{id});
 }
 
 std::size_t ComponentOperations::receiver_count() const {
-  return shell_.receiver_count();
+  return parts_.receivers.size();
 }
 
 void ComponentOperations::receive_changes(bool on) {
-  shell_.receive_changes(on);
+  parts_.inbox.receive_changes(on);
 }
 
 } // namespace castor

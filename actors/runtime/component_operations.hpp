@@ -1,24 +1,37 @@
 #pragma once
 
 #include "castor/actors/component/operations.hpp"
+#include "castor/actors/runtime/change_receivers.hpp"
+#include "castor/actors/runtime/component_context.hpp"
+#include "castor/actors/runtime/inbox.hpp"
+#include "castor/actors/runtime/operations_client.hpp"
 #include "castor/actors/runtime/seen_versions.hpp"
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace castor {
 
-class ComponentShell;
 struct WriteRequest;
 
-/// The operations of a component: sends them to the own working memory, and remembers what the
-/// component has seen and locked.
+/// The operations of a component: makes requests of them, and remembers what the component has
+/// seen, locked and registered for.
 class ComponentOperations final : public Operations {
 public:
-  explicit ComponentOperations(ComponentShell& shell) : shell_(shell) {}
+  struct Parts {
+    ComponentContext& context;
+    OperationsClient& client;
+    Inbox& inbox;
+    ChangeReceivers& receivers;
+    /// How many change events may wait for the component.
+    std::uint32_t queue_limit;
+  };
+
+  explicit ComponentOperations(const Parts& parts) : parts_(parts) {}
 
   Pending<Version> write(Operation operation, const Address& address, Value value,
                          std::optional<EntryLife> life) override;
@@ -44,14 +57,21 @@ public:
   std::size_t receiver_count() const override;
   void receive_changes(bool on) override;
 
+  /// Calls `f` as soon as an event that the filter wants arrives, in the middle of whatever the
+  /// component does: only for the runtime's own bookkeeping.
+  void add_listener(const ChangeFilter& filter, ChangeCallback f);
+
 private:
   WriteRequest write_request(Operation operation, const Address& address, Value value,
                              std::optional<EntryLife> life) const;
   /// What the component remembers of a write that was made.
-  void note_write(Operation operation, const Address& address, Version version);
+  void remember_write(Operation operation, const Address& address, Version version);
+  /// Registers the filter under the next id.
+  FilterId subscribe(const ChangeFilter& filter, EventStream stream);
 
-  ComponentShell& shell_;
+  Parts parts_;
   SeenVersions seen_;
+  FilterId last_filter_ = 0;
 };
 
 } // namespace castor

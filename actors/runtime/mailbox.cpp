@@ -31,4 +31,9 @@ void PumpedActor::file_arrived() {
   }
 }
 
+void PumpedActor::respond(caf::mailbox_element& x, caf::message reply) {
+  if (x.mid.is_request() && x.sender)
+    x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
+}
+
 } // namespace castor

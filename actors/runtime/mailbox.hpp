@@ -4,6 +4,7 @@
 
 #include <caf/blocking_actor.hpp>
 #include <caf/mailbox_element.hpp>
+#include <caf/message.hpp>
 
 #include <chrono>
 #include <cstddef>
@@ -26,7 +27,6 @@ public:
 
   explicit PumpedActor(caf::actor_config& config) : blocking_actor(config) {}
 
-protected:
   /// Files what has arrived; if nothing has, waits for it. False once `until` has passed without
   /// any.
   bool pump(Clock::time_point until);
@@ -43,6 +43,10 @@ protected:
   Slot& slot(std::uint64_t id) { return slots_.at(id); }
   void close_slot(std::uint64_t id) { slots_.erase(id); }
 
+  /// Answers the message if it is a request.
+  void respond(caf::mailbox_element& x, caf::message reply);
+
+protected:
   /// Takes whatever is no reply.
   virtual void file(caf::mailbox_element_ptr x) = 0;
 

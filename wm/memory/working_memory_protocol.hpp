@@ -26,9 +26,6 @@
 /// What is said between components and working memories, and among working memories.
 namespace castor {
 
-/// A component's name for one of its filters.
-using FilterId = std::uint32_t;
-
 /// Several writes, of different entries of one working memory: all of them or none.
 struct BatchRequest {
   std::string subarchitecture;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,18 +69,5 @@ public:
   /// What is strange about the source, but does not keep it from working.
   virtual std::vector<std::string> warnings() const { return {}; }
 };
-
-/// Opens what `spec` says:
-/// - FILE: a picture (it is the same in each frame) or a video,
-/// - FOLDER: its pictures in natural order, 2.png before 10.png, one per frame,
-/// - /dev/videoN, or another character device: a camera,
-/// - scene:FILE, or any FILE.scene: a scene, rendered. It is shown as its file says now: edits are
-///   seen at once, and those with errors are a transient error, once.
-///
-/// \throws ImageSourceError if it cannot be opened: not_found, unknown_kind, unreadable,
-/// not_an_image,
-///         truncated, too_large, empty_folder, bad_scene, or, for a device, device_lost.
-std::unique_ptr<ImageSource> open_image_source(const std::string& spec,
-                                               const ImageSourceOptions& options = {});
 
 } // namespace castor::vision

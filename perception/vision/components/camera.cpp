@@ -1,6 +1,6 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/camera/camera_model_file.hpp"
-#include "castor/perception/vision/camera/image_source.hpp"
+#include "castor/perception/vision/camera/open_image_source.hpp"
 #include "castor/perception/vision/types.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "castor/actors/component/registry.hpp"
-#include "castor/perception/vision/camera/image_source.hpp"
+#include "castor/perception/vision/camera/open_image_source.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"

@@ -2,7 +2,7 @@
 
 #include "castor/perception/vision/segmentation/area_graph.hpp"
 #include "castor/perception/vision/segmentation/background_model.hpp"
-#include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/segmentation/segmentation_options.hpp"
 
 namespace castor::vision {
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "castor/perception/vision/segmentation/grid.hpp"
-#include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/segmentation/segmentation_options.hpp"
+#include "castor/perception/vision/types.hpp"
 
 namespace castor::vision {
 

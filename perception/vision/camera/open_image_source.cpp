@@ -1,4 +1,4 @@
-#include "castor/perception/vision/camera/image_source.hpp"
+#include "castor/perception/vision/camera/open_image_source.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "castor/actors/runtime/neighbours.hpp"
+#include "castor/actors/runtime/record.hpp"
+#include "castor/actors/runtime/services.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// What the parts of one component's runtime know of the component and of the system around it.
+/// Used on the component's own thread only.
+class ComponentContext {
+public:
+  using Clock = std::chrono::steady_clock;
+  using NeighboursObserver = std::function<void(const Neighbours& before)>;
+
+  ComponentContext(ComponentRecord& record, ComponentServices& services,
+                   std::chrono::milliseconds deadline, std::uint32_t push_limit)
+    : record_(record), services_(services), deadline_(deadline), push_limit_(push_limit) {}
+
+  const ComponentIdentity& identity() const { return record_.identity(); }
+  ComponentRecord& record() { return record_; }
+  ComponentCounters& counters() { return record_.counters; }
+  HeldLeases& leases() { return record_.leases; }
+  const ClientPtr& client() const { return record_.client(); }
+  ComponentServices& services() { return services_; }
+
+  /// Since the system began.
+  Timestamp now() const {
+    return std::chrono::duration_cast<Timestamp>(Clock::now() - services_.epoch);
+  }
+
+  /// How long operations may take.
+  std::chrono::milliseconds deadline() const { return deadline_; }
+
+  /// How many pushes of one type may wait for the component.
+  std::uint32_t push_limit() const { return push_limit_; }
+
+  // -- the others in the system
+
+  const Neighbours& neighbours() const { return *neighbours_; }
+
+  /// Calls the observers, unless these are the first.
+  void set_neighbours(NeighboursPtr neighbours);
+  /// `f` is called as soon as the neighbours are others.
+  void on_neighbours(NeighboursObserver f) { observers_.push_back(std::move(f)); }
+
+  /// Null for a component outside the subarchitectures, and as long as it is not there.
+  const WorkingMemoryActor& working_memory() const { return working_memory_; }
+  void set_working_memory(WorkingMemoryActor x) { working_memory_ = std::move(x); }
+
+  /// Whether the working memory of that subarchitecture is one of another process.
+  bool is_in_another_process(const std::string& subarchitecture) const;
+
+  /// Gives up the handles of other actors: two that hold each other would live for ever.
+  void forget_neighbours() { neighbours_ = nullptr; }
+
+private:
+  ComponentRecord& record_;
+  ComponentServices& services_;
+  const std::chrono::milliseconds deadline_;
+  const std::uint32_t push_limit_;
+  NeighboursPtr neighbours_;
+  WorkingMemoryActor working_memory_;
+  std::vector<NeighboursObserver> observers_;
+};
+
+} // namespace castor

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "castor/actors/runtime/component_context.hpp"
+#include "castor/actors/runtime/life_cycle.hpp"
+#include "castor/actors/runtime/mailbox.hpp"
+#include "castor/actors/runtime/operation_log.hpp"
+#include "castor/actors/runtime/user_code.hpp"
+#include "castor/wm/leases/deadlock_probe.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace castor {
+
+/// Sends a component's operations to its working memory, and waits for what comes of them while
+/// its mailbox is pumped. What waits may be part of a cycle of waits; then it is given up.
+class OperationsClient {
+public:
+  using Clock = ComponentContext::Clock;
+
+  struct Parts {
+    PumpedActor& actor;
+    ComponentContext& context;
+    LifeCycle& life;
+    InjectedFaults& faults;
+    UserCode& code;
+    CallerRuns& unit;
+  };
+
+  explicit OperationsClient(const Parts& parts);
+
+  /// False from the moment the component was told to stop.
+  bool is_running();
+
+  /// For an operation that may have to wait for a lease to end.
+  Patience patience(std::chrono::nanoseconds at_most);
+
+  /// Sends an operation to the own working memory; its outcome is taken with `finish`, once, or
+  /// abandoned.
+  template <class Request>
+  std::uint64_t begin(const Request& request) {
+    check_may_operate();
+    std::optional<OperationRecorder::Open> open;
+    if (recorder_)
+      open = recorder_->begin(request);
+    std::uint64_t id = 0;
+    parts_.unit.run([&] {
+      id = parts_.actor.request(working_memory(), caf::infinite, request).id().integer_value();
+    });
+    parts_.actor.open_slot(id);
+    if (open)
+      recorder_->sent(id, *std::move(open));
+    return id;
+  }
+
+  void abandon(std::uint64_t id) { parts_.actor.close_slot(id); }
+
+  template <class Reply>
+  Outcome<Reply> finish(std::uint64_t id, const Address& address) {
+    return finish<Reply>(id, address, parts_.context.deadline(), nullptr);
+  }
+
+  /// Of an operation that may have to wait for a lease to end; `wait` says what for.
+  template <class Reply>
+  Outcome<Reply> finish_wait(std::uint64_t id, WaitEdge wait, const Patience& patience) {
+    // The working memory knows better why it took too long, so it is let to say so first.
+    constexpr std::chrono::seconds grace{1};
+    wait.waiter = parts_.context.client();
+    wait.number = patience.number;
+    wait.since = parts_.context.now();
+    return finish<Reply>(id, wait.address, patience.at_most + grace, &wait);
+  }
+
+  /// Calls `done` after every message that arrives until it says true. Nothing if all went well.
+  /// @param wait what the component waits for, if that could be part of a cycle; may be empty
+  std::optional<Failure> wait_until(const std::function<bool()>& done, Clock::time_point until,
+                                    const std::function<std::optional<WaitEdge>()>& wait);
+
+  /// Gives a lease back. While the component stops, without waiting for the answer.
+  Outcome<Acknowledged> try_unlock(const Address& address, LeaseToken token);
+
+  /// To the own working memory, without an answer.
+  template <class Message>
+  void send(Message&& x) {
+    parts_.actor.send(working_memory(), std::forward<Message>(x));
+  }
+
+  /// Somebody looks for a cycle of waits, and this component may be part of it.
+  void receive_probe(DeadlockProbe probe);
+
+  /// What a reply holds, or why it holds none.
+  template <class Result>
+  Result take(caf::mailbox_element& x, const Address& address) {
+    auto& content = x.content();
+    if (content.match_elements<Result>())
+      return content.get_as<Result>(0);
+    return unexpected_reply(content, address);
+  }
+
+private:
+  const WorkingMemoryActor& working_memory() const { return parts_.context.working_memory(); }
+
+  /// Throws unless operations are possible now.
+  void check_may_operate() const;
+
+  template <class Reply>
+  Outcome<Reply> finish(std::uint64_t id, const Address& address, std::chrono::nanoseconds patience,
+                        const WaitEdge* wait) {
+    auto content = wait_for(id, address, patience, wait);
+    if (!content)
+      return content.failure();
+    auto result = take<Outcome<Reply>>(**content, address);
+    if (recorder_)
+      recorder_->end(id, result);
+    return result;
+  }
+
+  Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
+                                             std::chrono::nanoseconds patience,
+                                             const WaitEdge* wait);
+  Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
+
+  Parts parts_;
+  /// If operations are to be written down.
+  std::optional<OperationRecorder> recorder_;
+  WaitNumber last_wait_ = 0;
+  /// What the component waits for now, if that could be a cycle.
+  std::optional<WaitEdge> waiting_;
+  /// The cycle that its wait has to be given up for; empty for none.
+  std::string deadlock_;
+};
+
+} // namespace castor

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "castor/actors/runtime/crash_report.hpp"
+#include "castor/actors/runtime/injected_faults.hpp"
+#include "castor/actors/runtime/record.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace castor {
+
+/// Calls the component's own code, and knows what it was called for and how long it has run.
+class UserCode {
+public:
+  using Clock = ComponentRecord::Clock;
+
+  UserCode(ComponentRecord& record, InjectedFaults& faults) : record_(record), faults_(faults) {}
+
+  /// `what` names the call in reports of its failure.
+  template <class F>
+  void run(const std::string& what, F&& f) {
+    // After an exception `doing_` stays at the innermost call, for the report.
+    auto outer = set_doing(what);
+    record_.enter_user_code(Clock::now());
+    f();
+    record_.leave_user_code();
+    set_doing(std::move(outer));
+  }
+
+  /// The same for a callback, which faults may have been injected into.
+  template <class F>
+  void run_callback(const std::string& what, F&& f) {
+    run(what, [&] {
+      ++callbacks_;
+      ++record_.counters.callbacks;
+      faults_.in_callback();
+      f();
+    });
+  }
+
+  /// Number of callbacks so far.
+  std::uint64_t callbacks() const { return callbacks_; }
+
+  /// What the code was called for last.
+  const std::string& doing() const { return doing_; }
+  /// Returns what it was called for before.
+  std::string set_doing(std::string what);
+
+  CrashNote& crash_note() { return crash_note_; }
+
+  /// While it lives, the component's own code waits for the runtime, which called it or was called
+  /// by it.
+  class Pause {
+  public:
+    explicit Pause(UserCode& code) : record_(code.record_) { record_.leave_user_code(); }
+    Pause(const Pause&) = delete;
+    Pause& operator=(const Pause&) = delete;
+    ~Pause() { record_.enter_user_code(Clock::now()); }
+
+    /// Code in between may have been the component's.
+    void resume() { record_.leave_user_code(); }
+
+  private:
+    ComponentRecord& record_;
+  };
+
+private:
+  ComponentRecord& record_;
+  InjectedFaults& faults_;
+  std::string doing_;
+  CrashNote crash_note_;
+  std::uint64_t callbacks_ = 0;
+};
+
+} // namespace castor

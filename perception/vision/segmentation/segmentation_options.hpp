@@ -1,0 +1,98 @@
+#pragma once
+
+namespace castor::vision {
+
+/// How a close-up is looked at, in which textured things fill the frame: from so far off that their
+/// texture vanishes, and only for what is large.
+struct CloseUpOptions {
+  /// See SegmentationOptions.
+  int working_side = 128;
+  double smoothing = 1.5;
+  double noise_factor = 1.0;
+  double edge_factor = 2.2;
+  /// An area with a larger share of the image's border than this is the ground; without one, all
+  /// areas are things.
+  double ground_border = 0.5;
+  /// As in SegmentationOptions; most things in a close-up are large and many are cut off.
+  double min_area = 0.02;
+  double max_area = 0.7;
+  double max_border = 0.45;
+};
+
+/// What decides how an image falls apart. Contrasts are CIE L*a*b* units per pixel of the smoothed
+/// working image, with a* and b* stretched by `chroma_weight`; angles are degrees between linear
+/// (B, G, R) vectors; areas are shares of the image unless they say pixels.
+struct SegmentationOptions {
+  /// Larger images are shrunk to this length of their longer side; pixels.
+  int working_side = 512;
+  /// The Gaussian that the working image is smoothed with; its sigma, pixels.
+  double smoothing = 1.0;
+  double chroma_weight = 1.5;
+  /// Contrasts below this are flat ground; raised to `noise_factor` times the image's median
+  /// contrast where that is more.
+  double flat_contrast = 1.2;
+  double noise_factor = 3.0;
+  /// Two areas are one while their mean contrast along the common boundary is below this multiple
+  /// of the flat contrast.
+  double edge_factor = 3.0;
+  /// Areas with fewer pixels than this belong to the neighbour that is most like them.
+  int crumb_pixels = 12;
+  /// An area this large is ground (a sheet, a tabletop in view with its rim), and so is one with
+  /// this share of the image's border.
+  double ground_area = 0.3;
+  double ground_border = 0.1;
+  /// Less difference than this to the ground around is no object; L*a*b* units.
+  double ground_difference = 4.0;
+  /// Two areas may be of one surface if their colours differ by at most this angle, where a
+  /// difference in saturation (white light mirrored on the same paint) counts `saturation_weight`.
+  double surface_angle = 9.0;
+  double saturation_weight = 0.5;
+  /// Colours within the first angle of the ground's are shades of it, beyond the second they are
+  /// not; a shade and a colour are never the same surface.
+  double shade_angle = 12.0;
+  double colour_angle = 14.0;
+  /// Joined areas may leave this share of their own size of ground within their convex hull.
+  double concavity = 0.06;
+  /// Two coloured areas that make up a convex whole but for this share are one object even if their
+  /// colours differ, when the boundary between them has at most `inner_contrast` times the contrast
+  /// of the outline.
+  double completion = 0.04;
+  double inner_contrast = 0.7;
+  /// What else speaks against joining two areas: each unit of contrast between them, and each
+  /// hundredth of the joint hull that belongs to others, as degrees of colour difference.
+  double contrast_weight = 0.3;
+  double hull_weight = 0.2;
+  /// A darker shade of the ground beside something else is its shadow if it is smaller than this
+  /// share of it, ends lower than this share of the way down it (things stand on their shadows,
+  /// what is behind them is higher up), is brighter than this share of the ground (on a gamma
+  /// encoded scale), less compact than this (1: a disc), and softer against the ground than against
+  /// the thing.
+  double shadow_area = 0.65;
+  double shadow_foot = 0.3;
+  double shadow_brightness = 0.3;
+  double shadow_compactness = 0.65;
+  /// Beside a thing that is itself a shade of the ground, a shadow must be softer by this factor.
+  double shadow_softness = 0.55;
+  /// On a coloured ground beside a thing of another colour, a darker area that has the ground's own
+  /// colour to within this angle is a shadow whatever its size, shape and edges, if it meets that
+  /// thing along this share of its boundary: few things have the very colour of what they are on.
+  double shadow_angle = 3.0;
+  double shadow_contact = 0.15;
+  /// A piece of less than `inset_area` times its neighbour is part of it (a highlight, a mirrored
+  /// thing) if at most this share of its boundary meets the ground and most of it the neighbour.
+  double inset_area = 0.35;
+  double inset_ground = 0.3;
+  /// Objects are at least and at most this large.
+  double min_area = 0.001;
+  double max_area = 0.4;
+  /// Objects with a larger share of their outline on the border of the image are dropped: what is
+  /// cut off is not seen well enough. 1 keeps them all.
+  double max_border = 0.2;
+  /// How far the colours of an area without edges may spread (standard deviation; L*a*b* units) if
+  /// it is to be one surface.
+  double ground_spread = 20.0;
+  /// What applies instead where no ground is found because texture drowns the edges.
+  CloseUpOptions close_up;
+};
+
+} // namespace castor::vision
