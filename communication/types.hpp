@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/entry_pointer.hpp"
 #include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
@@ -135,7 +136,9 @@ enum class InterpretationState {
 /// readings is there once; every alternative carries the readings that it belongs to, so pruning is
 /// removing readings.
 struct PackedLogicalForm {
-  std::string utterance;
+  EntryPointer<PhonString> utterance;
+  /// Its words.
+  std::string text;
   /// How many utterances came before it.
   std::int32_t turn = 0;
   /// So many words of it have been heard.
@@ -169,8 +172,7 @@ struct ContextSource {
 
 /// What such a component says of a finished form that has several readings.
 struct ContextInfo {
-  /// The id of the form.
-  std::string form;
+  EntryPointer<PackedLogicalForm> form;
   std::vector<InterpretationSupport> supports;
 };
 
@@ -194,6 +196,7 @@ struct DialogueMove {
   std::int32_t turn = 0;
   /// What to say of what was not understood; else empty.
   std::string problem;
+  EntryPointer<PhonString> utterance;
 };
 
 /// Something that a dialogue move speaks of, and that may be spoken of again.
@@ -210,8 +213,7 @@ struct DiscourseReferent {
 
 /// What a dialogue move speaks of. It is there when everything said before is known to binding.
 struct MoveReferents {
-  /// The id of the move.
-  std::string move;
+  EntryPointer<DialogueMove> move;
   std::int32_t turn = 0;
   /// The one that the move is about first.
   std::vector<DiscourseReferent> referents;
@@ -232,12 +234,12 @@ enum class RhetoricalRelation {
 struct DialogueTurn {
   /// "human" or "robot".
   std::string speaker;
-  /// The id of a DialogueMove, a ContentPlanningGoal or a SpokenOutputItem.
-  std::string contribution;
+  /// A DialogueMove or a SpokenOutputItem.
+  AnyEntryPointer contribution;
   DialogueMoveType type = DialogueMoveType::none;
   RhetoricalRelation relation = RhetoricalRelation::narration;
-  /// The contribution that it is connected with; empty for something new.
-  std::string to;
+  /// The contribution that it is connected with; null for something new.
+  AnyEntryPointer to;
 
   friend bool operator==(const DialogueTurn&, const DialogueTurn&) = default;
 };
@@ -250,15 +252,19 @@ struct DialogueStructure {
 /// What is to be said: a logical form for the realiser.
 struct ContentPlanningGoal {
   LogicalForm content;
-  /// The dialogue move that this is a reply to, if it is one.
-  std::string reply_to;
+  /// The dialogue move that this is a reply to, and the utterance of that; null for what is said
+  /// unasked.
+  EntryPointer<DialogueMove> reply_to;
+  EntryPointer<PhonString> utterance;
   RhetoricalRelation relation = RhetoricalRelation::narration;
 };
 
 /// What is said, or was.
 struct SpokenOutputItem {
   std::string text;
-  std::string reply_to;
+  /// As in ContentPlanningGoal.
+  EntryPointer<DialogueMove> reply_to;
+  EntryPointer<PhonString> utterance;
   RhetoricalRelation relation = RhetoricalRelation::narration;
 };
 
@@ -274,21 +280,21 @@ CASTOR_REFLECT(PackedRelation, mode, dependent, readings)
 CASTOR_REFLECT(PackedNominal, name, sorts, propositions, features, relations)
 CASTOR_REFLECT(Unparsable, first_word, words, text, reason, suggestions)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
-CASTOR_REFLECT(PackedLogicalForm, utterance, turn, string_position, state, readings, roots,
+CASTOR_REFLECT(PackedLogicalForm, utterance, text, turn, string_position, state, readings, roots,
                nominals, unparsable)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
                     opening, closing, accept, reject)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
-CASTOR_REFLECT(DialogueMove, type, content, turn, problem)
+CASTOR_REFLECT(DialogueMove, type, content, turn, problem, utterance)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
 CASTOR_REFLECT(MoveReferents, move, turn, referents)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)
 CASTOR_REFLECT(DialogueStructure, turns)
-CASTOR_REFLECT(ContentPlanningGoal, content, reply_to, relation)
-CASTOR_REFLECT(SpokenOutputItem, text, reply_to, relation)
+CASTOR_REFLECT(ContentPlanningGoal, content, reply_to, utterance, relation)
+CASTOR_REFLECT(SpokenOutputItem, text, reply_to, utterance, relation)
 
 } // namespace castor::communication

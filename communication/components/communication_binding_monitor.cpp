@@ -94,7 +94,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   MoveReferents referents_of(const std::string& id, const DialogueMove& move,
                              const Antecedents& antecedents) {
     return with_scene(binding(), [&](SceneKnowledge& scene) {
-      MoveReferents result{id, move.turn, {}};
+      MoveReferents result{{here(id)}, move.turn, {}};
       auto known = with_landmarks(move.content, antecedents, scene);
       for (const auto* thing : things_spoken_of(move.content)) {
         DiscourseReferent referent{

@@ -22,8 +22,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   void look(const Address& address) {
     try {
       auto referents = read<MoveReferents>(address);
-      if (!exists(reply_to(referents->move, 0)))
-        reply(*referents, *read<DialogueMove>(here(referents->move)));
+      if (!exists(reply_id(referents->move, 0)))
+        reply(*referents, *follow(referents->move));
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     } catch (const AlreadyExistsOnWM& e) {
@@ -46,17 +46,18 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       unclear_ = Unclear{std::move(meant), response.asked_about, std::move(antecedents)};
     WriteBatch batch;
     for (auto& content : response.contents)
-      batch.add(reply_to(referents.move, batch.items().size()),
-                ContentPlanningGoal{content, referents.move, response.relation});
+      batch.add(reply_id(referents.move, batch.items().size()),
+                ContentPlanningGoal{content, referents.move, move.utterance, response.relation});
     if (!response.text.empty())
-      batch.add(reply_to(referents.move, batch.items().size()),
-                SpokenOutputItem{response.text, referents.move, response.relation});
+      batch.add(reply_id(referents.move, batch.items().size()),
+                SpokenOutputItem{response.text, referents.move, move.utterance, response.relation});
     if (!batch.items().empty())
       write(batch);
   }
 
-  Address reply_to(const std::string& move, std::size_t sentence) const {
-    return here("reply to " + move +
+  /// Follows from the move, so that no move is replied to twice.
+  Address reply_id(const EntryPointer<DialogueMove>& move, std::size_t sentence) const {
+    return here("reply to " + move.address.id +
                 (sentence == 0 ? std::string{} : ", " + std::to_string(sentence + 1)));
   }
 

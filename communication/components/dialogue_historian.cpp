@@ -35,7 +35,7 @@ class DialogueHistorian final : public UnmanagedComponent {
     try {
       DialogueTurn turn;
       turn.speaker = "human";
-      turn.contribution = move.id;
+      turn.contribution = EntryPointer<DialogueMove>{move};
       turn.type = read<DialogueMove>(move)->type;
       write_down(connected(std::move(turn), dialogue_.turns));
     } catch (const DoesNotExistOnWM& e) {
@@ -48,9 +48,10 @@ class DialogueHistorian final : public UnmanagedComponent {
       auto said = read<SpokenOutputItem>(item);
       DialogueTurn turn;
       turn.speaker = "robot";
-      turn.contribution = item.id;
+      turn.contribution = EntryPointer<SpokenOutputItem>{item};
       turn.relation = said->relation;
-      turn.to = said->reply_to;
+      if (said->reply_to)
+        turn.to = said->reply_to;
       write_down(std::move(turn));
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());

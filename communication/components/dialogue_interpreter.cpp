@@ -39,6 +39,7 @@ class DialogueInterpreter final : public UnmanagedComponent {
   void interpret(const Address& address, const PackedLogicalForm& form) {
     DialogueMove move;
     move.turn = form.turn;
+    move.utterance = form.utterance;
     if (!form.unparsable.empty() || form.readings.empty())
       move.problem = problem_of(form);
     else if (auto said = unpack(form, form.readings.front().id); said.size() == 1) {

@@ -34,7 +34,7 @@ class ReferenceBinder final : public AsksBinding<UnmanagedComponent> {
     try {
       auto form = read<PackedLogicalForm>(address);
       if (form->state == InterpretationState::finished)
-        add(here("context of " + address.id), ContextInfo{address.id, supports_of(*form)});
+        add(here("context of " + address.id), ContextInfo{{address}, supports_of(*form)});
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     } catch (const AlreadyExistsOnWM&) {

@@ -1,8 +1,6 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/components/program.hpp"
-#include "castor/communication/dialogue/realiser.hpp"
-#include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -15,16 +13,11 @@ namespace castor::communication {
 
 namespace {
 
-/// Puts what is to be said into words, and says it.
+/// Says the sentences that are to be said, one after the other.
 class SpeechOutput final : public UnmanagedComponent {
   void start() override {
-    on_change(added<ContentPlanningGoal>(),
-              [this](const ChangeEvent& event) { put_into_words(event.address); });
     on_change(added<SpokenOutputItem>(),
               [this](const ChangeEvent& event) { to_say_.push_back(event.address); });
-    // What a predecessor did not get to.
-    for (auto& x : read_all<ContentPlanningGoal>())
-      put_into_words(x.address);
   }
 
   void run() override {
@@ -35,21 +28,6 @@ class SpeechOutput final : public UnmanagedComponent {
         say(next);
       }
     while (wait_for_changes() || is_running());
-  }
-
-  void put_into_words(const Address& address) {
-    try {
-      auto goal = read<ContentPlanningGoal>(address);
-      if (auto text = realiser_.realise(goal->content))
-        add(here("words for " + address.id),
-            SpokenOutputItem{*text, goal->reply_to, goal->relation});
-      else
-        warning("there are no words for {}", address.id);
-    } catch (const DoesNotExistOnWM& e) {
-      debug("{}", e.what());
-    } catch (const AlreadyExistsOnWM&) {
-      trace("{} was put into words before", address.id);
-    }
   }
 
   void say(const Address& address) {
@@ -78,11 +56,9 @@ class SpeechOutput final : public UnmanagedComponent {
                              "a program that says its last argument aloud, such as espeak-ng"};
 
   std::deque<Address> to_say_;
-
-  Realiser realiser_{english_lexicon()};
 };
 
-CASTOR_COMPONENT(SpeechOutput, "puts what is to be said into words and prints it")
+CASTOR_COMPONENT(SpeechOutput, "prints what is said, and says it aloud")
 
 } // namespace
 

@@ -87,7 +87,8 @@ class UtteranceParser final : public UnmanagedComponent {
 
   PackedLogicalForm tell(const Address& address, PackedLogicalForm form,
                          const PhonString& utterance) {
-    form.utterance = utterance.word_sequence;
+    form.utterance = {address};
+    form.text = utterance.word_sequence;
     form.turn = utterance.turn;
     put(here(form_id(address)), form);
     return form;
@@ -96,7 +97,7 @@ class UtteranceParser final : public UnmanagedComponent {
   void prune_by_context(const Address& utterance, PackedLogicalForm form) {
     auto supports = context_of(form_id(utterance));
     if (prune(form, supports))
-      debug("\"{}\": {} readings are supported", form.utterance, form.readings.size());
+      debug("\"{}\": {} readings are supported", form.text, form.readings.size());
     form.state = InterpretationState::pruned;
     put(here(form_id(utterance)), std::move(form));
   }

@@ -31,7 +31,7 @@ class UtteranceSource final : public UnmanagedComponent {
   void start() override {
     on_change(added<SpokenOutputItem>(), [this](const ChangeEvent& event) {
       try {
-        answered_.insert(read<SpokenOutputItem>(event.address)->reply_to);
+        answered_.insert(read<SpokenOutputItem>(event.address)->utterance);
       } catch (const DoesNotExistOnWM& e) {
         debug("{}", e.what());
       }
@@ -133,24 +133,21 @@ class UtteranceSource final : public UnmanagedComponent {
       if (utterance.length == 0)
         continue;
       // One that is started again does not repeat itself.
-      auto id = "utterance " + std::to_string(++said_);
+      auto address = here("utterance " + std::to_string(++said_));
       try {
-        add(here(id), std::move(utterance));
+        add(address, std::move(utterance));
       } catch (const AlreadyExistsOnWM&) {
         trace("\"{}\" was said before", sentence);
         continue;
       }
-      await_reply_to(id);
+      await_reply_to({address});
     }
   }
 
   /// People wait for an answer, though not for ever.
-  void await_reply_to(const std::string& utterance) {
+  void await_reply_to(const EntryPointer<PhonString>& utterance) {
     const auto deadline = now() + turn_.get();
-    auto is_answered = [&] {
-      return std::ranges::any_of(answered_, [&](auto& x) { return x.ends_with(utterance); });
-    };
-    while (is_running() && now() < deadline && !is_answered())
+    while (is_running() && now() < deadline && !answered_.contains(utterance))
       wait_for_changes(deadline - now());
     answered_.clear();
   }
@@ -175,7 +172,7 @@ class UtteranceSource final : public UnmanagedComponent {
 
   int said_ = 0;
   /// Since something was said.
-  std::set<std::string> answered_;
+  std::set<EntryPointer<PhonString>> answered_;
   bool is_waiting_ = true;
   std::optional<Timestamp> last_change_;
 };

@@ -166,8 +166,8 @@ private:
       auto known = shapes_of_adjectives().find(word);
       word = known == shapes_of_adjectives().end() ? "" : known->second;
     }
-    if (kind != FeatureKind::debug_string && !word.empty())
-      say(number, feature(kind, word));
+    if (kind && !word.empty())
+      say(number, feature(*kind, word));
     else if (x.proposition != "other")
       result_.not_understood.push_back(x.proposition);
   }
@@ -175,10 +175,9 @@ private:
   void compare(const Nominal& scope) {
     const auto* quality = dependent(form_, scope, "Quality");
     const auto* than = dependent(form_, scope, "Than");
-    auto kind =
-      quality == nullptr ? FeatureKind::debug_string : kind_of_quality(quality->proposition);
-    if (scope.proposition == "same" && than != nullptr && kind != FeatureKind::debug_string)
-      result_.shared.push_back({kind, than->name});
+    auto kind = quality == nullptr ? std::nullopt : kind_of_quality(quality->proposition);
+    if (scope.proposition == "same" && than != nullptr && kind)
+      result_.shared.push_back({*kind, than->name});
     else
       result_.not_understood.push_back(scope.proposition);
   }
@@ -282,13 +281,13 @@ bool is_deictic(const Nominal& nominal) {
   return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
 }
 
-FeatureKind kind_of_quality(const std::string& name) {
+std::optional<FeatureKind> kind_of_quality(const std::string& name) {
   static const std::map<std::string, FeatureKind> kinds{{"colour", FeatureKind::colour},
                                                         {"size", FeatureKind::size},
                                                         {"shape", FeatureKind::shape},
                                                         {"material", FeatureKind::material}};
   auto found = kinds.find(name);
-  return found == kinds.end() ? FeatureKind::debug_string : found->second;
+  return found == kinds.end() ? std::nullopt : std::optional{found->second};
 }
 
 PhraseMeaning describe(const LogicalForm& form, const Nominal& phrase,

@@ -53,8 +53,8 @@ bool is_pronoun(const Nominal& nominal);
 bool is_deictic(const Nominal& nominal);
 
 /// The kind of feature that a quality ("colour", "size") or a sort of property is about; nothing
-/// (`debug_string`) for what binding does not know.
-binding::FeatureKind kind_of_quality(const std::string& name);
+/// for what binding does not know.
+std::optional<binding::FeatureKind> kind_of_quality(const std::string& name);
 
 /// All things that a form speaks of and that might be perceived, from its root on: those that are
 /// told something about first, others after them. Without those that are only said to be something,

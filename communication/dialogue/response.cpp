@@ -215,8 +215,7 @@ private:
   /// "It is blue", in the terms of what was said of it.
   LogicalForm as_it_is(const std::string& id, const Nominal& scope) {
     auto kind = kind_of_quality(scope.sort);
-    auto words =
-      kind == FeatureKind::debug_string ? std::vector<std::string>{} : scene_.words(id, kind);
+    auto words = kind ? scene_.words(id, *kind) : std::vector<std::string>{};
     return ascribe(pronoun("it"), words.empty() || kind == FeatureKind::shape
                                     ? indefinite_description(scene_, id)
                                     : property(scope.sort, words.front()));
@@ -228,10 +227,10 @@ private:
     if (name == "name" || name == "kind")
       return what(of);
     auto kind = kind_of_quality(name);
-    if (of.sort != "thing" || kind == FeatureKind::debug_string)
+    if (of.sort != "thing" || !kind)
       return not_understood(name);
     auto id = the_one(of);
-    auto words = scene_.words(id, kind);
+    auto words = scene_.words(id, *kind);
     if (words.empty())
       return do_not_know();
     return answer(ascribe(pronoun("it"), kind == FeatureKind::shape
@@ -304,8 +303,7 @@ private:
     if (contains(such.possible, id))
       return do_not_know();
     // What it is instead is worth telling.
-    if (kind_of_quality(scope.sort) != FeatureKind::debug_string &&
-        !scene_.words(id, kind_of_quality(scope.sort)).empty())
+    if (auto kind = kind_of_quality(scope.sort); kind && !scene_.words(id, *kind).empty())
       return answer(with_marker("no", as_it_is(id, scope)));
     return truth(Truth::no);
   }
@@ -366,8 +364,10 @@ private:
         next->sort != "thing" || scope.proposition != "same")
       return not_understood(scope.proposition);
     auto kind = kind_of_quality(of->proposition);
-    auto a = scene_.words(the_one(*first), kind);
-    auto b = scene_.words(the_one(*next), kind);
+    if (!kind)
+      return do_not_know();
+    auto a = scene_.words(the_one(*first), *kind);
+    auto b = scene_.words(the_one(*next), *kind);
     if (a.empty() || b.empty())
       return do_not_know();
     return truth(std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end() ? Truth::yes

@@ -102,7 +102,7 @@ PackedLogicalForm IncrementalParse::form() const {
     unparsable = diagnose(parts);
   }
   auto packed = pack(readings);
-  packed.utterance = text(0, chart_.words().size());
+  packed.text = text(0, chart_.words().size());
   packed.string_position = static_cast<std::int32_t>(chart_.words().size());
   packed.state = is_finished_ ? InterpretationState::finished : InterpretationState::unfinished;
   packed.unparsable = std::move(unparsable);

@@ -33,6 +33,7 @@ std::string hearing(const std::string& text) {
          "CPP UM interpreter DialogueInterpreter\n"
          "CPP UM monitor CommunicationBindingMonitor\n"
          "CPP UM planner ContentPlanner\n"
+         "CPP UM realiser SentenceRealiser\n"
          "CPP UM speech SpeechOutput\n"
          "SUPERVISE communication RESTARTS 1000 IN 10s\n";
 }

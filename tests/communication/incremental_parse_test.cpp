@@ -72,7 +72,7 @@ TEST(IncrementalParse, FinishesByNarrowingDownToWholeUtterances) {
   parse.finish();
   const auto packed = parse.form();
   EXPECT_EQ(packed.state, InterpretationState::finished);
-  EXPECT_EQ(packed.utterance, "this is a blue square");
+  EXPECT_EQ(packed.text, "this is a blue square");
   EXPECT_THAT(packed.readings, SizeIs(1));
   EXPECT_THAT(packed.unparsable, IsEmpty());
 }

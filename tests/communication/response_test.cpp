@@ -237,17 +237,17 @@ const Nominal it{"w1", "thing", "it", {{"Number", "sg"}}, {}};
 const Nominal they{"w1", "thing", "they", {{"Number", "pl"}}, {}};
 
 TEST(Salience, IsHighestForWhatWasSpokenOfLast) {
-  std::vector<MoveReferents> history{{"b", 2, {{"w3", "box", false, {"box"}}}},
-                                     {"a", 1, {{"w3", "ball", false, {"ball"}}}}};
+  std::vector<MoveReferents> history{{{}, 2, {{"w3", "box", false, {"box"}}}},
+                                     {{}, 1, {{"w3", "ball", false, {"ball"}}}}};
   EXPECT_EQ(antecedent_of(it, history), "box");
-  history.push_back({"c", 3, {{"w2", "cube", false, {"one", "other"}}}});
+  history.push_back({{}, 3, {{"w2", "cube", false, {"one", "other"}}}});
   EXPECT_EQ(antecedent_of(it, history), "box");
-  history.push_back({"d", 4, {{"w2", "ball", false, {"ball"}}, {"w3", "box", false, {"box"}}}});
+  history.push_back({{}, 4, {{"w2", "ball", false, {"ball"}}, {"w3", "box", false, {"box"}}}});
   EXPECT_EQ(antecedent_of(it, history), "ball");
 }
 
 TEST(Salience, IsOfOneOrOfSeveral) {
-  const std::vector<MoveReferents> history{{"a", 1, {{"w3", "ball", true, {"balls"}}}}};
+  const std::vector<MoveReferents> history{{{}, 1, {{"w3", "ball", true, {"balls"}}}}};
   EXPECT_EQ(antecedent_of(it, history), "");
   EXPECT_EQ(antecedent_of(they, history), "balls");
   EXPECT_EQ(antecedent_of(it, {}), "");

@@ -13,7 +13,7 @@ std::optional<Timestamp> Sentence::answer_time() const {
 
 std::size_t Sentences::add(std::string text, std::size_t statement) {
   auto place = sentences_.size();
-  // No id ends like another, nor like one of an UtteranceSource.
+  // No id is that of an utterance of an UtteranceSource.
   sentences_.push_back(
     {"workload:sentence " + std::to_string(place + 1), std::move(text), statement});
   return place;
@@ -28,8 +28,8 @@ void Sentences::said(std::size_t place, Timestamp at) {
   ++x.times_said;
 }
 
-void Sentences::answer(std::string_view reply_to, bool apologises, std::optional<Timestamp> at) {
-  auto x = std::ranges::find_if(sentences_, [&](auto& y) { return reply_to.ends_with(y.id); });
+void Sentences::answer(std::string_view utterance, bool apologises, std::optional<Timestamp> at) {
+  auto x = std::ranges::find_if(sentences_, [&](auto& y) { return y.id == utterance; });
   if (x == sentences_.end() || x->is_answered)
     return;
   x->is_answered = true;

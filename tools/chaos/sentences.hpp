@@ -39,9 +39,9 @@ public:
   void said(std::size_t place, Timestamp at);
 
   /// The robot has said something. Only the first answer to a sentence counts.
-  /// @param reply_to what it is a reply to: an id that ends with that of the sentence
+  /// @param utterance the id of the sentence that it is a reply to; others are ignored
   /// @param at nothing if nobody knows
-  void answer(std::string_view reply_to, bool apologises, std::optional<Timestamp> at);
+  void answer(std::string_view utterance, bool apologises, std::optional<Timestamp> at);
 
   /// Places of those that were said and not answered, whose entries may be lost.
   std::vector<std::size_t> unanswered() const;

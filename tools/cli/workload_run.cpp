@@ -329,7 +329,8 @@ void WorkloadRun::hear(const Json& output, std::optional<Timestamp> at) {
     return;
   auto& value = output["value"];
   std::lock_guard guard{mutex_};
-  sentences_.answer(value.value("reply_to", ""), value.value("relation", "") == apology, at);
+  auto utterance = value.value(Json::json_pointer{"/utterance/address/id"}, "");
+  sentences_.answer(utterance, value.value("relation", "") == apology, at);
 }
 
 } // namespace castor::cli

@@ -16,7 +16,7 @@ TEST(Sentences, AnAnswerBelongsToTheSentenceThatItIsAReplyTo) {
   Sentences x;
   for (int i = 0; i < 11; ++i)
     x.said(x.add("Hello.", 0), i * 1s);
-  x.answer("move of form of " + x.all()[10].id, false, 12s);
+  x.answer(x.all()[10].id, false, 12s);
   x.answer("somebody else's", false, 12s);
   x.answer("", false, 12s);
   EXPECT_EQ(x.unanswered().size(), 10U);

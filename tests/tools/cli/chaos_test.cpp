@@ -386,6 +386,7 @@ TEST_F(Chaos, EverySentenceOfAWorkloadIsAnswered) {
                                  "CPP UM interpreter DialogueInterpreter\n"
                                  "CPP UM communication-monitor CommunicationBindingMonitor\n"
                                  "CPP UM content-planner ContentPlanner\n"
+                                 "CPP UM realiser SentenceRealiser\n"
                                  "CPP UM speech SpeechOutput\n"
                                  "SUPERVISE * RESTARTS 100 IN 1s\n");
   auto workload = write("w.workload", "every 200ms say \"Hello.\" or \"Zorg the zorg.\"\n"
