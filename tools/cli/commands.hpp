@@ -23,8 +23,15 @@ void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
 void add_new(CLI::App& app, Action& chosen);
-/// Those that look at a running system, and those that change it.
-void add_inspection(CLI::App& app, Action& chosen);
+// Those that look at a running system, and those that change it.
+void add_ps(CLI::App& app, Action& chosen);
+void add_wm(CLI::App& app, Action& chosen);
+void add_events(CLI::App& app, Action& chosen);
+void add_graph(CLI::App& app, Action& chosen);
+void add_add(CLI::App& app, Action& chosen);
+void add_remove(CLI::App& app, Action& chosen);
+void add_call(CLI::App& app, Action& chosen);
+void add_doctor(CLI::App& app, Action& chosen);
 /// Those that look at journals, whether a system runs or not.
 void add_journal(CLI::App& app, Action& chosen);
 /// Those that tell of all the others, which `app` has when they are called.

@@ -1,9 +1,14 @@
 #include "castor/tools/cli/inspection_command.hpp"
 
+#include "castor/tools/cli/inspection_text.hpp"
+#include "castor/tools/cli/timeline.hpp"
+
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 
 #include <fmt/core.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -26,6 +31,41 @@ CLI::App* inspection_command(CLI::App& app, const std::string& name, const std::
 
 void add_json_flag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print JSON, one object on a line");
+}
+
+void add_wait_flag(CLI::App& command, bool& wait) {
+  command.add_flag("--wait", wait,
+                   "also for types, components and subarchitectures that are not there yet: do not "
+                   "check whether the system knows the names");
+}
+
+void add_where_option(CLI::App& command, std::string& where) {
+  command.add_option("WHERE", where, "the subarchitecture, and perhaps an id or a type")
+    ->type_name("SUBARCHITECTURE[/ID|TYPE]");
+}
+
+Json entries_request(const std::string& where) {
+  auto [subarchitecture, what] = split_where(where);
+  Json result{{"do", "wm"}, {"subarchitecture", subarchitecture}};
+  if (!what.empty())
+    result["what"] = what;
+  return result;
+}
+
+Json values_request(const std::string& where, bool full) {
+  auto result = entries_request(where);
+  result["values"] = true;
+  result["full"] = full;
+  return result;
+}
+
+int print_changes(const RunningSystem& system, const Json& request, bool json) {
+  const bool coloured = isatty(STDOUT_FILENO) != 0;
+  if (!json)
+    print(timeline_head(coloured) + '\n');
+  ask(system, request,
+      [&](const Json& x) { print(json ? x.dump() + '\n' : change_as_text(x, coloured)); });
+  return success;
 }
 
 void print(const std::string& x) {

@@ -47,7 +47,12 @@ int main(int argc, char** argv) {
   cli::add_node(app, action);
   cli::add_chaos(app, action, plugins);
   cli::add_simulate(app, action);
-  cli::add_inspection(app, action);
+  cli::add_ps(app, action);
+  cli::add_wm(app, action);
+  cli::add_events(app, action);
+  cli::add_graph(app, action);
+  cli::add_add(app, action);
+  cli::add_remove(app, action);
   cli::add_call(app, action);
   cli::add_journal(app, action);
   cli::add_check(app, action);

@@ -1,20 +1,25 @@
 #include "castor/tools/cli/tethers.hpp"
 
+#include "castor/actors/system/value_from_json.hpp"
+#include "castor/binding/types.hpp"
+
 #include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <string_view>
+#include <memory>
 #include <utility>
 
 namespace castor::cli {
 
 namespace {
 
-constexpr const char* proxy_type = "BindingProxy";
-constexpr const char* union_type = "BindingUnion";
-constexpr const char* status_type = "BinderStatus";
+using binding::BinderStatus;
+using binding::BindingProxy;
+using binding::BindingUnion;
+using binding::Feature;
+using binding::FeatureKind;
 
 /// Subarchitecture and id.
 using Place = std::pair<std::string, std::string>;
@@ -24,23 +29,36 @@ Place place_of(const Json& x) {
   return {x.at("subarchitecture"), x.at("id")};
 }
 
-bool has_type(const Json& entry, const char* type) {
-  return entry.at("type") == type;
+Place place_of(const Address& x) {
+  return {x.subarchitecture, x.id};
+}
+
+template <class T>
+bool is(const Json& entry) {
+  return entry.at("type") == type_name<T>();
+}
+
+/// The value of an entry of that type. Fields that are not shown have their defaults. Throws
+/// ValueError.
+template <class T>
+std::shared_ptr<const T> value_of(const Json& entry) {
+  const auto defaults = Value::of(T{});
+  return value_from_json(descriptor_of<T>(), entry.at("value"), &defaults).template as<T>();
 }
 
 /// The pointers of a proxy to what it stands for.
-std::vector<Json> tethers_of(const Json& proxy) {
-  std::vector<Json> result;
-  for (auto& x : proxy.at("value").at("features"))
-    if (x.at("kind") == "source_data")
-      result.push_back(x.at("data"));
+std::vector<AnyEntryPointer> tethers_of(const Json& proxy) {
+  std::vector<AnyEntryPointer> result;
+  for (auto& x : value_of<BindingProxy>(proxy)->features)
+    if (x.kind == FeatureKind::source_data)
+      result.push_back(x.data);
   return result;
 }
 
-std::vector<Json> all_tethers(const std::vector<Json>& entries) {
-  std::vector<Json> result;
+std::vector<AnyEntryPointer> all_tethers(const std::vector<Json>& entries) {
+  std::vector<AnyEntryPointer> result;
   for (auto& x : entries)
-    if (has_type(x, proxy_type))
+    if (is<BindingProxy>(x))
       for (auto& tether : tethers_of(x))
         result.push_back(tether);
   return result;
@@ -53,16 +71,16 @@ public:
     for (auto& x : entries)
       entries_.emplace(place_of(x), x);
     for (auto& x : entries)
-      if (has_type(x, proxy_type))
+      if (is<BindingProxy>(x))
         for (auto& tether : tethers_of(x))
-          proxies_[place_of(tether.at("address"))].push_back(place_of(x));
+          proxies_[place_of(tether.address)].push_back(place_of(x));
   }
 
   /// Null for what has nothing to do with binding.
   Json tree(const Json& root) const {
-    if (has_type(root, union_type))
+    if (is<BindingUnion>(root))
       return union_tree(root, {});
-    if (has_type(root, proxy_type)) {
+    if (is<BindingProxy>(root)) {
       auto result = with_data(root);
       add_union(result);
       return result;
@@ -87,14 +105,14 @@ private:
   }
 
   const Json* union_of(const Json& proxy) const {
-    return find(proxy.at("subarchitecture"), proxy.at("value").at("union_id"));
+    return find(proxy.at("subarchitecture"), value_of<BindingProxy>(proxy)->union_id);
   }
 
   /// `but` is the id of a proxy that is shown elsewhere.
   Json union_tree(const Json& entry, const std::string& but) const {
     auto result = with_ends(entry);
     result["proxies"] = Json::array();
-    for (auto& id : entry.at("value").at("proxy_ids"))
+    for (auto& id : value_of<BindingUnion>(entry)->proxy_ids)
       if (auto* proxy = find(entry.at("subarchitecture"), id); proxy && id != but)
         result["proxies"].push_back(with_data(*proxy));
     return result;
@@ -109,24 +127,29 @@ private:
     auto result = with_ends(proxy);
     result["data"] = Json::array();
     for (auto& tether : tethers_of(proxy)) {
-      auto [subarchitecture, id] = place_of(tether.at("address"));
+      auto& [subarchitecture, id] = tether.address;
       if (auto* data = find(subarchitecture, id))
         result["data"].push_back(*data);
       else
         result["data"].push_back({{"subarchitecture", subarchitecture},
                                   {"id", id},
-                                  {"type", tether.at("type")},
+                                  {"type", tether.type},
                                   {"gone", true}});
     }
     return result;
   }
 
+  static std::vector<binding::Port> out_ports_of(const Json& entry) {
+    return is<BindingUnion>(entry) ? value_of<BindingUnion>(entry)->out_ports
+                                   : value_of<BindingProxy>(entry)->out_ports;
+  }
+
   /// Of a relation.
   Json with_ends(const Json& entry) const {
     auto result = entry;
-    for (auto& port : entry.at("value").at("out_ports")) {
-      Json end{{"label", port.at("label")}, {"proxy", port.at("proxy")}};
-      if (auto* proxy = find(entry.at("subarchitecture"), port.at("proxy")))
+    for (auto& port : out_ports_of(entry)) {
+      Json end{{"label", port.label}, {"proxy", port.proxy}};
+      if (auto* proxy = find(entry.at("subarchitecture"), port.proxy))
         if (auto* bound_in = union_of(*proxy))
           end["union"] = *bound_in;
       // Of a union's members, most say the same.
@@ -153,19 +176,21 @@ std::string joined_address(const Json& x) {
   return id.empty() ? std::string{} : subarchitecture + '/' + id;
 }
 
-std::string few_digits(const Json& number) {
-  if (!number.is_number_float())
-    return number.dump();
+std::string few_digits(double x) {
   // Nobody means -0.
-  auto x = number.get<double>();
   return fmt::format("{:.3g}", x == 0 ? 0 : x);
+}
+
+std::string few_digits(const Json& number) {
+  return number.is_number_float() ? few_digits(number.get<double>()) : number.dump();
 }
 
 bool are_numbers(const Json& x) {
   return x.size() > 1 && std::all_of(x.begin(), x.end(), [](auto& y) { return y.is_number(); });
 }
 
-std::string in_brackets(const Json& numbers) {
+template <class Numbers>
+std::string in_brackets(const Numbers& numbers) {
   std::vector<std::string> result;
   for (auto& x : numbers)
     result.push_back(few_digits(x));
@@ -230,21 +255,41 @@ private:
   std::vector<std::string> lists_;
 };
 
+/// "concept name"
+std::string in_words(FeatureKind kind) {
+  std::string result;
+  for (auto& [name, value] : castor_reflection(TypeTag<FeatureKind>{}).enumerators)
+    if (value == kind)
+      result = name;
+  std::replace(result.begin(), result.end(), '_', ' ');
+  return result;
+}
+
+/// Whether the feature is about binding, and not about the thing itself.
+bool is_about_binding(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::source_data:
+    case FeatureKind::source_id:
+    case FeatureKind::other_source_id:
+    case FeatureKind::this_proxy_id:
+    case FeatureKind::creation_time:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// What proxies and unions say of the thing itself, each once.
-std::string features_in_words(const Json& features) {
-  constexpr std::string_view of_binding[] = {"source_data", "source_id", "other_source_id",
-                                             "this_proxy_id", "creation_time"};
+std::string in_words(const std::vector<Feature>& features) {
   std::vector<std::string> result;
   for (auto& x : features) {
-    auto kind = x.at("kind").get<std::string>();
-    if (std::find(std::begin(of_binding), std::end(of_binding), kind) != std::end(of_binding))
+    if (is_about_binding(x.kind))
       continue;
-    std::replace(kind.begin(), kind.end(), '_', ' ');
-    auto words = (x.at("negated") == true ? "not " : "") + kind;
-    if (auto text = x.at("text").get<std::string>(); !text.empty())
-      words += ' ' + text;
-    if (auto& numbers = x.at("numbers"); !numbers.empty())
-      words += ' ' + in_brackets(numbers);
+    auto words = (x.negated ? "not " : "") + in_words(x.kind);
+    if (!x.text.empty())
+      words += ' ' + x.text;
+    if (!x.numbers.empty())
+      words += ' ' + in_brackets(x.numbers);
     if (std::find(result.begin(), result.end(), words) == result.end())
       result.push_back(std::move(words));
   }
@@ -256,8 +301,10 @@ std::string in_words(const Json& entry) {
   std::string what;
   if (entry.contains("gone"))
     what = "it is gone";
-  else if (has_type(entry, union_type) || has_type(entry, proxy_type))
-    what = features_in_words(entry.at("value").at("features"));
+  else if (is<BindingUnion>(entry))
+    what = in_words(value_of<BindingUnion>(entry)->features);
+  else if (is<BindingProxy>(entry))
+    what = in_words(value_of<BindingProxy>(entry)->features);
   else
     what = EntrySummary{entry.at("value")}.brief();
   return joined_address(entry) + "  " + type + (what.empty() ? "" : ": " + what);
@@ -277,7 +324,7 @@ public:
         add(part, depth + 1, ends);
     if (x.contains("union"))
       add(x["union"], depth + 1, ends);
-    else if (has_type(x, proxy_type) && x.at("value").at("union_id") == "")
+    else if (is<BindingProxy>(x) && value_of<BindingProxy>(x)->union_id.empty())
       line(depth + 1, "it is in no union yet");
   }
 
@@ -299,13 +346,14 @@ private:
 } // namespace
 
 bool is_of_binding(const std::string& type) {
-  return type == proxy_type || type == union_type || type == status_type;
+  return type == type_name<BindingProxy>() || type == type_name<BindingUnion>() ||
+         type == type_name<BinderStatus>();
 }
 
 std::vector<Json> unions_among(const std::vector<Json>& entries) {
   std::vector<Json> result;
   for (auto& x : entries)
-    if (has_type(x, union_type))
+    if (is<BindingUnion>(x))
       result.push_back(x);
   return result;
 }
@@ -313,15 +361,14 @@ std::vector<Json> unions_among(const std::vector<Json>& entries) {
 std::set<std::string> tethered_types(const std::vector<Json>& entries) {
   std::set<std::string> result;
   for (auto& x : all_tethers(entries))
-    result.insert(x.at("address").at("subarchitecture").get<std::string>() + '/' +
-                  x.at("type").get<std::string>());
+    result.insert(x.address.subarchitecture + '/' + x.type);
   return result;
 }
 
 std::set<std::string> tethered_subarchitectures(const std::vector<Json>& entries) {
   std::set<std::string> result;
   for (auto& x : all_tethers(entries))
-    result.insert(x.at("address").at("subarchitecture").get<std::string>());
+    result.insert(x.address.subarchitecture);
   return result;
 }
 

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 /// What binding's unions are made of, and what entries of other subarchitectures belong to: tethers
-/// followed in both directions. Entries are as the answers to `wm` have them, with values; what
-/// they are is read from the names of their types and fields alone.
+/// followed in both directions. Entries are as the answers to `wm` have them, with values.
 namespace castor::cli {
 
 using Json = nlohmann::ordered_json;

@@ -1,0 +1,55 @@
+#include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/inspection_command.hpp"
+#include "castor/tools/cli/running_system.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  std::string system;
+  bool json = false;
+  bool wait = false;
+  std::vector<std::string> filter;
+};
+
+int events(const Arguments& arguments) {
+  return print_changes(choose_system(arguments.system),
+                       {{"do", "events"},
+                        {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))},
+                        {"wait", arguments.wait}},
+                       arguments.json);
+}
+
+} // namespace
+
+void add_events(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = inspection_command(
+    app, "events", "print the changes in a running system, as they happen", arguments->system);
+  command
+    ->add_option("FILTER", arguments->filter,
+                 "[added|overwritten|deleted|changed] [TYPE] [in SUBARCHITECTURE] "
+                 "[from COMPONENT] [at ID] [changing FIELD,...] [where CONDITION]")
+    ->type_name("");
+  add_json_flag(*command, arguments->json);
+  add_wait_flag(*command, arguments->wait);
+  command->footer(
+    "Examples: castor events\n"
+    "          castor events overwritten SceneObject in vision changing color\n"
+    "          castor events added ROI where 'area > 400'\n"
+    "Events are filtered where they arise. A reader that is too slow gets them merged.");
+  on_call(*command, chosen, arguments, events);
+}
+
+} // namespace castor::cli

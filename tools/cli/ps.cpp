@@ -1,0 +1,54 @@
+#include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/inspection_command.hpp"
+#include "castor/tools/cli/inspection_text.hpp"
+#include "castor/tools/cli/running_system.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace castor::cli {
+
+namespace {
+
+struct Arguments {
+  std::string system;
+  bool json = false;
+  bool stats = false;
+};
+
+int ps(const Arguments& arguments) {
+  std::vector<RunningSystem> systems;
+  if (arguments.system.empty())
+    systems = running_systems();
+  if (systems.empty())
+    systems.push_back(choose_system(arguments.system));
+  const char* separator = "";
+  for (auto& x : systems) {
+    auto report = ask_for_one(x, {{"do", "ps"}});
+    print(arguments.json ? report.dump() + '\n'
+                         : separator + system_as_text(report, arguments.stats));
+    separator = "\n";
+  }
+  return success;
+}
+
+} // namespace
+
+void add_ps(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<Arguments>();
+  auto* command = inspection_command(
+    app, "ps", "show the systems that run: nodes, components, working memories", arguments->system);
+  add_json_flag(*command, arguments->json);
+  command->add_flag("--stats", arguments->stats,
+                    "count what became of change events, and what every link has carried");
+  command->footer("Load is the part of a processor that was used, on average since the start; "
+                  "busy is for how long a component has had something to do without a pause.\n"
+                  "Example: castor ps --stats");
+  on_call(*command, chosen, arguments, ps);
+}
+
+} // namespace castor::cli
