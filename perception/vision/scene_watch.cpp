@@ -1,32 +1,28 @@
 #include "castor/perception/vision/scene_watch.hpp"
 
-#include <cstdlib>
+#include "castor/perception/vision/opencv_bridge.hpp"
+
+#include <opencv2/imgproc.hpp>
+
 #include <utility>
 
 namespace castor::vision {
 
 namespace {
 
-/// Luma of ITU-R BT.601, in 16 bit fixed point.
-std::vector<std::uint8_t> to_grey(const Image& image) {
-  auto channels = image.channels;
-  auto pixels = static_cast<std::size_t>(image.width) * image.height;
-  if (channels != 3)
-    return image.bytes;
-  std::vector<std::uint8_t> result(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    auto* p = &image.bytes[3 * i];
-    result[i] = static_cast<std::uint8_t>((7471u * p[0] + 38470u * p[1] + 19595u * p[2]) >> 16);
-  }
-  return result;
+Image to_grey(const Image& image) {
+  if (image.channels != 3 || image.bytes.empty())
+    return image;
+  cv::Mat grey;
+  cv::cvtColor(as_mat(image), grey, cv::COLOR_BGR2GRAY);
+  return to_image(grey);
 }
 
 } // namespace
 
 std::optional<SceneChanged> SceneWatch::observe(const Image& frame) {
   auto grey = to_grey(frame);
-  bool is_first = last_.empty();
-  bool changed = is_first ? options_.first_frame_counts : differs(grey);
+  bool changed = last_ ? differs(grey) : options_.first_frame_counts;
   last_ = std::move(grey);
   if (changed) {
     something_happened_ = true;
@@ -46,13 +42,15 @@ std::optional<SceneChanged> SceneWatch::observe(const Image& frame) {
   return result;
 }
 
-bool SceneWatch::differs(const std::vector<std::uint8_t>& grey) const {
-  if (grey.size() != last_.size())
+bool SceneWatch::differs(const Image& grey) const {
+  if (grey.width != last_->width || grey.height != last_->height)
     return true;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < grey.size(); ++i)
-    count += std::abs(int{grey[i]} - int{last_[i]}) > options_.pixel_threshold;
-  return static_cast<double>(count) > options_.changed_share * static_cast<double>(grey.size());
+  if (grey.bytes.empty())
+    return false;
+  cv::Mat difference;
+  cv::absdiff(as_mat(grey), as_mat(*last_), difference);
+  const auto count = cv::countNonZero(difference > options_.pixel_threshold);
+  return count > options_.changed_share * static_cast<double>(difference.total());
 }
 
 } // namespace castor::vision

@@ -2,9 +2,7 @@
 
 #include "castor/perception/vision/types.hpp"
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace castor::vision {
 
@@ -30,10 +28,11 @@ public:
   std::optional<SceneChanged> observe(const Image& frame);
 
 private:
-  bool differs(const std::vector<std::uint8_t>& grey) const;
+  bool differs(const Image& grey) const;
 
   SceneWatchOptions options_;
-  std::vector<std::uint8_t> last_;
+  /// The last frame in grey.
+  std::optional<Image> last_;
   bool something_happened_ = false;
   int countdown_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
 #include <exception>
 #include <memory>

@@ -9,6 +9,8 @@
 
 #include <CLI/App.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/core.h>
 
 #include <arpa/inet.h>

@@ -5,6 +5,8 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/core.h>
 #include <fmt/format.h>
 

@@ -10,6 +10,8 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
 #include <memory>
 #include <string>

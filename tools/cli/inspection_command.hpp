@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// What all commands that ask a running system share.
 namespace castor::cli {

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <set>
 

@@ -1,5 +1,7 @@
 #include "castor/tools/cli/json_schema.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <set>
 
 namespace castor::cli {

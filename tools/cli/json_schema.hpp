@@ -2,7 +2,7 @@
 
 #include "castor/wm/values/type_descriptor.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace castor::cli {
 

@@ -5,6 +5,8 @@
 #include "castor/tools/cli/recorded_change.hpp"
 #include "castor/wm/values/json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <limits>
 
 namespace castor::cli {

@@ -16,6 +16,8 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// What binding's unions are made of, and what entries of other subarchitectures belong to: tethers
 /// followed in both directions. Entries are as the answers to `wm` have them, with values.

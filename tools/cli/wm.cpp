@@ -6,6 +6,8 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/core.h>
 
 #include <cstdio>

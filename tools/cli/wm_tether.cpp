@@ -4,6 +4,8 @@
 
 #include <CLI/App.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/core.h>
 #include <fmt/format.h>
 

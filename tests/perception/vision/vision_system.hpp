@@ -3,9 +3,11 @@
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/perception/vision/types.hpp"
+#include "castor/tests/support/eventually.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -56,22 +58,29 @@ protected:
     return text.replace(at + 1, text.find('\n', at + 1) - at - 1, line);
   }
 
-  /// Runs the system in `text` until nothing happens any more.
+  /// Runs the system in `text` until a change of the scene was processed, and then nothing happens
+  /// any more.
   std::unique_ptr<System> watch(const std::string& text,
                                 std::map<std::string, std::string> variables,
                                 SystemOptions options = {},
-                                std::chrono::milliseconds quiet = 1500ms) const {
+                                std::chrono::milliseconds quiet = 800ms) const {
     cast::ParseOptions parse_options;
     parse_options.variables = std::move(variables);
     auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
     EXPECT_TRUE(parsed.ok()) << render(parsed.diagnostics);
     auto system = std::make_unique<System>(parsed.architecture.value(), options);
     EXPECT_TRUE(system->start());
+    EXPECT_TRUE(test::eventually([&] { return has_processed_a_change(*system); }));
     EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);
     system->stop();
     for (auto& x : system->summary().components)
       EXPECT_EQ(x.failure, "") << x.identity.name;
     return system;
+  }
+
+  static bool has_processed_a_change(System& system) {
+    auto changes = all<SceneChanged>(system);
+    return std::any_of(changes.begin(), changes.end(), [](auto& x) { return x.processed; });
   }
 
   template <class T>
