@@ -30,9 +30,7 @@ enum class Subject : std::uint8_t {
   types,
 };
 
-constexpr Subject last_of(Subject) {
-  return Subject::types;
-}
+CASTOR_WIRE_ENUM(Subject, types)
 
 const char* name_of_type(const caf::type_erased_tuple& message) {
   auto* type = message.size() == 1 ? message.type(0).second : nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/wire_members.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -54,18 +55,6 @@ private:
   std::size_t size_;
 };
 
-/// A pointer that may be null. Any other has to lead to something, so that whoever gets a message
-/// need not ask.
-template <class P>
-struct Nullable {
-  P& pointer;
-};
-
-template <class P>
-Nullable<P> nullable(P& pointer) {
-  return {pointer};
-}
-
 class WireWriter {
 public:
   static constexpr bool writes = true;
@@ -109,13 +98,6 @@ public:
     put(*x);
   }
 
-  template <class P>
-  void put(const Nullable<P>& x) {
-    put(x.pointer != nullptr);
-    if (x.pointer)
-      put(x.pointer);
-  }
-
   template <class T>
   void put(const std::optional<T>& x) {
     put(x.has_value());
@@ -153,6 +135,21 @@ public:
   }
 
 private:
+  template <class T, auto... Members>
+  void put_members(const T& x, WireMembers<T, Members...>) {
+    (put_member<Members>(x), ...);
+  }
+
+  template <auto Member, class T>
+  void put_member(const T& x) {
+    if constexpr (is_nullable_member<Member>) {
+      put(x.*Member != nullptr);
+      if (!(x.*Member))
+        return;
+    }
+    put(x.*Member);
+  }
+
   template <class T>
   void put_all(const T& xs) {
     put(static_cast<std::uint32_t>(xs.size()));
@@ -211,14 +208,6 @@ public:
     x = std::make_shared<const T>(take<T>());
   }
 
-  template <class P>
-  void get(Nullable<P>& x) {
-    if (take<bool>())
-      get(x.pointer);
-    else
-      x.pointer = nullptr;
-  }
-
   template <class T>
   void get(std::optional<T>& x) {
     if (take<bool>())
@@ -264,6 +253,21 @@ public:
   }
 
 private:
+  template <class T, auto... Members>
+  void get_members(T& x, WireMembers<T, Members...>) {
+    (get_member<Members>(x), ...);
+  }
+
+  template <auto Member, class T>
+  void get_member(T& x) {
+    if constexpr (is_nullable_member<Member>)
+      if (!take<bool>()) {
+        x.*Member = nullptr;
+        return;
+      }
+    get(x.*Member);
+  }
+
   /// Every element takes a byte at least, so a huge count is refused at once.
   std::uint32_t take_count();
 
@@ -273,16 +277,11 @@ private:
   std::size_t next_content_ = 0;
 };
 
-/// A message's structs say once what they consist of, for both directions:
+/// What is not a plain struct is written and read by a function beside it, which asks `A::writes`
+/// for the direction:
 ///
 ///     template <class A>
-///     void wire(A& a, WirePart<A, Address>& x) {
-///       a(x.subarchitecture, x.id);
-///     }
-///
-/// Of an enumeration, whose enumerators are numbered from 0 on, they say which is the last one:
-///
-///     constexpr LockLevel last_of(LockLevel) { return LockLevel::odr; }
+///     void wire(A& a, WirePart<A, SourceLocation>& x);
 template <class A, class T>
 using WirePart = std::conditional_t<A::writes, const T, T>;
 
@@ -302,6 +301,8 @@ void WireWriter::put(const T& x) {
     encoder_.put(x);
   else if constexpr (detail::is_duration<T>)
     encoder_.put(x.count());
+  else if constexpr (WireRecord<T>)
+    put_members(x, castor_wire_members(TypeTag<T>{}));
   else
     wire(*this, x);
 }
@@ -310,13 +311,17 @@ template <class T>
 void WireReader::get(T& x) {
   if constexpr (std::is_enum_v<T>) {
     decoder_.get(x);
-    if (x < T{} || x > last_of(T{}))
+    if (x < T{} || x > last_enumerator<T>())
       throw DecodeError("a number that stands for nothing");
   } else if constexpr (std::is_arithmetic_v<T>)
     decoder_.get(x);
   else if constexpr (detail::is_duration<T>)
     x = T{take<typename T::rep>()};
-  else
+  else if constexpr (WireRecord<T>) {
+    get_members(x, castor_wire_members(TypeTag<T>{}));
+    if constexpr (requires { check_read(x); })
+      check_read(x);
+  } else
     wire(*this, x);
 }
 

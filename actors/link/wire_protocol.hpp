@@ -10,50 +10,21 @@ namespace castor {
 
 // -- the last enumerators
 
-constexpr Operation last_of(Operation) {
-  return Operation::remove;
-}
-constexpr FailureKind last_of(FailureKind) {
-  return FailureKind::call_failed;
-}
-constexpr LockLevel last_of(LockLevel) {
-  return LockLevel::odr;
-}
-constexpr WaitEdge::Kind last_of(WaitEdge::Kind) {
-  return WaitEdge::Kind::owner;
-}
-constexpr EventStream last_of(EventStream) {
-  return EventStream::runtime;
-}
-constexpr JournalMode last_of(JournalMode) {
-  return JournalMode::batched;
-}
-constexpr Phase last_of(Phase) {
-  return Phase::run;
-}
-constexpr TaskDecision last_of(TaskDecision) {
-  return TaskDecision::waiting;
-}
-constexpr TaskOutcome last_of(TaskOutcome) {
-  return TaskOutcome::incomplete;
-}
+CASTOR_WIRE_ENUM(Operation, remove)
+CASTOR_WIRE_ENUM(FailureKind, call_failed)
+CASTOR_WIRE_ENUM(LockLevel, odr)
+CASTOR_WIRE_ENUM(WaitEdge::Kind, owner)
+CASTOR_WIRE_ENUM(EventStream, runtime)
+CASTOR_WIRE_ENUM(JournalMode, batched)
+CASTOR_WIRE_ENUM(Phase, run)
+CASTOR_WIRE_ENUM(TaskDecision, waiting)
+CASTOR_WIRE_ENUM(TaskOutcome, incomplete)
 
 // -- what all of them speak of
 
-template <class A>
-void wire(A& a, WirePart<A, Address>& x) {
-  a(x.subarchitecture, x.id);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Client>& x) {
-  a(x.component, x.subarchitecture, x.incarnation);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Failure>& x) {
-  a(x.kind, x.message, x.address);
-}
+CASTOR_WIRE(Address, subarchitecture, id)
+CASTOR_WIRE(Client, component, subarchitecture, incarnation)
+CASTOR_WIRE(Failure, kind, message, address)
 
 template <class A>
 void wire(A& a, WirePart<A, Predicate>& x) {
@@ -70,219 +41,75 @@ void wire(A& a, WirePart<A, Predicate>& x) {
 
 // -- entries
 
-template <class A>
-void wire(A& a, WirePart<A, EntryLife>& x) {
-  a(x.time_to_live, x.ephemeral, x.only_once);
+CASTOR_WIRE(EntryLife, time_to_live, ephemeral, only_once)
+CASTOR_WIRE(Entry, address, version, value, writer, life)
+
+CASTOR_WIRE(WriteRequest, operation, address, value, last_seen, client, token, life, expected)
+inline void check_read(const WriteRequest& x) {
+  if (x.operation != Operation::remove && !x.value.has_value())
+    throw DecodeError("a write of nothing");
 }
 
-template <class A>
-void wire(A& a, WirePart<A, Entry>& x) {
-  a(x.address, x.version, x.value, x.writer, x.life);
-}
+CASTOR_WIRE(BatchRequest, subarchitecture, writes)
 
-template <class A>
-void wire(A& a, WirePart<A, WriteRequest>& x) {
-  a(x.operation, x.address, x.value, x.last_seen, x.client, x.token, x.life, x.expected);
-  if constexpr (!A::writes)
-    if (x.operation != Operation::remove && !x.value.has_value())
-      throw DecodeError("a write of nothing");
-}
+CASTOR_WIRE(Patience, client, number, at_most)
+CASTOR_WIRE_NULLABLE(Patience, client)
 
-template <class A>
-void wire(A& a, WirePart<A, BatchRequest>& x) {
-  a(x.subarchitecture, x.writes);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Patience>& x) {
-  a(nullable(x.client), x.number, x.at_most);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ReadRequest>& x) {
-  a(x.address, x.patience);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, TypeQuery>& x) {
-  a(x.subarchitecture, x.type, x.count, x.with_derived, x.predicate);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, QueryRequest>& x) {
-  a(x.query, x.patience);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ExistsQuery>& x) {
-  a(x.address);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, VersionQuery>& x) {
-  a(x.address);
-}
+CASTOR_WIRE(ReadRequest, address, patience)
+CASTOR_WIRE(TypeQuery, subarchitecture, type, count, with_derived, predicate)
+CASTOR_WIRE(QueryRequest, query, patience)
+CASTOR_WIRE(ExistsQuery, address)
+CASTOR_WIRE(VersionQuery, address)
 
 // -- leases
 
-template <class A>
-void wire(A& a, WirePart<A, LockRequest>& x) {
-  a(x.address, x.level, x.patience);
-  if constexpr (!A::writes)
-    if (!x.patience.client)
-      throw DecodeError("a lock that nobody asks for");
+CASTOR_WIRE(LockRequest, address, level, patience)
+inline void check_read(const LockRequest& x) {
+  if (!x.patience.client)
+    throw DecodeError("a lock that nobody asks for");
 }
 
-template <class A>
-void wire(A& a, WirePart<A, Lease>& x) {
-  a(x.token, x.level, x.expires);
-}
+CASTOR_WIRE(Lease, token, level, expires)
+CASTOR_WIRE(UnlockRequest, address, client, token)
+CASTOR_WIRE(CancelWait, address, client, number)
+CASTOR_WIRE(HeldToken, id, token)
+CASTOR_WIRE(RenewRequest, client, leases)
+CASTOR_WIRE(RenewReply, lost)
+CASTOR_WIRE(LockQuery, address)
 
-template <class A>
-void wire(A& a, WirePart<A, UnlockRequest>& x) {
-  a(x.address, x.client, x.token);
-}
+CASTOR_WIRE(LockStatus, level, holder, waiting)
+CASTOR_WIRE_NULLABLE(LockStatus, holder)
 
-template <class A>
-void wire(A& a, WirePart<A, CancelWait>& x) {
-  a(x.address, x.client, x.number);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, HeldToken>& x) {
-  a(x.id, x.token);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RenewRequest>& x) {
-  a(x.client, x.leases);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RenewReply>& x) {
-  a(x.lost);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, LockQuery>& x) {
-  a(x.address);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, LockStatus>& x) {
-  a(x.level, nullable(x.holder), x.waiting);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, WaitEdge>& x) {
-  a(x.kind, x.waiter, x.number, x.since, x.address, x.what, x.obstacle);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, DeadlockProbe>& x) {
-  a(x.path, x.round);
-}
+CASTOR_WIRE(WaitEdge, kind, waiter, number, since, address, what, obstacle)
+CASTOR_WIRE(DeadlockProbe, path, round)
 
 // -- events
 
-template <class A>
-void wire(A& a, WirePart<A, ChangeFilter>& x) {
-  a(x.operation, x.type, x.id, x.source, x.subarchitecture, x.changing, x.predicate);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Subscribe>& x) {
-  a(x.id, x.filter, x.stream, x.queue_limit, x.component);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Unsubscribe>& x) {
-  a(x.id);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ChangeEvent>& x) {
-  a(x.operation, x.address, x.source, x.type, x.version, x.sequence, x.time, x.changed,
-    x.coalesced);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ChangeNotice>& x) {
-  a(x.event, x.filters);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ChangeNotices>& x) {
-  a(x.notices);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, EventsTaken>& x) {
-  a(x.stream, x.count);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Interest>& x) {
-  a(x.subarchitecture, x.id, x.filter, x.wanted);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ForwardedEvent>& x) {
-  a(x.event, x.interests);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ForwardedEvents>& x) {
-  a(x.events);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RoutedEvent>& x) {
-  a(x.event, x.receivers);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RoutedEvents>& x) {
-  a(x.events);
-}
+CASTOR_WIRE(ChangeFilter, operation, type, id, source, subarchitecture, changing, predicate)
+CASTOR_WIRE(Subscribe, id, filter, stream, queue_limit, component)
+CASTOR_WIRE(Unsubscribe, id)
+CASTOR_WIRE(ChangeEvent, operation, address, source, type, version, sequence, time, changed,
+            coalesced)
+CASTOR_WIRE(ChangeNotice, event, filters)
+CASTOR_WIRE(ChangeNotices, notices)
+CASTOR_WIRE(EventsTaken, stream, count)
+CASTOR_WIRE(Interest, subarchitecture, id, filter, wanted)
+CASTOR_WIRE(ForwardedEvent, event, interests)
+CASTOR_WIRE(ForwardedEvents, events)
+CASTOR_WIRE(RoutedEvent, event, receivers)
+CASTOR_WIRE(RoutedEvents, events)
 
 // -- a working memory as a whole
 
-template <class A>
-void wire(A& a, WirePart<A, Peers>& x) {
-  a(x.working_memories, x.routes);
-}
-
-template <class A>
-void wire(A&, WirePart<A, Acknowledged>&) {}
-
-template <class A>
-void wire(A&, WirePart<A, StatusQuery>&) {}
-
-template <class A>
-void wire(A& a, WirePart<A, JournalStatus>& x) {
-  a(x.mode, x.bytes, x.unsynced, x.held, x.syncs, x.incarnation, x.failure);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, WorkingMemoryStatus>& x) {
-  a(x.subarchitecture, x.entries, x.entries_by_type, x.filters, x.events, x.matched, x.delivered,
-    x.coalesced, x.suppressed, x.backlog, x.forwarded, x.routed, x.refused, x.leases, x.waiting,
-    x.journal);
-}
-
-template <class A>
-void wire(A&, WirePart<A, UsageQuery>&) {}
-
-template <class A>
-void wire(A& a, WirePart<A, Usage>& x) {
-  a(x.component, x.subarchitecture, x.type, x.adds, x.overwrites, x.deletes, x.reads, x.events);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, UsageReport>& x) {
-  a(x.usages);
-}
+CASTOR_WIRE(Acknowledged)
+CASTOR_WIRE(StatusQuery)
+CASTOR_WIRE(JournalStatus, mode, bytes, unsynced, held, syncs, incarnation, failure)
+CASTOR_WIRE(WorkingMemoryStatus, subarchitecture, entries, entries_by_type, filters, events,
+            matched, delivered, coalesced, suppressed, backlog, forwarded, routed, refused, leases,
+            waiting, journal)
+CASTOR_WIRE(UsageQuery)
+CASTOR_WIRE(Usage, component, subarchitecture, type, adds, overwrites, deletes, reads, events)
+CASTOR_WIRE(UsageReport, usages)
 
 // -- components
 
@@ -294,64 +121,17 @@ void wire(A& a, WirePart<A, caf::actor>& x) {
     x = caf::actor_cast<caf::actor>(a.template take<caf::strong_actor_ptr>());
 }
 
-template <class A>
-void wire(A& a, WirePart<A, EnterPhase>& x) {
-  a(x.phase, x.phase_controller);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PhaseDone>& x) {
-  a(x.component, x.phase, x.failure);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, TaskOptions>& x) {
-  a(x.priority, x.cost, x.after);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, TaskProposal>& x) {
-  a(x.id, x.name, x.component, x.options);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ProposeTask>& x) {
-  a(x.proposal);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RetractTask>& x) {
-  a(x.id);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, CompleteTask>& x) {
-  a(x.id, x.outcome);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, TaskDecided>& x) {
-  a(x.id, x.decision, x.reason);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PullRequest>& x) {
-  a(x.type);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PushRequest>& x) {
-  a(x.type, x.limit, x.subscriber);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Pushed>& x) {
-  a(x.provider, x.value);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PushesTaken>& x) {
-  a(x.type, x.count);
-}
+CASTOR_WIRE(EnterPhase, phase, phase_controller)
+CASTOR_WIRE(PhaseDone, component, phase, failure)
+CASTOR_WIRE(TaskOptions, priority, cost, after)
+CASTOR_WIRE(TaskProposal, id, name, component, options)
+CASTOR_WIRE(ProposeTask, proposal)
+CASTOR_WIRE(RetractTask, id)
+CASTOR_WIRE(CompleteTask, id, outcome)
+CASTOR_WIRE(TaskDecided, id, decision, reason)
+CASTOR_WIRE(PullRequest, type)
+CASTOR_WIRE(PushRequest, type, limit, subscriber)
+CASTOR_WIRE(Pushed, provider, value)
+CASTOR_WIRE(PushesTaken, type, count)
 
 } // namespace castor

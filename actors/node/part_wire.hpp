@@ -7,39 +7,17 @@
 /// The wire form of what a coordinator and the parts of its system say to each other.
 namespace castor {
 
-constexpr Severity last_of(Severity) {
-  return Severity::note;
-}
-constexpr ComponentKind last_of(ComponentKind) {
-  return ComponentKind::standalone;
-}
-constexpr Language last_of(Language) {
-  return Language::python;
-}
-constexpr RestartStrategy last_of(RestartStrategy) {
-  return RestartStrategy::rest_for_one;
-}
-constexpr ComponentState last_of(ComponentState) {
-  return ComponentState::failed;
-}
-constexpr ComponentEnded::How last_of(ComponentEnded::How) {
-  return ComponentEnded::How::orphaned;
-}
-constexpr ComponentFault::Kind last_of(ComponentFault::Kind) {
-  return ComponentFault::Kind::slowness;
-}
-constexpr JournalFault::Kind last_of(JournalFault::Kind) {
-  return JournalFault::Kind::slowness;
-}
-constexpr LinkFault::Kind last_of(LinkFault::Kind) {
-  return LinkFault::Kind::loss;
-}
-constexpr LinkState last_of(LinkState) {
-  return LinkState::lost;
-}
-constexpr TaskStep last_of(TaskStep) {
-  return TaskStep::completed;
-}
+CASTOR_WIRE_ENUM(Severity, note)
+CASTOR_WIRE_ENUM(ComponentKind, standalone)
+CASTOR_WIRE_ENUM(Language, python)
+CASTOR_WIRE_ENUM(RestartStrategy, rest_for_one)
+CASTOR_WIRE_ENUM(ComponentState, failed)
+CASTOR_WIRE_ENUM(ComponentEnded::How, orphaned)
+CASTOR_WIRE_ENUM(ComponentFault::Kind, slowness)
+CASTOR_WIRE_ENUM(JournalFault::Kind, slowness)
+CASTOR_WIRE_ENUM(LinkFault::Kind, loss)
+CASTOR_WIRE_ENUM(LinkState, lost)
+CASTOR_WIRE_ENUM(TaskStep, completed)
 
 /// Includes are not told of: a place is a file and a line.
 template <class A>
@@ -52,173 +30,46 @@ void wire(A& a, WirePart<A, SourceLocation>& x) {
   }
 }
 
-template <class A>
-void wire(A& a, WirePart<A, OptionSetting>& x) {
-  a(x.key, x.value, x.where);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentDescription>& x) {
-  a(x.kind, x.name, x.class_name, x.language, x.host, x.options, x.number, x.subarchitecture,
-    x.where, x.line);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, SubarchitectureDescription>& x) {
-  a(x.name, x.host, x.working_memory, x.task_manager, x.components, x.where);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, AccessRule>& x) {
-  a(x.writer, x.owner, x.where);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, SupervisionPolicy>& x) {
-  a(x.strategy, x.restarts, x.period, x.first_delay, x.longest_delay);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, SupervisionRule>& x) {
-  a(x.who, x.policy, x.where);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, FailoverRule>& x) {
-  a(x.who, x.hosts, x.where);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ArchitectureDescription>& x) {
-  a(x.file, x.config_dir, x.subarchitectures, x.standalone, x.host_names, x.access_rules,
-    x.supervision, x.failover);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, Diagnostic>& x) {
-  a(x.severity, x.where, x.line, x.expanded, x.message, x.remedy);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ProcessDescription>& x) {
-  a(x.name, x.host, x.port, x.lost);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PartPlan>& x) {
-  a(x.system, x.architecture, x.processes, x.placement, x.incarnations, x.temporary, x.open_access,
-    x.broadcast, x.operations, x.pushes, x.pushes_limit, x.age, x.patience, x.coordinator,
-    x.supervisor, x.task_observer);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PartMade>& x) {
-  a(x.problems, x.actors);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, JoinParts>& x) {
-  a(x.actors, x.processes);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, RestartComponent>& x) {
-  a(x.name, x.incarnation);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentEnded>& x) {
-  a(x.name, x.incarnation, x.how, x.failure, x.waited_for);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentHangs>& x) {
-  a(x.name, x.incarnation);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, FaultTicket>& x) {
-  a(x.number, x.observer);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, FaultHappened>& x) {
-  a(x.number);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentFault>& x) {
-  a(x.kind, x.callback, x.by, x.duration, x.ticket);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, InjectComponentFault>& x) {
-  a(x.name, x.fault);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, LinkFault>& x) {
-  a(x.kind, x.duration, x.by, x.part, x.ticket);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, InjectLinkFault>& x) {
-  a(x.peer, x.fault);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, JumpClock>& x) {
-  a(x.by);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, JournalFault>& x) {
-  a(x.kind, x.duration, x.by, x.ticket);
-}
-
-template <class A>
-void wire(A&, WirePart<A, PartStatusQuery>&) {}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentIdentity>& x) {
-  a(x.name, x.subarchitecture, x.class_name, x.number, x.incarnation);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ComponentStatus>& x) {
-  a(x.identity, x.is_task_manager, x.state, x.out_of_reach, x.failure, x.busy, x.cpu,
-    x.events_received, x.callbacks, x.reads, x.writes, x.pushes_dropped);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, LinkNews>& x) {
-  a(x.peer, x.state, x.reason, x.name);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, LinkStatus>& x) {
-  a(x.news, x.messages_out, x.messages_in, x.bytes_out, x.bytes_in, x.events_out, x.events_in,
-    x.connections, x.unacknowledged);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, ProcessUsage>& x) {
-  a(x.cpu, x.age, x.memory_bytes);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, PartStatus>& x) {
-  a(x.components, x.links, x.usage);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, EndSystem>& x) {
-  a(x.status, x.reason);
-}
-
-template <class A>
-void wire(A& a, WirePart<A, TaskEvent>& x) {
-  a(x.step, x.subarchitecture, x.task, x.detail, x.time);
-}
+CASTOR_WIRE(OptionSetting, key, value, where)
+CASTOR_WIRE(ComponentDescription, kind, name, class_name, language, host, options, number,
+            subarchitecture, where, line)
+CASTOR_WIRE(SubarchitectureDescription, name, host, working_memory, task_manager, components, where)
+CASTOR_WIRE(AccessRule, writer, owner, where)
+CASTOR_WIRE(SupervisionPolicy, strategy, restarts, period, first_delay, longest_delay)
+CASTOR_WIRE(SupervisionRule, who, policy, where)
+CASTOR_WIRE(FailoverRule, who, hosts, where)
+CASTOR_WIRE_EXCEPT(ArchitectureDescription, (left_out), file, config_dir, subarchitectures,
+                   standalone, host_names, access_rules, supervision, failover)
+CASTOR_WIRE(Diagnostic, severity, where, line, expanded, message, remedy)
+CASTOR_WIRE(ProcessDescription, name, host, port, lost)
+CASTOR_WIRE(PartPlan, system, architecture, processes, placement, incarnations, temporary,
+            open_access, broadcast, operations, pushes, pushes_limit, age, patience, coordinator,
+            supervisor, task_observer)
+CASTOR_WIRE(PartMade, problems, actors)
+CASTOR_WIRE(JoinParts, actors, processes)
+CASTOR_WIRE(RestartComponent, name, incarnation)
+CASTOR_WIRE(ComponentEnded, name, incarnation, how, failure, waited_for)
+CASTOR_WIRE(ComponentHangs, name, incarnation)
+CASTOR_WIRE(FaultTicket, number, observer)
+CASTOR_WIRE(FaultHappened, number)
+CASTOR_WIRE(ComponentFault, kind, callback, by, duration, ticket)
+CASTOR_WIRE(InjectComponentFault, name, fault)
+CASTOR_WIRE(LinkFault, kind, duration, by, part, ticket)
+CASTOR_WIRE(InjectLinkFault, peer, fault)
+CASTOR_WIRE(JumpClock, by)
+CASTOR_WIRE(JournalFault, kind, duration, by, ticket)
+CASTOR_WIRE(PartStatusQuery)
+CASTOR_WIRE(ComponentIdentity, name, subarchitecture, class_name, number, incarnation)
+// The coordinator alone knows of restarts.
+CASTOR_WIRE_EXCEPT(ComponentStatus, (restarts, will_restart), identity, is_task_manager, state,
+                   out_of_reach, failure, busy, cpu, events_received, callbacks, reads, writes,
+                   pushes_dropped)
+CASTOR_WIRE(LinkNews, peer, state, reason, name)
+CASTOR_WIRE(LinkStatus, news, messages_out, messages_in, bytes_out, bytes_in, events_out, events_in,
+            connections, unacknowledged)
+CASTOR_WIRE(ProcessUsage, cpu, age, memory_bytes)
+CASTOR_WIRE(PartStatus, components, links, usage)
+CASTOR_WIRE(EndSystem, status, reason)
+CASTOR_WIRE(TaskEvent, step, subarchitecture, task, detail, time)
 
 } // namespace castor

@@ -15,13 +15,8 @@ struct TypesReport {
   std::vector<TypeDescriptorPtr> types;
 };
 
-template <class A>
-void wire(A&, WirePart<A, TypesQuery>&) {}
-
-template <class A>
-void wire(A& a, WirePart<A, TypesReport>& x) {
-  a(x.types);
-}
+CASTOR_WIRE(TypesQuery)
+CASTOR_WIRE(TypesReport, types)
 
 } // namespace castor
 

@@ -95,6 +95,13 @@ WriteRequest write_request(const ClientPtr& client, std::size_t size) {
   return x;
 }
 
+enum class Colour : std::uint8_t { red, shade2 };
+
+static_assert(detail::is_last_enumerator<Colour::shade2>);
+static_assert(!detail::is_last_enumerator<Colour::red>);
+static_assert(!detail::is_last_enumerator<Colour{2}>);
+static_assert(!detail::is_last_enumerator<LockLevel::od>);
+
 TEST_F(Wire, AWriteArrivesAsItWas) {
   for (std::size_t size : {10, 100'000}) {
     auto sent = write_request(client, size);
