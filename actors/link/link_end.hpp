@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/link/channel.hpp"
-#include "castor/actors/link/link.hpp"
 #include "castor/actors/link/link_fault.hpp"
+#include "castor/actors/link/link_parts.hpp"
 
 #include <caf/fwd.hpp>
 

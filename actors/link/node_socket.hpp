@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/link/dial.hpp"
+#include "castor/actors/link/endpoint.hpp"
 
 #include <filesystem>
 #include <optional>
