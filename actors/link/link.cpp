@@ -190,8 +190,7 @@ caf::actor spawn_link(LinkParts parts) {
   parts.self.receiver = peer;
   auto largest_message = parts.options.session.largest_message;
   auto result = mesh->system().middleman().spawn_broker(link, std::move(parts), record);
-  mesh->add_port(
-    std::make_shared<LinkPort>(mesh, peer, result, std::move(record), largest_message));
+  mesh->add_link(result, std::move(record), largest_message);
   return result;
 }
 

@@ -50,7 +50,10 @@ class LinkRecord {
 public:
   using Counter = std::atomic<std::uint64_t>;
 
-  explicit LinkRecord(ProcessNumber peer) : news_{peer, LinkState::down, "no answer yet", {}} {}
+  explicit LinkRecord(ProcessNumber peer)
+    : peer_(peer), news_{peer, LinkState::down, "no answer yet", {}} {}
+
+  ProcessNumber peer() const { return peer_; }
 
   Counter messages_out{0};
   Counter messages_in{0};
@@ -77,6 +80,7 @@ public:
   }
 
 private:
+  const ProcessNumber peer_;
   mutable std::mutex mutex_;
   LinkNews news_;
 };

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "castor/actors/link/mesh.hpp"
+#include "castor/actors/link/link_port.hpp"
 
 #include <caf/actor_proxy.hpp>
 
 #include <atomic>
 #include <memory>
 #include <typeinfo>
+#include <utility>
 
 namespace castor {
 
@@ -37,6 +38,11 @@ private:
 inline RemoteActor* as_remote(const caf::strong_actor_ptr& x) {
   auto& actor = *x->get();
   return typeid(actor) == typeid(RemoteActor) ? static_cast<RemoteActor*>(&actor) : nullptr;
+}
+
+/// Ends the representative of an actor that has ended, or is lost.
+inline void end_remote(const caf::strong_actor_ptr& representative, caf::error reason) {
+  static_cast<RemoteActor*>(representative->get())->kill_proxy(nullptr, std::move(reason));
 }
 
 } // namespace castor

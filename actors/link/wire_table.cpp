@@ -26,4 +26,9 @@ caf::message WireTable::read(WireReader& in) const {
   return result;
 }
 
+const char* name_of_type(const caf::type_erased_tuple& message) {
+  auto* type = message.size() == 1 ? message.type(0).second : nullptr;
+  return type ? type->name() : "one of the framework's own";
+}
+
 } // namespace castor

@@ -50,4 +50,7 @@ private:
   std::vector<Codec> codecs_;
 };
 
+/// For people: what kind of message it is.
+const char* name_of_type(const caf::type_erased_tuple& message);
+
 } // namespace castor

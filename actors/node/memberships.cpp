@@ -3,6 +3,8 @@
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/actors/node/part_agent.hpp"
+#include "castor/actors/node/part_messages.hpp"
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/base/log.hpp"
 
 #include <chrono>
@@ -72,10 +74,12 @@ Memberships::Membership& Memberships::enter(const Hello& coordinator) {
   result.self.system = coordinator.system;
   result.self.incarnation = new_incarnation();
   result.self.process = coordinator.receiver;
-  result.mesh = std::make_shared<Mesh>(system_, system_messages(), coordinator.receiver);
+  auto messages = std::make_shared<PartMessages>(system_messages());
+  result.mesh = std::make_shared<Mesh>(system_, messages, coordinator.receiver);
   PartAgentParts parts;
   parts.self = coordinator.receiver;
   parts.mesh = result.mesh;
+  parts.messages = std::move(messages);
   parts.spawn = parts_.spawn;
   parts.connect = [node = weak_from_this(), name = coordinator.system,
                    incarnation = result.self.incarnation](const PartPlan& plan) {
@@ -83,7 +87,7 @@ Memberships::Membership& Memberships::enter(const Hello& coordinator) {
       self->connect(name, incarnation, plan);
   };
   result.agent = system_.spawn(part_agent, std::move(parts));
-  result.mesh->set_well_known(WellKnownActor::agent,
+  result.mesh->set_well_known(part_agent_number,
                               caf::actor_cast<caf::strong_actor_ptr>(result.agent));
   add_link(result, 0, coordinator.node, std::nullopt);
   return result;

@@ -3,6 +3,7 @@
 #include "castor/actors/link/remote_actor.hpp"
 #include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/base/plain_words.hpp"
 #include "castor/wm/values/known_types.hpp"
 
@@ -128,7 +129,7 @@ Routes find_routes(Mesh& mesh, std::map<std::string, caf::strong_actor_ptr>& act
     auto process = process_of(remote->actor());
     auto [route, is_new] = result.try_emplace(process);
     if (is_new)
-      route->second = mesh.well_known(process, WellKnownActor::events);
+      route->second = mesh.well_known(process, event_sink_number);
     return !route->second;
   });
   return result;
@@ -161,11 +162,12 @@ caf::response_promise join(Self self, JoinParts others) {
       if (auto* remote = as_remote(actor)) {
         peers.routes[name] = routes.at(process_of(remote->actor()));
         if (auto i = largest.find(name); i != largest.end())
-          mesh->set_largest_value(remote->actor(), name, i->second);
+          state.parts.messages->set_largest_value(remote->actor(), name, i->second);
       }
-    mesh->set_event_sink([here = state.part->working_memories()](auto& message, auto* context) {
-      deliver_events(here, message, context);
-    });
+    mesh->set_sink(event_sink_number,
+                   [here = state.part->working_memories()](auto& message, auto* context) {
+                     deliver_events(here, message, context);
+                   });
   }
   auto working_memories = state.part->working_memories();
   state.unanswered.clear();

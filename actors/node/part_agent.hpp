@@ -1,7 +1,8 @@
 #pragma once
 
-#include "castor/actors/link/link.hpp"
+#include "castor/actors/link/mesh.hpp"
 #include "castor/actors/node/part.hpp"
+#include "castor/actors/node/part_messages.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
 #include <caf/stateful_actor.hpp>
@@ -18,6 +19,8 @@ struct PartAgentParts {
   ProcessNumber self = 0;
   /// Null where there is only one process.
   std::shared_ptr<Mesh> mesh;
+  /// Those of the mesh.
+  std::shared_ptr<PartMessages> messages;
   /// Called with the plan before the part is made: connects with the other processes.
   std::function<void(const PartPlan&)> connect;
   PartSpawn spawn = {};

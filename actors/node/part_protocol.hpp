@@ -2,7 +2,8 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/component/task_event.hpp"
-#include "castor/actors/link/mesh.hpp"
+#include "castor/actors/link/link_fault.hpp"
+#include "castor/actors/link/link_record.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/actors/runtime/status.hpp"
 #include "castor/base/caf.hpp"

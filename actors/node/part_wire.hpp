@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/actors/link/wire_protocol.hpp"
 #include "castor/actors/link/wire_table.hpp"
+#include "castor/actors/node/component_wire.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
 /// The wire form of what a coordinator and the parts of its system say to each other.

@@ -2,6 +2,7 @@
 
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/base/log.hpp"
 
 #include <unistd.h>
@@ -50,11 +51,12 @@ Processes::Processes(caf::actor_system& system, const SystemOptions& options, st
 Processes::Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
                      std::function<void(const LinkNews&)> on_news, LinkSpawn spawn)
   : system_(system), options_(options), name_(std::move(name)), on_news_(std::move(on_news)),
-    spawn_(std::move(spawn)), incarnation_(new_incarnation()) {
+    spawn_(std::move(spawn)), incarnation_(new_incarnation()),
+    messages_(std::make_shared<PartMessages>(system_messages())) {
   processes_.emplace_back();
   processes_.front().news.state = LinkState::up;
   if (spawn_)
-    mesh_ = std::make_shared<Mesh>(system_, system_messages(), ProcessNumber{0});
+    mesh_ = std::make_shared<Mesh>(system_, messages_, ProcessNumber{0});
 }
 
 void Processes::set_own_agent(const caf::actor& agent) {
@@ -149,7 +151,7 @@ ProcessNumber Processes::open_link(const ProcessDescription& description) {
   std::lock_guard guard{mutex_};
   processes_[number].link = link;
   processes_[number].agent =
-    caf::actor_cast<caf::actor>(mesh_->well_known(number, WellKnownActor::agent));
+    caf::actor_cast<caf::actor>(mesh_->well_known(number, part_agent_number));
   return number;
 }
 

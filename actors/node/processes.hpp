@@ -2,6 +2,7 @@
 
 #include "castor/actors/cast/description.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/node/part_messages.hpp"
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/node/system_options.hpp"
 
@@ -46,6 +47,8 @@ public:
 
   /// Null if the actor system has no network.
   const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
+  /// Those of the mesh.
+  const std::shared_ptr<PartMessages>& messages() const { return messages_; }
 
   /// Begins to connect with those processes of the placement that are new to it.
   void open(const Placement& placement);
@@ -99,6 +102,7 @@ private:
   const std::function<void(const LinkNews&)> on_news_;
   const LinkSpawn spawn_;
   std::uint64_t incarnation_;
+  const std::shared_ptr<PartMessages> messages_;
   std::shared_ptr<Mesh> mesh_;
 
   mutable std::mutex mutex_;

@@ -336,6 +336,7 @@ private:
     processes_.connect(architecture_, placed_);
     PartAgentParts parts;
     parts.mesh = processes_.mesh();
+    parts.messages = processes_.messages();
     processes_.set_own_agent(system_.spawn(part_agent, std::move(parts)));
     apply(architecture_, placed_);
     if (!options_.endpoint.empty())

@@ -213,7 +213,7 @@ caf::actor SimulatedNetwork::spawn_link(Life life, LinkParts parts) {
   parts.self.receiver = peer;
   auto seed = static_cast<std::uint32_t>(random_());
   auto result = system_.spawn(simulated_link, this, life, std::move(parts), record, seed);
-  mesh->add_port(std::make_shared<LinkPort>(mesh, peer, result, std::move(record)));
+  mesh->add_link(result, std::move(record));
   return result;
 }
 

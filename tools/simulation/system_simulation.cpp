@@ -183,6 +183,7 @@ private:
     world_->expect_no_exception(supervisor_, "the supervisor");
     PartAgentParts agent;
     agent.mesh = processes_->mesh();
+    agent.messages = processes_->messages();
     agent.spawn = machines_->spawn(0);
     agent_ = system.spawn(part_agent, std::move(agent));
     world_->expect_no_exception(agent_, "the agent of the coordinator's part");

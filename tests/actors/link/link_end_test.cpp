@@ -1,6 +1,8 @@
 #include "castor/actors/link/link_end.hpp"
 
 #include "castor/actors/node/messages.hpp"
+#include "castor/actors/node/part_messages.hpp"
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/tools/simulation/testing_system.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
@@ -27,7 +29,8 @@ using testing::IsEmpty;
 /// One end of a link, with the world around it in the test's hands.
 struct End : LinkDriver {
   End(caf::actor_system& system, ProcessNumber self, ProcessNumber peer, Clock::time_point& clock)
-    : time(clock), mesh(std::make_shared<Mesh>(system, system_messages(), self)) {
+    : time(clock), mesh(std::make_shared<Mesh>(
+                     system, std::make_shared<PartMessages>(system_messages()), self)) {
     receiver = system.spawn([this]() -> caf::behavior {
       return {[this](const RetractTask& x) { heard.push_back(x.id); },
               [this](const LockQuery& x) {
@@ -35,7 +38,7 @@ struct End : LinkDriver {
                 return Outcome<LockStatus>{LockStatus{}};
               }};
     });
-    mesh->set_well_known(WellKnownActor::agent, caf::actor_cast<caf::strong_actor_ptr>(receiver));
+    mesh->set_well_known(part_agent_number, caf::actor_cast<caf::strong_actor_ptr>(receiver));
     outlet = system.spawn(
       [this]() -> caf::behavior { return {[this](LinkMessage& x) { end->send(std::move(x)); }}; });
     LinkParts parts;
@@ -45,7 +48,7 @@ struct End : LinkDriver {
     if (self < peer)
       parts.dial = Endpoint{"there", 1};
     auto record = std::make_shared<LinkRecord>(peer);
-    mesh->add_port(std::make_shared<LinkPort>(mesh, peer, outlet, record));
+    mesh->add_link(outlet, record);
     end.emplace(*this, std::move(parts), record, 1);
     end->begin();
   }
@@ -113,7 +116,7 @@ protected:
   }
 
   void say(const std::string& what) {
-    auto to = a.mesh->well_known(1, WellKnownActor::agent);
+    auto to = a.mesh->well_known(1, part_agent_number);
     caf::anon_send(caf::actor_cast<caf::actor>(to), RetractTask{what});
     run();
   }
@@ -146,10 +149,9 @@ TEST_F(LinkEndTest, AfterAGapNothingIsHeardBeforeThereIsAnotherConnection) {
 
 TEST_F(LinkEndTest, ARequestOfSomebodyUnknownHereIsNotDelivered) {
   // What a working memory passes on for a component in a process that `b` has lost.
-  a.mesh->add_port(std::make_shared<LinkPort>(a.mesh, ProcessNumber{2}, a.outlet,
-                                              std::make_shared<LinkRecord>(2)));
-  auto lost = a.mesh->actor_of(make_actor_name(2, 20));
-  auto to = a.mesh->well_known(1, WellKnownActor::agent);
+  a.mesh->add_link(a.outlet, std::make_shared<LinkRecord>(2));
+  auto lost = a.mesh->names().actor_of(make_actor_name(2, 20));
+  auto to = a.mesh->well_known(1, part_agent_number);
   auto send = [&](caf::message_id id, const std::string& what) {
     to->enqueue(lost, id, caf::make_message(LockQuery{{"s", what}}), nullptr);
   };

@@ -2,8 +2,10 @@
 
 #include "castor/actors/link/link.hpp"
 #include "castor/actors/link/listener.hpp"
-#include "castor/actors/link/wire_protocol.hpp"
 #include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/component_wire.hpp"
+#include "castor/actors/node/part_messages.hpp"
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/tests/support/eventually.hpp"
 #include "castor/tests/support/relay.hpp"
 #include "castor/wm/memory/working_memory.hpp"
@@ -47,7 +49,7 @@ const WireTable& table() {
 
 /// One process's part of a system, in a test that has two of them in one process.
 struct Part {
-  explicit Part(ProcessNumber number) : mesh(std::make_shared<Mesh>(system, table(), number)) {}
+  explicit Part(ProcessNumber number) : mesh(std::make_shared<Mesh>(system, messages, number)) {}
 
   ~Part() {
     caf::anon_send(link, CloseLink{"the test ends"});
@@ -104,6 +106,7 @@ struct Part {
   std::atomic<bool> lost{false};
   ActorSystemConfig config{true};
   caf::actor_system system{config};
+  std::shared_ptr<PartMessages> messages = std::make_shared<PartMessages>(table());
   std::shared_ptr<Mesh> mesh;
   caf::actor link;
   caf::actor listener;
@@ -118,11 +121,11 @@ protected:
     options.writers = {"*"};
     options.epoch = std::chrono::steady_clock::now();
     wm = robot.system.spawn(working_memory, options);
-    robot.mesh->set_well_known(WellKnownActor::agent, caf::actor_cast<caf::strong_actor_ptr>(wm));
+    robot.mesh->set_well_known(part_agent_number, caf::actor_cast<caf::strong_actor_ptr>(wm));
     robot.connect(0, std::nullopt);
     relay = std::make_unique<test::Relay>(robot.listen());
     run.connect(1, Endpoint{"127.0.0.1", relay->port()});
-    remote = caf::actor_cast<WorkingMemoryActor>(run.mesh->well_known(1, WellKnownActor::agent));
+    remote = caf::actor_cast<WorkingMemoryActor>(run.mesh->well_known(1, part_agent_number));
   }
 
   ~TwoProcesses() override { caf::anon_send_exit(wm, caf::exit_reason::user_shutdown); }
@@ -291,8 +294,7 @@ TEST_F(TwoProcesses, AnEntryThatIsTooLargeToBeReadFromAfarFailsAlone) {
 }
 
 TEST_F(TwoProcesses, WhatItsWorkingMemoryDoesNotTakeIsNotSent) {
-  run.mesh->set_largest_value(make_actor_name(1, static_cast<std::uint32_t>(WellKnownActor::agent)),
-                              "vision", 1000);
+  run.messages->set_largest_value(make_actor_name(1, part_agent_number), "vision", 1000);
   auto refused = add("x", {"", Bytes(2000)});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.failure().message, HasSubstr("--largest-entry"));
@@ -321,10 +323,10 @@ TEST_F(TwoProcesses, DamagedMessagesAreRefusedOrUnderstoodAndHarmNoActor) {
   for (auto& x : requests)
     // Asynchronous, as a request, and as an answer.
     for (std::uint64_t id : {0x1000000000000000u, 0x1000000000000007u, 0x9000000000000007u}) {
-      WireWriter out{*run.mesh};
+      WireWriter out{run.mesh->names()};
       // As LinkPort::send begins a message for an actor.
-      out(std::uint8_t{0}, run.mesh->name_of(caf::actor_cast<caf::strong_actor_ptr>(self)),
-          static_cast<std::uint32_t>(WellKnownActor::agent), id);
+      out(std::uint8_t{0}, run.mesh->names().name_of(caf::actor_cast<caf::strong_actor_ptr>(self)),
+          static_cast<std::uint32_t>(part_agent_number), id);
       ASSERT_TRUE(table().write(x.content(), out));
       IncomingMessage message{out.take_head(), {}};
       for (auto& value : out.take_contents())

@@ -1,7 +1,7 @@
 #include "castor/actors/link/wire_table.hpp"
 
 #include "castor/actors/cast/parser.hpp"
-#include "castor/actors/link/wire_protocol.hpp"
+#include "castor/actors/node/component_wire.hpp"
 #include "castor/actors/node/messages.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 #include "castor/wm/values/reflect.hpp"

@@ -1,4 +1,6 @@
 #include "castor/actors/node/memberships.hpp"
+
+#include "castor/actors/node/well_known_actors.hpp"
 #include "castor/tools/simulation/testing_system.hpp"
 
 #include <gmock/gmock.h>
@@ -24,9 +26,8 @@ protected:
     PartPlan plan;
     plan.processes.resize(3);
     plan.processes[1] = {"other", "other", 7000, false};
-    caf::anon_send(caf::actor_cast<caf::actor>(links.front().mesh->actor_of(
-                     make_actor_name(2, std::uint32_t(WellKnownActor::agent)))),
-                   plan);
+    caf::anon_send(
+      caf::actor_cast<caf::actor>(links.front().mesh->well_known(2, part_agent_number)), plan);
     scheduler.run();
   }
 
@@ -111,8 +112,7 @@ TEST_F(MembershipsTest, BeginsAnewWhenTheCoordinatorHasGivenItUp) {
 }
 
 TEST_F(MembershipsTest, WhatIsLeftOfAnEarlierTimeInTheSystemDoesNotTouchThatOfNow) {
-  auto earlier = caf::actor_cast<caf::actor>(
-    links[0].mesh->actor_of(make_actor_name(2, std::uint32_t(WellKnownActor::agent))));
+  auto earlier = caf::actor_cast<caf::actor>(links[0].mesh->well_known(2, part_agent_number));
   PartPlan plan;
   plan.processes.resize(6);
   plan.processes[1] = {"other", "other", 7000, false};

@@ -27,6 +27,7 @@ protected:
     connect();
     PartAgentParts parts;
     parts.mesh = mesh;
+    parts.messages = messages;
     parts.spawn.component = [](caf::actor_system& in, const ShellParts&) -> caf::actor {
       return in.spawn([]() -> caf::behavior { return {[](NeighboursPtr) {}}; });
     };
@@ -62,10 +63,7 @@ protected:
     run();
   }
 
-  void connect() {
-    mesh->add_port(
-      std::make_shared<LinkPort>(mesh, ProcessNumber{1}, silent, std::make_shared<LinkRecord>(1)));
-  }
+  void connect() { mesh->add_link(silent, std::make_shared<LinkRecord>(1)); }
 
   /// Without letting time pass.
   void run() {
@@ -78,7 +76,8 @@ protected:
     run();
   }
 
-  std::shared_ptr<Mesh> mesh = std::make_shared<Mesh>(system, system_messages(), ProcessNumber{0});
+  std::shared_ptr<PartMessages> messages = std::make_shared<PartMessages>(system_messages());
+  std::shared_ptr<Mesh> mesh = std::make_shared<Mesh>(system, messages, ProcessNumber{0});
   caf::actor silent;
   caf::actor agent;
   caf::actor asker;
@@ -87,7 +86,7 @@ protected:
 };
 
 TEST_F(PartAgentTest, KnowsNothingOfTheWorkingMemoriesOfAProcessThatIsLostMeanwhile) {
-  auto b = mesh->actor_of(make_actor_name(1, 20));
+  auto b = mesh->names().actor_of(make_actor_name(1, 20));
   mesh->end_process(1);
   join(b);
   EXPECT_EQ(joined, 1);
@@ -95,13 +94,13 @@ TEST_F(PartAgentTest, KnowsNothingOfTheWorkingMemoriesOfAProcessThatIsLostMeanwh
 }
 
 TEST_F(PartAgentTest, AWorkingMemoryThatEndsHoldsNobodyUp) {
-  join(mesh->actor_of(make_actor_name(1, 20)));
+  join(mesh->names().actor_of(make_actor_name(1, 20)));
   EXPECT_EQ(joined, 1);
   // From now on it has something to tell others, which it waits for.
   auto a = caf::actor_cast<WorkingMemoryActor>(made.at("a_wm"));
   caf::anon_send(asker, a);
   run();
-  join(mesh->actor_of(make_actor_name(1, 21)));
+  join(mesh->names().actor_of(make_actor_name(1, 21)));
   EXPECT_EQ(joined, 1);
   caf::anon_send_exit(a, caf::exit_reason::kill);
   run();

@@ -97,10 +97,10 @@ castor_system_mutant(late_connections_are_taken actors/node/memberships.cpp
 
 castor_system_mutant(requests_to_the_lost_stay_open actors/link/mesh.cpp
   FROM "for (auto& x : unanswered)
-    receiver_down(x.sender, x.id);"
+    reply_receiver_down(x.sender, x.id);"
   TO "")
 
-castor_system_mutant(ends_are_not_told actors/link/mesh.cpp
+castor_system_mutant(ends_are_not_told actors/link/actor_names.cpp
   FROM "port->tell_end(name);"
   TO "(void)port;")
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "castor/actors/link/link_record.hpp"
+
+#include <cstdint>
+
+namespace castor {
+
+/// Names an actor in the whole system; 0 is no actor.
+using ActorName = std::uint64_t;
+
+constexpr ActorName make_actor_name(ProcessNumber process, std::uint32_t number) {
+  return (static_cast<ActorName>(process) + 1) << 32 | number;
+}
+
+constexpr ProcessNumber process_of(ActorName name) {
+  return static_cast<ProcessNumber>((name >> 32) - 1);
+}
+
+/// Number of an actor that every process has under the same number; which those are is not the
+/// links' business.
+enum class WellKnownActor : std::uint32_t {};
+
+/// All numbers up to this one are for well-known actors.
+inline constexpr std::uint32_t last_well_known_number = 15;
+
+constexpr ActorName make_actor_name(ProcessNumber process, WellKnownActor number) {
+  return make_actor_name(process, static_cast<std::uint32_t>(number));
+}
+
+} // namespace castor

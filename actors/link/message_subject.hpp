@@ -1,0 +1,24 @@
+#pragma once
+
+#include "castor/actors/link/wire_members.hpp"
+
+#include <cstdint>
+
+namespace castor {
+
+/// What a message between processes is about: its first byte.
+enum class MessageSubject : std::uint8_t {
+  /// For an actor: sender, receiver, CAF's message id, the message.
+  message,
+  /// The same with an error, which answers a request.
+  error,
+  /// An actor is to end.
+  exit,
+  /// An actor has ended.
+  ended,
+  /// Descriptors of types that later messages refer to.
+  types,
+};
+CASTOR_WIRE_ENUM(MessageSubject, types)
+
+} // namespace castor
