@@ -1,7 +1,5 @@
 #pragma once
 
-#include "castor/actors/cast/parse_options.hpp"
-#include "castor/base/diagnostic.hpp"
 #include "castor/base/source_location.hpp"
 #include "castor/tools/chaos/fault.hpp"
 #include "castor/wm/filters/change_filter.hpp"
@@ -10,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -86,22 +83,5 @@ std::string to_string(const Statement& x);
 
 /// A plan with the same statements.
 std::string to_string(const FaultPlan& x);
-
-struct PlanResult {
-  /// Present exactly if no diagnostic is an error.
-  std::optional<FaultPlan> plan;
-  /// In the order of the lines that they are about.
-  std::vector<Diagnostic> diagnostics;
-
-  bool ok() const noexcept { return plan.has_value(); }
-};
-
-/// Reads a plan and the files that it includes. Whatever is wrong with them is among the
-/// diagnostics. Of the options the loader and the limits matter.
-PlanResult parse_plan_file(const std::string& file, const cast::ParseOptions& options = {});
-
-/// Takes `text` for the content of `file_name`, which need not exist.
-PlanResult parse_plan(std::string_view text, const std::string& file_name,
-                      const cast::ParseOptions& options = {});
 
 } // namespace castor::faults

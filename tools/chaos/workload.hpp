@@ -1,14 +1,11 @@
 #pragma once
 
-#include "castor/actors/cast/parse_options.hpp"
-#include "castor/base/diagnostic.hpp"
 #include "castor/base/source_location.hpp"
 #include "castor/tools/chaos/fault_plan.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -117,22 +114,5 @@ std::string to_string(const WorkloadStatement& x);
 
 /// A workload with the same statements and expectations.
 std::string to_string(const Workload& x);
-
-struct WorkloadResult {
-  /// Present exactly if no diagnostic is an error.
-  std::optional<Workload> workload;
-  /// In the order of the lines that they are about.
-  std::vector<Diagnostic> diagnostics;
-
-  bool ok() const noexcept { return workload.has_value(); }
-};
-
-/// Reads a workload and the files that it includes. Whatever is wrong with them is among the
-/// diagnostics. Of the options the loader and the limits matter.
-WorkloadResult parse_workload_file(const std::string& file, const cast::ParseOptions& options = {});
-
-/// Takes `text` for the content of `file_name`, which need not exist.
-WorkloadResult parse_workload(std::string_view text, const std::string& file_name,
-                              const cast::ParseOptions& options = {});
 
 } // namespace castor::faults

@@ -1,6 +1,7 @@
 #include "castor/tools/cli/read_plan.hpp"
 
 #include "castor/actors/node/placement.hpp"
+#include "castor/tools/chaos/plan_parser.hpp"
 #include "castor/tools/cli/output.hpp"
 
 #include <vector>

@@ -3,6 +3,7 @@
 #include "castor/actors/system/known_names.hpp"
 #include "castor/actors/system/value_from_json.hpp"
 #include "castor/base/input_file.hpp"
+#include "castor/tools/chaos/workload_parser.hpp"
 #include "castor/tools/cli/bundled_file.hpp"
 #include "castor/tools/cli/output.hpp"
 #include "castor/wm/values/known_types.hpp"

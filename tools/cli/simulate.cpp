@@ -1,6 +1,6 @@
 #include "castor/base/input_file.hpp"
 #include "castor/base/log.hpp"
-#include "castor/tools/chaos/fault_plan.hpp"
+#include "castor/tools/chaos/plan_parser.hpp"
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/inspection_command.hpp"
 #include "castor/tools/cli/output.hpp"

@@ -4,6 +4,7 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/tools/chaos/injector.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
+#include "castor/tools/chaos/plan_parser.hpp"
 #include "castor/wm/filters/change_filter_parser.hpp"
 #include "castor/wm/values/json.hpp"
 

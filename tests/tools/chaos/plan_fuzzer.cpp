@@ -3,6 +3,7 @@
 
 #include "castor/tests/support/fuzzing.hpp"
 #include "castor/tools/chaos/fault_targets.hpp"
+#include "castor/tools/chaos/plan_parser.hpp"
 
 #include <cstddef>
 #include <cstdint>

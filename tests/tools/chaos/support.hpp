@@ -1,7 +1,7 @@
 #pragma once
 
-#include "castor/tools/chaos/fault_plan.hpp"
 #include "castor/tools/chaos/fault_targets.hpp"
+#include "castor/tools/chaos/plan_parser.hpp"
 
 #include <gtest/gtest.h>
 

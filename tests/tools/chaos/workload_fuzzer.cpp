@@ -3,7 +3,7 @@
 
 #include "castor/tests/support/fuzzing.hpp"
 #include "castor/tools/chaos/scene_text.hpp"
-#include "castor/tools/chaos/workload.hpp"
+#include "castor/tools/chaos/workload_parser.hpp"
 #include "castor/tools/chaos/workload_places.hpp"
 
 #include <cstddef>

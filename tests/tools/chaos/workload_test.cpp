@@ -1,6 +1,7 @@
 #include "castor/tools/chaos/workload.hpp"
 
 #include "castor/actors/cast/parser.hpp"
+#include "castor/tools/chaos/workload_parser.hpp"
 #include "castor/tools/chaos/workload_places.hpp"
 #include "castor/tools/chaos/workload_schedule.hpp"
 
