@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/actors/component/call_types.hpp"
-#include "castor/actors/runtime/served_calls.hpp"
 #include "castor/actors/runtime/neighbours.hpp"
+#include "castor/actors/runtime/served_calls.hpp"
 #include "castor/tools/simulation/happenings.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 

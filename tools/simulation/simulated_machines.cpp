@@ -27,7 +27,7 @@ void kill_actor(const caf::actor& x) {
 SimulatedMachines::SimulatedMachines(caf::actor_system& system, SystemWorld& world,
                                      std::size_t count)
   : system_(system), world_(world), count_(count), network_(system, world.random) {
-  for (Machine x = 0; x < machines.size(); ++x) {
+  for (Machine x = 0; x < machine_names.size(); ++x) {
     processes_[x].life = x;
     machine_of_life_.push_back(x);
   }
@@ -51,11 +51,11 @@ LinkOptions SimulatedMachines::link_options() {
 }
 
 Endpoint SimulatedMachines::endpoint_of(Machine x) {
-  return {std::string{machines[x]}, static_cast<std::uint16_t>(7000 + x)};
+  return {std::string{machine_names[x]}, static_cast<std::uint16_t>(7000 + x)};
 }
 
 SimulatedMachines::Machine SimulatedMachines::machine(std::string_view name) const {
-  return Machine(std::ranges::find(machines, name) - machines.begin());
+  return Machine(std::ranges::find(machine_names, name) - machine_names.begin());
 }
 
 SimulatedMachines::Machine SimulatedMachines::machine_of(Life x) const {
@@ -162,9 +162,9 @@ caf::actor SimulatedMachines::spawn_component(const ShellParts& parts, Life life
 
 LinkSpawn SimulatedMachines::spawn_link(Machine x) {
   return [this, x, life = processes_[x].life](LinkParts parts) {
-    auto peer = parts.peer == 0 ? std::string{machines[0]} : parts.peer_name;
+    auto peer = parts.peer == 0 ? std::string{machine_names[0]} : parts.peer_name;
     if (x == 0)
-      parts.self.node = machines[0];
+      parts.self.node = machine_names[0];
     // Known only once it is made, which is before it has any news.
     auto link = std::make_shared<caf::actor_addr>();
     parts.on_news = [this, life, link, then = std::move(parts.on_news)](const LinkNews& news) {
@@ -173,7 +173,7 @@ LinkSpawn SimulatedMachines::spawn_link(Machine x) {
     };
     auto result = network_.spawn_link(life, std::move(parts));
     *link = result.address();
-    own(result, life, "a link of " + std::string{machines[x]} + " to " + peer);
+    own(result, life, "a link of " + std::string{machine_names[x]} + " to " + peer);
     links_.push_back({result, life, peer});
     for (auto& silence : silences_)
       if (auto other = machine(peer);
@@ -214,7 +214,7 @@ void SimulatedMachines::start_node(Machine x) {
   auto& process = processes_[x];
   process.there = true;
   MembershipParts parts;
-  parts.name = machines[x];
+  parts.name = machine_names[x];
   parts.link = link_options();
   parts.spawn_link = spawn_link(x);
   parts.spawn = spawn(x);
@@ -226,7 +226,7 @@ void SimulatedMachines::start_node(Machine x) {
         return self->route(hello);
       return Refusal{"it ends", false};
     });
-  own(process.listener, process.life, "the listener of " + std::string{machines[x]});
+  own(process.listener, process.life, "the listener of " + std::string{machine_names[x]});
 }
 
 void SimulatedMachines::kill(Machine x, std::chrono::milliseconds back_after) {

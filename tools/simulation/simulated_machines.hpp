@@ -2,6 +2,7 @@
 
 #include "castor/actors/node/memberships.hpp"
 #include "castor/tools/chaos/fault.hpp"
+#include "castor/tools/simulation/memory_life.hpp"
 #include "castor/tools/simulation/simulated_component.hpp"
 #include "castor/tools/simulation/simulated_journal.hpp"
 #include "castor/tools/simulation/simulated_network.hpp"
@@ -21,29 +22,6 @@
 #include <vector>
 
 namespace castor::simulation {
-
-/// A working memory in one of its lives.
-struct MemoryLife {
-  std::uint64_t incarnation = 1;
-  Life process = 0;
-  WorkingMemoryActor actor;
-  /// How often its journal was opened by then; 0 without one.
-  std::uint64_t session = 0;
-  /// With a journal: the number of the first change of this life, and what it began with.
-  std::uint64_t first_sequence = 0;
-  std::shared_ptr<const StoreImage> image;
-  /// Whether it began without changes that its predecessor has acknowledged, as far as it knows.
-  bool may_lack_changes = false;
-  std::uint64_t journal_incarnation = 0;
-  JournalOptions journal;
-  /// Whether nothing has kept the journal from being written in time.
-  bool is_written_in_time = true;
-  linearizability::Tick begin = 0;
-  linearizability::Tick end = linearizability::never;
-  Timestamp end_time{0};
-
-  bool alive() const { return end == linearizability::never; }
-};
 
 /// The machines of a simulated system, the processes on them, and the faults that can be injected
 /// into those.
@@ -151,11 +129,11 @@ private:
   SystemWorld& world_;
   const std::size_t count_;
   SimulatedNetwork network_;
-  std::array<Process, machines.size()> processes_;
-  Life last_life_ = machines.size() - 1;
+  std::array<Process, machine_names.size()> processes_;
+  Life last_life_ = machine_names.size() - 1;
   std::vector<Machine> machine_of_life_;
   std::vector<Link> links_;
-  std::array<SimulatedDisk, machines.size()> disks_;
+  std::array<SimulatedDisk, machine_names.size()> disks_;
   /// With the processes that they are of.
   std::vector<std::pair<caf::actor, Life>> journal_writers_;
   std::vector<Silence> silences_;

@@ -25,13 +25,13 @@ Timestamp separation(SeededRandom& random) {
 }
 
 std::string any_node(SeededRandom& random, std::size_t count) {
-  return std::string{machines[1 + random.below(count - 1)]};
+  return std::string{machine_names[1 + random.below(count - 1)]};
 }
 
 LinkTarget any_link(SeededRandom& random, std::size_t count) {
   static constexpr std::array<std::pair<int, int>, 3> links{{{0, 1}, {0, 2}, {1, 2}}};
   auto [a, b] = links[random.below(count == 2 ? 1 : links.size())];
-  return {std::string{machines[std::size_t(a)]}, std::string{machines[std::size_t(b)]}};
+  return {std::string{machine_names[std::size_t(a)]}, std::string{machine_names[std::size_t(b)]}};
 }
 
 /// What can happen within one process.
@@ -85,7 +85,7 @@ std::vector<Statement> kill_with_late_journal(SeededRandom& random, std::size_t 
   auto late_by = milliseconds{random.between(50, 1000)};
   auto killed = begin + milliseconds{random.between(0, 2 * late_by.count())};
   return {{At{begin}, {SlowJournal{{subarchitecture}, late_by, 2 * late_by}}, {}, {}},
-          {At{killed}, {Kill{{std::string{machines[node]}}}}, {}, {}}};
+          {At{killed}, {Kill{{std::string{machine_names[node]}}}}, {}, {}}};
 }
 
 Fault any_fault(SeededRandom& random, std::size_t count, bool journals) {
@@ -97,7 +97,7 @@ Fault any_fault(SeededRandom& random, std::size_t count, bool journals) {
 
 std::size_t machine_count(std::uint64_t seed) {
   SeededRandom random{seed, "machines"};
-  return 1 + random.below(machines.size());
+  return 1 + random.below(machine_names.size());
 }
 
 JournalMode journal_mode(std::uint64_t seed) {
@@ -156,7 +156,7 @@ std::vector<Diagnostic> check_simulated(const FaultPlan& plan, std::uint64_t see
   variant.journals = journal_mode(seed);
   std::vector<std::string> nodes;
   for (std::size_t x = 1; x < variant.machines; ++x)
-    nodes.emplace_back(machines[x]);
+    nodes.emplace_back(machine_names[x]);
   auto result = check_plan(plan, targets_of(simulated_architecture(variant), nodes));
   for (auto& x : plan.statements)
     if (auto why = why_not_simulated(x); !why.empty())

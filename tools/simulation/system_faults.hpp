@@ -14,8 +14,9 @@
 
 namespace castor::simulation {
 
-/// The machines of a simulated system.
-inline constexpr std::array<std::string_view, 3> machines{faults::coordinator, "node1", "node2"};
+/// Of the machines of a simulated system; the first is the coordinator's.
+inline constexpr std::array<std::string_view, 3> machine_names{faults::coordinator, "node1",
+                                                               "node2"};
 
 /// No fault begins after that.
 inline constexpr std::chrono::milliseconds time_of_faults{1500};

@@ -22,7 +22,7 @@ private:
 
   Config config_;
 
-protected:
+public:
   /// Lets one of those run that are ready.
   void run_one(std::size_t job) {
     std::swap(scheduler.jobs.front(), scheduler.jobs[job]);
