@@ -1,90 +1,22 @@
 #pragma once
 
-#include "castor/tools/simulation/recorder.hpp"
+#include "castor/tools/simulation/entry_view.hpp"
+#include "castor/tools/simulation/operation_choice.hpp"
+#include "castor/tools/simulation/outstanding_operations.hpp"
 #include "castor/tools/simulation/seen.hpp"
+#include "castor/tools/simulation/simulated_world.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <caf/event_based_actor.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
-#include <random>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::linearizability {
-
-/// What everybody in one simulation shares. All of it runs on one thread.
-struct SimulatedWorld {
-  struct WorkingMemory {
-    std::string subarchitecture;
-    WorkingMemoryActor actor;
-  };
-  struct SimulatedEntry {
-    Address address;
-    /// Whose it is.
-    std::size_t owner = 0;
-    /// The last that anybody was told.
-    Token last_token = 0;
-  };
-
-  SimulatedWorld(std::uint64_t seed, Timestamp lease_duration)
-    : random(seed), recorder(lease_duration) {}
-
-  std::size_t pick(std::size_t count) { return random() % count; }
-  bool chance(unsigned percent) { return pick(100) < percent; }
-  void find(std::string what) { findings.push_back(std::move(what)); }
-
-  std::mt19937_64 random;
-  Recorder recorder;
-  std::vector<WorkingMemory> working_memories;
-  std::vector<SimulatedEntry> entries;
-  /// Operations that the clients may still begin.
-  std::size_t operations_left = 0;
-  std::int64_t stamps = 0;
-  Client last_client = 0;
-  /// Components by number.
-  std::vector<ClientPtr> identities{nullptr};
-  std::vector<caf::actor> alive;
-  /// Those of whom not every working memory need have heard that they died.
-  std::vector<ClientPtr> dead;
-  /// Writes that were made in one.
-  std::vector<std::vector<Recorder::Index>> batches;
-  /// What is wrong, other than what the checker finds.
-  std::vector<std::string> findings;
-};
-
-/// How a client behaves, other than well.
-struct Temper {
-  /// Goes through any working memory, not only its own.
-  bool roams = false;
-  /// Never renews its leases.
-  bool negligent = false;
-  /// Gives up waiting.
-  bool impatient = false;
-  /// Shows old tokens and guessed versions.
-  bool forges = false;
-  /// Dies in the middle.
-  bool mortal = false;
-};
-
-/// What a client believes of an entry.
-struct EntryView {
-  std::optional<Version> seen;
-  bool present = false;
-  /// In hand, and obtained so often.
-  Token token = 0;
-  std::size_t times = 0;
-  /// A lock was never answered: it may have obtained the lease once more than it knows.
-  bool unsure = false;
-  /// Of leases it had.
-  std::vector<Token> old_tokens;
-  /// Of these, those that were given back.
-  std::vector<Token> returned_tokens;
-};
 
 struct SimulatedClientParts {
   SimulatedWorld* world = nullptr;
@@ -134,54 +66,17 @@ protected:
 private:
   using Index = Recorder::Index;
 
-  /// From one client, through one working memory, to one working memory: first come, first served.
-  struct Route {
-    std::size_t via = 0;
-    std::size_t owner = 0;
-    bool operator==(const Route&) const = default;
-  };
-
-  /// An operation that was not answered yet.
-  struct Outstanding {
-    /// Rises with every message of the client.
-    std::uint64_t number = 0;
-    Route route;
-    std::vector<Index> records;
-    WaitNumber wait = 0;
-    /// The message by which it was given up; 0 if it was not.
-    std::uint64_t given_up_by = 0;
-    Tick given_up_at = never;
-  };
-
-  /// A lease that was given up before its grant was known.
-  struct Unwanted {
-    std::uint32_t entry = 0;
-    Token token = 0;
-    Route route;
-    std::uint64_t given_up_by = 0;
-  };
-
   // -- what to do
   void step();
   void act();
-  bool is_waiting() const;
   void rest();
   void die();
-  OperationKind pick_kind(const EntryView& view);
-  std::optional<Version> version_to_show(const EntryView& view);
-  Token token_to_show(std::uint32_t entry);
 
   // -- operations
   void begin(std::uint32_t entry, OperationKind kind);
   void write(std::uint32_t entry, OperationKind kind);
   void write_several();
   void read_all();
-  void lock(OperationRecord x);
-  void unlock(const OperationRecord& x);
-  void renew();
-  /// Whether it may hold a lease of the entry of which it does not know.
-  bool may_hold_unawares(std::uint32_t entry) const;
-  void give_up_something();
   OperationRecord planned_write(std::uint32_t entry, OperationKind kind);
   WriteRequest request_for(const OperationRecord& x) const;
   Patience patience(WaitNumber number);
@@ -191,13 +86,21 @@ private:
   template <class Reply, class Request, class F>
   void ask(Route route, const Request& request, std::vector<Index> records, WaitNumber wait,
            F answered);
-  Outstanding take_outstanding(std::uint64_t number, bool arrived);
   void not_answered(std::uint64_t number, const caf::error& e);
+
+  // -- leases
+  void lock(OperationRecord x);
+  void unlock(const OperationRecord& x);
+  void obtained(const Outstanding& x, Token token);
+  void renew();
+  void renewal_answered(const std::vector<std::pair<std::uint32_t, Token>>& renewed, Timestamp sent,
+                        const RenewReply& answer);
+  /// Whether it may hold a lease of the entry of which it does not know.
+  bool may_hold_unawares(std::uint32_t entry) const;
+  void give_up_something();
 
   // -- what came of it
   void wrote(Index record, Version version);
-  void obtained(const Outstanding& x, Token token);
-  void lost(EntryView& view);
   void failed(Index record, const Failure& failure);
 
   SimulatedWorld& world_;
@@ -205,12 +108,26 @@ private:
   Client number_;
   ClientPtr identity_;
   std::vector<EntryView> views_;
-  std::deque<Outstanding> outstanding_;
-  std::vector<Unwanted> unwanted_;
-  std::uint64_t sent_ = 0;
+  OperationChoice choice_;
+  OutstandingOperations outstanding_;
   WaitNumber last_wait_ = 0;
   /// Whether it will go on without an answer.
   bool stepping_ = false;
 };
+
+template <class Reply, class Request, class F>
+void SimulatedClient::ask(Route route, const Request& message, std::vector<Index> records,
+                          WaitNumber wait, F answered) {
+  auto number = outstanding_.add(route, std::move(records), wait);
+  request(way_to(route.via), deadline(), message)
+    .then(
+      [this, number, answered](const Outcome<Reply>& x) {
+        auto arrived = x || x.failure().kind != FailureKind::working_memory_lost;
+        answered(outstanding_.take(number, arrived), x);
+        if (!outstanding_.is_awaited())
+          go_on();
+      },
+      [this, number](const caf::error& e) { not_answered(number, e); });
+}
 
 } // namespace castor::linearizability
