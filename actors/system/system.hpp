@@ -1,23 +1,17 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
-#include "castor/actors/component/task_event.hpp"
-#include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/node/system_options.hpp"
-#include "castor/actors/runtime/status.hpp"
+#include "castor/actors/system/run_limits.hpp"
+#include "castor/actors/system/system_summary.hpp"
 #include "castor/base/diagnostic.hpp"
-#include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/entry.hpp"
-#include "castor/wm/filters/change_filter.hpp"
 
 #include <chrono>
-#include <filesystem>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor {
@@ -25,30 +19,7 @@ namespace castor {
 struct SystemRoster;
 using SystemRosterPtr = std::shared_ptr<const SystemRoster>;
 
-/// A process, and what it has exchanged with the others.
-struct ProcessSummary {
-  ProcessDescription description;
-  ProcessUsage usage;
-  std::vector<LinkStatus> links;
-};
-
-struct SystemSummary {
-  /// The coordinator's first; those that are in reach.
-  std::vector<ProcessSummary> processes;
-  /// Those that are in reach, in the order of the file.
-  std::vector<WorkingMemoryStatus> working_memories;
-  /// In the order of their start.
-  std::vector<ComponentStatus> components;
-  /// Components of this process that did not stop when they were told to; their threads are still
-  /// running, so the process has to leave without destroying the system: see `System::abandon`.
-  std::vector<std::string> stuck;
-  /// Components of any process that did not stop when the system did, with those whose processes
-  /// had to be killed for that.
-  std::vector<std::string> unstopped;
-};
-
-/// Why `System::wait` returned.
-enum class EndReason { ended_by_component, time_over, quiet, interrupted, all_failed };
+class FaultPort;
 
 /// A whole architecture: its coordinator, and what of it runs in this process. The rest runs on
 /// nodes, where the architecture says so.
@@ -74,12 +45,7 @@ public:
   /// then; nothing was started. All other failures are dealt with by the supervisors.
   bool start();
 
-  struct Until {
-    /// Nothing: no limit.
-    std::optional<std::chrono::nanoseconds> at_most;
-    /// Until nothing was changed and nobody was busy for so long.
-    std::optional<std::chrono::nanoseconds> quiet;
-  };
+  using Until = RunLimits;
 
   /// Waits until the system ends of itself, or for the other reasons asked for.
   EndReason wait(const Until& until);
@@ -107,20 +73,8 @@ public:
   /// Takes leave of the nodes, where the system cannot be destroyed; to be called last.
   void abandon();
 
-  /// Injects a fault into a component or a working memory; false if there is none of that name in
-  /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards
-  /// comes after the fault.
-  bool inject(const std::string& component, const ComponentFault& x);
-
-  /// Injects a fault into the link between two processes, by their numbers.
-  void inject(ProcessNumber a, ProcessNumber b, const LinkFault& x);
-
-  /// Injects a fault into the journal of a working memory, until that has ended; false if there is
-  /// no such working memory in reach.
-  bool inject(const std::string& subarchitecture, const JournalFault& x);
-
-  /// Lets the clock of a working memory jump; false if there is none in reach.
-  bool jump_clock(const std::string& subarchitecture, Timestamp by);
+  /// Through which tests and fault plans inject faults (fault_port.hpp), from any thread.
+  FaultPort& faults();
 
   /// Who takes part now.
   SystemRosterPtr roster() const;
@@ -136,7 +90,7 @@ public:
   std::chrono::steady_clock::time_point epoch() const;
 
 private:
-  class Implementation;
+  struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -2,7 +2,8 @@
 
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
-#include "castor/actors/system/local_endpoint.hpp"
+#include "castor/actors/supervision/roster.hpp"
+#include "castor/actors/system/fault_port.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/log.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
@@ -56,7 +57,7 @@ bool inject_into_links(System& system, const std::vector<std::string>& group,
       auto b = number_of(*roster, y);
       if (!a || !b || a == b)
         continue;
-      system.inject(*a, *b, fault);
+      system.faults().inject(*a, *b, fault);
       found = true;
     }
   return found;
@@ -212,7 +213,7 @@ namespace {
 template <class Outcome>
 Outcome inject_into_component(System& system, const ComponentTarget& target,
                               const ComponentFault& x) {
-  if (!system.inject(target.name, x))
+  if (!system.faults().inject(target.name, x))
     return {false, not_there("component " + target.name)};
   return {};
 }
@@ -377,7 +378,7 @@ Injector::Outcome Injector::apply(const Reorder&) {
 }
 
 Injector::Outcome Injector::inject_into_journal(const MemoryTarget& memory, const JournalFault& x) {
-  if (!parts_.system->inject(memory.subarchitecture, x))
+  if (!parts_.system->faults().inject(memory.subarchitecture, x))
     return {false, not_there("working memory of " + memory.subarchitecture)};
   return {};
 }
@@ -426,7 +427,7 @@ Injector::Outcome Injector::apply(const ClaimJournal& x) {
 }
 
 Injector::Outcome Injector::apply(const JumpClock& x) {
-  if (!parts_.system->jump_clock(x.memory.subarchitecture, x.by))
+  if (!parts_.system->faults().jump_clock(x.memory.subarchitecture, x.by))
     return {false, not_there("working memory of " + x.memory.subarchitecture)};
   return {};
 }

@@ -1,4 +1,5 @@
 #include "castor/actors/component/call_types.hpp"
+#include "castor/actors/system/fault_port.hpp"
 #include "castor/tests/actors/component/scripted.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
@@ -273,7 +274,7 @@ protected:
                                subarchitecture("b") + "CPP MG server Managed\n")};
     ASSERT_TRUE(system.start());
     ASSERT_TRUE(eventually([&] { return is_left(system, "CallProgress"); }));
-    ASSERT_TRUE(system.inject("a_wm", ComponentFault{}));
+    ASSERT_TRUE(system.faults().inject("a_wm", ComponentFault{}));
     EXPECT_TRUE(eventually([&] { return calls == 2; })) << "the caller is back";
     EXPECT_TRUE(eventually([&] { return was_cancelled.load(); }));
     reply = true;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "castor/actors/cast/description.hpp"
+#include "castor/actors/node/placement.hpp"
+#include "castor/actors/node/processes.hpp"
+#include "castor/actors/node/system_options.hpp"
+#include "castor/actors/system/observation.hpp"
+#include "castor/actors/system/roster_feed.hpp"
+#include "castor/actors/system/supervisor_client.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// Adds components to a running system, and removes them.
+class Reconfiguration {
+public:
+  /// All of them have to outlive it. The architecture is that of the system, and follows its
+  /// changes.
+  Reconfiguration(ArchitectureDescription& architecture, const SystemOptions& options,
+                  Processes& processes, const RosterFeed& roster, SupervisorClient& supervisor,
+                  Observation& observation);
+
+  /// Returns what stands in the way; then the system is as it was.
+  std::vector<Diagnostic> add(ArchitectureDescription added);
+
+  /// Returns why that cannot be done; empty if it was.
+  std::string remove(const std::string& name);
+
+private:
+  void take_back(Placement placement);
+  void forget_lost_hosts(Placement& placement) const;
+
+  ArchitectureDescription& architecture_;
+  const SystemOptions& options_;
+  Processes& processes_;
+  const RosterFeed& roster_;
+  SupervisorClient& supervisor_;
+  Observation& observation_;
+  /// Of the next component that is added.
+  std::size_t next_number_ = 0;
+};
+
+} // namespace castor

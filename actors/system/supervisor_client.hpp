@@ -1,0 +1,63 @@
+#pragma once
+
+#include "castor/actors/supervision/supervisor.hpp"
+
+#include <caf/actor_system.hpp>
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor {
+
+/// Every component, working memories and task managers included, that has a name.
+std::vector<std::string> names_of(const ArchitectureDescription& x);
+
+/// The supervisor of a system, for its main thread, which waits for the answers.
+class SupervisorClient {
+public:
+  /// Both have to outlive it.
+  SupervisorClient(caf::actor_system& system, const SystemOptions& options)
+    : system_(system), options_(options) {}
+
+  void begin(SupervisorParts parts);
+  void end();
+
+  /// Makes it so in every process. Throws SystemError.
+  void deploy(const ArchitectureDescription& architecture, const Placement& placement);
+
+  /// Configures them all, then starts them all, then lets them run. Nothing if interrupted,
+  /// otherwise what is wrong with their configuration; then none of them is started.
+  std::optional<std::vector<Diagnostic>> start(const std::vector<std::string>& names);
+
+  /// Returns those that have stopped, in the order of their end.
+  std::vector<std::string> stop(const std::vector<std::string>& names);
+  /// The same, and logs them.
+  void stop_and_log(const std::vector<std::string>& names);
+
+  /// Those that did not stop.
+  const std::vector<std::string>& stuck() const { return stuck_; }
+
+  /// Safe to call from any thread; nobody is told before it begins and once it has ended.
+  template <class Message>
+  void tell(const Message& x) const {
+    std::lock_guard guard{mutex_};
+    if (supervisor_)
+      caf::anon_send(supervisor_, x);
+  }
+
+private:
+  /// Nothing if the answer was not waited for, because somebody has interrupted that.
+  template <class Answer, class Question>
+  std::optional<Answer> ask(const Question& question, bool interruptible);
+
+  caf::actor_system& system_;
+  const SystemOptions& options_;
+  mutable std::mutex mutex_;
+  caf::actor supervisor_;
+  std::vector<std::string> stuck_;
+};
+
+} // namespace castor
