@@ -1,7 +1,8 @@
 #pragma once
 
+#include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/runtime/status.hpp"
-#include "castor/actors/system/local_endpoint.hpp"
+#include "castor/actors/supervision/roster.hpp"
 
 #include <optional>
 #include <vector>

@@ -6,6 +6,7 @@
 #include "castor/actors/system/inspection_context.hpp"
 #include "castor/actors/system/operator_requests.hpp"
 #include "castor/actors/system/replay.hpp"
+#include "castor/actors/system/request_lines.hpp"
 #include "castor/base/suggestion.hpp"
 #include "castor/wm/filters/change_filter_parser.hpp"
 

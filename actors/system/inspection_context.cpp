@@ -1,7 +1,7 @@
 #include "castor/actors/system/inspection_context.hpp"
 
 #include "castor/actors/node/types_protocol.hpp"
-#include "castor/actors/system/operator_requests.hpp"
+#include "castor/actors/system/operator_client.hpp"
 
 namespace castor {
 

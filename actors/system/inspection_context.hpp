@@ -1,10 +1,12 @@
 #pragma once
 
 #include "castor/actors/runtime/operation_log.hpp"
-#include "castor/actors/system/inspection.hpp"
 #include "castor/actors/system/inspection_json.hpp"
+#include "castor/actors/system/inspection_protocol.hpp"
 #include "castor/actors/system/known_names.hpp"
 #include "castor/wm/entries/change_event.hpp"
+
+#include <caf/event_based_actor.hpp>
 
 #include <chrono>
 #include <cstdint>

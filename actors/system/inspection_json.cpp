@@ -1,7 +1,6 @@
 #include "castor/actors/system/inspection_json.hpp"
 
 #include "castor/actors/link/dial.hpp"
-#include "castor/actors/system/system.hpp"
 #include "castor/actors/system/value_from_json.hpp"
 #include "castor/wm/values/json.hpp"
 

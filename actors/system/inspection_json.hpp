@@ -1,9 +1,10 @@
 #pragma once
 
 #include "castor/actors/component/task_event.hpp"
+#include "castor/actors/supervision/roster.hpp"
 #include "castor/actors/system/component_statuses.hpp"
-#include "castor/actors/system/local_endpoint.hpp"
 #include "castor/actors/system/replay.hpp"
+#include "castor/actors/system/system_summary.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,8 +27,6 @@ struct SystemReport {
   PartStatuses parts;
   std::vector<WorkingMemoryStatus> working_memories;
 };
-
-struct SystemSummary;
 
 Json to_json(const SystemReport& report, const SystemRoster& roster);
 /// What the processes, working memories and components of a system did, for its end.

@@ -1,5 +1,6 @@
 #include "castor/actors/system/observer.hpp"
 
+#include "castor/wm/entries/working_memory_name.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <algorithm>

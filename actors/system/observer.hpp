@@ -1,8 +1,9 @@
 #pragma once
 
-#include "castor/actors/system/system.hpp"
+#include "castor/actors/node/system_options.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/log.hpp"
+#include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_response_promise.hpp>

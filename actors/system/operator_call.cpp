@@ -1,3 +1,4 @@
+#include "castor/actors/system/operator_client.hpp"
 #include "castor/actors/system/operator_requests.hpp"
 
 #include "castor/actors/component/call_types.hpp"

@@ -1,11 +1,8 @@
 #include "castor/actors/system/operator_requests.hpp"
 
+#include "castor/actors/system/operator_client.hpp"
 #include "castor/actors/system/value_from_json.hpp"
 
-#include <pwd.h>
-#include <unistd.h>
-
-#include <atomic>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -14,12 +11,6 @@
 namespace castor {
 
 namespace {
-
-/// Counts the clients of this process, and the ids that it makes.
-std::uint64_t next_number() {
-  static std::atomic<std::uint64_t> last = 0;
-  return ++last;
-}
 
 /// What is known of an entry once it is written.
 Json written(const WriteRequest& x, const std::string& type, Version version) {
@@ -46,7 +37,7 @@ void write(const InspectionContextPtr& context, WriteRequest request, std::strin
         return context->answer(written(request, type, *x));
       if (other_ids > 0 && x.failure().kind == FailureKind::already_exists) {
         auto again = request;
-        again.address.id = "operator:" + std::to_string(next_number());
+        again.address.id = "operator:" + std::to_string(next_operator_number());
         return context->guarded([&] { write(context, std::move(again), type, other_ids - 1); });
       }
       context->refuse(x.failure().message);
@@ -96,20 +87,6 @@ TypeDescriptorPtr wanted_type(const std::string& name, const TypeCatalogue& type
 
 } // namespace
 
-const std::string& operator_source() {
-  static const std::string result = [] {
-    auto* user = getpwuid(geteuid());
-    return std::string{operators} + ':' +
-           (user ? std::string{user->pw_name} : std::to_string(geteuid()));
-  }();
-  return result;
-}
-
-ClientPtr new_operator_client() {
-  return std::make_shared<const Client>(
-    Client{operator_source(), std::string{operators}, next_number()});
-}
-
 void add_entry(const InspectionContextPtr& context, const Json& request) {
   auto name = request.at("type").get<std::string>();
   bool wait = request.value("wait", false);
@@ -124,7 +101,7 @@ void add_entry(const InspectionContextPtr& context, const Json& request) {
   int other_ids = 0;
   if (write_request.address.id.empty()) {
     other_ids = most_ids;
-    write_request.address.id = "operator:" + std::to_string(next_number());
+    write_request.address.id = "operator:" + std::to_string(next_operator_number());
   }
   context->with_types([=, value = request.at("value")](const TypeCatalogue& types) {
     bool is_there = context->parts.roster->working_memories.count(subarchitecture) > 0 &&

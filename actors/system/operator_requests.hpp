@@ -8,12 +8,6 @@
 /// permission that ACCESS lines about operators give or take.
 namespace castor {
 
-/// Who stands as the source of what this user writes: "operator:ann".
-const std::string& operator_source();
-
-/// Another one for each request: its end is the end of what the request has made ephemeral.
-ClientPtr new_operator_client();
-
 // Each answers the request of that name (docs/introspection.md). They throw where a request makes
 // no sense.
 void add_entry(const InspectionContextPtr& context, const Json& request);

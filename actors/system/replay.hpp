@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/actors/system/local_endpoint.hpp"
+#include "castor/actors/supervision/roster.hpp"
 #include "castor/actors/system/recording.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
