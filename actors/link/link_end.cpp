@@ -366,7 +366,7 @@ void LinkEnd::tick() {
   driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
   auto now = driver_.now();
   if (connection_ && discarding_input_ && !is_silent())
-    disconnected("what was said was not heard");
+    disconnected("sent data was not acknowledged");
   if (connection_) {
     if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
       disconnected("no sign of life");

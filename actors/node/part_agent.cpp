@@ -63,7 +63,7 @@ void inject(Self self, const InjectComponentFault& x) {
       resident.actor->enqueue(
         nullptr, caf::make_message_id(),
         caf::make_message(caf::exit_msg{
-          self->address(), caf::make_error(caf::sec::runtime_error, "it was made to crash")}),
+          self->address(), caf::make_error(caf::sec::runtime_error, "injected crash")}),
         self->context());
   }
 }

@@ -27,7 +27,7 @@ constexpr auto castor_reflection(TypeTag<JournalFailure>) {
 struct WorkingMemoryClass {
   static constexpr const char* name = "SubarchitectureWorkingMemory";
   static constexpr const char* help =
-    "holds the entries of a subarchitecture and tells of their changes";
+    "holds the entries of a subarchitecture and sends change events";
 
   WorkingMemoryClass() = default;
 
@@ -42,7 +42,7 @@ struct WorkingMemoryClass {
     options,
     "ignore",
     {},
-    "changes in these subarchitectures are not told to this one's components"};
+    "change events of these subarchitectures are not sent to this one's components"};
   Option<bool> log{options, "log", false, "log every change at level debug"};
   Option<bool> debug{options, "debug", false, "log every change at level trace"};
   Option<std::chrono::milliseconds> lease{

@@ -51,7 +51,7 @@ void InjectedFaults::in_callback() {
   }
   if (failure_in_ > 0 && --failure_in_ == 0) {
     report_effect(failure_ticket_);
-    throw std::runtime_error("it was made to fail here");
+    throw std::runtime_error("injected failure");
   }
 }
 

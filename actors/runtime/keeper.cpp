@@ -69,7 +69,7 @@ caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
         log_runtime(
           LogLevel::warning, x.component->identity().full_name(),
           fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
-                      "hears neither events nor a stop meanwhile, and its leases run out",
+                      "receives neither events nor a stop request meanwhile, and its leases expire",
                       std::chrono::duration<double>(x.duration).count(),
                       std::chrono::duration<double>(x.component->budget()).count()));
         if (parts.on_overrun)

@@ -67,8 +67,7 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
                      {identity.subarchitecture, {}}};
     if (!deadlock_.empty())
       return Failure{FailureKind::deadlock,
-                     identity.full_name() +
-                       " gives up waiting, because it waits for itself: " + deadlock_,
+                     identity.full_name() + " gives up waiting; wait cycle: " + deadlock_,
                      waiting_->address};
     parts_.actor.pump(wait ? std::min(until, next_probe) : until);
     // A stream of events wakes us again and again; the deadline holds all the same.

@@ -113,7 +113,7 @@ void ComponentShell::live_or_fail() {
       std::abort();
     }
     life_.leave_configure();
-    fail("it was made to crash");
+    fail("injected crash");
   } catch (const WorkingMemoryLostException& e) {
     auto& lost = e.address().subarchitecture;
     if (life_.is_working_memory_lost())

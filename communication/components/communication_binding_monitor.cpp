@@ -173,7 +173,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 };
 
 CASTOR_COMPONENT(CommunicationBindingMonitor,
-                 "finds what is spoken of, and tells binding of what is asserted")
+                 "resolves references, and adds what is asserted to binding")
 
 } // namespace
 

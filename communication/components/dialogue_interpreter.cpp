@@ -61,7 +61,8 @@ class DialogueInterpreter final : public UnmanagedComponent {
   }
 };
 
-CASTOR_COMPONENT(DialogueInterpreter, "tells assertions, questions, requests and greetings apart")
+CASTOR_COMPONENT(DialogueInterpreter,
+                 "classifies dialogue moves: assertions, questions, requests, greetings")
 
 } // namespace
 

@@ -177,7 +177,7 @@ class UtteranceSource final : public UnmanagedComponent {
   std::optional<Timestamp> last_change_;
 };
 
-CASTOR_COMPONENT(UtteranceSource, "says what is typed, or stands in a file")
+CASTOR_COMPONENT(UtteranceSource, "adds utterances that are typed, or read from a file")
 
 } // namespace
 

@@ -43,10 +43,10 @@ int call(const Arguments& arguments) {
 void add_call(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    app, "call", "ask a subarchitecture of a running system for something", arguments->system);
+    app, "call", "send a request to a subarchitecture of a running system", arguments->system);
   command
     ->add_option("SUBARCHITECTURE", arguments->subarchitecture,
-                 "any of its components that serves such requests may answer")
+                 "subarchitecture that serves such requests; any of its components may reply")
     ->required();
   command->add_option("REQUEST-TYPE", arguments->type, "the type of the request")->required();
   command

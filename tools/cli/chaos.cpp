@@ -346,44 +346,45 @@ private:
 
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
   auto* command =
-    app.add_subcommand("chaos", "run a system, inject faults, and say whether it recovered");
+    app.add_subcommand("chaos", "run a system with injected faults and verify that it recovers");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command
     ->add_option("--plan", arguments->plan,
-                 "the faults to inject (docs/fault-plans.md); without, a mix of all that it should "
-                 "survive")
+                 "fault plan (docs/fault-plans.md); by default a random mix of all faults that the "
+                 "system should survive")
     ->type_name("FILE");
   command
     ->add_option("--workload", arguments->workload,
-                 "what somebody says and does meanwhile (docs/fault-plans.md); by default the file "
-                 "beside FILE whose name ends with .workload, if there is one; none: nothing")
+                 "sentences and actions during the run (docs/fault-plans.md); by default the "
+                 ".workload file beside FILE, if there is one; none: nothing")
     ->type_name("FILE");
   command
     ->add_option("--seed", arguments->seed,
-                 "draws what the plan leaves open; the same seed makes "
-                 "the same faults")
+                 "seed for what the plan leaves open; the same seed gives the same faults")
     ->type_name("N");
-  auto seeds = command
-                 ->add_option("--seeds", arguments->seeds,
-                              "one run for each of these seeds, and what all of them hit")
-                 ->type_name("FROM..TO")
-                 ->check(check_seeds)
-                 ->excludes("--seed");
+  auto seeds =
+    command
+      ->add_option("--seeds", arguments->seeds,
+                   "one run for each of these seeds, and a table of what all of them hit")
+      ->type_name("FROM..TO")
+      ->check(check_seeds)
+      ->excludes("--seed");
   command
     ->add_option("--rate", arguments->rate,
-                 "faults per minute, whatever restarts that takes; without, 30, but fewer where "
-                 "supervisors would not allow so many restarts")
+                 "faults per minute, whatever the restart limits are; by default 30, or fewer if "
+                 "the restart limits require it")
     ->type_name("N")
     ->check(CLI::Range(0.1, 6000.0))
     ->excludes("--plan");
   command
     ->add_flag("--find-limit", arguments->find_limit,
-               "try out how many failures per minute the supervisors bear, by bisection; each try "
-               "lasts --duration")
+               "find the highest rate of failures per minute that supervision survives, by "
+               "bisection; each trial lasts --duration")
     ->excludes("--plan")
     ->excludes(seeds);
-  command->add_option("--duration", arguments->duration, "how long faults happen; by default 1min")
+  command
+    ->add_option("--duration", arguments->duration, "how long faults are injected; by default 1min")
     ->type_name("DURATION")
     ->check(check_duration);
   command->add_option("--report", arguments->report, "write chaos.html and chaos.json here")
@@ -391,28 +392,28 @@ void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& pl
     ->check(check_output_folder);
   command
     ->add_option("--spread", arguments->spread,
-                 "spread everything over so many nodes, whatever hosts the file names")
+                 "distribute the system over N nodes, whatever hosts the file names")
     ->type_name("N")
     ->check(CLI::Range(1, 100));
   command
     ->add_option("--same", arguments->same,
-                 "entries of these types have to be the same in the end as in a run without "
-                 "faults, which is made first")
+                 "entry types whose final entries must be the same as in a run without faults, "
+                 "which is made first")
     ->type_name("TYPE")
     ->delimiter(',');
   command
     ->add_option("--but-for", arguments->but_for,
-                 "fields that do not count then, such as times and ids")
+                 "fields to ignore in that comparison, such as times and ids")
     ->type_name("FIELD")
     ->delimiter(',');
   command
     ->add_option("--settle", arguments->settle,
-                 "the end is when nothing has changed for so long; by default 2s")
+                 "the run has settled when nothing has changed for this long; by default 2s")
     ->type_name("DURATION")
     ->check(check_duration);
   command
     ->add_option("--bound", arguments->bound,
-                 "whatever goes down has to be back, or given up, so soon; by default 10s")
+                 "whatever goes down must be back, or given up, within this time; by default 10s")
     ->type_name("DURATION")
     ->check(check_duration);
   add_json_flag(*command, arguments->json);

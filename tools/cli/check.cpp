@@ -82,7 +82,7 @@ int check(const Arguments& arguments) {
 
 void add_check(CLI::App& app, Action& chosen) {
   auto* command =
-    app.add_subcommand("check", "say what is wrong with a .cast file, without running it");
+    app.add_subcommand("check", "report the errors of a .cast file without running it");
   auto arguments = std::make_shared<Arguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command->add_option("--plan", arguments->plan, "check a fault plan against the system, too")
@@ -96,7 +96,7 @@ void add_check(CLI::App& app, Action& chosen) {
     ->check(CLI::Range(1, 100));
   command->add_flag("--expand", arguments->expand,
                     "print the file's #EXPAND comments with their variables replaced");
-  command->add_flag("--json", arguments->json, "print the architecture as it was understood");
+  command->add_flag("--json", arguments->json, "print the parsed architecture");
   command->footer(
     "Every error is printed, not only the first.\n"
     "Exit status: 0 if there is no error, 1 if there is any, 2 if the command line is wrong.\n"

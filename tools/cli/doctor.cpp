@@ -184,7 +184,7 @@ int doctor(bool json) {
 
 void add_doctor(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
-    "doctor", "check whether this machine has what Castor needs, and say what to do if not");
+    "doctor", "check this machine for what Castor needs, and how to fix what is missing");
   auto json = std::make_shared<bool>(false);
   add_json_flag(*command, *json);
   command->footer(

@@ -38,7 +38,7 @@ int events(const Arguments& arguments) {
 void add_events(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    app, "events", "print the changes in a running system, as they happen", arguments->system);
+    app, "events", "print the change events of a running system as they happen", arguments->system);
   command
     ->add_option("FILTER", arguments->filter,
                  "[added|overwritten|deleted|changed] [TYPE] [in SUBARCHITECTURE] "
@@ -46,11 +46,10 @@ void add_events(CLI::App& app, Action& chosen) {
     ->type_name("");
   add_json_flag(*command, arguments->json);
   add_wait_flag(*command, arguments->wait);
-  command->footer(
-    "Examples: castor events\n"
-    "          castor events overwritten SceneObject in vision changing color\n"
-    "          castor events added ROI where 'area > 400'\n"
-    "Events are filtered where they arise. A reader that is too slow gets them merged.");
+  command->footer("Examples: castor events\n"
+                  "          castor events overwritten SceneObject in vision changing color\n"
+                  "          castor events added ROI where 'area > 400'\n"
+                  "Events are filtered at their source. For a slow reader they are merged.");
   on_call(*command, chosen, arguments, events);
 }
 

@@ -59,7 +59,8 @@ int graph(const Arguments& arguments) {
 void add_graph(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    app, "graph", "draw who writes and reads what, as observed so far", arguments->system);
+    app, "graph", "draw which components write and read which types, as observed so far",
+    arguments->system);
   command->add_option("--svg", arguments->svg, "draw it into this file, as an SVG picture")
     ->type_name("FILE")
     ->check(check_output_file);

@@ -24,9 +24,9 @@ CLI::App* inspection_command(CLI::App& app, const std::string& name, const std::
                              std::string& system) {
   auto* result = app.add_subcommand(name, help);
   result
-    ->add_option("--system", system,
-                 "which of the systems that run on this machine, or the beginning of its name; "
-                 "`castor ps` shows them")
+    ->add_option(
+      "--system", system,
+      "name of a running system on this machine, or the beginning of it; `castor ps` lists them")
     ->type_name("NAME");
   return result;
 }
@@ -36,9 +36,9 @@ void add_json_flag(CLI::App& command, bool& json) {
 }
 
 void add_wait_flag(CLI::App& command, bool& wait) {
-  command.add_flag("--wait", wait,
-                   "also for types, components and subarchitectures that are not there yet: do not "
-                   "check whether the system knows the names");
+  command.add_flag(
+    "--wait", wait,
+    "accept names of types, components and subarchitectures that the system does not know yet");
 }
 
 void add_where_option(CLI::App& command, std::string& where) {

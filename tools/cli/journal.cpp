@@ -275,14 +275,15 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& hel
 } // namespace
 
 void add_journal(CLI::App& app, Action& chosen) {
-  auto* journal = app.add_subcommand("journal", "look into the journals of working memories");
+  auto* journal =
+    app.add_subcommand("journal", "inspect, export and replay journals of working memories");
   journal->require_subcommand(1);
   journal->footer(
     "A working memory keeps a journal if its WM line says --journal full or --journal "
     "batched; --journal-keep makes it a recording.");
 
   auto arguments = std::make_shared<Arguments>();
-  auto* ls = command(*journal, "ls", "list journals and recordings, and see whether they are sound",
+  auto* ls = command(*journal, "ls", "list journals and recordings, and check their integrity",
                      chosen, arguments, list);
   ls->add_option("PLACE", arguments->files,
                  "journals and files of pushes, or folders with some; otherwise `journals`")

@@ -174,12 +174,12 @@ int export_changes(const Arguments& arguments) {
 
 void add_journal_export(CLI::App& journal, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = journal.add_subcommand("export", "write what was recorded in another format");
+  auto* command = journal.add_subcommand("export", "export a recording in another format");
   add_places_argument(*command, arguments->places);
   command
     ->add_option("--mcap", arguments->mcap,
-                 "for Foxglove and Lichtblick: a topic for each type; pictures, poses and boxes "
-                 "also as what these show as pictures and in 3-D")
+                 "MCAP for Foxglove and Lichtblick: a topic for each type; pictures, poses and "
+                 "boxes also as messages that these display")
     ->type_name("OUT")
     ->check(check_output_file);
   command->add_option("--jsonl", arguments->jsonl, "JSON, one change on a line; - prints it")

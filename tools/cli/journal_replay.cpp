@@ -358,60 +358,61 @@ int replay(const Arguments& arguments) {
 
 void add_journal_replay(CLI::App& journal, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = journal.add_subcommand(
-    "replay", "make the recorded changes again, in the system of the recording, in that of a .cast "
-              "file, or in a running one");
+  auto* command =
+    journal.add_subcommand("replay", "replay recorded changes: in the recorded system, in that of "
+                                     "a .cast file, or in a running one");
   add_places_argument(*command, arguments->places);
   command
     ->add_option("--into", arguments->into,
-                 "a system that runs on this machine; `castor ps` shows them")
+                 "running system on this machine; `castor ps` lists them")
     ->type_name("SYSTEM");
   command
     ->add_option("--config", arguments->architecture.file,
-                 "run the system of this file meanwhile, without those whose writes are replayed; "
-                 "without it, that of the recording")
+                 "run the system of this file, without the components whose writes are replayed; "
+                 "by default the recorded system")
     ->type_name("FILE.cast");
   add_set_option(*command, arguments->architecture);
   command
-    ->add_option("--without", arguments->without,
-                 "replay the writes of these components only, and leave only them out; a "
-                 "subarchitecture stands for all its components. All others work on what is "
-                 "replayed")
+    ->add_option(
+      "--without", arguments->without,
+      "replay only the writes of these components, and do not run them; a subarchitecture stands "
+      "for all its components. All others run, and work on the replayed entries")
     ->type_name("NAME")
     ->delimiter(',');
   command
     ->add_option("--speed", arguments->speed,
-                 "1 is as it was, 2 is twice as fast; max is as fast as can be")
+                 "1: as recorded, 2: twice as fast, max: as fast as possible")
     ->type_name("N|max");
   command
     ->add_option("--from", arguments->from,
-                 "begin so long after the recording's beginning; entries that existed before are "
-                 "there")
+                 "start this far into the recording; entries that existed then are there")
     ->type_name("DURATION")
     ->check(check_duration);
-  command->add_option("--to", arguments->to, "end so long after the recording's beginning")
+  command->add_option("--to", arguments->to, "end this far into the recording")
     ->type_name("DURATION")
     ->check(check_duration);
   command
-    ->add_option("--loop", arguments->rounds,
-                 "so often, or until it is ended; what was added is removed in between")
+    ->add_option(
+      "--loop", arguments->rounds,
+      "repeat N times, or until interrupted; entries that were added are removed in between")
     ->type_name("[N]")
     ->expected(0, 1)
     ->default_str("0");
   command
     ->add_option("--until-quiet", arguments->quiet,
-                 "stop when after the replay no entry changed for so long and no component was "
-                 "busy; by default as in the recorded run, or 1s")
+                 "after the replay, stop when no entry has changed and no component was busy for "
+                 "this long; by default as in the recorded run, or 1s")
     ->type_name("DURATION")
     ->check(check_duration);
   command
     ->add_option("--output", arguments->output,
-                 "write the entries that there are in the end into this folder (entries.json)")
+                 "write the final entries into this folder (entries.json)")
     ->type_name("DIR")
     ->check(check_output_folder);
   command->add_flag("--json", arguments->json, "print the outcome as JSON, and nothing else");
   command->footer(
-    "Without --without everything is replayed, and nobody runs who has written anything. Recorded "
+    "Without --without, all writes are replayed, and components that have written anything are not "
+    "run. Recorded "
     "stand-alone components, such as cameras, are replaced by their recordings. All runs in this "
     "process, and keeps no journals.\n"
     "Changes are made in the name of the component that made them. An entry that is not there is "

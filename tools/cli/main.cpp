@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "castor " CASTOR_VERSION);
   app.get_formatter()->column_width(34);
-  app.footer("`castor COMMAND --help` says more of each command.");
+  app.footer("`castor COMMAND --help` describes each command.");
   app.fallthrough();
   std::vector<std::string> plugins;
   app.add_option("--plugin", plugins, "load component classes from a shared library (repeatable)")

@@ -155,8 +155,8 @@ int make(const Arguments& arguments) {
 } // namespace
 
 void add_new(CLI::App& app, Action& chosen) {
-  auto* command = app.add_subcommand(
-    "new", "make a folder with a component, a subarchitecture or a robot to begin with");
+  auto* command =
+    app.add_subcommand("new", "create a project with a component, a subarchitecture or a robot");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("KIND", arguments->kind, "what to make")
     ->required()

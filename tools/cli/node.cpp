@@ -161,29 +161,29 @@ int node(Arguments arguments) {
 
 void add_node(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
-    "node", "let systems that are started elsewhere run components in this process");
+    "node", "offer this process as a node that systems started elsewhere run components in");
   auto arguments = std::make_shared<Arguments>();
   command
     ->add_option("--name", arguments->name,
-                 "by which systems know the node; by default that of the machine")
+                 "name of the node in .cast files; by default that of the machine")
     ->type_name("NAME");
   command
     ->add_option("--listen", arguments->listen,
-                 fmt::format("where to wait for systems; by default 127.0.0.1:{}, which only this "
-                             "machine reaches. Port 0: any that is free. unix:PATH: at a socket",
+                 fmt::format("address to listen on; by default 127.0.0.1:{}, which only this "
+                             "machine can reach. Port 0: any free port. unix:PATH: a Unix socket",
                              default_node_port))
     ->type_name("HOST:PORT");
   command
     ->add_option(
       "--tls", arguments->tls,
-      "encrypt, and talk to those only whose certificates are signed by the same CA: the "
-      "folder has ca.pem, node.pem and node.key, as scripts/make-certs makes them")
+      "encrypt connections, and accept only peers whose certificates are signed by the same CA: "
+      "the folder has ca.pem, node.pem and node.key (scripts/make-certs makes them)")
     ->type_name("DIR");
   command->add_flag("--insecure", arguments->insecure,
-                    "without --tls, take systems of other users, and listen beyond this machine if "
-                    "--listen says so");
+                    "without --tls, accept systems of other users, and listen beyond this machine "
+                    "if --listen says so");
   command->add_flag("--end-with-input", arguments->end_with_input,
-                    "end when standard input does, as programs that start nodes want it");
+                    "end at the end of standard input, for programs that start nodes");
   auto* announce_option =
     command
       ->add_option("--announce", arguments->announce,
@@ -191,7 +191,7 @@ void add_node(CLI::App& app, Action& chosen) {
       ->type_name("FD");
   command
     ->add_option("--memory-limit", arguments->memory_limit,
-                 "how much its components may allocate; who asks for more fails")
+                 "MB that its components may allocate; allocations beyond that fail")
     ->type_name("MB")
     ->check(CLI::PositiveNumber);
   command
@@ -203,8 +203,8 @@ void add_node(CLI::App& app, Action& chosen) {
   command->add_flag("-v,--verbose", arguments->verbose, "log more");
   command->footer(
     "A system finds the node where its .cast file says HOST NAME and HOSTNAME NAME HOST:PORT.\n"
-    "Without --tls the node takes systems of its own user alone.\n"
-    "Ctrl-C ends the node; systems that run on it go on without it.\n"
+    "Without --tls the node accepts systems of its own user only.\n"
+    "Ctrl-C ends the node; systems with components on it continue without it.\n"
     "Example: castor node --name arm --listen 0.0.0.0:7117 --tls certs/arm");
   command->callback([&chosen, arguments] { chosen = [arguments] { return node(*arguments); }; });
 }

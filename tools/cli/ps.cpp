@@ -43,12 +43,11 @@ int ps(const Arguments& arguments) {
 void add_ps(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    app, "ps", "show the systems that run: nodes, components, working memories", arguments->system);
+    app, "ps", "show running systems: nodes, components, working memories", arguments->system);
   add_json_flag(*command, arguments->json);
-  command->add_flag("--stats", arguments->stats,
-                    "count what became of change events, and what every link has carried");
-  command->footer("Load is the part of a processor that was used, on average since the start; "
-                  "busy is for how long a component has had something to do without a pause.\n"
+  command->add_flag("--stats", arguments->stats, "show counters of change events and of links");
+  command->footer("Load is the average share of a processor since the start; busy is how long a "
+                  "component has been working without a pause.\n"
                   "Example: castor ps --stats");
   on_call(*command, chosen, arguments, ps);
 }

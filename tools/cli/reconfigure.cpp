@@ -93,11 +93,11 @@ int remove(const Arguments& arguments) {
 void add_add(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    app, "add", "join what a .cast file describes to a running system", arguments->system);
+    app, "add", "add the components of a .cast file to a running system", arguments->system);
   add_architecture_arguments(*command, arguments->architecture);
   command->footer(
     "The file has whole subarchitectures, or lines for subarchitectures that run: these have "
-    "neither a WM nor a TM line.\nIf anything stands in the way, the system stays as it was.\n"
+    "neither a WM nor a TM line.\nIf anything prevents that, the system is not changed.\n"
     "Example: castor add touch.cast --system playmate");
   add_json_flag(*command, arguments->json);
   on_call(*command, chosen, arguments, add);

@@ -91,9 +91,9 @@ void add_record_arguments(CLI::App& command, RecordArguments& arguments) {
     ->check(CLI::PositiveNumber)
     ->needs(record);
   command
-    .add_option("--journal", arguments.journal,
-                "whether all working memories keep journals, whatever the file says: full, "
-                "batched or off")
+    .add_option(
+      "--journal", arguments.journal,
+      "journal mode of all working memories, whatever the file says: full, batched or off")
     ->type_name("MODE")
     ->check(CLI::IsMember({"full", "batched", "off"}));
   command

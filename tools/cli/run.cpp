@@ -339,82 +339,80 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->check(check_duration);
   command
     ->add_option("--until-quiet", arguments->quiet,
-                 "stop when for so long no entry changed and no component was busy")
+                 "stop when no entry has changed and no component was busy for this long")
     ->type_name("DURATION")
     ->check(check_duration);
   command
     ->add_option("--output", arguments->output,
-                 "write the timeline, the entries and what components write into this folder; "
-                 "in the .cast file it is %(output)")
+                 "folder for the timeline, the entries and files that components write; in the "
+                 ".cast file it is %(output)")
     ->type_name("DIR")
     ->check(check_output_folder);
   command
-    ->add_option(
-      "--timeline", arguments->timelines,
-      "draw what was in the working memories, stage by stage, when the run is over: as a "
-      "page (.html) or as a picture (.svg, .png) (repeatable)")
+    ->add_option("--timeline", arguments->timelines,
+                 "draw the contents of the working memories, stage by stage, after the run: as a "
+                 "page (.html) or as a picture (.svg, .png) (repeatable)")
     ->type_name("FILE")
     ->take_all()
     ->check(check_timeline_file);
   command
-    ->add_option("--timeline-gap", arguments->timeline_gap,
-                 "a stage of the timeline ends when nothing new has happened for so long; by "
-                 "default 250ms")
+    ->add_option(
+      "--timeline-gap", arguments->timeline_gap,
+      "a stage of the timeline ends when nothing has happened for this long; by default 250ms")
     ->type_name("DURATION")
     ->check(check_duration);
   command
     ->add_option("--timeline-stages", arguments->stages.most,
-                 "so many stages at most: those with the shortest pauses between them become one")
+                 "maximum number of stages: those with the shortest pauses between them are merged")
     ->type_name("N")
     ->check(CLI::Range(1, 100))
     ->capture_default_str();
   add_record_arguments(*command, arguments->record);
   command->add_flag("--trace", arguments->trace,
-                    "print every change of every working memory, and what becomes of every task");
+                    "print every change event of every working memory, and every task event");
   command->add_flag("--open-access", arguments->open_access,
                     "let every subarchitecture write to every other, as the original CAST does");
   command->add_flag("--broadcast", arguments->broadcast,
-                    "tell every working memory of every change, as the original CAST did before it "
-                    "filtered: to see what filtering is worth");
+                    "send every change event to every working memory, as the original CAST did "
+                    "before it filtered: to measure what filtering saves");
   command->add_flag(
     "--no-restarts", arguments->no_restarts,
-    "do not start failed components again, whatever the file says: to see what went "
-    "wrong");
+    "do not restart failed components, whatever the file says: to see what went wrong");
   command
-    ->add_option("--node", arguments->nodes,
-                 "where the node of a host of the .cast file listens, if not where the host's name "
-                 "says (repeatable)")
+    ->add_option(
+      "--node", arguments->nodes,
+      "address of the node of a host in the .cast file, whatever the file says (repeatable)")
     ->type_name("HOST=ADDRESS:PORT")
     ->take_all();
   command->add_flag("--local-nodes", arguments->local_nodes,
-                    "start all nodes on this machine, to try a system of many");
+                    "start all nodes on this machine, to try a distributed system");
   command
     ->add_option("--lost-after", arguments->lost_after,
-                 "a node that was out of reach for so long is lost: what ran there fails over, or "
-                 "waits for another node in its place; by default 30s")
+                 "a node that is unreachable for this long is lost: its components fail over, or "
+                 "wait for a new node in its place; by default 30s")
     ->type_name("DURATION")
     ->check(check_duration);
   command
     ->add_option("--spread", arguments->spread,
-                 "spread everything over so many nodes on this machine, whatever hosts the file "
-                 "names, to see that no component cares")
+                 "distribute the system over N nodes on this machine, whatever hosts the file "
+                 "names, to check that no component depends on where it runs")
     ->type_name("N")
     ->check(CLI::Range(1, 100));
   command
     ->add_option("--tls", arguments->tls,
-                 "encrypt what is said to nodes, and prove who says it, with ca.pem, node.pem and "
+                 "encrypt and authenticate connections to nodes with ca.pem, node.pem and "
                  "node.key of this folder (scripts/make-certs makes them); with --local-nodes the "
                  "folder of such folders, one for each node and one of the name `run`")
     ->type_name("DIR");
   command->add_flag("--insecure", arguments->insecure,
-                    "without --tls, talk to nodes on other machines and of other users");
+                    "without --tls, connect to nodes on other machines and of other users");
   command->add_flag("--json", arguments->json,
                     "print JSON, one object on a line: changes and tasks with --trace, at the end "
                     "how the run ended; what components print goes to standard error");
-  command->add_flag("-v,--verbose", arguments->verbose, "log what components do, in more detail");
+  command->add_flag("-v,--verbose", arguments->verbose, "log in more detail");
   command->footer(
     "Ctrl-C stops the components in the reverse order of their start.\n"
-    "Exit status: what a component ended the system with, otherwise 0; 1 if a component "
+    "Exit status: that of the component that ended the system, otherwise 0; 1 if a component "
     "failed; 2 if the system could not be started.\n"
     "Examples: castor run configs/vision.cast --trace --until-quiet 2s --output out\n"
     "          castor run configs/playmate.cast --set typed=true --record today");

@@ -202,27 +202,27 @@ private:
 
 void add_simulate(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
-    "simulate", "simulate whole systems with faults, seed by seed, and check what they promise");
+    "simulate", "simulate whole systems with random faults, and check Castor's guarantees");
   auto arguments = std::make_shared<SimulateArguments>();
-  auto* seeds =
-    command
-      ->add_option("--seeds", arguments->seeds, "one system for each of these; by default 1..10000")
-      ->type_name("FROM..TO")
-      ->check(check_seeds);
+  auto* seeds = command
+                  ->add_option("--seeds", arguments->seeds,
+                               "simulate one system for each of these seeds; by default 1..10000")
+                  ->type_name("FROM..TO")
+                  ->check(check_seeds);
   auto* seed =
-    command
-      ->add_option("--seed", arguments->seed, "simulate this one alone, and print all that happens")
+    command->add_option("--seed", arguments->seed, "simulate this seed only, and print every event")
       ->type_name("N");
   command
     ->add_option("--faults", arguments->faults,
                  "with --seed: the faults of this plan instead of the seed's own")
     ->type_name("FILE")
     ->check(CLI::ExistingFile);
-  auto* state = command
-                  ->add_option("--state", arguments->state,
-                               "a file that keeps how far it got: the same command goes on there")
-                  ->type_name("FILE")
-                  ->check(check_output_file);
+  auto* state =
+    command
+      ->add_option("--state", arguments->state,
+                   "file that keeps the progress: the same command continues from there")
+      ->type_name("FILE")
+      ->check(check_output_file);
   command
     ->add_option("--threads", arguments->threads,
                  "how many systems are simulated at a time; by default one for each processor")

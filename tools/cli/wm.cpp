@@ -92,8 +92,7 @@ void add_full_flag(CLI::App& command, Arguments& arguments) {
 } // namespace
 
 void add_wm(CLI::App& app, Action& chosen) {
-  auto* wm =
-    app.add_subcommand("wm", "look into the working memories of a running system, and change them");
+  auto* wm = app.add_subcommand("wm", "read and change the working memories of a running system");
   wm->require_subcommand(1);
   auto arguments = std::make_shared<Arguments>();
   auto* ls = entry_command(*wm, "ls", "list entries", arguments);

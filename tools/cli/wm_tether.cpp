@@ -88,7 +88,8 @@ int show_tethers(const Arguments& arguments) {
 void add_wm_tether(CLI::App& wm, Action& chosen) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = inspection_command(
-    wm, "tether", "show what binding's unions are made of, or what binding makes of entries",
+    wm, "tether",
+    "follow tethers from binding's unions to the entries that they stand for, and back",
     arguments->system);
   add_where_option(*command, arguments->where);
   add_json_flag(*command, arguments->json);

@@ -140,8 +140,8 @@ void add_wm_writes(CLI::App& wm, Action& chosen) {
   command->add_flag("--wait", arguments->wait,
                     "wait until the subarchitecture and the type are there");
   command->footer(
-    "Every field has to be given but for optional ones; `castor wm types TYPE` prints an example.\n"
-    "Without ID the entry gets an id of its own, which is printed.\n"
+    "All fields but optional ones are required; `castor wm types TYPE` prints an example.\n"
+    "Without ID a new id is generated and printed.\n"
     "The source of the change is operator:USER, in events, traces and journals.\n"
     "Examples: castor wm add kitchen Order '{\"dish\": \"soup\", \"table\": 4}'\n"
     "          castor wm add kitchen/order7 Order - < order.json");
@@ -154,8 +154,8 @@ void add_wm_writes(CLI::App& wm, Action& chosen) {
   command->add_flag("--merge", arguments->merge,
                     "change only the fields that are given; lists are replaced as a whole");
   command->footer(
-    "What was changed by others since it was read is not overwritten, nor what others hold a lease "
-    "of.\n"
+    "An entry is not overwritten if it has changed since it was read, or if another component "
+    "holds a lease of it.\n"
     "Examples: castor wm overwrite kitchen/order7 '{\"dish\": \"soup\", \"table\": 5}'\n"
     "          castor wm overwrite kitchen/order7 --merge '{\"table\": 5}' --version 3");
 

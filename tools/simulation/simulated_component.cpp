@@ -53,7 +53,7 @@ caf::behavior SimulatedComponent::make_behavior() {
   return caf::message_handler{
     [this](const NeighboursPtr& x) { meet(x); },
     [this](const EnterPhase& x) { enter(x); },
-    [this](const ComponentFault&) { fail("it was made to crash"); },
+    [this](const ComponentFault&) { fail("injected crash"); },
     [this](const ChangeNotice& x) { hear(x); },
     [this](const ChangeNotices& x) {
       for (auto& notice : x.notices)

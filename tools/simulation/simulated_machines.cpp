@@ -364,8 +364,8 @@ void SimulatedMachines::crash(const std::string& name) {
     if (working_memory_of(subarchitecture) == name && lives.back().alive())
       caf::actor_cast<caf::abstract_actor*>(lives.back().actor)
         ->enqueue(nullptr, caf::make_message_id(),
-                  caf::make_message(caf::exit_msg{
-                    {}, caf::make_error(caf::sec::runtime_error, "it was made to crash")}),
+                  caf::make_message(
+                    caf::exit_msg{{}, caf::make_error(caf::sec::runtime_error, "injected crash")}),
                   nullptr);
 }
 

@@ -115,7 +115,7 @@ private:
     try {
       if (self_->clock().now() < fails_until_) {
         report_effect(failure_ticket_);
-        throw JournalError("the journal cannot be written: it was made to fail");
+        throw JournalError("the journal cannot be written: injected failure");
       }
       f();
     } catch (const std::exception& e) {

@@ -85,7 +85,7 @@ class SpatialBindingMonitor final : public binding::BindingMonitor {
   std::int64_t last_scene_ = 0;
 };
 
-CASTOR_COMPONENT(SpatialBindingMonitor, "tells binding of locations and of how they lie")
+CASTOR_COMPONENT(SpatialBindingMonitor, "adds locations and spatial relations to binding")
 
 } // namespace
 

@@ -72,7 +72,7 @@ class ChangeDetector final : public UnmanagedComponent {
   bool has_predecessor_ = false;
 };
 
-CASTOR_COMPONENT(ChangeDetector, "tells when the scene changes and when it has come to rest")
+CASTOR_COMPONENT(ChangeDetector, "reports when the scene changes and when it is still again")
 
 } // namespace
 

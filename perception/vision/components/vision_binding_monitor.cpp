@@ -147,7 +147,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   std::map<std::string, ObjectBox> objects_;
 };
 
-CASTOR_COMPONENT(VisionBindingMonitor, "tells binding of the objects on the table")
+CASTOR_COMPONENT(VisionBindingMonitor, "adds the objects on the table to binding")
 
 } // namespace
 

@@ -74,7 +74,7 @@ TEST_F(TestedSystem, AComponentCrashesAndIsBackAndNobodyElseNotices) {
   system.inject("crash one");
   auto up = system.expect_back("one");
   EXPECT_EQ(up.subarchitecture, "a");
-  EXPECT_THAT(system.expect_down("one").reason, HasSubstr("it was made to crash"));
+  EXPECT_THAT(system.expect_down("one").reason, HasSubstr("injected crash"));
   system.expect_nobody_else_down({"one"});
   system.inject("crash one");
   system.expect_back("one", 3);
@@ -180,7 +180,7 @@ TEST_F(TestedSystem, ACallbackThrowsWhenItIsTo) {
   system.wait_until("the first note is heard of", [&] { return calls == 1; });
   system.expect_nobody_else_down();
   poke = 2;
-  EXPECT_THAT(system.expect_down("two").reason, HasSubstr("it was made to fail here"));
+  EXPECT_THAT(system.expect_down("two").reason, HasSubstr("injected failure"));
   EXPECT_EQ(calls, 1);
   system.expect_back("two");
 }
