@@ -34,6 +34,10 @@ std::string_view to_string(Severity severity) noexcept {
   return "unknown";
 }
 
+bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+  return std::ranges::any_of(diagnostics, [](auto& x) { return x.severity == Severity::error; });
+}
+
 void sort_by_line(std::vector<Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](auto& x) { return x.where.order(); });
 }
@@ -44,13 +48,20 @@ std::string render(const Diagnostic& diagnostic, bool coloured) {
   std::string_view colour = coloured ? colour_of(diagnostic.severity) : "";
   std::string result;
   auto append = [&result](auto&&... parts) { (result.append(parts), ...); };
-  append(bold, printable(to_string(diagnostic.where)), ": ", reset, colour,
-         to_string(diagnostic.severity), ": ", reset, bold, printable(diagnostic.message), reset,
-         "\n");
+  auto place = printable(to_string(diagnostic.where));
+  if (diagnostic.column > 0)
+    place += ':' + std::to_string(diagnostic.column);
+  append(bold, place, ": ", reset, colour, to_string(diagnostic.severity), ": ", reset, bold,
+         printable(diagnostic.message), reset, "\n");
   for (const auto& site : diagnostic.where.include_chain())
     append("  included from ", printable(site.file), ":", std::to_string(site.line), "\n");
   if (!diagnostic.line.empty())
     append("    ", printable(diagnostic.line), "\n");
+  if (!diagnostic.line.empty() && diagnostic.column > 0) {
+    auto before = printable(std::string_view{diagnostic.line}.substr(
+      0, std::min(diagnostic.column - 1, diagnostic.line.size())));
+    append("    ", std::string(before.size(), ' '), "^\n");
+  }
   if (!diagnostic.expanded.empty())
     append("  which expands to\n    ", printable(diagnostic.expanded), "\n");
   if (!diagnostic.remedy.empty())

@@ -2,6 +2,7 @@
 
 #include "castor/base/source_location.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ enum class Severity {
 
 std::string_view to_string(Severity severity) noexcept;
 
-/// One finding in a `.cast` file.
+/// One finding in a text that people write: a `.cast` file, a scene, a lexicon.
 struct Diagnostic {
   Severity severity = Severity::error;
   SourceLocation where;
@@ -30,7 +31,13 @@ struct Diagnostic {
   std::string message;
   /// What to write instead; may be empty.
   std::string remedy;
+  /// Place in the line, in bytes from 1; 0 if the whole line is meant.
+  std::size_t column = 0;
+
+  friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
+
+bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// Brings findings of several checks into the order of the lines that they are about; those about a
 /// whole file, or about none, come first.

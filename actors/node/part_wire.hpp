@@ -40,7 +40,7 @@ CASTOR_WIRE(SupervisionRule, who, policy, where)
 CASTOR_WIRE(FailoverRule, who, hosts, where)
 CASTOR_WIRE_EXCEPT(ArchitectureDescription, (left_out), file, config_dir, subarchitectures,
                    standalone, host_names, access_rules, supervision, failover)
-CASTOR_WIRE(Diagnostic, severity, where, line, expanded, message, remedy)
+CASTOR_WIRE(Diagnostic, severity, where, line, expanded, message, remedy, column)
 CASTOR_WIRE(ProcessDescription, name, host, port, lost)
 CASTOR_WIRE(PartPlan, system, architecture, processes, placement, incarnations, temporary,
             open_access, broadcast, operations, pushes, pushes_limit, age, patience, coordinator,

@@ -10,7 +10,7 @@ std::shared_ptr<const Lexicon> english_lexicon() {
   static const auto lexicon = [] {
     auto read = read_lexicon(english_lexicon_text(), "english.ccg");
     if (!read.problems.empty())
-      throw std::logic_error(to_string(read.problems.front()));
+      throw std::logic_error(render(read.problems.front()));
     return read.lexicon;
   }();
   return lexicon;

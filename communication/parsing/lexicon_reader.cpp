@@ -95,10 +95,9 @@ public:
     guarded([&] { end_family_line(); });
     if (problems_.empty() && lexicon_->roots().empty())
       report({1, 1, "nothing says what an utterance may be", "Add a line such as: root s np"});
-    std::stable_sort(problems_.begin(), problems_.end(),
-                     [](const LexiconProblem& a, const LexiconProblem& b) {
-                       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
-                     });
+    std::ranges::stable_sort(problems_, {}, [](auto& x) {
+      return std::pair{x.where.line(), x.column};
+    });
     return {problems_.empty() ? lexicon_ : nullptr, std::move(problems_)};
   }
 
@@ -117,9 +116,14 @@ private:
 
   void report(const ReadError& error) {
     const auto line = static_cast<std::size_t>(error.line);
-    problems_.push_back({file_name_, error.line, error.column,
-                         line <= lines_.size() && line > 0 ? lines_[line - 1] : "", error.message,
-                         error.remedy});
+    Diagnostic found;
+    found.where = {file_name_, line};
+    found.column = static_cast<std::size_t>(error.column);
+    if (line > 0 && line <= lines_.size())
+      found.line = lines_[line - 1];
+    found.message = error.message;
+    found.remedy = error.remedy;
+    problems_.push_back(std::move(found));
   }
 
   void read_line(const std::string& line, int number) {
@@ -336,7 +340,7 @@ private:
 
   std::string file_name_;
   std::vector<std::string> lines_;
-  std::vector<LexiconProblem> problems_;
+  std::vector<Diagnostic> problems_;
   std::shared_ptr<Lexicon> lexicon_ = std::make_shared<Lexicon>();
   FeatureDeclarations declarations_;
   std::map<std::string, Family, std::less<>> families_;
@@ -347,18 +351,6 @@ private:
 };
 
 } // namespace
-
-std::string to_string(const LexiconProblem& problem) {
-  std::string text = problem.file + ":" + std::to_string(problem.line) + ":" +
-                     std::to_string(problem.column) + ": error: " + printable(problem.message) +
-                     "\n";
-  if (!problem.text.empty()) {
-    auto before = problem.text.substr(0, static_cast<std::size_t>(std::max(problem.column - 1, 0)));
-    text +=
-      "  " + printable(problem.text) + "\n  " + std::string(printable(before).size(), ' ') + "^\n";
-  }
-  return text + "  " + printable(problem.remedy) + "\n";
-}
 
 LexiconText read_lexicon(std::string_view text, const std::string& file_name) {
   return LexiconReader(file_name).read(text);

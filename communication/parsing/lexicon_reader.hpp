@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/base/diagnostic.hpp"
 #include "castor/communication/parsing/lexicon.hpp"
 
 #include <memory>
@@ -37,30 +38,12 @@
 /// word '' stands for whatever is said in quotes.
 namespace castor::communication {
 
-/// Something to tell the author of a lexicon.
-struct LexiconProblem {
-  std::string file;
-  /// Both counted from 1.
-  int line = 0;
-  int column = 0;
-  /// The line as it was written.
-  std::string text;
-  std::string message;
-  /// What to do about it; never empty.
-  std::string remedy;
-
-  friend bool operator==(const LexiconProblem&, const LexiconProblem&) = default;
-};
-
-/// "FILE:LINE:COLUMN: error: MESSAGE", then the line, a mark below the place, and the remedy.
-std::string to_string(const LexiconProblem& problem);
-
 /// What came of reading a lexicon.
 struct LexiconText {
   /// Null if there are problems.
   std::shared_ptr<const Lexicon> lexicon;
-  /// By line.
-  std::vector<LexiconProblem> problems;
+  /// All are errors, by line; each has a column and a remedy.
+  std::vector<Diagnostic> problems;
 };
 
 /// Reads `text`, the contents of the file that is called `file_name` in problems; finds all of its

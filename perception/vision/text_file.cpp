@@ -61,63 +61,28 @@ parse_quantity(std::string_view word,
   return std::nullopt;
 }
 
-/// How many letters to add, drop, change or swap with their neighbour to make `a` of `b` (the
-/// "optimal string alignment" variant of Damerau's and Levenshtein's distance).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before_previous(b.size() + 1);
-  std::vector<std::size_t> previous(b.size() + 1);
-  std::vector<std::size_t> current(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    current[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before_previous.swap(previous);
-    previous.swap(current);
-    current[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
-      current[j] = std::min({previous[j] + 1, current[j - 1] + 1, previous[j - 1] + change});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        current[j] = std::min(current[j], before_previous[j - 2] + 1);
-    }
-  }
-  return current[b.size()];
-}
-
 TextFileError unreadable(const std::filesystem::path& path, std::string message,
                          std::string remedy) {
   return TextFileError(
-    {{TextProblem::Severity::error, path.string(), 0, "", std::move(message), std::move(remedy)}});
+    {finding(Severity::error, path.string(), {}, std::move(message), std::move(remedy))});
 }
 
 } // namespace
 
-std::string to_string(const TextProblem& problem) {
-  std::string result = problem.file;
-  if (problem.line > 0)
-    result += ":" + std::to_string(problem.line);
-  result += problem.severity == TextProblem::Severity::error ? ": error: " : ": warning: ";
-  result += printable(problem.message) + "\n";
-  if (!problem.text.empty())
-    result += "    " + printable(problem.text) + "\n";
-  return result + "  " + printable(problem.remedy) + "\n";
-}
-
-std::string to_string(std::span<const TextProblem> problems) {
-  std::string result;
-  for (const auto& problem : problems)
-    result += to_string(problem);
-  return result;
-}
-
-bool has_errors(std::span<const TextProblem> problems) {
-  return std::any_of(problems.begin(), problems.end(), [](const TextProblem& problem) {
-    return problem.severity == TextProblem::Severity::error;
-  });
-}
-
-TextFileError::TextFileError(std::vector<TextProblem> problems)
-  : std::runtime_error(to_string(problems)), problems_(std::move(problems)) {
+TextFileError::TextFileError(std::vector<Diagnostic> problems)
+  : std::runtime_error(render(problems)), problems_(std::move(problems)) {
   // nop
+}
+
+Diagnostic finding(Severity severity, const std::string& file, const TextLine& line,
+                   std::string message, std::string remedy) {
+  Diagnostic result;
+  result.severity = severity;
+  result.where = {file, static_cast<std::size_t>(line.number)};
+  result.line = line.text;
+  result.message = std::move(message);
+  result.remedy = std::move(remedy);
+  return result;
 }
 
 std::string load_text(const std::filesystem::path& path) {
@@ -203,21 +168,6 @@ std::optional<double> parse_length(std::string_view word) {
 
 std::optional<double> parse_seconds(std::string_view word) {
   return parse_quantity(word, {{"ms", 0.001}, {"min", 60}, {"s", 1}});
-}
-
-std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names) {
-  std::optional<std::string> nearest;
-  std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
-  for (const auto& name : names) {
-    const auto distance = edit_distance(word, name);
-    if (distance <= allowed && distance < std::max(word.size(), name.size())) {
-      nearest = name;
-      if (distance == 0)
-        break;
-      allowed = distance - 1;
-    }
-  }
-  return nearest;
 }
 
 } // namespace castor::vision

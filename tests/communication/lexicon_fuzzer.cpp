@@ -15,7 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     castor::communication::read_lexicon({reinterpret_cast<const char*>(data), size}, "fuzz.ccg");
   require((read.lexicon != nullptr) == read.problems.empty());
   for (auto& x : read.problems)
-    require(!x.message.empty() && !x.remedy.empty() &&
-            to_string(x).find('\x1b') == std::string::npos);
+    require(!x.message.empty() && !x.remedy.empty() && render(x).find('\x1b') == std::string::npos);
   return 0;
 }

@@ -19,7 +19,7 @@ const std::string head = "feature number sg pl\n"
 std::string meaning(const std::string& lexicon, const std::string& utterance) {
   const auto read = read_lexicon(lexicon, "test.ccg");
   for (const auto& problem : read.problems)
-    ADD_FAILURE() << to_string(problem);
+    ADD_FAILURE() << render(problem);
   if (!read.lexicon)
     return {};
   const auto readings = Parser(read.lexicon).readings(utterance);
@@ -35,7 +35,8 @@ std::string problem(const std::string& lexicon) {
     return {};
   const auto& first = read.problems.front();
   EXPECT_FALSE(first.remedy.empty());
-  return std::to_string(first.line) + ":" + std::to_string(first.column) + " " + first.message;
+  return std::to_string(first.where.line()) + ":" + std::to_string(first.column) + " " +
+         first.message;
 }
 
 } // namespace
@@ -85,7 +86,7 @@ TEST(LexiconReader, NamesThePlaceOfEveryMistake) {
 TEST(LexiconReader, ReportsAllMistakesWithTheLineAndARemedy) {
   const auto read = read_lexicon(head + "words Noum\n  ball\nrot np\n", "my.ccg");
   ASSERT_THAT(read.problems, SizeIs(testing::Ge(2)));
-  const auto text = to_string(read.problems.front());
+  const auto text = render(read.problems.front());
   EXPECT_THAT(text, HasSubstr("my.ccg:5:7: error: there is no family \"Noum\""));
   EXPECT_THAT(text, HasSubstr("words Noum\n"));
   EXPECT_THAT(text, HasSubstr("did you mean 'Noun'?"));

@@ -147,7 +147,7 @@ std::shared_ptr<const communication::Lexicon> robot_command_lexicon(std::string_
   auto read = communication::read_lexicon(
     std::string(robot_commands_text()) + "\n" + std::string(words), "robot_commands.ccg");
   if (!read.problems.empty())
-    throw std::runtime_error(to_string(read.problems.front()));
+    throw std::runtime_error(render(read.problems.front()));
   return read.lexicon;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "castor/base/suggestion.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/camera/camera_model_vectors.hpp"
 
@@ -43,8 +44,8 @@ private:
   };
 
   void report(const TextLine& line, std::string message, std::string remedy) {
-    problems_.push_back({TextProblem::Severity::error, file_name_, line.number, line.text,
-                         std::move(message), std::move(remedy)});
+    problems_.push_back(
+      finding(Severity::error, file_name_, line, std::move(message), std::move(remedy)));
   }
 
   void read_line(const TextLine& line) {
@@ -75,11 +76,12 @@ private:
   }
 
   void report_unknown(const TextLine& line, const std::string& keyword) {
-    const auto nearest = nearest_name(keyword, settings);
+    const auto guess = did_you_mean(keyword, {settings.begin(), settings.end()});
     report(line, "\"" + keyword + "\" is no setting of a camera",
-           nearest ? "Did you mean \"" + *nearest + "\"?"
-                   : "The settings are size, focal, fov, centre, distortion, eye, target and "
-                     "number.");
+           !guess.empty()
+             ? guess
+             : "The settings are size, focal, fov, centre, distortion, eye, target and "
+               "number.");
   }
 
   void read_numbers(const TextLine& line, const std::string& keyword, std::size_t count,
@@ -215,7 +217,7 @@ private:
 
   std::string file_name_;
   std::map<std::string, Setting> seen_;
-  std::vector<TextProblem> problems_;
+  std::vector<Diagnostic> problems_;
   Camera camera_;
 };
 

@@ -27,7 +27,7 @@ namespace castor::vision {
 /// A camera, or else at least one error among the problems.
 struct CameraText {
   std::optional<Camera> camera;
-  std::vector<TextProblem> problems;
+  std::vector<Diagnostic> problems;
 };
 
 /// Reads `text`, the contents of the file that is called `file_name` in problems.

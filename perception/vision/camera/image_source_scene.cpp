@@ -62,7 +62,7 @@ public:
   std::vector<std::string> warnings() const override {
     std::vector<std::string> result;
     for (const auto& problem : text_.problems)
-      result.push_back(to_string(problem));
+      result.push_back(render(problem));
     return result;
   }
 

@@ -48,7 +48,7 @@ std::string to_text(const std::vector<LearnedWord>& words) {
 
 std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::string& file_name) {
   std::vector<LearnedWord> result;
-  std::vector<TextProblem> problems;
+  std::vector<Diagnostic> problems;
   for (auto& line : text_lines(text)) {
     try {
       auto word = parse(line.words);
@@ -57,9 +57,9 @@ std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::s
         throw std::invalid_argument("there is a line for this word already");
       result.push_back(std::move(word));
     } catch (const std::invalid_argument& e) {
-      problems.push_back({TextProblem::Severity::error, file_name, line.number, line.text, e.what(),
-                          "Lines are: KIND WORD examples N scatter S mean NUMBER... Mend this one, "
-                          "or take it out."});
+      problems.push_back(finding(
+        Severity::error, file_name, line, e.what(),
+        "Lines are: KIND WORD examples N scatter S mean NUMBER... Mend this one, or take it out."));
     }
   }
   if (!problems.empty())

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "castor/base/suggestion.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_check.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
@@ -29,7 +30,7 @@ public:
       try {
         read_line(line);
       } catch (const StatementError& error) {
-        report(TextProblem::Severity::error, line, error.what(), error.remedy());
+        report(Severity::error, line, error.what(), error.remedy());
         // What a later line refers to may be what this line failed to say.
         objects_are_missing_ = true;
       }
@@ -38,8 +39,7 @@ public:
       look_at(camera_.eye, camera_.target, camera_.fov_degrees, image_.width, image_.height);
     play();
     check();
-    std::stable_sort(problems_.begin(), problems_.end(),
-                     [](const TextProblem& a, const TextProblem& b) { return a.line < b.line; });
+    std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });
     return {std::move(scene_), std::move(problems_)};
   }
 
@@ -50,10 +50,8 @@ private:
     SceneEvent what;
   };
 
-  void report(TextProblem::Severity severity, const TextLine& line, std::string message,
-              std::string remedy) {
-    problems_.push_back(
-      {severity, file_name_, line.number, line.text, std::move(message), std::move(remedy)});
+  void report(Severity severity, const TextLine& line, std::string message, std::string remedy) {
+    problems_.push_back(finding(severity, file_name_, line, std::move(message), std::move(remedy)));
   }
 
   void read_line(const TextLine& line) {
@@ -107,7 +105,7 @@ private:
             scene_.actors[*actor].disappears = time;
         }
       } catch (const StatementError& error) {
-        report(TextProblem::Severity::error, event.line, error.what(), error.remedy());
+        report(Severity::error, event.line, error.what(), error.remedy());
       }
     }
   }
@@ -148,9 +146,9 @@ private:
       return std::nullopt;
     const std::string wanted = reference.text();
     if (found.empty()) {
-      const auto nearest = nearest_name(wanted, present);
+      const auto guess = did_you_mean(wanted, {present.begin(), present.end()});
       throw StatementError("there is no \"" + wanted + "\" on the table at that time",
-                           nearest           ? "Did you mean \"" + *nearest + "\"?"
+                           !guess.empty()    ? guess
                            : present.empty() ? "The table is empty then; add an object before."
                                              : "There are then: " + joined(present) + ".");
     }
@@ -167,8 +165,8 @@ private:
 
   void check() {
     for (const auto& remark : check_scene(scene_))
-      report(remark.is_error ? TextProblem::Severity::error : TextProblem::Severity::warning,
-             actor_lines_[remark.actor], remark.message, remark.remedy);
+      report(remark.is_error ? Severity::error : Severity::warning, actor_lines_[remark.actor],
+             remark.message, remark.remedy);
   }
 
   std::string file_name_;
@@ -179,7 +177,7 @@ private:
   std::vector<Event> events_;
   /// The line that brought each of the scene's actors.
   std::vector<TextLine> actor_lines_;
-  std::vector<TextProblem> problems_;
+  std::vector<Diagnostic> problems_;
   bool objects_are_missing_ = false;
 };
 

@@ -46,7 +46,7 @@ struct TabletopSceneText {
   /// Incomplete, if there are errors among the problems.
   TabletopScene scene;
   /// By line.
-  std::vector<TextProblem> problems;
+  std::vector<Diagnostic> problems;
 };
 
 /// Reads `text`, the contents of the file that is called `file_name` in problems; finds all of its

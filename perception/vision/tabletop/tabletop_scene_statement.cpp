@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "castor/base/suggestion.hpp"
 #include "castor/perception/vision/camera/camera_model_vectors.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
 #include "castor/perception/vision/text_file.hpp"
@@ -32,9 +33,8 @@ std::string readable(double number) {
 
 std::string remedy_for(const std::string& word, std::span<const std::string> names,
                        const std::string& what) {
-  const auto nearest = nearest_name(word, names);
-  return nearest ? "Did you mean \"" + *nearest + "\"?"
-                 : "The " + what + " are: " + joined(names) + ".";
+  const auto guess = did_you_mean(word, {names.begin(), names.end()});
+  return !guess.empty() ? guess : "The " + what + " are: " + joined(names) + ".";
 }
 
 double in_range(std::optional<double> value, const std::string& word, const std::string& what,
@@ -67,11 +67,11 @@ std::string read_colour_name(StatementWords& words) {
                            " Any other can be written as #rrggbb, for example #ff8000.");
   names.insert(names.end(), scene_settings.begin(), scene_settings.end());
   names.emplace_back("after");
-  const auto nearest = nearest_name(word, names);
+  const auto guess = did_you_mean(word, {names.begin(), names.end()});
   throw StatementError("\"" + word + "\" begins no statement",
-                       nearest ? "Did you mean \"" + *nearest + "\"?"
-                               : "A line begins with " + joined(scene_settings) +
-                                   ", after, or with the colour of an object.");
+                       !guess.empty() ? guess
+                                      : "A line begins with " + joined(scene_settings) +
+                                          ", after, or with the colour of an object.");
 }
 
 TabletopShape read_shape(StatementWords& words) {

@@ -208,7 +208,7 @@ constexpr auto calibration = "# left camera\n"
 
 TEST(CameraFile, IsRead) {
   const auto [camera, problems] = parse_camera(calibration, "left.camera");
-  EXPECT_EQ(to_string(problems), "");
+  EXPECT_EQ(render(problems), "");
   ASSERT_TRUE(camera);
   EXPECT_EQ(camera->number, 1);
   EXPECT_EQ(camera->width, 640);
@@ -236,10 +236,10 @@ TEST(CameraFile, TellsOfAllProblemsAtOnce) {
                                                "eye 0 0 2\n",
                                                "bad.camera");
   EXPECT_FALSE(camera);
-  const auto text = to_string(problems);
+  const auto text = render(problems);
   EXPECT_NE(text.find("bad.camera:1: error: \"size\" takes 2 numbers"), std::string::npos) << text;
   EXPECT_NE(text.find("bad.camera:2"), std::string::npos) << text;
-  EXPECT_NE(text.find("Did you mean \"focal\"?"), std::string::npos) << text;
+  EXPECT_NE(text.find("did you mean 'focal'?"), std::string::npos) << text;
   EXPECT_NE(text.find("bad.camera:3"), std::string::npos) << text;
   EXPECT_NE(text.find("\"eye\" is said twice"), std::string::npos) << text;
   EXPECT_NE(text.find("there is no \"target\" line"), std::string::npos) << text;

@@ -35,7 +35,7 @@ struct Setup {
 
 Setup setup_of(const std::string& text) {
   const auto result = parse_tabletop_scene(text, "test.scene");
-  EXPECT_EQ(to_string(result.problems), "");
+  EXPECT_EQ(render(result.problems), "");
   return {result.scene.at(0s), result.scene.camera};
 }
 

@@ -22,12 +22,12 @@ using namespace std::chrono_literals;
 
 TabletopScene scene_of(const std::string& text) {
   auto result = parse_tabletop_scene(text, "test.scene");
-  EXPECT_FALSE(has_errors(result.problems)) << to_string(result.problems);
+  EXPECT_FALSE(has_errors(result.problems)) << render(result.problems);
   return result.scene;
 }
 
 std::string problems_of(const std::string& text) {
-  return to_string(parse_tabletop_scene(text, "test.scene").problems);
+  return render(parse_tabletop_scene(text, "test.scene").problems);
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -130,15 +130,15 @@ TEST(SceneProblems, ComeAllAtOnceAndByLine) {
                                                       "seed 1\n"
                                                       "seed 2\n",
                                                       "test.scene");
-  ASSERT_EQ(problems.size(), 11U) << to_string(problems);
+  ASSERT_EQ(problems.size(), 11U) << render(problems);
   const std::vector<std::string> remedies{"\"table\"", "\"blue\"",    "\"square\"", "\"at\"",
                                           "length",    "centimetres", "2s",         "\"add\""};
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    EXPECT_EQ(problems[i].file, "test.scene");
-    EXPECT_EQ(problems[i].line, i < 10 ? static_cast<int>(i) + 1 : 12);
-    EXPECT_FALSE(problems[i].text.empty());
+    EXPECT_EQ(problems[i].where.file(), "test.scene");
+    EXPECT_EQ(problems[i].where.line(), i < 10 ? i + 1 : 12);
+    EXPECT_FALSE(problems[i].line.empty());
     if (i < remedies.size()) {
-      EXPECT_TRUE(contains(problems[i].remedy, remedies[i])) << to_string(problems[i]);
+      EXPECT_TRUE(contains(problems[i].remedy, remedies[i])) << render(problems[i]);
     }
   }
 }
@@ -147,7 +147,7 @@ TEST(SceneProblems, AreFoundInEventsWithoutObject) {
   EXPECT_TRUE(contains(problems_of("red cube at 0 0\nafter 1s remove red sphere"),
                        "There are then: red cube."));
   EXPECT_TRUE(contains(problems_of("red cube at 0 0 name=mug\nafter 1s remove mgu"),
-                       "Did you mean \"mug\"?"));
+                       "did you mean 'mug'?"));
   EXPECT_TRUE(contains(problems_of("after 1s remove mug"), "The table is empty then"));
   EXPECT_TRUE(contains(problems_of("red cube at 0 0\nred cube at 0.2 0\nafter 1s remove red cube"),
                        "there are 2 objects"));
@@ -167,8 +167,8 @@ TEST(SceneProblems, AreObjectsInOnePlace) {
   const auto problems =
     parse_tabletop_scene("red cube at 0 0\nblue cube at 0.03 0.03", "").problems;
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].severity, TextProblem::Severity::error);
-  EXPECT_EQ(problems[0].line, 2);
+  EXPECT_EQ(problems[0].severity, Severity::error);
+  EXPECT_EQ(problems[0].where.line(), 2U);
   EXPECT_EQ(problems_of("red cube at 0 0 size 0.06\nblue cube at 0.061 0 size 0.06"), "");
   EXPECT_TRUE(contains(problems_of("red cube at 0 0 size 0.06 turned 45\n"
                                    "blue cube at 0.065 0 size 0.06"),
@@ -182,7 +182,7 @@ TEST(SceneProblems, AreCollisionsOnTheWay) {
                                              "")
                           .problems;
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].severity, TextProblem::Severity::warning);
+  EXPECT_EQ(problems[0].severity, Severity::warning);
   EXPECT_TRUE(contains(problems[0].message, "moves through the blue cube"));
 }
 
@@ -203,7 +203,7 @@ TEST(SceneFile, IsSoundInEachOfTheScenesThatComeWithTheSystem) {
   const auto scenes = std::filesystem::path(CASTOR_CONFIGS) / "scenes";
   for (const std::string name : {"playmate", "table", "blue-square", "changing"}) {
     const auto [scene, problems] = load_tabletop_scene(scenes / (name + ".scene"));
-    EXPECT_EQ(to_string(problems), "");
+    EXPECT_EQ(render(problems), "");
     EXPECT_FALSE(scene.actors.empty());
   }
 }
@@ -275,7 +275,7 @@ TEST(SceneProperties, ObjectsOnAGridNeverOverlap) {
               std::to_string(0.2 * (i / 5)) + " turned " + std::to_string(turn) + "\n";
     }
     const auto result = parse_tabletop_scene(text, "grid");
-    RC_ASSERT(to_string(result.problems) == "");
+    RC_ASSERT(render(result.problems) == "");
     RC_ASSERT(result.scene.at(0s).objects.size() == static_cast<std::size_t>(count));
   }));
 }

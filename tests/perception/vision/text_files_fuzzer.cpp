@@ -19,10 +19,10 @@ using namespace castor::vision;
 using castor::test::require;
 
 /// Each says what is wrong and what to do, on lines that cannot drive a terminal.
-void check(std::span<const TextProblem> problems) {
+void check(const std::vector<castor::Diagnostic>& problems) {
   for (auto& x : problems)
     require(!x.message.empty() && !x.remedy.empty());
-  auto text = to_string(problems);
+  auto text = render(problems);
   require(std::none_of(text.begin(), text.end(), [](char c) { return c == '\x1b'; }));
 }
 
@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (data[0] == 'c') {
     auto read = parse_camera(text, "fuzz.camera");
     check(read.problems);
-    require(read.camera.has_value() != has_errors(read.problems));
+    require(read.camera.has_value() != castor::has_errors(read.problems));
   } else {
     check(parse_tabletop_scene(text, "fuzz.scene").problems);
   }

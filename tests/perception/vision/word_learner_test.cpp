@@ -184,8 +184,8 @@ TEST(LearnedWordsFile, TellsOfEveryLineThatIsWrong) {
   } catch (const TextFileError& e) {
     ASSERT_EQ(e.problems().size(), wrong.size());
     for (std::size_t i = 0; i < wrong.size(); ++i) {
-      EXPECT_EQ(e.problems()[i].line, static_cast<int>(i) + 3);
-      EXPECT_EQ(e.problems()[i].file, "my.words");
+      EXPECT_EQ(e.problems()[i].where.line(), i + 3);
+      EXPECT_EQ(e.problems()[i].where.file(), "my.words");
     }
     EXPECT_NE(std::string{e.what()}.find("my.words:3: error: "), std::string::npos) << e.what();
   }
