@@ -4,6 +4,7 @@
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/component/restart_type.hpp"
+#include "castor/actors/component/stop_patience.hpp"
 #include "castor/base/log.hpp"
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -188,7 +189,7 @@ private:
                         "run it in a process of its own: whatever it does there, others go on"};
   Option<std::int64_t> memory_limit_{this, "memory-limit", 0,
                                      "MB that an isolated component may allocate; 0 for no limit"};
-  Option<std::chrono::milliseconds> shutdown_{this, "shutdown", std::chrono::seconds{5},
+  Option<std::chrono::milliseconds> shutdown_{this, "shutdown", standard_stop_patience,
                                               "how long the component may take to stop"};
   Option<std::uint32_t> push_limit_{
     this, "push-limit", standard_push_limit,

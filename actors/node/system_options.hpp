@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/health.hpp"
+#include "castor/actors/component/stop_patience.hpp"
 #include "castor/actors/component/task_event.hpp"
 #include "castor/actors/link/link.hpp"
 #include "castor/base/diagnostic.hpp"
@@ -82,8 +83,9 @@ struct SystemOptions {
   /// How a node that went out of reach is treated.
   LinkOptions link;
 
-  /// How long a component may take to stop before it is given up.
-  std::chrono::milliseconds stop_patience{5000};
+  /// How long a component that does not say so itself (`--shutdown`) may take to stop before it is
+  /// given up.
+  std::chrono::milliseconds stop_patience = standard_stop_patience;
 
   /// Called with every change in every working memory, one at a time, those of one working memory
   /// in their order; not on any component's thread.

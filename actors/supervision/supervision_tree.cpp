@@ -1,6 +1,6 @@
 #include "castor/actors/supervision/supervision_tree.hpp"
 
-#include "castor/actors/component/component.hpp"
+#include "castor/actors/supervision/child_options.hpp"
 #include "castor/base/duration.hpp"
 
 #include <algorithm>
@@ -11,14 +11,6 @@
 namespace castor {
 
 namespace {
-
-RestartType restart_type_of(const ComponentDescription& x) {
-  if (auto* option = x.option("restart"))
-    for (auto& [name, type] : reflection_of<RestartType>().enumerators)
-      if (option->value == name)
-        return type;
-  return RestartType::permanent;
-}
 
 void forget_before(std::deque<Timestamp>& times, Timestamp start) {
   while (!times.empty() && times.front() < start)
@@ -40,7 +32,7 @@ void SupervisionTree::set(const ArchitectureDescription& architecture, bool rest
   system_.children.clear();
   auto add = [&](const ComponentDescription& x, std::vector<std::string>& to) {
     auto& child = children_[x.name];
-    child = {restarts ? restart_type_of(x) : RestartType::temporary, x.kind, x.subarchitecture,
+    child = {restarts ? ChildOptions{x}.restart : RestartType::temporary, x.kind, x.subarchitecture,
              std::move(known[x.name].failures)};
     to.push_back(x.name);
     order_.push_back(x.name);

@@ -1,7 +1,7 @@
 #include "castor/actors/supervision/system_model.hpp"
 
 #include "castor/actors/component/health.hpp"
-#include "castor/base/duration.hpp"
+#include "castor/actors/supervision/child_options.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -19,10 +19,8 @@ void SystemModel::set(ArchitectureDescription architecture, std::chrono::millise
     child.number = x.number;
     child.kind = x.kind;
     child.subarchitecture = x.subarchitecture;
-    child.shutdown = shutdown;
+    child.shutdown = ChildOptions{x}.shutdown.value_or(shutdown);
     child.isolated = x.is_on("isolate");
-    if (auto* option = x.option("shutdown"))
-      child.shutdown = parse_duration(option->value).value_or(child.shutdown);
   });
 }
 

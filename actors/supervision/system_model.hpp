@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/cast/description.hpp"
+#include "castor/actors/component/stop_patience.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/supervision/failover.hpp"
 #include "castor/actors/supervision/roster.hpp"
@@ -21,7 +22,7 @@ struct SupervisedChild {
   ComponentKind kind = ComponentKind::managed;
   std::string subarchitecture;
   /// How long it may take to stop.
-  std::chrono::milliseconds shutdown{5000};
+  std::chrono::milliseconds shutdown = standard_stop_patience;
   /// Counts its lives, from 1.
   std::uint64_t incarnation = 1;
   bool alive = true;
