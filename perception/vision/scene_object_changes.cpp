@@ -9,13 +9,13 @@ SceneObjectUpdate changes(const std::string& id, const SceneObject& before,
   update.position = after.pose != before.pose || after.box != before.box;
   update.shape = after.shape != before.shape;
   update.size = after.size != before.size;
-  update.color = after.color != before.color;
+  update.colour = after.colour != before.colour;
   update.label = after.label != before.label;
   return update;
 }
 
 bool is_change(const SceneObjectUpdate& update) {
-  return update.position || update.shape || update.size || update.color || update.label;
+  return update.position || update.shape || update.size || update.colour || update.label;
 }
 
 } // namespace castor::vision

@@ -168,7 +168,7 @@ struct SceneObject {
   ObjectBox box;
   Pose pose;
   Hypothesis label;
-  Hypothesis color;
+  Hypothesis colour;
   Hypothesis shape;
   Hypothesis size;
   std::vector<std::string> roi_ids;
@@ -182,7 +182,7 @@ struct SceneObjectUpdate {
   bool position = false;
   bool shape = false;
   bool size = false;
-  bool color = false;
+  bool colour = false;
   bool label = false;
 };
 
@@ -235,8 +235,8 @@ CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
 CASTOR_REFLECT(ScenePicture, image, camera, time)
 CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent)
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
-CASTOR_REFLECT(SceneObject, time, box, pose, label, color, shape, size, roi_ids, managing_process)
-CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, color, label)
+CASTOR_REFLECT(SceneObject, time, box, pose, label, colour, shape, size, roi_ids, managing_process)
+CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, colour, label)
 CASTOR_REFLECT(Attribute, kind, value)
 CASTOR_REFLECT(LearnInstruction, tutor_initiated, target_id, attributes)
 CASTOR_REFLECT(LearnedWord, kind, word, examples, mean, scatter)

@@ -89,7 +89,7 @@ TEST(Conversation, KnowsWhereThingsHaveGone) {
     auto entries = system.system().entries("vision");
     return std::ranges::any_of(entries, [](auto& entry) {
       auto object = entry->value.template as<vision::SceneObject>();
-      return object && object->color.value == "red" && object->box.centroid.x > 0.12;
+      return object && object->colour.value == "red" && object->box.centroid.x > 0.12;
     });
   });
   std::size_t asked = 0;
@@ -138,7 +138,7 @@ TEST(Conversation, TeachesWordsThatAreUsedLater) {
       return std::ranges::count_if(entries,
                                    [](auto& entry) {
                                      auto object = entry->value.template as<vision::SceneObject>();
-                                     return object && object->color.value == "cyan";
+                                     return object && object->colour.value == "cyan";
                                    }) >= 1 &&
              std::ranges::count_if(
                entries, [](auto& entry) { return entry->type_name() == "SceneObject"; }) == 2;

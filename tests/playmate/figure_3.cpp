@@ -92,7 +92,7 @@ std::string content_of(const std::string& type, const json& x) {
   if (type == "Camera")
     return "number " + x["number"].dump();
   if (type == "SceneObject")
-    return "colour " + x["color"]["value"].get<std::string>() + ", shape " +
+    return "colour " + x["colour"]["value"].get<std::string>() + ", shape " +
            x["shape"]["value"].get<std::string>() + ", " + number(x["roi_ids"].size()) + " ROI";
   if (type == "ROI")
     return std::string{x["has_features"].get<bool>() ? "with" : "without"} + " features";

@@ -47,7 +47,7 @@ void add_events(CLI::App& app, Action& chosen) {
   add_json_flag(*command, arguments->json);
   add_wait_flag(*command, arguments->wait);
   command->footer("Examples: castor events\n"
-                  "          castor events overwritten SceneObject in vision changing color\n"
+                  "          castor events overwritten SceneObject in vision changing colour\n"
                   "          castor events added ROI where 'area > 400'\n"
                   "Events are filtered at their source. For a slow reader they are merged.");
   on_call(*command, chosen, arguments, events);

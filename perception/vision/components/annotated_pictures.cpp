@@ -125,7 +125,7 @@ class AnnotatedPictures final : public UnmanagedComponent {
     try {
       auto object = read<SceneObject>(here(roi.object_id));
       std::vector<AnnotationLine> lines{{"object " + roi.object_id, {}}};
-      for (auto* x : {&object->color, &object->shape, &object->size})
+      for (auto* x : {&object->colour, &object->shape, &object->size})
         lines.push_back({x->value, x->confidence});
       return lines;
     } catch (const DoesNotExistOnWM&) {

@@ -55,13 +55,13 @@ class Recogniser final : public ManagedComponent {
       return true;
     auto& features = roi->features;
     auto after = *before;
-    after.color = judge("colour", features.colours, features);
+    after.colour = judge("colour", features.colours, features);
     after.shape = judge("shape", features.shapes, features);
     SizeOptions size;
     size.large_from = large_from_;
     after.size = best_of(judge_size(features.extent, size));
-    after.label = {after.color.value + ' ' + after.shape.value,
-                   after.color.confidence * after.shape.confidence};
+    after.label = {after.colour.value + ' ' + after.shape.value,
+                   after.colour.confidence * after.shape.confidence};
     if (features.extent != ObjectBox{}) {
       after.box = features.extent;
       after.pose.position = features.extent.centroid;

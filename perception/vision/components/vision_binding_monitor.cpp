@@ -59,7 +59,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     auto thing = from_here();
     thing.features.push_back(binding::tether_to(data));
     thing.features.push_back(feature(FeatureKind::concept_name, "thing"));
-    add_word(thing, FeatureKind::colour, object.color);
+    add_word(thing, FeatureKind::colour, object.colour);
     add_word(thing, FeatureKind::shape, object.shape);
     add_word(thing, FeatureKind::size, object.size);
     auto location = from_here();

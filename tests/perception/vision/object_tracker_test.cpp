@@ -177,14 +177,14 @@ class ColourChanger final : public UnmanagedComponent {
     auto x = object->pose.position.x;
     moves_ += x != x_;
     x_ = x;
-    auto number = object->color.confidence;
-    if (object->managing_process != "tracker" || object->color.value == "unknown")
+    auto number = object->colour.confidence;
+    if (object->managing_process != "tracker" || object->colour.value == "unknown")
       return;
     // Others are of a new view, if the segmentor has taken the scene to be still.
     auto& colour = rois[0]->features.colours.front();
     if (colour.value == "many" && colour.confidence != rounds_)
       throw std::runtime_error("the region has lost a colour");
-    if (object->color.value == "many") {
+    if (object->colour.value == "many") {
       if (number < recognised_)
         throw std::runtime_error("the object has lost a colour");
       named_ += number > recognised_;
@@ -248,10 +248,10 @@ class HastyTracker final : public UnmanagedComponent {
       auto before = read<SceneObject>(object_);
       if (rounds_ > 0 && before->pose.position != place_)
         throw std::runtime_error(fmt::format("round {}: the object was put back", rounds_));
-      if (before->color.confidence < named_as_)
+      if (before->colour.confidence < named_as_)
         throw std::runtime_error(fmt::format("round {}: a colour was lost", rounds_));
-      named_ += before->color.confidence > named_as_;
-      named_as_ = before->color.confidence;
+      named_ += before->colour.confidence > named_as_;
+      named_as_ = before->colour.confidence;
       auto object = *before;
       auto roi = *read<ROI>(roi_);
       auto box = roi.box;

@@ -38,7 +38,7 @@ TEST_F(VisionSystem, ObjectsStayUnknownWithoutTheRecogniser) {
   auto system = watch(text, {{"source", scene("red cube at 0 0 size 0.07\n")}});
   auto objects = all<SceneObject>(*system);
   ASSERT_EQ(objects.size(), 1u);
-  EXPECT_EQ(objects[0].color.value, "unknown");
+  EXPECT_EQ(objects[0].colour.value, "unknown");
   EXPECT_EQ(objects[0].shape.value, "unknown");
 }
 

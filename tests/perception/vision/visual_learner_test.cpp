@@ -16,7 +16,7 @@ class Tutor final : public UnmanagedComponent {
   void start() override {
     on_change(overwritten<SceneObject>(), [this](const ChangeEvent& event) {
       auto object = read<SceneObject>(event.address);
-      if (has_taught_ || object->color.value == "unknown" || object->pose.position.x > -0.1)
+      if (has_taught_ || object->colour.value == "unknown" || object->pose.position.x > -0.1)
         return;
       has_taught_ = true;
       LearnInstruction instruction;

@@ -82,7 +82,7 @@ protected:
   std::vector<Json> entries{
     entry("vision", "0:1", "SceneObject",
           {{"time", 12},
-           {"color", {{"value", "red"}, {"confidence", 0.9}}},
+           {"colour", {{"value", "red"}, {"confidence", 0.9}}},
            {"position", {{"x", 0.25}, {"y", -0.5}, {"z", -0.0}}},
            {"camera", ""},
            {"ball", {{"address", {{"subarchitecture", "vision"}, {"id", "0:7"}}}}}}),
@@ -176,7 +176,7 @@ TEST_F(OfATable, PeopleReadWhatTells) {
     text("union 1"),
     "binding/union 1  BindingUnion: colour red, concept name ball\n"
     "  binding/v ball  BindingProxy: colour red\n"
-    "    vision/0:1  SceneObject: color red (0.9), ball vision/0:7, position (0.25, -0.5, 0),"
+    "    vision/0:1  SceneObject: colour red (0.9), ball vision/0:7, position (0.25, -0.5, 0),"
     " time 12\n"
     "  binding/s ball  BindingProxy: concept name ball, not shape cube\n"
     "    speech/w3  Word: text ball\n");
@@ -238,7 +238,7 @@ TEST_F(TethersOfASystem, AreFollowedInBothDirectionsOrItSaysWhyNot) {
     for (auto& tree : tethers({}))
       for (auto& proxy : tree["proxies"])
         for (auto& data : proxy["data"])
-          if (data["type"] == "SceneObject" && data["value"]["color"]["value"] == "blue")
+          if (data["type"] == "SceneObject" && data["value"]["colour"]["value"] == "blue")
             object = data;
     return !object.is_null();
   }))
