@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/wm/entries/address.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
 #include "castor/wm/values/reflect.hpp"
-#include "castor/wm/values/type_descriptor.hpp"
 
 #include <compare>
 #include <string>

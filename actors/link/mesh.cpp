@@ -3,6 +3,7 @@
 #include "castor/actors/link/message_subject.hpp"
 #include "castor/actors/link/remote_actor.hpp"
 #include "castor/base/log.hpp"
+#include "castor/wm/values/descriptor_encoding.hpp"
 
 #include <string>
 #include <utility>

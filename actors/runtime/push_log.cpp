@@ -2,6 +2,7 @@
 
 #include "castor/wm/journal/journal.hpp"
 #include "castor/wm/values/crc32.hpp"
+#include "castor/wm/values/descriptor_encoding.hpp"
 
 #include <algorithm>
 #include <chrono>

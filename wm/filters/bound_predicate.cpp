@@ -209,15 +209,15 @@ bool holds(const Bound::Node& x, const Value& value) {
 
 } // namespace
 
-BoundPredicate::BoundPredicate(const Predicate& predicate, const TypeDescriptor& type) {
-  if (!predicate.empty())
-    root_.push_back(Binder{type}.bind(*predicate.tree()));
+BoundPredicate::BoundPredicate(const predicate::Node* tree, const TypeDescriptor& type) {
+  if (tree)
+    root_.push_back(Binder{type}.bind(*tree));
 }
 
-std::optional<BoundPredicate> BoundPredicate::try_bind(const Predicate& predicate,
+std::optional<BoundPredicate> BoundPredicate::try_bind(const predicate::Node* tree,
                                                        const TypeDescriptor& type) {
   try {
-    return BoundPredicate{predicate, type};
+    return BoundPredicate{tree, type};
   } catch (const FieldError&) {
     return std::nullopt;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "castor/wm/filters/predicate.hpp"
 #include "castor/wm/values/field_access.hpp"
 #include "castor/wm/values/type_descriptor.hpp"
 #include "castor/wm/values/value.hpp"
@@ -11,15 +10,20 @@
 
 namespace castor {
 
+namespace predicate {
+struct Node;
+}
+
 /// A predicate whose fields were looked up in one type: for the values of that type, it evaluates
 /// without looking at a name again.
 class BoundPredicate {
 public:
-  /// Throws FieldError if the type lacks a field, or has one that cannot be compared as wanted.
-  BoundPredicate(const Predicate& predicate, const TypeDescriptor& type);
+  /// Of the predicate's tree, null for the empty one. Throws FieldError if the type lacks a field,
+  /// or has one that cannot be compared as wanted.
+  BoundPredicate(const predicate::Node* tree, const TypeDescriptor& type);
 
   /// Nothing where the constructor throws.
-  static std::optional<BoundPredicate> try_bind(const Predicate& predicate,
+  static std::optional<BoundPredicate> try_bind(const predicate::Node* tree,
                                                 const TypeDescriptor& type);
 
   /// Of a value of that type: nothing is encoded or decoded as a whole. A value that came as bytes

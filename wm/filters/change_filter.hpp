@@ -3,8 +3,8 @@
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/filters/predicate_builder.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
 #include "castor/wm/values/field_mask.hpp"
-#include "castor/wm/values/type_descriptor.hpp"
 #include "castor/wm/values/value.hpp"
 
 #include <compare>

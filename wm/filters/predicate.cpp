@@ -22,12 +22,14 @@ struct Predicate::Rep {
 };
 
 Predicate::Predicate(predicate::Node tree) {
-  if (predicate::depth(tree) > max_depth)
-    throw PredicateError("a predicate may nest no deeper than " + std::to_string(max_depth));
+  if (predicate::depth(tree) > predicate::max_depth)
+    throw PredicateError("a predicate may nest no deeper than " +
+                         std::to_string(predicate::max_depth));
   auto text = predicate::to_string(tree);
-  if (text.size() > max_text)
+  if (text.size() > predicate::max_text)
     throw PredicateError("a predicate of " + std::to_string(text.size()) +
-                         " characters is too long; the limit is " + std::to_string(max_text));
+                         " characters is too long; the limit is " +
+                         std::to_string(predicate::max_text));
   rep_ = std::make_shared<const Rep>(Rep{std::move(tree), std::move(text)});
 }
 
@@ -46,11 +48,11 @@ const predicate::Node* Predicate::tree() const {
 }
 
 void Predicate::check(const TypeDescriptor& type) const {
-  BoundPredicate{*this, type};
+  BoundPredicate{tree(), type};
 }
 
 bool Predicate::matches(const Value& x) const {
-  auto bound = BoundPredicate::try_bind(*this, x.type());
+  auto bound = BoundPredicate::try_bind(tree(), x.type());
   return bound && bound->matches(x);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "castor/wm/filters/predicate_error.hpp"
 #include "castor/wm/values/type_descriptor.hpp"
 
 #include <compare>
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -16,19 +16,6 @@ class Value;
 namespace predicate {
 struct Node;
 }
-
-/// A text that is no predicate, or a predicate that cannot be.
-class PredicateError : public std::runtime_error {
-public:
-  explicit PredicateError(const std::string& what, std::size_t position = 0)
-    : runtime_error(what), position_(position) {}
-
-  /// Where in the text it stands, from 0.
-  std::size_t position() const { return position_; }
-
-private:
-  std::size_t position_;
-};
 
 /// A condition over the fields of an entry:
 ///
@@ -53,10 +40,6 @@ private:
 /// without x. `has(x)` asks for presence alone.
 class Predicate {
 public:
-  /// What travels is limited, so that no sender can make a receiver busy for long.
-  static constexpr std::size_t max_text = 64 * 1024;
-  static constexpr int max_depth = 100;
-
   /// True of every entry.
   Predicate() = default;
 

@@ -2,6 +2,7 @@
 
 #include "castor/wm/filters/predicate.hpp"
 #include "castor/wm/filters/predicate_tree.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
 #include "castor/wm/values/field_name.hpp"
 #include "castor/wm/values/object_access.hpp"
 

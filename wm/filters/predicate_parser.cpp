@@ -1,6 +1,6 @@
 #include "castor/wm/filters/predicate_parser.hpp"
 
-#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/filters/predicate_error.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -39,10 +39,9 @@ int hex_digit(char c) {
 class Parser {
 public:
   explicit Parser(std::string_view text) : text_(text) {
-    if (text.size() > Predicate::max_text)
+    if (text.size() > max_text)
       throw PredicateError("a predicate of " + std::to_string(text.size()) +
-                           " characters is too long; the limit is " +
-                           std::to_string(Predicate::max_text));
+                           " characters is too long; the limit is " + std::to_string(max_text));
   }
 
   std::optional<Node> parse() {
@@ -57,7 +56,7 @@ public:
 
 private:
   /// A negation in parentheses takes two steps but is one node.
-  static constexpr int max_nesting = 2 * Predicate::max_depth;
+  static constexpr int max_nesting = 2 * max_depth;
 
   Node alternative() {
     std::vector<Node> parts;

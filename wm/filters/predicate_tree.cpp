@@ -1,6 +1,6 @@
 #include "castor/wm/filters/predicate_tree.hpp"
 
-#include "castor/wm/filters/predicate.hpp"
+#include "castor/wm/filters/predicate_error.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -9,8 +9,9 @@ bool RegisteredFilter::matches(const ChangeEvent& event, const Value& content) {
     return true;
   if (!content.has_value())
     return false;
-  auto& predicate = bound.get(
-    content.type_ptr(), [&] { return BoundPredicate::try_bind(filter.predicate, content.type()); });
+  auto& predicate = bound.get(content.type_ptr(), [&] {
+    return BoundPredicate::try_bind(filter.predicate.tree(), content.type());
+  });
   return predicate && predicate->matches(content);
 }
 

@@ -1,6 +1,7 @@
 #include "castor/wm/journal/journal_tables.hpp"
 
 #include "castor/wm/journal/journal_error.hpp"
+#include "castor/wm/values/descriptor_encoding.hpp"
 #include "castor/wm/values/encoding.hpp"
 
 namespace castor::journal_tables {

@@ -3,6 +3,7 @@
 #include "castor/wm/journal/journal_creation.hpp"
 #include "castor/wm/journal/journal_error.hpp"
 #include "castor/wm/journal/journal_recovery.hpp"
+#include "castor/wm/values/descriptor_encoding.hpp"
 #include "castor/wm/values/encoding.hpp"
 
 #include <chrono>

@@ -246,7 +246,7 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
                   (query.with_derived && table.type->is_a(query.type));
     if (!wanted || table.recency.empty())
       continue;
-    if (auto bound = BoundPredicate::try_bind(query.predicate, *table.type))
+    if (auto bound = BoundPredicate::try_bind(query.predicate.tree(), *table.type))
       push({0, table.recency.begin(), &table.recency,
             std::make_shared<const BoundPredicate>(*std::move(bound))});
   }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/wire_traits.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>

@@ -25,4 +25,11 @@ void make_foreign_type_known(const TypeDescriptorPtr& type);
 /// Of two types of one name, an own one counts.
 TypeCatalogue known_types();
 
+namespace detail {
+
+/// Makes a type known to `known_types` by what makes its descriptor.
+bool announce_type(const TypeDescriptorPtr& (*descriptor)());
+
+} // namespace detail
+
 } // namespace castor

@@ -1,5 +1,7 @@
 #include "castor/wm/values/value.hpp"
 
+#include "castor/wm/values/descriptor_encoding.hpp"
+
 #include <algorithm>
 #include <set>
 

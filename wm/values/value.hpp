@@ -1,11 +1,11 @@
 #pragma once
 
+#include "castor/wm/values/descriptor_of.hpp"
 #include "castor/wm/values/encoded_size.hpp"
 #include "castor/wm/values/encoding.hpp"
 #include "castor/wm/values/field_access.hpp"
 #include "castor/wm/values/field_mask.hpp"
 #include "castor/wm/values/object_access.hpp"
-#include "castor/wm/values/type_descriptor.hpp"
 #include "castor/wm/values/wire_equality.hpp"
 
 #include <memory>

@@ -30,7 +30,7 @@ RC_GTEST_PROP(PredicateProperties, MeanWhatTheySay, ()) {
     auto wanted = random_predicate(random, 3);
     auto predicate = Predicate::parse(wanted.text);
     predicate.check(*descriptor_of<Thing>());
-    BoundPredicate bound{predicate, *descriptor_of<Thing>()};
+    BoundPredicate bound{predicate.tree(), *descriptor_of<Thing>()};
     for (int j = 0; j < 5; ++j) {
       auto thing = random_thing(random);
       auto value = Value::of(thing);

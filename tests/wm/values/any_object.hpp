@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,6 @@
 #include "castor/wm/values/encoding.hpp"
+
+#include "castor/wm/values/descriptor_encoding.hpp"
 #include "castor/wm/values/field_access.hpp"
 #include "castor/wm/values/json.hpp"
 #include "castor/wm/values/value.hpp"

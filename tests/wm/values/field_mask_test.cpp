@@ -1,5 +1,6 @@
 #include "castor/wm/values/field_mask.hpp"
 
+#include "castor/wm/values/descriptor_encoding.hpp"
 #include "castor/wm/values/value.hpp"
 
 #include "castor/tests/wm/values/any_object.hpp"

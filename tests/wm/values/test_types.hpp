@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/wm/values/reflect.hpp"
-#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,8 @@
 #include "castor/wm/values/type_descriptor.hpp"
 
+#include "castor/wm/values/descriptor_encoding.hpp"
+#include "castor/wm/values/descriptor_of.hpp"
+
 #include "castor/tests/wm/values/test_types.hpp"
 #include "castor/wm/values/encoding.hpp"
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "castor/wm/values/type_descriptor.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+/// Which C++ types hold others, and which travel in one piece.
+namespace castor::detail {
+
+template <class T>
+struct ElementOf;
+
+template <class T, class A>
+struct ElementOf<std::vector<T, A>> {
+  using Type = T;
+  static constexpr WireKind kind = WireKind::list;
+};
+
+template <class T, std::size_t N>
+struct ElementOf<std::array<T, N>> {
+  using Type = T;
+  static constexpr WireKind kind = WireKind::array;
+};
+
+template <class T>
+struct ElementOf<std::optional<T>> {
+  using Type = T;
+  static constexpr WireKind kind = WireKind::optional;
+};
+
+template <class T>
+concept Container = requires {
+  ElementOf<T>::kind;
+};
+
+/// A vector of bytes travels in one piece; so images and the like cost a memcpy.
+template <class T>
+inline constexpr bool is_bytes = std::is_same_v<T, Bytes> || std::is_same_v<T, std::vector<char>>;
+
+} // namespace castor::detail
