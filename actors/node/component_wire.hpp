@@ -94,8 +94,6 @@ CASTOR_WIRE(ChangeNotice, event, filters)
 CASTOR_WIRE(ChangeNotices, notices)
 CASTOR_WIRE(EventsTaken, stream, count)
 CASTOR_WIRE(Interest, subarchitecture, id, filter, wanted)
-CASTOR_WIRE(ForwardedEvent, event, interests)
-CASTOR_WIRE(ForwardedEvents, events)
 CASTOR_WIRE(RoutedEvent, event, receivers)
 CASTOR_WIRE(RoutedEvents, events)
 

@@ -15,7 +15,7 @@ const WireTable& system_messages() {
     WorkingMemoryStatus, UsageQuery, UsageReport,
     // Events
     Subscribe, Unsubscribe, ChangeNotice, ChangeNotices, EventsTaken, Interest, Acknowledged,
-    ForwardedEvents, RoutedEvents,
+    RoutedEvents,
     // Components
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
     Outcome<Value>, PushRequest, Pushed, PushesTaken,

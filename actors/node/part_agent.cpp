@@ -106,10 +106,10 @@ void deliver_events(const std::map<std::string, WorkingMemoryActor>& working_mem
                     const caf::message& message, caf::execution_unit* context) {
   if (!message.match_elements<RoutedEvents>())
     return;
-  std::map<std::string, ForwardedEvents> found;
+  std::map<std::string, ChangeNotices> found;
   for (auto& [event, receivers] : message.get_as<RoutedEvents>(0).events)
     for (auto& [subarchitecture, interests] : receivers)
-      found[subarchitecture].events.push_back({event, interests});
+      found[subarchitecture].notices.push_back({event, interests});
   for (auto& [subarchitecture, events] : found)
     if (auto i = working_memories.find(subarchitecture); i != working_memories.end())
       caf::actor_cast<caf::abstract_actor*>(i->second)->enqueue(

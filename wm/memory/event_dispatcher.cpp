@@ -44,12 +44,12 @@ void EventDispatcher::dispatch(const std::vector<CommittedChange>& changes) {
   push(std::move(notices));
   peers_.push(
     std::move(outgoing),
-    [this](PeerNumber peer, std::vector<ForwardedEvent> x) { send_near(peer, std::move(x)); },
+    [this](PeerNumber peer, EventFlow::Batch x) { send_near(peer, std::move(x)); },
     [this](RouteNumber route, RoutedEvents x) { send_far(route, std::move(x)); });
 }
 
-void EventDispatcher::receive(const ForwardedEvents& forwarded) {
-  push(subscriptions_.receive(forwarded));
+void EventDispatcher::receive(const ChangeNotices& events) {
+  push(subscriptions_.receive(events));
 }
 
 void EventDispatcher::push(Subscriptions::Notices notices) {
@@ -67,9 +67,9 @@ void EventDispatcher::send(Subscriptions::Number subscriber, EventFlow::Batch ba
   });
 }
 
-void EventDispatcher::send_near(PeerNumber peer, std::vector<ForwardedEvent> events) {
+void EventDispatcher::send_near(PeerNumber peer, EventFlow::Batch events) {
   outbox_.emit([self = self_, to = peer_actors_[peer], events = std::move(events)]() mutable {
-    self->send(to, ForwardedEvents{std::move(events)});
+    self->send(to, ChangeNotices{std::move(events)});
   });
 }
 

@@ -31,7 +31,7 @@ public:
   void dispatch(const std::vector<CommittedChange>& changes);
 
   /// Those of a write in another working memory, to the components here.
-  void receive(const ForwardedEvents& forwarded);
+  void receive(const ChangeNotices& events);
 
   // -- of the sender of the current message
 
@@ -81,7 +81,7 @@ private:
 
   void push(Subscriptions::Notices notices);
   void send(Subscriptions::Number subscriber, EventFlow::Batch batch);
-  void send_near(PeerNumber peer, std::vector<ForwardedEvent> events);
+  void send_near(PeerNumber peer, EventFlow::Batch events);
   void send_far(RouteNumber route, RoutedEvents events);
 
   WorkingMemoryActor::pointer self_;

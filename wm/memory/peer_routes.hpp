@@ -18,7 +18,7 @@ namespace castor {
 /// Those of one process share a route, on which each event goes once.
 ///
 /// Whoever uses this sends: to a peer in this process by `send_near(PeerNumber,
-/// std::vector<ForwardedEvent>)`, on a route by `send_far(RouteNumber, RoutedEvents)`.
+/// EventFlow::Batch)`, on a route by `send_far(RouteNumber, RoutedEvents)`.
 class PeerRoutes {
 public:
   /// Counted from 0 in the order of addition, and never used twice.
@@ -28,7 +28,7 @@ public:
   /// The events of one write that are to be sent.
   struct Outgoing {
     /// By peer, for those in this process.
-    std::map<PeerNumber, std::vector<ForwardedEvent>> near;
+    std::map<PeerNumber, EventFlow::Batch> near;
     std::map<RouteNumber, EventFlow::Batch> far;
   };
 

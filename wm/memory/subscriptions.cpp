@@ -72,9 +72,9 @@ void Subscriptions::collect(const ChangeEventPtr& event, const std::vector<Filte
       list.push_back({event, {}});
 }
 
-Subscriptions::Notices Subscriptions::receive(const ForwardedEvents& forwarded) {
+Subscriptions::Notices Subscriptions::receive(const ChangeNotices& events) {
   Notices result;
-  for (auto& [event, interests] : forwarded.events) {
+  for (auto& [event, interests] : events.notices) {
     if (is_ignored(*event))
       continue;
     matched_.clear();

@@ -88,7 +88,7 @@ public:
                Notices& notices) const;
 
   /// The events of a write in another working memory, by subscriber.
-  Notices receive(const ForwardedEvents& forwarded);
+  Notices receive(const ChangeNotices& events);
 
   template <class F>
   void push(Notices notices, UsageLog& usage, F&& send) {

@@ -53,7 +53,7 @@ working_memory(WorkingMemoryActor::stateful_pointer<WorkingMemoryState> self,
       shell->events().set_interest(x);
       return Acknowledged{};
     },
-    [shell](const ForwardedEvents& x) { shell->events().receive(x); },
+    [shell](const ChangeNotices& x) { shell->events().receive(x); },
     [shell](const Peers& x) {
       shell->allow_writers(x.writers);
       return shell->events().introduce(x);

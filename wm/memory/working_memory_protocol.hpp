@@ -133,7 +133,8 @@ struct Unsubscribe {
   FilterId id = 0;
 };
 
-/// To a component: what an atomic write did, in one batch.
+/// To a component, or from one working memory to another: the events of one write. The filters are
+/// numbered by the receiver: as FilterId by a component, as InterestId by a working memory.
 struct ChangeNotices {
   std::vector<ChangeNotice> notices;
 };
@@ -157,18 +158,9 @@ struct Interest {
   bool wanted = true;
 };
 
-/// An event, and which interests of the receiving working memory it meets.
-struct ForwardedEvent {
-  ChangeEventPtr event;
-  std::vector<InterestId> interests;
-};
-
-/// From one working memory to another that wants them: the events of one write.
-struct ForwardedEvents {
-  std::vector<ForwardedEvent> events;
-};
-
-/// An event, and which interests of which subarchitectures' working memories it meets.
+/// An event on a route: which interests of which subarchitectures' working memories it meets. That
+/// is more than a ChangeNotice, which has one receiver: a process with several working memories is
+/// sent one copy, and only it knows which actors these are. There each gets its ChangeNotices.
 struct RoutedEvent {
   ChangeEventPtr event;
   std::vector<std::pair<std::string, std::vector<InterestId>>> receivers;
@@ -305,7 +297,7 @@ using WorkingMemoryActor = caf::typed_actor<
   // Another working memory says what its subarchitecture wants.
   caf::replies_to<Interest>::with<Acknowledged>,
   // Changes in another subarchitecture that somebody here wants to hear of.
-  caf::reacts_to<ForwardedEvents>,
+  caf::reacts_to<ChangeNotices>,
   // Introduces the other working memories.
   caf::replies_to<Peers>::with<Acknowledged>,
   // The journal says what is on disk.
@@ -338,7 +330,6 @@ CASTOR_LOCAL_MESSAGE(castor::ChangeNotice)
 CASTOR_LOCAL_MESSAGE(castor::ChangeNotices)
 CASTOR_LOCAL_MESSAGE(castor::EventsTaken)
 CASTOR_LOCAL_MESSAGE(castor::Interest)
-CASTOR_LOCAL_MESSAGE(castor::ForwardedEvents)
 CASTOR_LOCAL_MESSAGE(castor::RoutedEvents)
 CASTOR_LOCAL_MESSAGE(castor::Peers)
 CASTOR_LOCAL_MESSAGE(castor::Acknowledged)

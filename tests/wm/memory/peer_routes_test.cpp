@@ -22,7 +22,7 @@ namespace {
 class PeerRoutesTest : public testing::Test {
 protected:
   auto record_near() {
-    return [this](PeerRoutes::PeerNumber peer, const std::vector<ForwardedEvent>& events) {
+    return [this](PeerRoutes::PeerNumber peer, const EventFlow::Batch& events) {
       for (auto& [event, interests] : events)
         for (auto interest : interests)
           sent.push_back(event->address.id + " to peer " + std::to_string(peer) + " for " +

@@ -138,7 +138,7 @@ TEST_F(ReplacedPeers, TakeNoEventsThatWereOnTheirWayToTheOneBefore) {
   auto event = std::make_shared<ChangeEvent>();
   event->operation = Operation::add;
   event->address = {"a", "x"};
-  caf::anon_send(successor, ForwardedEvents{{{event, {first}}}});
+  caf::anon_send(successor, ChangeNotices{{{event, {first}}}});
   scheduler.run();
   EXPECT_EQ(told(later), Told{});
   replace("b", successor);
