@@ -1,14 +1,13 @@
 #include "castor/benchmarks/own_process.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 namespace castor::benchmark {
 
@@ -29,18 +28,11 @@ OwnProcess::OwnProcess(std::vector<std::string> arguments) {
   // Others that are started meanwhile would keep the pipes open.
   if (pipe2(in.data(), O_CLOEXEC) != 0 || pipe2(out.data(), O_CLOEXEC) != 0)
     std::abort();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
-  std::string self = "/proc/self/exe";
-  std::vector<char*> pointers{self.data()};
-  for (auto& x : arguments)
-    pointers.push_back(x.data());
-  pointers.push_back(nullptr);
-  if (posix_spawn(&id_, self.c_str(), &actions, nullptr, pointers.data(), environ) != 0)
-    std::abort();
-  posix_spawn_file_actions_destroy(&actions);
+  arguments.insert(arguments.begin(), "/proc/self/exe");
+  child_.emplace(ChildProgram{.file = "/proc/self/exe",
+                              .arguments = std::move(arguments),
+                              .descriptors = {{in[0], STDIN_FILENO}, {out[1], STDOUT_FILENO}},
+                              .has_own_group = false});
   close(in[0]);
   close(out[1]);
   input_ = in[1];
@@ -50,11 +42,11 @@ OwnProcess::OwnProcess(std::vector<std::string> arguments) {
 
 OwnProcess::~OwnProcess() {
   close(input_);
-  waitpid(id_, nullptr, 0);
+  child_->wait();
 }
 
 void OwnProcess::kill() const {
-  ::kill(id_, SIGKILL);
+  ::kill(child_->id(), SIGKILL);
 }
 
 void await_end_of_input() {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <sys/types.h>
+#include "castor/base/child_process.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ public:
   void kill() const;
 
 private:
-  pid_t id_ = -1;
+  std::optional<ChildProcess> child_;
   int input_ = -1;
   std::string first_line_;
 };

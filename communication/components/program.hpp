@@ -1,8 +1,9 @@
 #pragma once
 
-#include <string>
+#include "castor/base/child_process.hpp"
 
-#include <sys/types.h>
+#include <optional>
+#include <string>
 
 namespace castor::communication {
 
@@ -21,15 +22,14 @@ public:
   int output() const { return output_; }
 
   /// Whether it has ended, and how is known from now on.
-  bool has_ended();
+  bool has_ended() { return process_->has_ended(); }
 
   /// 0 for well; the shell's 127 for a program that is not there. \pre it has ended
-  int status() const { return status_; }
+  int status() const { return process_->status(); }
 
 private:
-  pid_t id_ = -1;
+  std::optional<ChildProcess> process_;
   int output_ = -1;
-  int status_ = -1;
 };
 
 } // namespace castor::communication

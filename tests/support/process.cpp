@@ -4,11 +4,10 @@
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace castor::test {
@@ -39,31 +38,19 @@ Process::Process(std::vector<std::string> arguments, std::string input) {
   auto [in_read, in_write] = make_pipe();
   auto [out_read, out_write] = make_pipe();
   auto [err_read, err_write] = make_pipe();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in_read, 0);
-  posix_spawn_file_actions_adddup2(&actions, out_write, 1);
-  posix_spawn_file_actions_adddup2(&actions, err_write, 2);
-  // A test's own signal mask is nothing to inherit.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  std::vector<char*> argv;
-  for (auto& x : arguments)
-    argv.push_back(x.data());
-  argv.push_back(nullptr);
-  auto error = posix_spawnp(&pid_, argv[0], &actions, &attributes, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
+  auto file = arguments.front();
+  try {
+    child_.emplace(ChildProgram{
+      file, std::move(arguments), {}, {{in_read, 0}, {out_write, 1}, {err_write, 2}}, false});
+  } catch (const std::system_error&) {
+    // Said below, when the pipes are closed.
+  }
   for (int x : {in_read, out_write, err_write})
     close(x);
-  if (error != 0) {
+  if (!child_) {
     for (int x : {in_write, out_read, err_read})
       close(x);
-    throw std::runtime_error("cannot start " + arguments.front());
+    throw std::runtime_error("cannot start " + file);
   }
   input_ = in_write;
   output_ = out_read;
@@ -77,7 +64,7 @@ Process::Process(std::vector<std::string> arguments, std::string input) {
 }
 
 Process::~Process() {
-  if (status_ < 0) {
+  if (child_->status() < 0) {
     send_signal(SIGKILL);
     wait();
   }
@@ -93,22 +80,17 @@ bool Process::wait_for_output(const std::string& text, std::chrono::seconds pati
 }
 
 void Process::send_signal(int number) {
-  kill(pid_, number);
+  kill(pid(), number);
 }
 
 int Process::wait() {
-  if (status_ >= 0)
-    return status_;
+  if (child_->status() >= 0)
+    return child_->status();
   for (auto& x : threads_)
     x.join();
   close(output_);
   close(errors_);
-  int state = 0;
-  while (waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
-    // Once more.
-  }
-  status_ = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-  return status_;
+  return child_->wait();
 }
 
 std::string Process::output() {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "castor/base/child_process.hpp"
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -25,7 +28,7 @@ public:
   bool wait_for_output(const std::string& text,
                        std::chrono::seconds patience = std::chrono::seconds{30});
 
-  pid_t pid() const { return pid_; }
+  pid_t pid() const { return child_->id(); }
 
   void send_signal(int number);
 
@@ -39,8 +42,7 @@ public:
 private:
   void gather(int descriptor, std::string& into);
 
-  pid_t pid_ = -1;
-  int status_ = -1;
+  std::optional<ChildProcess> child_;
   int input_ = -1;
   int output_ = -1;
   int errors_ = -1;

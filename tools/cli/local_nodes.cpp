@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/node/placement.hpp"
+#include "castor/base/child_process.hpp"
 #include "castor/base/log.hpp"
 
 #include <fmt/core.h>
@@ -9,7 +10,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -19,7 +19,7 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
-#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace castor::cli {
@@ -29,51 +29,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-/// How nodes are started: in a process group of their own, so that Ctrl-C reaches this process
-/// alone, which then stops everything in order.
-class Attributes {
-public:
-  Attributes() {
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    sigset_t none;
-    sigemptyset(&none);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawn_file_actions_init(&actions_);
-  }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  ~Attributes() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-
-  void give(int descriptor, int as) { posix_spawn_file_actions_adddup2(&actions_, descriptor, as); }
-
-  /// 0 or an error number.
-  int spawn(pid_t& id, std::vector<std::string> arguments) {
-    std::vector<char*> pointers;
-    for (auto& x : arguments)
-      pointers.push_back(x.data());
-    pointers.push_back(nullptr);
-    auto mark = new_child_mark();
-    std::vector<char*> environment{mark.data()};
-    auto name = mark.substr(0, mark.find('=') + 1);
-    for (auto** x = environ; *x; ++x)
-      if (!std::string_view{*x}.starts_with(name))
-        environment.push_back(*x);
-    environment.push_back(nullptr);
-    auto error = posix_spawn(&id, "/proc/self/exe", &actions_, &attributes_, pointers.data(),
-                             environment.data());
-    if (error == 0)
-      add_child(id, mark);
-    return error;
-  }
-
-private:
-  posix_spawnattr_t attributes_;
-  posix_spawn_file_actions_t actions_;
-};
+/// Starts this program once more, to be ended with `end_child`. Throws std::system_error.
+pid_t start_child(std::vector<std::string> arguments,
+                  std::vector<std::pair<int, int>> descriptors) {
+  auto mark = new_child_mark();
+  // Ctrl-C reaches this process alone, which then stops everything in order.
+  ChildProcess child{
+    {"/proc/self/exe", std::move(arguments), {mark}, std::move(descriptors), true}};
+  add_child(child.id(), mark);
+  return child.release();
+}
 
 /// Closes its ends, but for those that were taken out.
 class Pipe {
@@ -158,9 +123,6 @@ void LocalNodes::start(Process& x) const {
   Pipe announcement;
   // What the node announces is not for the user; what its components print is.
   constexpr int announcements = 3;
-  Attributes attributes;
-  attributes.give(input.reader(), STDIN_FILENO);
-  attributes.give(announcement.writer(), announcements);
   std::vector<std::string> arguments{
     "castor",           "node",       "--name",
     x.node.name,        "--listen",   to_string(x.at),
@@ -173,7 +135,13 @@ void LocalNodes::start(Process& x) const {
     arguments.insert(arguments.end(), {"--memory-limit", std::to_string(x.node.memory_limit)});
   x.id = -1;
   x.started = Clock::now();
-  int error = attributes.spawn(x.id, std::move(arguments));
+  int error = 0;
+  try {
+    x.id = start_child(std::move(arguments),
+                       {{input.reader(), STDIN_FILENO}, {announcement.writer(), announcements}});
+  } catch (const std::system_error& e) {
+    error = e.code().value();
+  }
   input.close_reader();
   announcement.close_writer();
   auto line = error == 0 ? first_line(announcement.reader(), wake_[0]) : std::string{};

@@ -1,3 +1,4 @@
+#include "castor/base/child_process.hpp"
 #include "castor/wm/filters/predicate_builder.hpp"
 #include "castor/wm/values/encoding.hpp"
 #include "castor/wm/values/json.hpp"
@@ -17,8 +18,7 @@
 #include <thread>
 #include <vector>
 
-#include <spawn.h>
-#include <sys/wait.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 // Two processes: this one has the entry types, the other (opaque_process.cpp) has only the library.
@@ -41,7 +41,7 @@ struct Result {
 class Pipe {
 public:
   Pipe() {
-    if (pipe(ends_) != 0)
+    if (pipe2(ends_, O_CLOEXEC) != 0)
       throw std::runtime_error("no pipe");
   }
 
@@ -95,25 +95,12 @@ Result run(std::vector<std::string> arguments, const Bytes& input) {
   Pipe in;
   Pipe out;
   Pipe err;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.reading(), 0);
-  posix_spawn_file_actions_adddup2(&actions, out.writing(), 1);
-  posix_spawn_file_actions_adddup2(&actions, err.writing(), 2);
-  for (auto* p : {&in, &out, &err}) {
-    posix_spawn_file_actions_addclose(&actions, p->reading());
-    posix_spawn_file_actions_addclose(&actions, p->writing());
-  }
-  std::string path = CASTOR_OPAQUE_PROCESS;
-  std::vector<char*> argv{path.data()};
-  for (auto& argument : arguments)
-    argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  pid_t pid = 0;
-  int error = posix_spawn(&pid, path.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0)
-    throw std::runtime_error("cannot start " + path);
+  arguments.insert(arguments.begin(), CASTOR_OPAQUE_PROCESS);
+  ChildProcess process{{CASTOR_OPAQUE_PROCESS,
+                        std::move(arguments),
+                        {},
+                        {{in.reading(), 0}, {out.writing(), 1}, {err.writing(), 2}},
+                        false}};
   in.close_end(0);
   out.close_end(1);
   err.close_end(1);
@@ -126,9 +113,7 @@ Result run(std::vector<std::string> arguments, const Bytes& input) {
   result.output = out.read_all();
   writer.join();
   reader.join();
-  int status = 0;
-  waitpid(pid, &status, 0);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.status = process.wait();
   return result;
 }
 
