@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/wire_traits.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "castor/wm/values/field_access.hpp"
-#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/wm/values/wire_traits.hpp"
 
 #include <cstddef>
 #include <string>
