@@ -2,7 +2,7 @@
 
 #include "castor/actors/link/local_socket.hpp"
 #include "castor/actors/link/private_folder.hpp"
-#include "castor/actors/system/inspection.hpp"
+#include "castor/actors/system/request_lines.hpp"
 
 #include <fmt/core.h>
 
