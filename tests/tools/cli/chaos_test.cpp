@@ -319,7 +319,7 @@ TEST_F(Chaos, NothingThatAJournalHasAcknowledgedIsLostWhenItFails) {
   EXPECT_THAT(answer.output,
               AllOf(HasSubstr("2 of 2 faults"),
                     HasSubstr("ended by: a.clerk: all that was acknowledged is there")));
-  EXPECT_THAT(answer.errors, HasSubstr("it was made to fail. The working memory of b ends"));
+  EXPECT_THAT(answer.errors, HasSubstr("injected failure. The working memory of b ends"));
   EXPECT_THAT(values(report_as_json()["outages"], "target"), Contains("b_wm"));
 }
 

@@ -259,7 +259,7 @@ TEST_F(TestedSystem, AWorkingMemoryIsBackFromItsJournalWhenThatHasFailed) {
   system.expect_entry("Note where text == \"from one\"");
   system.inject("fail journal of a");
   poke = 1;
-  EXPECT_THAT(system.expect_down("a_wm").reason, HasSubstr("it was made to fail"));
+  EXPECT_THAT(system.expect_down("a_wm").reason, HasSubstr("injected failure"));
   system.expect_back("a_wm");
   system.expect_back("one");
   system.expect_entry("Note where text == \"from one\"");

@@ -475,11 +475,11 @@ TEST_F(FiledWorkingMemory, EndsWhenItsJournalIsMadeToFailAndIsBackWithAllThatItH
   outsider->monitor(wm.at("e"));
   auto answer = begin_add({"e", "2"});
   EXPECT_FALSE(answer->has_value());
-  ASSERT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. The working memory of e ends; "
+  ASSERT_THAT(reports, ElementsAre(HasSubstr("injected failure. The working memory of e ends; "
                                              "everything that it has acknowledged is in its "
                                              "journal")));
   outsider->receive([&](const caf::down_msg& x) {
-    EXPECT_THAT(system.render(x.reason), HasSubstr("it was made to fail"));
+    EXPECT_THAT(system.render(x.reason), HasSubstr("injected failure"));
   });
   start();
   EXPECT_EQ(status("e").entries, 1u);
@@ -494,8 +494,8 @@ TEST_F(FiledWorkingMemory, GoesOnAndSaysSoWhenItsJournalIsMadeToFail) {
   add({"e", "1"});
   inject(failing);
   EXPECT_TRUE(begin_add({"e", "2"})->has_value());
-  EXPECT_THAT(reports, ElementsAre(HasSubstr("it was made to fail. e goes on without a journal")));
-  EXPECT_THAT(status("e").journal.failure, HasSubstr("it was made to fail"));
+  EXPECT_THAT(reports, ElementsAre(HasSubstr("injected failure. e goes on without a journal")));
+  EXPECT_THAT(status("e").journal.failure, HasSubstr("injected failure"));
   pass(2s);
   EXPECT_TRUE(begin_add({"e", "3"})->has_value());
   end();
@@ -555,8 +555,8 @@ TEST_F(FiledWorkingMemory, SaysThatAcknowledgedChangesMayBeLostIfItsJournalFails
   add({"e", "1"});
   inject(failing);
   end();
-  EXPECT_THAT(
-    reports, ElementsAre(HasSubstr("it was made to fail. What was acknowledged last may be lost")));
+  EXPECT_THAT(reports,
+              ElementsAre(HasSubstr("injected failure. What was acknowledged last may be lost")));
   start();
   EXPECT_EQ(status("e").entries, 0u);
   EXPECT_EQ(status("e").journal.incarnation, 1u);
