@@ -51,7 +51,8 @@ std::shared_ptr<const T> value_of(const Json& entry) {
 /// The pointers of a proxy to what it stands for.
 std::vector<AnyEntryPointer> tethers_of(const Json& proxy) {
   std::vector<AnyEntryPointer> result;
-  for (auto& x : value_of<BindingProxy>(proxy)->features)
+  const auto value = value_of<BindingProxy>(proxy);
+  for (auto& x : value->features)
     if (x.kind == FeatureKind::source_data)
       result.push_back(x.data);
   return result;
@@ -114,7 +115,8 @@ private:
   Json union_tree(const Json& entry, const std::string& but) const {
     auto result = with_ends(entry);
     result["proxies"] = Json::array();
-    for (auto& id : value_of<BindingUnion>(entry)->proxy_ids)
+    const auto value = value_of<BindingUnion>(entry);
+    for (auto& id : value->proxy_ids)
       if (auto* proxy = find(entry.at("subarchitecture"), id); proxy && id != but)
         result["proxies"].push_back(with_data(*proxy));
     return result;

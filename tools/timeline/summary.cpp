@@ -239,6 +239,12 @@ private:
     for (auto& [field, y] : x.items()) {
       if (y.is_string() && is_time(words(y.get<std::string>())))
         is_a_time = true;
+      // As features of binding say it.
+      if (y.is_boolean() && field == "negated") {
+        if (y.get<bool>())
+          parts.insert(parts.begin(), {Rank::truth, "not"});
+        continue;
+      }
       if (auto i = usual.find(field); y.is_boolean() && i != usual.end()) {
         if (y.get<bool>() != i->second)
           parts.insert(parts.begin(), {Rank::truth, y.get<bool>() ? words(field) : "not"});

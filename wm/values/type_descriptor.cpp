@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace castor {
@@ -46,9 +47,11 @@ std::string to_string(const TypeDescriptor& x) {
 }
 
 std::string ambiguity(const TypeDescriptor& descriptor) {
-  std::unordered_set<std::string_view> types;
+  std::unordered_map<std::string_view, const RecordDescriptor*> types;
   for (auto& record : descriptor.records) {
-    if (!types.insert(record.name).second)
+    // Those of a template may be the same for all its arguments, as those of EntryPointer are.
+    auto [known, is_new] = types.try_emplace(record.name, &record);
+    if (!is_new && !(*known->second == record))
       return "two different types named " + record.name + " inside " + descriptor.name();
     std::unordered_set<std::string_view> fields;
     for (auto& field : record.fields)
@@ -56,7 +59,7 @@ std::string ambiguity(const TypeDescriptor& descriptor) {
         return "two fields named " + field.name + " in " + record.name + " or its bases";
   }
   for (auto& e : descriptor.enums)
-    if (!types.insert(e.name).second)
+    if (!types.try_emplace(e.name, nullptr).second)
       return "two different types named " + e.name + " inside " + descriptor.name();
   std::unordered_set<std::string_view> ancestry{descriptor.name()};
   for (auto& name : descriptor.super_types)

@@ -131,8 +131,8 @@ TEST(SceneProblems, ComeAllAtOnceAndByLine) {
                                                       "seed 2\n",
                                                       "test.scene");
   ASSERT_EQ(problems.size(), 11U) << render(problems);
-  const std::vector<std::string> remedies{"\"table\"", "\"blue\"",    "\"square\"", "\"at\"",
-                                          "length",    "centimetres", "2s",         "\"add\""};
+  const std::vector<std::string> remedies{"'table'", "'blue'",      "'square'", "\"at\"",
+                                          "length",  "centimetres", "2s",       "'add'"};
   for (std::size_t i = 0; i < problems.size(); ++i) {
     EXPECT_EQ(problems[i].where.file(), "test.scene");
     EXPECT_EQ(problems[i].where.line(), i < 10 ? i + 1 : 12);
@@ -146,8 +146,8 @@ TEST(SceneProblems, ComeAllAtOnceAndByLine) {
 TEST(SceneProblems, AreFoundInEventsWithoutObject) {
   EXPECT_TRUE(contains(problems_of("red cube at 0 0\nafter 1s remove red sphere"),
                        "There are then: red cube."));
-  EXPECT_TRUE(contains(problems_of("red cube at 0 0 name=mug\nafter 1s remove mgu"),
-                       "did you mean 'mug'?"));
+  EXPECT_TRUE(
+    contains(problems_of("red cube at 0 0 name=mug\nafter 1s remove mgu"), "did you mean 'mug'?"));
   EXPECT_TRUE(contains(problems_of("after 1s remove mug"), "The table is empty then"));
   EXPECT_TRUE(contains(problems_of("red cube at 0 0\nred cube at 0.2 0\nafter 1s remove red cube"),
                        "there are 2 objects"));

@@ -171,7 +171,7 @@ TEST_F(Completion, OfBashOffersWhatRuns) {
 TEST_F(Completion, OfZshOffersCommandsOptionsFilesAndChoices) {
   if (!is_installed("zsh"))
     GTEST_SKIP() << "zsh is not installed";
-  EXPECT_THAT(zsh("castor jour"), HasSubstr("journal     -- look into"));
+  EXPECT_THAT(zsh("castor jour"), HasSubstr("journal     -- inspect"));
   EXPECT_THAT(zsh("castor journal "), HasSubstr("show    -- print the changes"));
   EXPECT_THAT(zsh("castor run --plugin x.so --fo"), HasSubstr("--for "));
   EXPECT_THAT(zsh("castor completion "), HasSubstr("bash  fish  zsh"));

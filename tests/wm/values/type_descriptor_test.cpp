@@ -76,6 +76,24 @@ struct Renamed {
 };
 CASTOR_REFLECT(Renamed, x, y, z)
 
+/// Looks the same whatever it refers to.
+template <class T>
+struct Reference {
+  std::string id;
+};
+
+template <class T>
+constexpr auto castor_reflection(TypeTag<Reference<T>>) {
+  return record_reflection<Reference<T>, void>(
+    "Reference", reflected_field<Reference<T>>("id", &Reference<T>::id));
+}
+
+struct TwoReferences {
+  Reference<int> a;
+  std::vector<Reference<double>> b;
+};
+CASTOR_REFLECT(TwoReferences, a, b)
+
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -203,6 +221,11 @@ TEST(TypeDescriptor, IsBuiltOncePerProcess) {
 TEST(TypeDescriptor, RefusesTwoStructsOfOneName) {
   EXPECT_THAT([] { descriptor_of<TwoPoints>(); }, ThrowsMessage<std::logic_error>(testing::AllOf(
                                                     HasSubstr("Point"), HasSubstr("TwoPoints"))));
+}
+
+TEST(TypeDescriptor, TakesTwoStructsOfOneNameThatHaveTheSameFields) {
+  auto& descriptor = descriptor_of<TwoReferences>();
+  EXPECT_EQ(*through_the_wire(*descriptor), *descriptor);
 }
 
 TEST(TypeDescriptor, RefusesTwoEnumerationsOfOneName) {
