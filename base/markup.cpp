@@ -4,33 +4,41 @@
 
 namespace castor {
 
+namespace {
+
+std::string_view entity_of(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return {};
+  }
+}
+
+} // namespace
+
 std::string escaped(std::string_view text) {
   std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      case '\n':
-        result += '\n';
-        break;
-      default:
-        result += printable({&c, 1});
-    }
+  for (;;) {
+    const auto end = text.find('\n');
+    for (char c : printable(text.substr(0, end)))
+      if (auto entity = entity_of(c); !entity.empty())
+        result += entity;
+      else
+        result += c;
+    if (end == text.npos)
+      return result;
+    result += '\n';
+    text.remove_prefix(end + 1);
   }
-  return result;
 }
 
 } // namespace castor
