@@ -68,12 +68,12 @@ rc::Gen<SubarchitectureDescription> subarchitecture() {
                  rc::gen::container<std::vector<ComponentDescription>>(component())));
 }
 
-/// Makes all names different and fills in what follows from the place of a line.
+/// Makes all names different, whatever they end with, and fills in what follows from the place of a line.
 void complete(ArchitectureDescription& architecture) {
   std::size_t number = 0;
   std::size_t names = 0;
   for (auto& sa : architecture.subarchitectures) {
-    sa.name += std::to_string(names++);
+    sa.name += "_" + std::to_string(names++);
     sa.working_memory.kind = ComponentKind::working_memory;
     sa.working_memory.name = sa.name + "_wm";
     sa.task_manager.kind = ComponentKind::task_manager;
@@ -84,13 +84,13 @@ void complete(ArchitectureDescription& architecture) {
     }
     for (auto& each : sa.components) {
       each.subarchitecture = sa.name;
-      each.name += std::to_string(names++);
+      each.name += "_" + std::to_string(names++);
       each.number = number++;
     }
   }
   for (auto& each : architecture.standalone) {
     each.kind = ComponentKind::standalone;
-    each.name += std::to_string(names++);
+    each.name += "_" + std::to_string(names++);
     each.number = number++;
   }
 }
