@@ -75,14 +75,14 @@ ChildProcess::~ChildProcess() {
   wait();
 }
 
-void ChildProcess::note(int state) {
+void ChildProcess::set_status(int state) {
   status_ = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
 bool ChildProcess::has_ended() {
   int state = 0;
   if (status_ < 0 && waitpid(id_, &state, WNOHANG) == id_)
-    note(state);
+    set_status(state);
   return status_ >= 0;
 }
 
@@ -91,7 +91,7 @@ int ChildProcess::wait() {
   while (status_ < 0) {
     auto ended = waitpid(id_, &state, 0);
     if (ended == id_)
-      note(state);
+      set_status(state);
     else if (errno != EINTR)
       break;
   }

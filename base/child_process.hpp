@@ -50,7 +50,7 @@ public:
   pid_t release();
 
 private:
-  void note(int state);
+  void set_status(int state);
 
   pid_t id_ = -1;
   bool has_own_group_;

@@ -79,7 +79,7 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
     next_probe = time + between_probes;
     waiting_ = wait();
     // Finding that out may have been an operation of its own.
-    pause.resume();
+    pause.renew();
     if (waiting_)
       send(DeadlockProbe{{*waiting_}, 0});
   }

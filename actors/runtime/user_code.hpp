@@ -57,8 +57,8 @@ public:
     Pause& operator=(const Pause&) = delete;
     ~Pause() { record_.enter_user_code(Clock::now()); }
 
-    /// Code in between may have been the component's.
-    void resume() { record_.leave_user_code(); }
+    /// Again, after code in between that may have been the component's.
+    void renew() { record_.leave_user_code(); }
 
   private:
     ComponentRecord& record_;
