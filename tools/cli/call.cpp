@@ -65,7 +65,7 @@ void add_call(CLI::App& app, Action& chosen) {
     "--json also who gave it. `castor wm types REQUEST-TYPE` prints an example of a request.\n"
     "Examples: castor call planning MakePlan '{\"goal\": \"the cup is on the table\"}'\n"
     "          castor call kitchen Boil '{\"litres\": 1.5}' --timeout 5min --json");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return call(*arguments); }; });
+  on_call(*command, chosen, arguments, call);
 }
 
 } // namespace castor::cli

@@ -4,6 +4,7 @@
 #include "castor/base/text.hpp"
 #include "castor/tools/cli/bundled_file.hpp"
 #include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/output.hpp"
 #include "castor/tools/cli/read_architecture.hpp"
 #include "castor/tools/cli/read_plan.hpp"
@@ -101,7 +102,7 @@ void add_check(CLI::App& app, Action& chosen) {
     "Every error is printed, not only the first.\n"
     "Exit status: 0 if there is no error, 1 if there is any, 2 if the command line is wrong.\n"
     "Example: castor check configs/vision.cast --set source=scene:scenes/blue-square.scene");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return check(*arguments); }; });
+  on_call(*command, chosen, arguments, check);
 }
 
 } // namespace castor::cli

@@ -1,6 +1,7 @@
 #include "castor/tools/cli/completion.hpp"
 
 #include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/running_system.hpp"
 
 #include <CLI/App.hpp>
@@ -80,7 +81,7 @@ void add_completion(CLI::App& app, Action& chosen) {
   values->group("");
   auto kind = std::make_shared<std::string>();
   values->add_option("KIND", *kind)->required()->check(CLI::IsMember({"systems", "places"}));
-  values->callback([&chosen, kind] { chosen = [kind] { return print_values(*kind); }; });
+  on_call(*values, chosen, kind, print_values);
 }
 
 } // namespace castor::cli

@@ -193,7 +193,7 @@ void add_doctor(CLI::App& app, Action& chosen) {
     "limits,\nthe disk for journals in this folder, and cameras.\n"
     "Examples: castor doctor\n"
     "          castor doctor --json | jq 'select(.state != \"ok\")'");
-  command->callback([&chosen, json] { chosen = [json] { return doctor(*json); }; });
+  on_call(*command, chosen, json, doctor);
 }
 
 } // namespace castor::cli

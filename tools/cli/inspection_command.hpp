@@ -1,9 +1,8 @@
 #pragma once
 
 #include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/running_system.hpp"
-
-#include <CLI/App.hpp>
 
 #include <memory>
 #include <string>
@@ -27,12 +26,6 @@ void add_json_flag(CLI::App& command, bool& json);
 void add_wait_flag(CLI::App& command, bool& wait);
 /// SUBARCHITECTURE[/ID|TYPE], which may be left out.
 void add_where_option(CLI::App& command, std::string& where);
-
-/// If the user calls for the command, `f` does it.
-template <class Arguments, class F>
-void on_call(CLI::App& command, Action& chosen, const std::shared_ptr<Arguments>& arguments, F f) {
-  command.callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });
-}
 
 /// The request for entries, without their values; `where` is SUBARCHITECTURE[/ID|TYPE].
 nlohmann::ordered_json entries_request(const std::string& where);

@@ -5,6 +5,7 @@
 #include "castor/tools/cli/inspection_text.hpp"
 #include "castor/tools/cli/journal_export.hpp"
 #include "castor/tools/cli/journal_replay.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/progress.hpp"
 #include "castor/tools/cli/recorded_change.hpp"
 #include "castor/tools/cli/recorded_run.hpp"
@@ -268,7 +269,7 @@ template <class F>
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& help, Action& chosen,
                   const ArgumentsPtr& arguments, F f) {
   auto* result = app.add_subcommand(name, help);
-  result->callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });
+  on_call(*result, chosen, arguments, f);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/tools/cli/duration_option.hpp"
 #include "castor/tools/cli/keys.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/output.hpp"
 #include "castor/tools/cli/progress.hpp"
 #include "castor/tools/cli/read_architecture.hpp"
@@ -424,7 +425,7 @@ void add_journal_replay(CLI::App& journal, Action& chosen) {
     "          castor journal replay today --from 20s --to 30s --speed 0.5 --loop\n"
     "          castor journal replay vision.castor-journal --config robot.cast --without camera\n"
     "          castor journal replay journals/*.castor-journal --into robot --speed max");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return replay(*arguments); }; });
+  on_call(*command, chosen, arguments, replay);
 }
 
 } // namespace castor::cli

@@ -175,7 +175,7 @@ void add_new(CLI::App& app, Action& chosen) {
     "What is made builds, runs and passes its test; the commands for that are printed.\n"
     "Examples: castor new component greeter\n"
     "          castor new robot rover --in ~/robots");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return make(*arguments); }; });
+  on_call(*command, chosen, arguments, make);
 }
 
 } // namespace castor::cli

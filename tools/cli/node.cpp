@@ -5,6 +5,7 @@
 #include "castor/base/log.hpp"
 #include "castor/tools/cli/child_processes.hpp"
 #include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/on_call.hpp"
 #include "castor/tools/cli/output.hpp"
 #include "castor/tools/cli/progress.hpp"
 #include "castor/tools/cli/signals.hpp"
@@ -206,7 +207,7 @@ void add_node(CLI::App& app, Action& chosen) {
     "Without --tls the node accepts systems of its own user only.\n"
     "Ctrl-C ends the node; systems with components on it continue without it.\n"
     "Example: castor node --name arm --listen 0.0.0.0:7117 --tls certs/arm");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return node(*arguments); }; });
+  on_call(*command, chosen, arguments, node);
 }
 
 } // namespace castor::cli

@@ -124,7 +124,7 @@ CLI::App* writing_command(CLI::App& wm, const std::string& name, const std::stri
     ->type_name(where)
     ->required();
   add_json_flag(*result, arguments->json);
-  result->callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });
+  on_call(*result, chosen, arguments, f);
   return result;
 }
 
