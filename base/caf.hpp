@@ -1,7 +1,7 @@
 #pragma once
 
-/// The only place that knows which CAF this is: what changed between CAF 0.17 and its successors is
-/// included, named and wrapped here.
+/// The only file that depends on the version of CAF: what differs between CAF 0.17 and its
+/// successors is included, named and wrapped here.
 #include <caf/actor.hpp>
 #include <caf/actor_cast.hpp>
 #include <caf/actor_system.hpp>

@@ -8,45 +8,45 @@
 
 namespace castor {
 
-/// A program that is to run in a process of its own.
+/// A program to start in a child process.
 struct ChildProgram {
-  /// A path, or a name that is looked for in $PATH.
+  /// Path, or a name that is searched for in $PATH.
   std::string file;
-  /// The first is what the program takes for its own name.
+  /// argv: the first is the program's own name.
   std::vector<std::string> arguments;
-  /// "NAME=value": set besides this process's own environment, or in place of what stands there.
+  /// "NAME=value" pairs, added to this process's environment or replacing variables of it.
   std::vector<std::string> environment = {};
-  /// Descriptors of this process, each with the one that it is in the child. Of the others, the
-  /// child has those that are not closed on exec.
+  /// Pairs of a descriptor of this process and its number in the child. Of the other descriptors,
+  /// the child inherits those without close-on-exec.
   std::vector<std::pair<int, int>> descriptors = {};
   /// A process group of its own: Ctrl-C in the terminal reaches this process alone.
   bool has_own_group = true;
 };
 
-/// A child of this process, which ends with this object. It blocks no signals.
+/// A child process, which is killed with this object. It blocks no signals.
 class ChildProcess {
 public:
   /// Starts the program. Throws std::system_error.
   explicit ChildProcess(ChildProgram program);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
-  /// Kills the child, with its group if that is its own, and waits for its end, unless it is known
-  /// to have ended or was released.
+  /// Kills the child (its whole process group, if that is its own) and waits for its end, unless it
+  /// is known to have ended or was released.
   ~ChildProcess();
 
   pid_t id() const { return id_; }
 
-  /// Whether it has ended, without waiting; how is known from now on.
+  /// Whether it has ended; does not wait. If so, `status` is valid from now on.
   bool has_ended();
 
-  /// Waits for its end; how it ended, as `status` has it.
+  /// Waits for its end and returns its `status`.
   int wait();
 
-  /// What it returned, or 128 and the number of the signal that ended it. \pre it is known to have
+  /// Exit status, or 128 plus the number of the signal that ended it. \pre it is known to have
   /// ended
   int status() const { return status_; }
 
-  /// From now on it lives for itself, and somebody else has to wait for it.
+  /// Gives up the child, which then outlives this object; the caller has to wait for it.
   pid_t release();
 
 private:

@@ -10,9 +10,9 @@
 namespace castor {
 
 enum class Severity {
-  /// There is no description: what the file means is not certain.
+  /// The meaning of the file is not certain, so there is no result.
   error,
-  /// The file runs, perhaps not as its author thinks.
+  /// The file can be used, but may not do what its author expects.
   warning,
   note
 };
@@ -23,15 +23,14 @@ std::string_view to_string(Severity severity) noexcept;
 struct Diagnostic {
   Severity severity = Severity::error;
   SourceLocation where;
-  /// The offending line as written, shortened if it is very long; empty if the file as a whole is
-  /// meant.
+  /// The line as written, shortened if it is very long; empty for a finding about the whole file.
   std::string line;
   /// The same line after replacement of variables; empty if that changed nothing.
   std::string expanded;
   std::string message;
   /// What to write instead; may be empty.
   std::string remedy;
-  /// Place in the line, in bytes from 1; 0 if the whole line is meant.
+  /// Column in bytes, from 1; 0 for the whole line.
   std::size_t column = 0;
 
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
@@ -39,8 +38,8 @@ struct Diagnostic {
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
-/// Brings findings of several checks into the order of the lines that they are about; those about a
-/// whole file, or about none, come first.
+/// Sorts the findings of several checks by line; those about a whole file, or about no file, come
+/// first.
 void sort_by_line(std::vector<Diagnostic>& diagnostics);
 
 /// The finding as text of several lines for a terminal: place and message, include chain, the line,

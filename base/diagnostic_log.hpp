@@ -11,18 +11,18 @@
 
 namespace castor {
 
-/// Collects the findings of all passes, brings them into file order and bounds their number. Errors
-/// go before warnings when there is no room for all.
+/// Collects the findings of all passes, sorts them by place in the files and bounds their number:
+/// errors are kept before warnings.
 class DiagnosticLog {
 public:
-  /// @param limit how many diagnostics `take` returns at most, besides a closing note
+  /// @param limit maximum number of diagnostics that `take` returns, besides a closing note
   explicit DiagnosticLog(std::size_t limit);
 
   /// @param expanded the line after replacement of variables, if the caller has it
   void report(Severity severity, const SourceLine& line, std::string message,
               std::string remedy = {}, std::string_view expanded = {});
 
-  /// A finding about a file as a whole, or about something outside of all files.
+  /// A finding about a whole file, or about no file.
   void report(Severity severity, const SourceLocation& where, std::string message,
               std::string remedy = {});
 

@@ -7,7 +7,7 @@
 
 namespace castor {
 
-/// A number with its unit: 250ms, 10s, 2min, 1h. Nothing if it is none.
+/// A number with its unit: 250ms, 10s, 2min, 1h. Nothing for any other text.
 std::optional<std::chrono::milliseconds> parse_duration(std::string_view text) noexcept;
 
 /// As `parse_duration` reads it: "250ms", "10s".

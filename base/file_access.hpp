@@ -7,14 +7,14 @@
 
 namespace castor {
 
-/// What a file loader found: the text, or the reason why there is none.
+/// Result of a file loader: the text, or an error.
 struct FileContent {
   std::optional<std::string> text;
   /// Completes "cannot read x: ...".
   std::string error;
 };
 
-/// Reads a whole file. May stop after `max_bytes + 1` bytes: more will not be accepted anyway.
+/// Reads a whole file. May stop after `max_bytes + 1` bytes: callers refuse longer files.
 using FileLoader = std::function<FileContent(const std::string& path, std::size_t max_bytes)>;
 
 /// Value of an environment variable, if it is set.

@@ -6,19 +6,19 @@
 
 namespace castor {
 
-/// The number of an injected fault, and who is told when it takes effect.
+/// Number of an injected fault, and the actor that is notified when it takes effect.
 struct FaultTicket {
   std::uint64_t number = 0;
-  /// Null if nobody wants to know.
+  /// May be null.
   caf::actor observer = {};
 };
 
-/// To the observer: the fault has taken effect for the first time.
+/// Message to the observer: the fault has taken effect for the first time.
 struct FaultHappened {
   std::uint64_t number = 0;
 };
 
-/// Tells the observer that the fault has taken effect, once.
+/// Sends FaultHappened to the observer, on the first call only.
 void report_effect(FaultTicket& x);
 
 } // namespace castor

@@ -15,13 +15,13 @@
 #include <system_error>
 #include <utility>
 
-/// Input files, opened so that nobody waits for them: opening a named pipe waits for whoever writes
-/// it, reading a terminal for whoever types, and neither hears that the system is to stop. All that
-/// is read from files is read with these functions, or by a library after `require_input_file`.
-/// Header only, because the libraries that use it share no other.
+/// Input files, opened without blocking: opening a named pipe would wait for its writer, reading a
+/// terminal for its user, and neither could be interrupted when the system stops. All files are
+/// read with these functions, or by a library after `require_input_file`. Header only, because the
+/// libraries that use it have no common dependency.
 namespace castor {
 
-/// A file that cannot be read as input; `what()` says why, without its path: "there is no such
+/// A file cannot be read as input. `what()` is the reason, without the path: "there is no such
 /// file", "it is a named pipe, not a regular file".
 class InputFileError : public std::runtime_error {
 public:
@@ -42,10 +42,10 @@ public:
   /// Throws InputFileError. Links are followed.
   explicit InputFile(const std::filesystem::path& path) {
     struct stat status {};
-    // Before it is opened, too: opening a device or a pipe may have an effect on it.
+    // Checked before opening, because opening a device or a pipe may have side effects.
     if (::stat(path.c_str(), &status) == 0)
       require_regular(status);
-    // Nevertheless without waiting: what stands there now may be something else.
+    // Non-blocking nevertheless: the path may have been replaced since the check.
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR))
       throw InputFileError(InputFileError::Reason::missing, "there is no such file");
@@ -67,10 +67,10 @@ public:
       ::close(descriptor_);
   }
 
-  /// Bytes that it had when it was opened.
+  /// Size when it was opened, in bytes.
   std::uint64_t size() const { return size_; }
 
-  /// The next bytes: fewer than `most` only at the end of the file. Throws InputFileError.
+  /// Reads the next `most` bytes: fewer only at the end of the file. Throws InputFileError.
   std::string read(std::size_t most) const {
     constexpr std::size_t chunk = std::size_t{64} << 10;
     std::string result;
@@ -115,7 +115,7 @@ private:
   std::uint64_t size_ = 0;
 };
 
-/// All of a file. Throws InputFileError, also if it has more than `most` bytes.
+/// Reads a whole file. Throws InputFileError, also if it has more than `most` bytes.
 inline std::string read_input_file(const std::filesystem::path& path,
                                    std::size_t most = std::numeric_limits<std::size_t>::max() - 1) {
   auto result = InputFile{path}.read(most + 1);
@@ -125,7 +125,8 @@ inline std::string read_input_file(const std::filesystem::path& path,
   return result;
 }
 
-/// For libraries that open a file by its name. Throws InputFileError if it is none.
+/// Check before a library opens a file by its path. Throws InputFileError if it is not a readable
+/// regular file.
 inline void require_input_file(const std::filesystem::path& path) {
   InputFile{path};
 }

@@ -5,7 +5,7 @@
 
 namespace castor {
 
-/// For HTML and SVG, in text and in attributes; control characters become visible.
+/// Escapes text for HTML and SVG, in text and in attributes; control characters become visible.
 std::string escaped(std::string_view text);
 
 } // namespace castor

@@ -18,9 +18,9 @@ std::string of_files(const std::filesystem::filesystem_error& x) {
     x.path2().empty() ? x.path1().string() : x.path1().string() + " or " + x.path2().string();
   if (path.empty())
     return "the folder of this process cannot be used: " + x.code().message() +
-           "; go to one that is there";
+           "; change to a folder that exists";
   return path + " cannot be used: " + x.code().message() +
-         "; see that it is there and that you may read and write it, or choose another place";
+         "; check that it exists and that you may read and write it, or choose another place";
 }
 
 /// Without "[json.exception.parse_error.101] ".
@@ -37,13 +37,13 @@ std::string plain_words(const std::exception& x) {
   if (auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&x))
     return of_files(*file);
   if (dynamic_cast<const std::bad_alloc*>(&x))
-    return "there is not enough memory for what was asked for";
+    return "there is not enough memory";
   if (auto* json = dynamic_cast<const nlohmann::json::exception*>(&x))
     return of_json(*json);
   if (auto* stream = dynamic_cast<const std::ios_base::failure*>(&x))
     return "a file cannot be read or written: " + stream->code().message();
   auto* what = x.what();
-  return what ? what : "an exception that does not say what it is";
+  return what ? what : "an exception without a message";
 }
 
 std::string plain_words(const caf::error& x, const caf::actor_system& system) {

@@ -7,11 +7,11 @@
 
 namespace castor {
 
-/// What an exception says, for people: what those of the standard library and of JSON say in their
-/// own words is said in ours, with the path that it is about.
+/// Message of an exception, for users. Messages of the standard library and of the JSON library are
+/// reworded, and name the path concerned.
 std::string plain_words(const std::exception& x);
 
-/// What an error of an actor says: its text alone if it has one, else its code and category.
+/// Message of an actor's error: its text alone if it has one, else its code and category.
 std::string plain_words(const caf::error& x, const caf::actor_system& system);
 
 } // namespace castor

@@ -11,31 +11,31 @@
 
 namespace castor {
 
-/// Keeps whoever can cause a message at will from filling the log: of messages that differ in their
-/// digits only, a few are written in each period, and the others are counted.
+/// Rate limit for log messages that others can cause without limit: of messages that differ in
+/// their digits only, a few are written in each period, and the others are counted.
 ///
-/// Pure: it gets the time, and returns what to write.
+/// Pure: time is passed in, lines to write are returned.
 class RepeatedMessages {
 public:
   using Time = std::chrono::steady_clock::time_point;
 
   struct Limits {
     std::chrono::seconds period{10};
-    /// Messages of a kind that are written in one period.
+    /// Messages of one kind that are written per period.
     std::uint32_t written = 5;
-    /// Kinds that are told apart; what is of none of them is of one more kind.
+    /// Maximum number of kinds; messages beyond it share one further kind.
     std::size_t kinds = 64;
-    /// Bytes of a message that are written.
+    /// Maximum length of a written message, in bytes.
     std::size_t length = 400;
   };
 
   RepeatedMessages() : RepeatedMessages(Limits{}) {}
   explicit RepeatedMessages(Limits limits) : limits_(limits) {}
 
-  /// What to write of a message, which may be nothing.
+  /// Line to write for a message; nothing if it was only counted.
   std::optional<std::string> add(std::string_view message, Time now);
 
-  /// What to write of those that were counted: one line for each kind whose period is over.
+  /// Lines with the counts of unwritten messages, one for each kind whose period is over.
   std::vector<std::string> take_due(Time now);
 
   /// The same for all kinds, whether their period is over or not.

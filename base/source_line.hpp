@@ -8,15 +8,15 @@
 
 namespace castor {
 
-/// One line as the reader hands it on. Text and unit belong to the `Source` it is part of.
+/// One line of a source file. Text and unit are owned by its `Source`.
 struct SourceLine {
   enum class Kind : std::uint8_t {
     text,
-    /// Not a line of any file: from here on lines come from the file of `unit`.
+    /// Marker, not a line of a file: the following lines are from the file of `unit`.
     enter_file
   };
 
-  /// Without blanks at either end.
+  /// Trimmed.
   std::string_view text;
   std::shared_ptr<const SourceUnit> unit;
   /// Counted from 1 within the file.

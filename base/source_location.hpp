@@ -8,7 +8,7 @@
 
 namespace castor {
 
-/// An INCLUDE line on the way from the main file to a line.
+/// An INCLUDE line in the chain from the main file to a line.
 struct IncludeSite {
   std::string file;
   std::size_t line = 0;
@@ -18,13 +18,13 @@ struct IncludeSite {
 
 struct SourceUnit;
 
-/// A line of a `.cast` file, and how the reader got there. Cheap to copy: all lines of one file
-/// share its name and its include chain.
+/// A line of a `.cast` file, with its include chain. Cheap to copy: all lines of one file share
+/// name and include chain.
 class SourceLocation {
 public:
   SourceLocation() = default;
 
-  /// @param unit the file, as it was reached
+  /// @param unit the file, with its include chain
   /// @param line counted from 1; 0 means the file as a whole
   /// @param order position among the lines of all files, from 1; 0 where that is not known
   SourceLocation(std::shared_ptr<const SourceUnit> unit, std::size_t line, std::uint64_t order = 0);
@@ -37,8 +37,8 @@ public:
 
   std::size_t line() const noexcept { return line_; }
 
-  /// Where the line comes among those of all files, included ones in the place of their INCLUDE
-  /// lines: the order of messages.
+  /// Position among the lines of all files, with included lines in place of their INCLUDE lines.
+  /// Messages are sorted by it.
   std::uint64_t order() const noexcept { return order_; }
 
   /// The INCLUDE lines that led to this file, innermost first; empty for the main file.
@@ -52,13 +52,13 @@ private:
   std::uint64_t order_ = 0;
 };
 
-/// One file, reached in one way: a file that is included twice makes two units.
+/// One inclusion of a file: a file that is included twice has two units.
 struct SourceUnit {
   std::string file;
   SourceLocation included_from;
 };
 
-/// "file:line", or the file alone when the place is the whole file.
+/// "file:line", or the file alone for the whole file.
 std::string to_string(const SourceLocation& where);
 
 } // namespace castor

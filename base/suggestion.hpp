@@ -11,20 +11,19 @@ namespace castor {
 /// one word into the other; anything above `limit` is reported as `limit + 1`.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
-/// So many candidates are looked at, so that a hostile file cannot make its own diagnosis
+/// Maximum number of candidates compared, so that a hostile file cannot make its diagnosis
 /// expensive.
 inline constexpr std::size_t most_candidates = 4096;
 
-/// Where so many mistakes were found already, no names are suggested for further ones: explaining
-/// them would take longer than finding them.
+/// Number of findings beyond which no names are suggested: suggestions cost more than findings.
 inline constexpr std::size_t most_explained = 200;
 
-/// The candidate that a misspelt word was probably meant to be: at most a third of its letters are
-/// wrong. Empty if none comes near. Upper and lower case count as nearly the same.
-/// Names of more than 64 bytes are not compared.
+/// The candidate nearest to a misspelt word, with at most a third of its letters wrong; empty if
+/// there is none. Upper and lower case count as nearly the same. Names of more than 64 bytes are
+/// not compared.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// "did you mean 'x'?", or empty if nothing comes near.
+/// "did you mean 'x'?", or empty if there is no near candidate.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 } // namespace castor

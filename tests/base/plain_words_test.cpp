@@ -21,12 +21,12 @@ struct Silent : std::exception {
 TEST(PlainWords, SayOfAFileWhatIsWrongAndWhatToDo) {
   auto text = plain_words(std::filesystem::filesystem_error{
     "open", "/a/b", std::make_error_code(std::errc::permission_denied)});
-  EXPECT_TRUE(text.starts_with("/a/b cannot be used: Permission denied; see that it is there"))
+  EXPECT_TRUE(text.starts_with("/a/b cannot be used: Permission denied; check that it exists"))
     << text;
 }
 
 TEST(PlainWords, SayThatAnExceptionSaysNothing) {
-  EXPECT_EQ(plain_words(Silent{}), "an exception that does not say what it is");
+  EXPECT_EQ(plain_words(Silent{}), "an exception without a message");
 }
 
 TEST(PlainWords, GiveTheTextOfAnActorsErrorWithoutItsNotation) {

@@ -112,7 +112,7 @@ TEST_F(LifeCycle, AnExceptionThatSaysNothingIsAFailureLikeAnyOther) {
   ASSERT_TRUE(system.start());
   auto bad = [&] { return system.summary().components.at(1); };
   ASSERT_TRUE(eventually([&] { return bad().state == ComponentState::failed; }));
-  EXPECT_EQ(bad().failure, "failed in run(): an exception that does not say what it is");
+  EXPECT_EQ(bad().failure, "failed in run(): an exception without a message");
   system.stop();
 }
 
