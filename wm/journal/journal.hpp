@@ -6,12 +6,13 @@
 
 #include <string>
 
-/// What a working memory has on disk, so that it comes back with its entries after its end.
+/// The journal of a working memory: its entries and changes on disk, from which it is restored when
+/// it starts again.
 namespace castor {
 
-/// Opens the journal for writing, or makes it, and takes it away from whoever of the same system
-/// writes it. Throws JournalError if that cannot be, or another system writes it; with
-/// `go_on_without` a file that is not sound is moved aside, and the result may have no file.
+/// Opens the journal for writing, or creates it, and takes it over from an earlier writer of the
+/// same system. Throws JournalError if this fails or another system writes it; with `go_on_without`
+/// a damaged file is moved aside instead, and the result may have no file.
 OpenedJournal open_journal(const JournalOptions& options, const std::string& subarchitecture);
 
 } // namespace castor

@@ -27,7 +27,7 @@ void JournalCompaction::fold(Meta& meta) {
     if (x.operation == Operation::remove)
       remember_deletion(meta, x);
     else if (x.operation == Operation::add)
-      take_out("deleted", x.id, meta.deleted, meta.deleted_sum);
+      remove_row("deleted", x.id, meta.deleted, meta.deleted_sum);
   }
   for (auto& [id, x] : last)
     fold(meta, *x);
@@ -55,7 +55,7 @@ std::vector<JournalCompaction::OldChange> JournalCompaction::oldest_changes() {
 }
 
 void JournalCompaction::fold(Meta& meta, const OldChange& x) {
-  take_out("entries", x.id, meta.entries, meta.entries_sum);
+  remove_row("entries", x.id, meta.entries, meta.entries_sum);
   if (x.operation == Operation::remove)
     return;
   sqlite::Statement{database_, "INSERT INTO entries SELECT * FROM log WHERE sequence = ?"}
@@ -92,8 +92,8 @@ void JournalCompaction::remember_deletion(Meta& meta, const OldChange& x) {
   }
 }
 
-void JournalCompaction::take_out(const std::string& table, const std::string& id,
-                                 std::uint64_t& count, std::uint64_t& sum) {
+void JournalCompaction::remove_row(const std::string& table, const std::string& id,
+                                   std::uint64_t& count, std::uint64_t& sum) {
   sqlite::Statement row{database_,
                         ("DELETE FROM " + table + " WHERE id = ? RETURNING checksum").c_str()};
   row.bind(id);

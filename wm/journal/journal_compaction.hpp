@@ -12,14 +12,15 @@
 
 namespace castor {
 
-/// Keeps a journal's file small: the oldest changes become part of the entries that they led to.
+/// Keeps a journal's file small by folding the oldest changes into the entries that resulted from
+/// them.
 class JournalCompaction {
 public:
   JournalCompaction(sqlite::Database& database, std::size_t remembered_deletions)
     : database_(database), remembered_deletions_(remembered_deletions) {}
 
-  /// Folds some of the oldest changes, for some milliseconds; what has become of them stands in
-  /// `meta` then. To be called in a transaction that writes `meta`.
+  /// Folds some of the oldest changes, for some milliseconds, and updates `meta`. To be called in a
+  /// transaction that writes `meta`.
   void fold(journal_tables::Meta& meta);
 
 private:
@@ -33,14 +34,14 @@ private:
 
   std::vector<OldChange> oldest_changes();
 
-  /// Puts what an entry has come to among the folded entries.
+  /// Applies one change to the folded entries.
   void fold(journal_tables::Meta& meta, const OldChange& x);
 
-  /// Puts a deletion among those that are remembered; may forget the oldest.
+  /// Adds a deletion to the remembered ones; may remove the oldest.
   void remember_deletion(journal_tables::Meta& meta, const OldChange& x);
 
-  void take_out(const std::string& table, const std::string& id, std::uint64_t& count,
-                std::uint64_t& sum);
+  void remove_row(const std::string& table, const std::string& id, std::uint64_t& count,
+                  std::uint64_t& sum);
 
   sqlite::Database& database_;
   std::size_t remembered_deletions_;

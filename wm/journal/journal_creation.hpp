@@ -5,11 +5,11 @@
 
 namespace castor {
 
-/// Makes the folder of a journal, if it is not there. Throws std::filesystem::filesystem_error.
+/// Creates the folder of a journal, if there is none. Throws std::filesystem::filesystem_error.
 void make_journal_folder(const std::filesystem::path& file);
 
-/// Makes a journal without entries. Under its own name it is there once it is whole, so a file that
-/// is not was damaged. Throws JournalError and sqlite::Error.
+/// Creates a journal without entries. It gets its name when it is complete, so an incomplete file
+/// of that name was damaged later. Throws JournalError and sqlite::Error.
 void make_journal(const std::filesystem::path& file, const std::string& subarchitecture);
 
 } // namespace castor

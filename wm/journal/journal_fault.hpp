@@ -7,12 +7,12 @@
 
 namespace castor {
 
-/// A fault injected into a journal, as a disk that is full or slow would.
+/// A fault injected into a journal: it behaves as on a full or a slow disk.
 struct JournalFault {
   enum class Kind : std::uint8_t {
-    /// Nothing can be written: the journal fails at the next write.
+    /// The next write fails.
     failure,
-    /// Every write takes longer, by `by`.
+    /// Every write takes `by` longer.
     slowness,
   };
 

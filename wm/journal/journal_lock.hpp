@@ -9,54 +9,54 @@
 #include <string_view>
 #include <vector>
 
-/// What keeps a journal to one system, and notices that its files are not there any more.
+/// Exclusive use of a journal by one system, and detection of removed files.
 namespace castor {
 
 /// A process that has a journal open for writing.
 struct JournalOwner {
-  /// The name of its system, which differs from those of all other systems.
+  /// Unique name of its system.
   std::string system;
   std::string host;
   std::uint64_t process = 0;
 
-  /// Of this process.
+  /// Owner for this process.
   static JournalOwner here(std::string system);
 };
 
 /// "system vision-1234-77, process 1234 on robot"
 std::string to_string(const JournalOwner& x);
 
-/// The lock of a journal: a file beside it, `NAME.lock`, which the writing process keeps locked
-/// (flock) and which names it. The lock ends with the process, however that ends.
+/// The lock of a journal: a file beside it, `NAME.lock`, which is locked (flock) by the writing
+/// process and holds its name. The lock ends with the process, also after a crash.
 ///
-/// One system may open its journal again while its earlier holder still has the lock, as it does
-/// when a working memory is started again or moves to another node: whoever opened the journal
-/// last writes it, which the journal itself sees to. Other systems are refused as long as the
-/// holder lives, which file systems without locks cannot tell.
+/// One system may open its journal again while an earlier process of it still holds the lock, as it
+/// does when a working memory is restarted or moves to another node: the process that opened the
+/// journal last may write it, which the journal itself enforces. Other systems are refused as long
+/// as the holder lives; file systems without locks cannot detect that.
 class JournalLock {
 public:
-  /// Throws JournalOfAnother, which names the holder, if another system holds it. With `returning`,
-  /// this system has written the journal before: it is refused, too, if another system has written
+  /// Throws JournalOfAnother, which names the holder, if another system holds the lock. With
+  /// `returning` (this system has written the journal before), also if another system has written
   /// it since.
   JournalLock(const std::filesystem::path& journal, JournalOwner owner, bool returning);
   JournalLock(const JournalLock&) = delete;
   JournalLock& operator=(const JournalLock&) = delete;
   ~JournalLock();
 
-  /// Tries to take what its predecessor of the same system has let go of since, or what somebody
-  /// removed; costs two system calls if there is nothing to do. Whether there is still a folder for
-  /// it is for others to find out.
+  /// Tries to take the lock if its earlier holder of the same system has released it since, or if
+  /// the lock file was removed; costs two system calls if there is nothing to do. Does not report a
+  /// missing folder: JournalFiles and writes do.
   void renew();
 
-  /// Lets go of it and removes the file: the end is an orderly one.
+  /// Releases the lock and removes its file, at an orderly end.
   void release();
 
 private:
-  /// `failed`: the file cannot be opened, as errno says.
+  /// `failed`: the file cannot be opened; errno has the reason.
   enum class Attempt : std::uint8_t { taken, held, unsupported, failed };
 
   Attempt attempt();
-  /// Whether the lock file is still that which was locked.
+  /// Whether the lock file is still the one that was locked.
   bool is_in_place() const;
   void write_owner() const;
   std::optional<JournalOwner> read_owner() const;
@@ -70,10 +70,10 @@ private:
 /// The files of a journal, as they were when it was opened.
 class JournalFiles {
 public:
-  /// Those of these that exist are watched.
+  /// Watches those of `files` that exist.
   explicit JournalFiles(const std::vector<std::filesystem::path>& files);
 
-  /// Which of them was removed, moved or replaced since; empty if none was.
+  /// Message that names a file that was removed, moved or replaced since; empty if there is none.
   std::string problem() const;
 
 private:
@@ -86,11 +86,11 @@ private:
   std::vector<Watched> watched_;
 };
 
-/// Whether somebody keeps a journal locked now. Throws JournalError if that cannot be found out.
+/// Whether a journal is locked by a process now. Throws JournalError if that cannot be determined.
 bool is_locked(const std::filesystem::path& journal);
 
-/// Moves the files of a journal out of the way, to NAME.WHY-1, or the next number that is free.
-/// Returns where it is now. Throws std::filesystem::filesystem_error.
+/// Moves the files of a journal to NAME.WHY-1, or the next number that is free. Returns the new
+/// path. Throws std::filesystem::filesystem_error.
 std::filesystem::path move_aside(const std::filesystem::path& journal, std::string_view why);
 
 } // namespace castor

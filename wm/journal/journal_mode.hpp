@@ -9,9 +9,9 @@ namespace castor {
 
 enum class JournalMode : std::uint8_t {
   off,
-  /// What was acknowledged is on disk.
+  /// Acknowledged changes are on disk.
   full,
-  /// What was acknowledged is on disk a little later; a crash may lose the last of it.
+  /// Acknowledged changes are on disk a little later; a crash may lose the last of them.
   batched,
 };
 

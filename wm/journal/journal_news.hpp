@@ -7,15 +7,15 @@
 
 namespace castor {
 
-/// From the journal to its working memory: how it stands.
+/// Message from the journal to its working memory: its progress.
 struct JournalNews {
-  /// Up to this change everything is safe.
+  /// Sequence number up to which all changes are on disk.
   std::uint64_t synced = 0;
-  /// What the file takes.
+  /// Size of the file, in bytes.
   std::uint64_t bytes = 0;
-  /// How often something was synced.
+  /// Number of syncs.
   std::uint64_t syncs = 0;
-  /// Why it takes nothing more; empty as long as it does.
+  /// Reason why it cannot write any more; else empty.
   std::string failure = {};
 };
 

@@ -11,40 +11,39 @@
 
 namespace castor {
 
-/// What the names of journals' files end with.
+/// Extension of journal files.
 inline constexpr const char* journal_extension = ".castor-journal";
 
 struct JournalOptions {
   JournalMode mode = JournalMode::off;
   std::filesystem::path file;
-  /// `batched`: how long a change may be acknowledged and not on disk.
+  /// `batched`: maximum time from the acknowledgement of a change until it is on disk.
   std::chrono::milliseconds delay{100};
-  /// `batched`: how many changes, and how many bytes of values, may be. Beyond that nothing is
-  /// acknowledged until some are on disk.
+  /// `batched`: maximum number, and bytes of values, of changes that are acknowledged and not on
+  /// disk. Beyond that nothing is acknowledged until some are on disk.
   std::size_t most_unsynced = 10'000;
   std::size_t most_unsynced_bytes = std::size_t{64} << 20;
-  /// What to do when the journal fails: go on without one, or end.
+  /// When the journal fails, the working memory goes on without one; otherwise it ends.
   bool go_on_without = false;
-  /// What the file may grow to before the oldest changes are folded into the entries that they
-  /// led to; what the present entries take is needed in any case.
+  /// Size of the file beyond which the oldest changes are folded into the entries that resulted
+  /// from them, in bytes; the present entries may need more.
   std::uint64_t limit_bytes = std::uint64_t{256} << 20;
   /// The file is a recording: nothing is folded.
   bool keep = false;
-  /// The file lies on a network's storage, where processes of several machines cannot share memory.
+  /// The file is on network storage, where processes of several machines cannot share memory.
   bool shared = false;
-  /// How many deleted ids keep their version.
+  /// Maximum number of deleted ids whose version is kept.
   std::size_t remembered_deletions = 100'000;
-  /// On a thread of its own; without, whoever runs actors writes the file.
+  /// The file is written by a thread of its own, instead of the threads of the actor system.
   bool own_thread = true;
-  /// The name of the system that writes it, which differs from those of all others: no other system
-  /// is given the journal meanwhile.
+  /// Unique name of the system that writes it; other systems are refused meanwhile.
   std::string system = {};
-  /// The system has written it before, so it has to be there, and nobody else may have had it
-  /// since.
+  /// The system has written it before: opening fails if the file is missing, or another system has
+  /// written it since.
   bool returning = false;
-  /// The way to the file, for SQLite (its VFS); empty for the usual one.
+  /// SQLite VFS by which the file is accessed; empty for the default.
   std::string vfs = {};
-  /// Is told what goes wrong.
+  /// Called with messages about errors.
   std::function<void(const std::string&)> report = [](const std::string&) {};
 };
 

@@ -22,24 +22,24 @@ struct Session;
 class LogRows;
 } // namespace journal_tables
 
-/// What a journal is, at a glance.
+/// Key figures of a journal.
 struct JournalSummary {
   std::string subarchitecture;
   std::uint64_t session = 0;
   std::uint64_t incarnation = 0;
-  /// The last change.
+  /// Sequence number of the last change.
   std::uint64_t sequence = 0;
-  /// The changes that it has one by one, and the times of the first and the last of them.
+  /// Number of changes that are not folded, and the times of the first and the last of them.
   std::uint64_t changes = 0;
   UnixTime first{0};
   UnixTime last{0};
   std::uint64_t bytes = 0;
-  /// Nobody writes it, and the last who did ended in order.
+  /// No process writes it, and the last writer ended in order.
   bool clean = false;
 };
 
-/// Reads a journal, which somebody else may write meanwhile: as it stands at one moment. Throws
-/// JournalError, which names the file.
+/// Reads a snapshot of a journal, which another process may write meanwhile. Throws JournalError,
+/// which names the file.
 class JournalReader {
 public:
   explicit JournalReader(std::filesystem::path file);
@@ -50,10 +50,10 @@ public:
   /// The entries that the working memory had before the first of the changes.
   JournalImage begin();
 
-  /// The next of the changes; nothing after the last.
+  /// The next change; nothing after the last.
   std::optional<JournalRecord> next();
 
-  /// Where all of it leads; to be called instead of `next`. `f` is called with each change.
+  /// The state after all changes; to be called instead of `next`. Calls `f` with each change.
   JournalImage replay(const std::function<void(const JournalRecord&)>& f = {});
 
 private:

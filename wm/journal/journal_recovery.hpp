@@ -11,20 +11,20 @@
 
 namespace castor {
 
-/// Reads a journal and makes it this process's own: a new session, and a new incarnation of the
-/// working memory where acknowledged writes may have been lost.
+/// Reads a journal and takes it over for this process: begins a new session, and a new incarnation
+/// of the working memory if acknowledged writes may have been lost.
 class JournalRecovery {
 public:
-  /// Does so in one transaction. Throws JournalError if the journal is another's, JournalCorrupt,
-  /// DecodeError and sqlite::Error.
+  /// Uses one transaction. Throws JournalError if the journal belongs to another subarchitecture,
+  /// JournalCorrupt, DecodeError and sqlite::Error.
   JournalRecovery(sqlite::Database& database, const JournalOptions& options,
                   const std::string& subarchitecture, const JournalOwner& owner, UnixTime now);
 
-  /// How the journal stands now.
+  /// State of the journal after recovery.
   const journal_tables::Meta& meta() const { return meta_; }
   const journal_tables::Types& types() const { return types_; }
 
-  /// What the working memory held.
+  /// Content of the working memory.
   StoreImage take_image() { return std::move(image_); }
 
 private:

@@ -12,33 +12,35 @@
 
 namespace castor {
 
-/// From a working memory to its journal: the changes of a write, in the order of the writes.
+/// Message from a working memory to its journal: the changes of one write, in the order of the
+/// writes.
 struct JournalWrite {
   JournalGroupPtr changes;
-  /// What their values take.
+  /// Size of their values, in bytes.
   std::size_t bytes = 0;
 };
 
 struct JournalWriterParts {
   std::shared_ptr<JournalFile> file;
   JournalMode mode = JournalMode::full;
-  /// How long changes may wait for others, and how many, of how many bytes.
+  /// Limits of a batch of changes that wait to be synced: time, number, and bytes of values.
   std::chrono::milliseconds delay{0};
   std::size_t most_changes = 0;
   std::size_t most_bytes = 0;
-  /// The working memory; when it ends, so does the journal, in order.
+  /// The working memory; when it ends, the journal is closed in order.
   caf::strong_actor_ptr owner;
-  /// Is told what goes wrong when nobody hears news any more.
+  /// Called with messages about errors after the owner has ended.
   std::function<void(const std::string&)> report = [](const std::string&) {};
 };
 
-/// What the journal of a working memory is written by.
+/// Arguments for `journal_writer`, from a working memory's options.
 JournalWriterParts journal_writer_parts(const JournalOptions& options,
                                         std::shared_ptr<JournalFile> file,
                                         caf::strong_actor_ptr owner);
 
-/// Writes a journal. What arrives while one group of writes is being synced is the next group.
-/// Takes JournalWrite, and JournalFault on purpose; tells its owner JournalNews.
+/// Actor that writes a journal. Writes that arrive while one group is being synced form the next
+/// group. Receives JournalWrite, and JournalFault for fault injection; sends JournalNews to its
+/// owner.
 caf::behavior journal_writer(caf::event_based_actor* self, JournalWriterParts parts);
 
 } // namespace castor

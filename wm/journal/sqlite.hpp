@@ -12,14 +12,14 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-/// As much of SQLite as journals need, with exceptions.
+/// The part of SQLite that journals need, with exceptions.
 namespace castor::sqlite {
 
 class Error : public std::runtime_error {
 public:
   Error(int code, const std::string& what) : runtime_error(what), code_(code) {}
 
-  /// The file is not what it should be, as opposed to: it cannot be read or written now.
+  /// Whether the file is damaged or of another format, rather than not readable or writable now.
   bool is_corruption() const;
 
 private:
@@ -27,33 +27,34 @@ private:
 };
 
 enum class OpenMode : std::uint8_t {
-  /// The file is made if there is none.
+  /// The file is created if there is none.
   write,
   read,
-  /// Nobody else writes the file: it is read without any lock.
+  /// No process writes the file: it is read without any lock.
   read_unchanging,
 };
 
 class Database {
 public:
-  /// `vfs` is what the file is reached through; empty for the operating system's own.
+  /// `vfs` is the SQLite VFS by which the file is accessed; empty for the default.
   Database(const std::filesystem::path& file, OpenMode mode, const std::string& vfs = {});
 
-  /// Statements without a result, or whose result is of no interest.
+  /// Runs statements and ignores their results.
   void run(const char* statements);
 
-  /// The first column of the first row.
+  /// First column of the first row of the result.
   std::int64_t number(const char* query);
   std::string text(const char* query);
 
-  /// From now on it is known how long the write-ahead log is, and it is left to `checkpoint`.
+  /// From now on `log_pages` is the length of the write-ahead log, and only `checkpoint` moves it
+  /// into the file.
   void count_log_pages();
   int log_pages() const { return *log_pages_; }
 
-  /// Moves what can be moved from the write-ahead log into the file.
+  /// Moves pages from the write-ahead log into the file, as far as readers allow.
   void checkpoint();
 
-  /// Whether what the write-ahead log holds goes into the file itself when it is closed.
+  /// Sets whether the write-ahead log is moved into the file when it is closed.
   void checkpoint_on_close(bool on);
 
   sqlite3* handle() const { return handle_.get(); }
@@ -67,24 +68,24 @@ private:
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A statement that is used again and again. Columns and parameters are taken in their order.
+/// A prepared statement. Columns and parameters are read and bound in their order.
 class Statement {
 public:
   Statement(Database& database, const char* text);
 
   Statement& bind(std::uint64_t x);
   Statement& bind(std::int64_t x);
-  /// What is bound must stay until the next `step` or `run`.
+  /// The bound bytes must stay valid until the next `step` or `run`.
   Statement& bind(std::string_view x);
   Statement& bind(std::span<const std::uint8_t> x);
 
-  /// The next row, if there is one; otherwise the statement can be bound anew.
+  /// Advances to the next row. Returns false at the end; then the statement can be bound anew.
   bool step();
 
-  /// To the end; for statements without a result.
+  /// Runs to the end; for statements without a result.
   void run();
 
-  /// Gives up the rows that are left.
+  /// Skips the remaining rows.
   void reset();
 
   std::uint64_t number();
@@ -101,10 +102,10 @@ private:
   int next_column_ = 0;
 };
 
-/// Undone, unless it is committed.
+/// A transaction; rolled back unless it is committed.
 class Transaction {
 public:
-  /// Takes the right to write, and waits for it if somebody else has it.
+  /// Takes the write lock; waits while another connection holds it.
   explicit Transaction(Database& database);
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;

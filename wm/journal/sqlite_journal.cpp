@@ -34,7 +34,7 @@ auto SqliteJournal::guarded(const char* what, F&& f) {
            what + ": " + why + ". " + remedy;
   };
   const std::string damaged = "It is damaged: put a copy in its place, or move it away to begin "
-                              "without entries; what can still be read shows `castor journal show`";
+                              "without entries; `castor journal show` shows what can still be read";
   const char* elsewhere = "--journal-dir puts journals elsewhere";
   try {
     return f();

@@ -15,13 +15,13 @@
 
 namespace castor {
 
-/// A journal in a file of SQLite's, which this process writes.
+/// A journal in an SQLite file that this process writes.
 class SqliteJournal final : public JournalFile {
 public:
-  /// Opens the journal, or makes it. Throws JournalError.
+  /// Opens the journal, or creates it. Throws JournalError.
   SqliteJournal(const JournalOptions& options, std::string subarchitecture);
 
-  /// What it held when it was opened; to be called once. The file is left out.
+  /// Content at the time of opening, without `file`; to be called once.
   OpenedJournal take_opened();
 
   void append(const std::vector<JournalGroupPtr>& groups) override;
@@ -30,21 +30,21 @@ public:
   std::uint64_t bytes() const override;
 
 private:
-  /// Of one type, whatever process says so.
+  /// Identity of an entry type across processes.
   struct TypeKey {
     std::string name;
     std::uint64_t hash = 0;
     auto operator<=>(const TypeKey&) const = default;
   };
 
-  /// What goes wrong says which file it is about, and what to do.
+  /// Calls `f`; its exceptions are thrown again as JournalError with the file and the remedy.
   template <class F>
   auto guarded(const char* what, F&& f);
 
   void open();
   void recover();
 
-  /// Whoever has opened the journal last may write it. Throws JournalError.
+  /// Throws JournalError if another process has opened the journal since.
   void check_session();
   void insert(JournalRecord& x);
   std::uint64_t number_of(const TypeDescriptor& type);

@@ -66,7 +66,7 @@ void JournalOutbox::receive(const JournalNews& news) {
   status_.failure = news.failure;
   if (options_.go_on_without) {
     options_.report(news.failure + ". " + subarchitecture_ +
-                    " goes on without a journal: what is written from now on does not outlive it");
+                    " goes on without a journal: changes from now on are lost when it ends");
     writer_ = nullptr;
     gate_.open();
     return;

@@ -12,25 +12,24 @@
 
 namespace castor {
 
-/// Hands the changes of a working memory to its journal, and sends whatever others may conclude
-/// from them only once they are safe there (OutputGate says when). Without a journal everything
-/// goes out at once.
+/// Sends the changes of a working memory to its journal, and holds back all messages that depend on
+/// them until they are safe there (see OutputGate). Without a journal, everything is sent at once.
 class JournalOutbox {
 public:
   explicit JournalOutbox(WorkingMemoryActor::pointer self) : self_(self) {}
 
-  /// Takes up an opened journal at a time since the system's begin, as the first thing. One that
-  /// could not be opened is reported in the status.
+  /// Starts to use an opened journal; to be called first. `now` is the time since the system began.
+  /// A journal that could not be opened is reported in the status.
   void open(const WorkingMemoryOptions& options, Timestamp now);
 
-  /// Writes the changes of one write down, if there is a journal. Comes before whatever others are
-  /// told of them.
+  /// Sends the changes of one write to the journal, if there is one. To be called before any
+  /// message about them.
   void write(const std::vector<CommittedChange>& changes) {
     if (writer_)
       append(changes);
   }
 
-  /// Calls `f`, which sends something.
+  /// Calls `f`, which sends a message: at once, or when the gate opens.
   template <class F>
   void emit(F&& f) {
     if (gate_.holds())
@@ -39,7 +38,7 @@ public:
       f();
   }
 
-  /// The answer to the current message.
+  /// Replies to the current message: at once, or when the gate opens.
   template <class Reply>
   caf::result<Reply> reply(caf::result<Reply> reply) {
     if (!gate_.holds() || reply.flag != caf::rt_value)
@@ -51,7 +50,7 @@ public:
     return deferred->promise();
   }
 
-  /// An answer that has waited.
+  /// Sends a deferred reply: at once, or when the gate opens.
   template <class Reply>
   void reply(DeferredReplyPtr<Reply> deferred, Reply reply) {
     emit([deferred = std::move(deferred), reply = std::move(reply)]() mutable {
@@ -59,8 +58,8 @@ public:
     });
   }
 
-  /// The journal says how it stands. If it has failed, the working memory goes on without it or
-  /// ends, as its options say.
+  /// Handles progress of the journal. If it has failed, the working memory goes on without it or
+  /// ends, depending on its options.
   void receive(const JournalNews& news);
 
   void inject_fault(const JournalFault& fault);
@@ -76,9 +75,9 @@ private:
   /// Null without a journal.
   caf::actor writer_;
   OutputGate gate_;
-  /// Without what the gate knows.
+  /// Without the figures of `gate_`.
   JournalStatus status_;
-  /// What event times count from.
+  /// Origin of event times.
   UnixTime began_{0};
 };
 
