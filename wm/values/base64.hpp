@@ -9,10 +9,10 @@
 
 namespace castor {
 
-/// RFC 4648, with padding.
+/// Base64 by RFC 4648, with padding.
 std::string base64(std::span<const std::uint8_t> in);
 
-/// What `base64` has made; nothing if the text is none.
+/// Decodes the result of `base64`; nothing for any other text.
 std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
 } // namespace castor

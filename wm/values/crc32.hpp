@@ -6,7 +6,7 @@
 
 namespace castor {
 
-/// The CRC-32 of IEEE 802.3, as zlib and MCAP have it, of bytes that come piece by piece.
+/// Incremental CRC-32 of IEEE 802.3, as in zlib and MCAP.
 class Crc32 {
 public:
   void add(const void* data, std::size_t size);

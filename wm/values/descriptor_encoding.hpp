@@ -7,11 +7,11 @@
 
 namespace castor {
 
-/// The descriptor's own wire form, by which it travels.
+/// The wire form of a descriptor.
 Bytes encode_descriptor(const TypeDescriptor& x);
 
-/// The type is known (known_types.hpp) from then on. Throws DecodeError (encoding.hpp) if `bytes`
-/// is not exactly one well-formed descriptor.
+/// Decodes a descriptor and makes its type known (known_types.hpp). Throws DecodeError
+/// (encoding.hpp) if `bytes` is not exactly one well-formed descriptor.
 TypeDescriptorPtr decode_descriptor(std::span<const std::uint8_t> bytes);
 
 /// The hash of a descriptor, from its wire form.

@@ -18,15 +18,16 @@ namespace castor {
 
 namespace detail {
 
-/// Collects the records and enumerations that a type is made of; recursive types end here.
+/// Collects the records and enumerations that a type contains, each once: recursion ends at known
+/// ones.
 class DescriptorBuilder {
 public:
   /// The index of the record known by `key`, and whether the caller must now describe it.
   std::pair<std::uint32_t, bool> begin_record(const void* key, std::string_view name);
   void set_fields(std::uint32_t record, std::vector<FieldDescriptor> fields);
   std::uint32_t add_enum(const void* key, EnumDescriptor x);
-  /// Throws std::logic_error if two types inside, or two fields of one of them, have the same name,
-  /// or the type has the name of one of its bases.
+  /// Throws std::logic_error if two contained types, or two fields of one of them, have the same
+  /// name, or the type has the name of one of its bases.
   TypeDescriptorPtr finish(std::vector<std::string> super_types);
 
 private:
@@ -129,7 +130,7 @@ const TypeDescriptorPtr& descriptor_of();
 
 namespace detail {
 
-/// Is initialised when a library is loaded whose code uses the type's descriptor anywhere.
+/// Initialised when a library whose code uses the type's descriptor is loaded.
 template <ReflectedRecord T>
 inline const bool is_announced = announce_type(&descriptor_of<T>);
 
@@ -150,7 +151,7 @@ const TypeDescriptorPtr& descriptor_of() {
   return result;
 }
 
-/// The name by which working memories know the type.
+/// Name of the type in working memories.
 template <ReflectedRecord T>
 const std::string& type_name() {
   return descriptor_of<T>()->name();

@@ -42,7 +42,7 @@ std::size_t size_on_wire(const T& x) {
 
 } // namespace detail
 
-/// The number of bytes of `encode(x)` (encoding.hpp), without making them.
+/// Size of `encode(x)` (encoding.hpp) in bytes, without encoding.
 template <ReflectedRecord T>
 std::size_t encoded_size(const T& x) {
   std::size_t result = 0;

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
-/// The wire form of entry values. It is little-endian and every field can be stepped over without
-/// knowing what is inside:
+/// The wire form of entry values. It is little-endian, and every field can be skipped without
+/// decoding it:
 ///
 ///   numbers, bool, enumerations   as they are
 ///   string, bytes                 u32 length, then the bytes
@@ -28,7 +28,7 @@ namespace castor {
 static_assert(std::endian::native == std::endian::little,
               "scalars are copied as they are: a big-endian machine needs a swap here");
 
-/// The bytes are not what the descriptor or the C++ type says they are.
+/// The bytes do not fit the descriptor or the C++ type.
 class DecodeError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
@@ -103,7 +103,7 @@ private:
   Bytes& out_;
 };
 
-/// Takes values from a byte sequence; every read is checked against what is left. Throws
+/// Takes values from a byte sequence; every read is checked against the remaining bytes. Throws
 /// DecodeError.
 class Decoder {
 public:
@@ -147,11 +147,11 @@ public:
   std::span<const std::uint8_t> take(std::size_t n);
   void expect_end() const;
 
-  /// Steps over one value of the given type.
+  /// Skips one value of the given type.
   void skip(const TypeDescriptor& descriptor, const WireType& type);
 
 private:
-  /// Deeper nesting is an attack or a mistake; no sensible entry type comes near.
+  /// Limit against hostile input; real entry types nest far less deeply.
   static constexpr int max_depth = 100;
 
   Decoder(std::span<const std::uint8_t> in, int depth) : in_(in), depth_(depth) {
@@ -173,7 +173,7 @@ private:
     } else {
       Decoder inner{take(take_length()), depth_ + 1};
       std::size_t count = inner.take_length();
-      // Every element takes a byte at least: a huge count is refused before anything is allocated.
+      // Every element has at least one byte: a huge count is refused before allocation.
       if (count > inner.remaining())
         throw DecodeError("list claims more elements than it has bytes");
       x.clear();
@@ -183,7 +183,7 @@ private:
         if (count > 0)
           std::memcpy(x.data(), data.data(), data.size());
       } else {
-        // An element may be far larger in memory than on the wire, where it may not even be.
+        // An element may be far larger in memory than on the wire, and the bytes may end early.
         x.reserve(std::min(count, inner.remaining() / sizeof(Element) + 1));
         for (std::size_t i = 0; i < count; ++i) {
           Element element{};
@@ -199,7 +199,7 @@ private:
   int depth_ = 0;
 };
 
-/// The bytes that a scalar, or a record field of fixed size, takes; nothing for the others.
+/// Size in bytes of a scalar, or a record field of fixed size; nothing for other kinds.
 std::optional<std::size_t> fixed_size(WireKind kind);
 
 /// The wire form of an entry value.
@@ -210,8 +210,8 @@ Bytes encode(const T& x) {
   return out;
 }
 
-/// The value whose wire form begins with `bytes`' first bytes: a base is decoded from a derived
-/// value. Throws DecodeError.
+/// Decodes a value from the beginning of `bytes`, so a base can be decoded from a derived value.
+/// Throws DecodeError.
 template <ReflectedRecord T>
 T decode(std::span<const std::uint8_t> bytes) {
   T x{};

@@ -14,14 +14,14 @@ namespace castor {
 
 class Decoder;
 
-/// What a single field can be compared with. Enumerations are the name of their enumerator (or
-/// their number where it has none), an absent optional is std::monostate.
+/// Value of a single field, for comparisons. An enumeration is the name of its enumerator (or its
+/// number as text, if it has none), an absent optional is std::monostate.
 using FieldValue =
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>;
 
 enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
 
-/// There is no such field, or it cannot be compared with what it was compared with.
+/// There is no such field, or it cannot be compared with the given operand.
 class FieldError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
@@ -30,22 +30,22 @@ public:
 /// Takes one scalar, enumeration or string from `in`. Throws FieldError for other kinds of field.
 FieldValue take_field(Decoder& in, const TypeDescriptor& descriptor, const WireType& type);
 
-/// The place of a field in its type: its index in every record or array on the way. Optionals on
-/// the way take no step.
+/// Place of a field in its type: the index in each record or array on the way. Optionals have no
+/// index.
 using FieldPath = std::vector<std::uint32_t>;
 
 struct FieldPlace {
   FieldPath path;
-  /// What lies there, freed of optionals; part of the descriptor.
+  /// Type of the field without optionals; points into the descriptor.
   const WireType* type = nullptr;
 };
 
-/// The place of the field at `path` ("pose.position.x"). Looks at no value: a mistake in a path
-/// shows whether or not the optionals on its way are there. Throws FieldError if there is no such
-/// field.
+/// Place of the field at `path` ("pose.position.x"). Needs no value: a wrong path is found even if
+/// an optional on the way is empty. Throws FieldError if there is no such field.
 FieldPlace find_field(const TypeDescriptor& descriptor, std::string_view path);
 
-/// Whether a field is one value, that can be read and compared: no list, bytes, array or record.
+/// Whether a field is a single value that can be read and compared: not a list, bytes, an array or
+/// a record.
 bool is_single(WireKind kind);
 
 /// The field at a place of `descriptor`, without decoding the rest of the encoded value. Throws as
@@ -68,9 +68,9 @@ FieldValue read_field(const TypeDescriptor& descriptor, std::span<const std::uin
 /// a number, a truth value or a text is compared with another of these.
 bool compare(const FieldValue& a, Comparison op, const FieldValue& b);
 
-/// The one of all numbers that compare equal, an integer wherever there is one; others as they are.
-/// What is `compare`d equal is also `==` in this form (but for NaN and the absent optional, which
-/// `compare` finds unequal to themselves).
+/// Normal form of a value: of all numbers that compare equal, the integer if there is one; other
+/// values unchanged. Values that `compare` equal have `==` normal forms (except NaN and the absent
+/// optional, which `compare` unequal to themselves).
 FieldValue normalised(FieldValue x);
 
 } // namespace castor

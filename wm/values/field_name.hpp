@@ -8,8 +8,8 @@
 
 namespace castor {
 
-/// The name under which a member was declared. Throws FieldError if it was left out of the
-/// declaration: such a member is no part of the entry.
+/// Name of a declared member. Throws FieldError if it was left out of the declaration: such a
+/// member is not part of the entry.
 template <ReflectedRecord T, class Member>
 std::string_view field_name(Member T::*member) {
   static constexpr auto reflection = reflection_of<T>();

@@ -8,26 +8,26 @@
 
 namespace castor {
 
-/// Descriptors by the names of the types.
+/// Descriptors by type name.
 using TypeCatalogue = std::map<std::string, TypeDescriptorPtr>;
 
-/// At most so many types that came from elsewhere are remembered.
+/// Maximum number of foreign types that are remembered.
 inline constexpr std::size_t most_foreign_types = 4096;
 
-/// Makes a type known that this process has a C++ type for.
+/// Registers a type with a C++ type in this process.
 void make_own_type_known(const TypeDescriptorPtr& type);
 
-/// Makes a type known that came with an entry, from another process or from a journal.
+/// Registers a type that was received with an entry, from another process or a journal.
 void make_foreign_type_known(const TypeDescriptorPtr& type);
 
-/// The entry types that this process knows: those that the code of its loaded libraries writes,
-/// reads, filters or serves, whether it has done so yet or not, and those that came from elsewhere.
-/// Of two types of one name, an own one counts.
+/// The entry types that this process knows: those used in the code of its loaded libraries (even if
+/// it has not run yet), and foreign ones. An own type takes precedence over a foreign one of the
+/// same name.
 TypeCatalogue known_types();
 
 namespace detail {
 
-/// Makes a type known to `known_types` by what makes its descriptor.
+/// Registers a type for `known_types` by the function that makes its descriptor.
 bool announce_type(const TypeDescriptorPtr& (*descriptor)());
 
 } // namespace detail

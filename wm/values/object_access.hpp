@@ -6,24 +6,25 @@
 #include <cstddef>
 #include <string>
 
-/// Access to the fields of a C++ object by their place, for those who do not know its type.
+/// Access to the fields of a C++ object of unknown type, by their place.
 namespace castor {
 
 struct ObjectOperations;
 
-/// A part of an object: a field, an element of an array, what an optional holds.
+/// A part of an object: a field, an element of an array, or the content of an optional.
 struct ObjectPart {
-  /// Null for what an empty optional does not hold.
+  /// Null for the content of an empty optional.
   const void* data = nullptr;
   const ObjectOperations* operations = nullptr;
 };
 
-/// What can be done with a part, by its type.
+/// Operations on a part, one set per type.
 struct ObjectOperations {
   bool is_optional = false;
-  /// The part of a record, an array or an optional (which has one); null for what has no parts.
+  /// Returns a part of a record, an array or an optional (which has one); null for types without
+  /// parts.
   ObjectPart (*part)(const void* whole, std::size_t index) = nullptr;
-  /// The value of a single field; null for what is not single.
+  /// Reads the value of a single field; null for other types.
   FieldValue (*read)(const void* data) = nullptr;
 };
 

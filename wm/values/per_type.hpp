@@ -8,17 +8,17 @@
 
 namespace castor {
 
-/// Remembers what was worked out for each entry type. Not for several threads.
+/// Cache of a value per entry type. Not thread-safe.
 template <class T>
 class PerType {
 public:
-  /// What is remembered for the type, otherwise `make()`. The reference lives until the next call.
+  /// The cached value of the type, or the new `make()`. The reference is valid until the next call.
   template <class F>
   const T& get(const TypeDescriptorPtr& type, F&& make) {
     for (auto& [known, x] : known_)
       if (known == type)
         return x;
-    // Types that come anew with every message must not add up.
+    // Bounds the memory if every message brings a new type.
     if (known_.size() == max_known)
       known_.clear();
     return known_.emplace_back(type, make()).second;

@@ -7,15 +7,15 @@
 
 namespace castor {
 
-/// The places of the two or three coordinates of a point: of the number fields x, y and perhaps z
-/// of a record, or of the elements of an array of numbers. Throws FieldError if there is no such
-/// field or it is no point.
+/// Places of the two or three coordinates of a point: the number fields x, y and perhaps z of a
+/// record, or the elements of an array of numbers. Throws FieldError if there is no such field or
+/// it is not a point.
 std::vector<FieldPath> find_point(const TypeDescriptor& type, std::string_view path);
 
-/// Whether numbers are of this kind.
+/// Whether a kind is a number.
 bool is_number(WireKind kind);
 
-/// A number as the nearest double; NaN for what is none.
+/// A number as the nearest double; NaN for other values.
 double as_double(const FieldValue& x);
 
 } // namespace castor

@@ -19,8 +19,8 @@
 ///     enum class Side { left, right };
 ///     CASTOR_REFLECT_ENUM(Side, left, right)
 ///
-/// The macros stand in the namespace of the type, after it. A type is known by its unqualified
-/// name; two types of one name with different fields are refused where they meet.
+/// The macros stand in the namespace of the type, after it. A type is identified by its unqualified
+/// name; a value of another type of that name with different fields is refused.
 namespace castor {
 
 template <class T>
@@ -38,7 +38,7 @@ constexpr ReflectedField<Owner, Member> reflected_field(std::string_view name,
   return {name, member};
 }
 
-/// What the macro says of a struct; `Base` is void for a type without one.
+/// The declaration of a struct; `Base` is void for a type without one.
 template <class T, class Base, class... Members>
 struct RecordReflection {
   using BaseType = Base;
@@ -94,7 +94,7 @@ void for_each_field(Object& object, F&& f) {
 
 } // namespace castor
 
-// The preprocessor rescans the list four times four times four times: enough for 64 fields.
+// The preprocessor rescans the list 4 * 4 * 4 times: enough for 64 fields.
 #define CASTOR_PP_EXPAND(...) \
   CASTOR_PP_EXPAND3(CASTOR_PP_EXPAND3(CASTOR_PP_EXPAND3(CASTOR_PP_EXPAND3(__VA_ARGS__))))
 #define CASTOR_PP_EXPAND3(...) \

@@ -13,7 +13,7 @@ namespace castor {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What stands on the wire, one code per shape of data.
+/// Kinds of data on the wire.
 enum class WireKind : std::uint8_t {
   boolean,
   int8,
@@ -41,11 +41,11 @@ CASTOR_REFLECT_ENUM(WireKind, boolean, int8, int16, int32, int64, uint8, uint16,
 /// The type of one field.
 struct WireType {
   WireKind kind = WireKind::boolean;
-  /// Into `TypeDescriptor::records` or `TypeDescriptor::enums`, for those two kinds.
+  /// Index into `TypeDescriptor::records` or `TypeDescriptor::enums`, for records and enumerations.
   std::uint32_t index = 0;
   /// The number of elements of an array.
   std::uint32_t extent = 0;
-  /// What a list, an array or an optional holds: exactly one for these, none otherwise.
+  /// Element type of a list, an array or an optional: exactly one for these, none otherwise.
   std::vector<WireType> element;
 
   friend bool operator==(const WireType&, const WireType&) = default;
@@ -74,13 +74,12 @@ struct EnumDescriptor {
   friend bool operator==(const EnumDescriptor&, const EnumDescriptor&) = default;
 };
 
-/// All that a process needs to know of an entry type in order to print, compare and filter its
-/// values without having its C++ type. `records.front()` is the type itself, the others are what it
-/// contains.
+/// Description of an entry type, by which a process can print, compare and filter its values
+/// without the C++ type. `records.front()` is the type itself, the others are the records in it.
 struct TypeDescriptor {
   std::vector<RecordDescriptor> records;
   std::vector<EnumDescriptor> enums;
-  /// The types this one derives from, the nearest first.
+  /// Base types, the nearest first.
   std::vector<std::string> super_types;
   /// Equal for equal descriptors, in every process.
   std::uint64_t hash = 0;
@@ -98,8 +97,8 @@ using TypeDescriptorPtr = std::shared_ptr<const TypeDescriptor>;
 /// The name, the fields and the hash of a type as one line of text, for messages.
 std::string to_string(const TypeDescriptor& x);
 
-/// What is wrong with the names in a descriptor, or nothing. Where a name stood for two things,
-/// JSON and filters could only mean one of them.
+/// Description of a name that is used twice in a descriptor, or empty. With such a name, fields in
+/// JSON and filters would be ambiguous.
 std::string ambiguity(const TypeDescriptor& x);
 
 } // namespace castor

@@ -20,11 +20,11 @@ namespace castor {
 /// The content of an entry: immutable, shared, of any reflected type.
 ///
 /// Copies share one object, so within a process a value is never copied deeply and never changes.
-/// Its bytes are made when somebody first asks for them, and once; a value that arrived as bytes is
-/// decoded when somebody first asks for its C++ type, and once. Safe to use from several threads.
+/// It is encoded once, on the first access to its bytes; a value that arrived as bytes is decoded
+/// once, on the first access to its C++ type. Thread-safe.
 class Value {
 public:
-  /// No value; `has_value()` is false and nothing else may be called.
+  /// An empty value: only `has_value()` may be called.
   Value() = default;
 
   template <ReflectedRecord T>
@@ -32,10 +32,10 @@ public:
     return Value{descriptor_of<T>(), std::make_shared<const T>(std::move(x)), type_operations<T>()};
   }
 
-  /// A value whose C++ type this process need not have.
+  /// A value from its wire form; the process need not have its C++ type.
   static Value from_bytes(TypeDescriptorPtr type, Bytes bytes);
 
-  /// The same of bytes that come from outside: throws DecodeError if they cannot be such a value.
+  /// The same for untrusted bytes: throws DecodeError if they are not a value of the type.
   static Value from_foreign_bytes(TypeDescriptorPtr type, Bytes bytes);
 
   bool has_value() const { return rep_ != nullptr; }
@@ -46,18 +46,18 @@ public:
   /// The wire form.
   const Bytes& bytes() const;
 
-  /// The size of the wire form, which is not made for this.
+  /// Size of the wire form, without encoding.
   std::size_t encoded_size() const;
 
-  /// The single field at a place of the value's type (`find_field`); read from the object where
-  /// there is one. Throws DecodeError if the value came as bytes that are not what its type says.
+  /// The single field at a place of the value's type (`find_field`); read from the object if there
+  /// is one. Throws DecodeError if the value came as bytes that do not fit its type.
   FieldValue field(const FieldPath& path) const;
 
   /// Whether no optional on the way to a place, nor the field itself, is empty. Throws as `field`.
   bool has_field(const FieldPath& path) const;
 
   /// The object, if the value is a `T` or derives from it; otherwise null. Throws DecodeError if
-  /// the value came as bytes that are no `T`.
+  /// the value came as bytes that do not fit `T`.
   template <ReflectedRecord T>
   std::shared_ptr<const T> as() const {
     auto& wanted = *descriptor_of<T>();
@@ -72,9 +72,9 @@ public:
   /// Whether two values have the same type and the same wire form.
   friend bool operator==(const Value& a, const Value& b);
 
-  /// The fields by which two values of one type differ in wire form, which is not made for this
-  /// where both are objects; of different types: all. Throws DecodeError if a value came as bytes
-  /// that are not what its type says.
+  /// The fields whose wire forms differ between two values of one type (two objects are compared
+  /// without encoding); all fields for values of different types. Throws DecodeError if a value
+  /// came as bytes that do not fit its type.
   friend FieldMask changed_fields(const Value& before, const Value& after);
 
 private:
@@ -84,18 +84,18 @@ private:
     Bytes (*encode)(const void* object);
     std::size_t (*encoded_size)(const void* object);
     FieldMask (*differ)(const void* a, const void* b);
-    /// For access to the fields.
+    /// Access to the fields.
     const ObjectOperations* parts;
   };
 
   struct Rep {
     TypeDescriptorPtr type;
-    /// The object and what can be done with it; null for a value that came as bytes.
+    /// The object and its operations; null for a value that came as bytes.
     std::shared_ptr<const void> object;
     const Operations* operations = nullptr;
     std::once_flag encode_once;
     Bytes bytes;
-    /// What `bytes` was decoded to: the type itself or one of its bases, each at most once.
+    /// Objects decoded from `bytes`: of the type itself or its bases, each at most once.
     std::mutex decode_mutex;
     std::vector<std::pair<const std::type_info*, std::shared_ptr<const void>>> decoded;
   };
@@ -130,7 +130,8 @@ private:
     return find_part({rep_->object.get(), rep_->operations->parts}, path);
   }
 
-  /// Throws DecodeError if this process knows another type by the name of the value's type or base.
+  /// Throws DecodeError if this process has a different type with the name of the value's type or
+  /// base.
   void check_same_layout(const TypeDescriptor& wanted) const;
 
   template <ReflectedRecord T>
@@ -143,7 +144,7 @@ private:
     T object{};
     Decoder in{bytes()};
     in.get_fields(object);
-    // Only a derived value has more to it than the type asked for.
+    // Only a derived value has more fields than the requested type.
     if (type().name() == wanted.name())
       in.expect_end();
     auto result = std::make_shared<const T>(std::move(object));
@@ -156,7 +157,7 @@ private:
 
 FieldMask changed_fields(const Value& before, const Value& after);
 
-/// Descriptor and content in one piece, for files and pipes.
+/// Wire form of descriptor and content together, for files and pipes.
 Bytes encode_self_described(const Value& x);
 
 /// Throws DecodeError.

@@ -21,8 +21,8 @@ void for_each_field_pair(const T& a, const T& b, F&& f) {
              reflection.fields);
 }
 
-/// Whether two objects have the same wire form, without making it: as `==` of all fields, but a NaN
-/// equals itself and zero differs from its negative.
+/// Whether two objects have the same wire form, without encoding: like `==` of all fields, but NaN
+/// equals itself and zero differs from negative zero.
 template <class T>
 bool same_on_wire(const T& a, const T& b) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -50,7 +50,7 @@ bool same_on_wire(const T& a, const T& b) {
   }
 }
 
-/// The fields by which two objects differ.
+/// The fields in which two objects differ.
 template <ReflectedRecord T>
 FieldMask fields_that_differ(const T& a, const T& b) {
   FieldMask result = 0;

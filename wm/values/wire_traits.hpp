@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-/// Which C++ types hold others, and which travel in one piece.
+/// Traits of C++ types on the wire: containers, and byte sequences.
 namespace castor::detail {
 
 template <class T>
@@ -37,7 +37,7 @@ concept Container = requires {
   ElementOf<T>::kind;
 };
 
-/// A vector of bytes travels in one piece; so images and the like cost a memcpy.
+/// A vector of bytes is copied as a whole, so images and the like cost one memcpy.
 template <class T>
 inline constexpr bool is_bytes = std::is_same_v<T, Bytes> || std::is_same_v<T, std::vector<char>>;
 
