@@ -9,7 +9,7 @@
 
 namespace castor {
 
-/// Where an entry lies: the subarchitecture whose working memory holds it, and its id there.
+/// Address of an entry: the subarchitecture whose working memory holds it, and its id there.
 struct Address {
   std::string subarchitecture;
   std::string id;
@@ -19,8 +19,7 @@ struct Address {
 
 CASTOR_REFLECT(Address, subarchitecture, id)
 
-/// "vision/0:3", the form in which addresses are printed and typed; "vision" for a whole working
-/// memory.
+/// "vision/0:3", as users read and write it; "vision" for a whole working memory.
 inline std::string to_string(const Address& x) {
   return x.id.empty() ? x.subarchitecture : x.subarchitecture + '/' + x.id;
 }

@@ -21,11 +21,11 @@ enum class Operation : std::uint8_t { add, overwrite, remove };
 /// "ADD", "OVERWRITE" or "DELETE".
 std::string_view to_string(Operation x);
 
-/// Sources of the deletions that no component makes.
+/// Sources of deletions by the working memory itself.
 inline constexpr const char* expiry_source = "(time to live is over)";
 inline constexpr const char* owner_ended_source = "(its owner has ended)";
 
-/// What happened to an entry. It says nothing of the content: who wants that reads the entry.
+/// A change of an entry, without the content: receivers that need it read the entry.
 struct ChangeEvent {
   Operation operation = Operation::add;
   Address address;
@@ -33,21 +33,21 @@ struct ChangeEvent {
   std::string source;
   /// The entry's type, with its super types.
   TypeDescriptorPtr type;
-  /// The entry's version after the change; for a deletion, the last it had.
+  /// The entry's version after the change; for a deletion, its last version.
   Version version = 0;
-  /// Counts the events of one working memory, from 1 without gaps.
+  /// Number of the event in its working memory, from 1 without gaps.
   std::uint64_t sequence = 0;
   Timestamp time{0};
-  /// For an overwrite, the fields that differ from before; otherwise none.
+  /// Fields changed by an overwrite; none for other operations.
   FieldMask changed = 0;
-  /// It stands for several events of the entry, of which it is the newest: the receiver was too far
-  /// behind to get them one by one. Versions and sequence numbers then have gaps, and `changed` is
-  /// what any of the overwrites changed.
+  /// The event replaces several events of the entry, of which it is the newest, because the
+  /// receiver was too slow to get each of them. Versions and sequence numbers then have gaps, and
+  /// `changed` has the fields of all the overwrites.
   bool coalesced = false;
 
   const std::string& type_name() const { return type->name(); }
 
-  /// Their names.
+  /// Names of the fields in `changed`.
   std::vector<std::string> changed_fields() const { return field_names(*type, changed); }
 
   /// Whether an overwrite changed a field, of the entry's type or one of its super types:

@@ -7,16 +7,17 @@
 
 namespace castor {
 
-/// Stands for people and programs outside of the system, where others have a subarchitecture.
+/// Pseudo-subarchitecture of users and programs outside the system.
 inline constexpr std::string_view operators = "operator";
 
-/// The component behind an operation. A component that is started again is another client: what its
-/// predecessor held is not its own.
+/// The component that requests an operation. A restarted component is another client: it does not
+/// hold the leases of its predecessor.
 struct Client {
   std::string component;
-  /// Empty for one outside the subarchitectures, `operators` for one outside the system.
+  /// Empty for a component outside the subarchitectures, `operators` for a client outside the
+  /// system.
   std::string subarchitecture;
-  /// Which of the component's lives this is.
+  /// Number of the component's start.
   std::uint64_t incarnation = 0;
 
   friend bool operator==(const Client& a, const Client& b) {
@@ -24,10 +25,10 @@ struct Client {
   }
 };
 
-/// Every operation names its client, so they share one object.
+/// Shared, because every operation names its client.
 using ClientPtr = std::shared_ptr<const Client>;
 
-/// A client's own number for one of its operations that may have to wait; never used twice.
+/// Number that a client gives to an operation that may have to wait; never used twice.
 using WaitNumber = std::uint64_t;
 
 /// "segmentor of vision", or the name alone outside the subarchitectures; for messages.

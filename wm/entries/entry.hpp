@@ -10,20 +10,20 @@
 
 namespace castor {
 
-/// 0 when an entry is first added, one more with every overwrite; deletion does not reset it.
+/// 0 when an entry is first added, incremented by every overwrite; deletion does not reset it.
 using Version = std::uint64_t;
 
-/// How an entry comes and goes besides its addition and deletion.
+/// Lifetime rules of an entry, besides its addition and deletion.
 struct EntryLife {
-  /// It is forgotten so long after it was last written; 0 for never.
+  /// The entry is deleted this long after its last write; 0 for never.
   Timestamp time_to_live{0};
-  /// It goes when the component that added it goes.
+  /// The entry is deleted when the component that added it ends.
   bool ephemeral = false;
-  /// It is not added if there was an entry of its id before, even if that was deleted since.
+  /// The addition fails if the id was ever used before, even by a deleted entry.
   bool only_once = false;
 };
 
-/// An entry as it stood at one moment; never changes afterwards.
+/// An immutable snapshot of an entry.
 struct Entry {
   Address address;
   Version version = 0;

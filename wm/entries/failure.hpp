@@ -8,8 +8,8 @@
 #include <utility>
 #include <variant>
 
-/// What can go wrong with an operation on working memory: as a value between actors (`Failure`,
-/// `Outcome`), as the paper's exceptions in the interface that components are written against.
+/// Errors of operations on working memory: values between actors (`Failure`, `Outcome`), the
+/// paper's exceptions in the interface for components.
 namespace castor {
 
 enum class FailureKind : std::uint8_t {
@@ -33,13 +33,13 @@ enum class FailureKind : std::uint8_t {
 
 struct Failure {
   FailureKind kind = FailureKind::no_answer;
-  /// Names the entry, both sides, and what to do next.
+  /// Names the entry, both sides, and the remedy.
   std::string message;
-  /// The entry concerned; its id is empty where a whole working memory is concerned.
+  /// The entry concerned; the id is empty for a whole working memory.
   Address address;
 };
 
-/// Either a result or why there is none.
+/// Either a result or a failure.
 template <class T>
 class Outcome {
 public:
@@ -59,7 +59,7 @@ private:
   std::variant<T, Failure> content_;
 };
 
-/// The base of all that an operation on working memory throws.
+/// Base of all exceptions of operations on working memory.
 class WorkingMemoryException : public std::runtime_error {
 public:
   explicit WorkingMemoryException(Failure failure)
@@ -82,7 +82,7 @@ class AlreadyExistsOnWM : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The entry was changed since the component last read or wrote it, or it never read it.
+/// The entry was changed since the component last read or wrote it, or the component never read it.
 class ConsistencyException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
@@ -98,7 +98,7 @@ class UnknownSubarchitectureException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The entry holds another type than asked for or than may be written over it.
+/// The entry's type is not the requested one, or not that of the value to overwrite it with.
 class TypeMismatchException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
@@ -113,12 +113,12 @@ class WorkingMemoryLostException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The lease under which the component writes, or which it gives back, is no longer its own.
+/// The component no longer holds the lease that it writes under or releases.
 class LeaseLostException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The component waited for one that waited, directly or through others, for it.
+/// The component waited for another one that waited for it, directly or indirectly.
 class DeadlockException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
@@ -128,30 +128,30 @@ class BadAddressException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// The value is larger than the working memory takes.
+/// The value is larger than the working memory accepts.
 class EntryTooLargeException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// A condition that does not fit the type it is asked of.
+/// A condition does not fit the type of the entries.
 class PredicateException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// An atomic write that reaches across working memories, or writes an entry twice.
+/// An atomic write concerns several working memories, or an entry twice.
 class NotAtomicException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// Whoever served a call failed, or went away.
+/// The component that served a call failed or ended.
 class CallException : public WorkingMemoryException {
   using WorkingMemoryException::WorkingMemoryException;
 };
 
-/// Throws the exception that belongs to the failure's kind.
+/// Throws the exception for the failure's kind.
 [[noreturn]] void throw_failure(const Failure& failure);
 
-/// The result, or its failure thrown.
+/// Returns the result, or throws its failure.
 template <class T>
 T value_or_throw(Outcome<T> outcome) {
   if (!outcome)

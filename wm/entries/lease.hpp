@@ -8,7 +8,7 @@
 
 namespace castor {
 
-/// What the holder of a lease keeps others from doing to the entry: the paper's three levels.
+/// Operations on the entry that a lease forbids to others: the paper's three levels.
 enum class LockLevel : std::uint8_t {
   /// Overwriting.
   o,
@@ -21,11 +21,11 @@ enum class LockLevel : std::uint8_t {
 /// "O", "OD" or "ODR".
 std::string_view to_string(LockLevel x);
 
-/// Names one lease for ever: tokens of a working memory only rise. 0 is no lease.
+/// Unique number of a lease; increases within a working memory. 0 for no lease.
 using LeaseToken = std::uint64_t;
 
-/// The right to an entry, for a time. It ends with its release, its expiry, the end of its holder,
-/// or the deletion of the entry.
+/// Exclusive access to an entry for a limited time. It ends with its release, its expiry, the end
+/// of its holder, or the deletion of the entry.
 struct Lease {
   LeaseToken token = 0;
   LockLevel level = LockLevel::o;

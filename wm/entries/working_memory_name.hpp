@@ -4,7 +4,7 @@
 
 namespace castor {
 
-/// What the `.cast` language, and supervisors, call the working memory of a subarchitecture.
+/// Name of a subarchitecture's working memory in the `.cast` language and for supervisors.
 inline std::string working_memory_of(const std::string& subarchitecture) {
   return subarchitecture + "_wm";
 }

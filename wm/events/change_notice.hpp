@@ -7,10 +7,10 @@
 
 namespace castor {
 
-/// A component's name for one of its filters.
+/// Number that a component gives to one of its filters.
 using FilterId = std::uint32_t;
 
-/// To a receiver: an event, and which of its filters want it.
+/// An event for a receiver, with the receiver's filters that match it.
 struct ChangeNotice {
   ChangeEventPtr event;
   std::vector<FilterId> filters;

@@ -7,7 +7,7 @@ namespace castor {
 
 namespace {
 
-/// The event that stands for both; `earlier` may be null.
+/// The event that replaces both; `earlier` may be null.
 ChangeEventPtr merged(const ChangeEventPtr& earlier, const ChangeEventPtr& event) {
   if (!earlier)
     return event;
@@ -24,8 +24,8 @@ ChangeEventPtr merged(const ChangeEventPtr& earlier, const ChangeEventPtr& event
   return result;
 }
 
-/// Whether two events that stand for the same newest one say the same.
-bool say_the_same(const ChangeEvent& a, const ChangeEvent& b) {
+/// Whether two variants of the same newest event are equal.
+bool have_same_content(const ChangeEvent& a, const ChangeEvent& b) {
   return a.operation == b.operation && a.changed == b.changed && a.coalesced == b.coalesced;
 }
 
@@ -35,7 +35,7 @@ void EventBacklog::push(Batch batch) {
   if (merging_) {
     for (auto& notice : batch)
       merge(notice);
-    rest_if_empty();
+    stop_merging_if_empty();
     return;
   }
   std::erase_if(batch, [](auto& notice) { return notice.filters.empty(); });
@@ -53,16 +53,16 @@ EventBacklog::Batch EventBacklog::pop() {
   last_taken_ = first.key();
   size_ -= batch.size();
   for (auto& [event, filters] : batch) {
-    auto story = stories_.find(event->address);
-    if (story == stories_.end())
+    auto history = histories_.find(event->address);
+    if (history == histories_.end())
       continue;
     for (auto filter : filters) {
-      auto& [gone, there] = story->second.by_filter[filter];
-      (event->operation == Operation::remove ? gone : there) = 0;
+      auto& [removal, update] = history->second.by_filter[filter];
+      (event->operation == Operation::remove ? removal : update) = 0;
     }
-    trim(story);
+    trim(history);
   }
-  rest_if_empty();
+  stop_merging_if_empty();
   return std::move(batch);
 }
 
@@ -75,16 +75,16 @@ void EventBacklog::erase(std::uint32_t filter) {
       return notice.filters.empty();
     });
     size_ -= notices - batch.size();
-    // The forms of one event count once.
+    // Variants of one event count once.
     suppressed_ += merging_ ? batch.empty() : notices - batch.size();
     i = batch.empty() ? waiting_.erase(i) : std::next(i);
   }
-  for (auto i = stories_.begin(); i != stories_.end();) {
-    auto story = i++;
-    story->second.by_filter.erase(filter);
-    trim(story);
+  for (auto i = histories_.begin(); i != histories_.end();) {
+    auto history = i++;
+    history->second.by_filter.erase(filter);
+    trim(history);
   }
-  rest_if_empty();
+  stop_merging_if_empty();
 }
 
 void EventBacklog::begin_merging() {
@@ -93,38 +93,39 @@ void EventBacklog::begin_merging() {
   for (auto& [arrival, batch] : std::exchange(waiting_, {}))
     for (auto& notice : batch)
       merge(notice);
-  rest_if_empty();
+  stop_merging_if_empty();
 }
 
 void EventBacklog::merge(const ChangeNotice& notice) {
   auto& event = notice.event;
   auto arrival = ++last_arrival_;
-  auto i = stories_.try_emplace(event->address).first;
-  auto& story = i->second;
-  bool is_end = event->operation == Operation::remove;
+  auto i = histories_.try_emplace(event->address).first;
+  auto& history = i->second;
+  bool is_removal = event->operation == Operation::remove;
   if (event->operation == Operation::add)
-    story.born = arrival;
+    history.added = arrival;
   for (auto filter : notice.filters) {
-    auto& [gone, there] = story.by_filter[filter];
-    auto earlier = take_back(there, filter);
-    if (!is_end) {
+    auto& [removal, update] = history.by_filter[filter];
+    auto earlier = withdraw(update, filter);
+    if (!is_removal) {
       place(arrival, merged(earlier, event), filter);
-      there = arrival;
+      update = arrival;
       continue;
     }
-    bool unheard_of = story.born > last_taken_ || (earlier && earlier->operation == Operation::add);
-    if (auto earlier_end = take_back(gone, filter))
-      earlier = earlier_end;
-    else if (unheard_of)
+    bool is_add_unsent =
+      history.added > last_taken_ || (earlier && earlier->operation == Operation::add);
+    if (auto earlier_removal = withdraw(removal, filter))
+      earlier = earlier_removal;
+    else if (is_add_unsent)
       continue;
     place(arrival, merged(earlier, event), filter);
-    gone = arrival;
+    removal = arrival;
   }
-  if (is_end) {
-    // Who did not ask for the end of entries need not hear of one that has ended.
-    for (auto& [filter, pending] : story.by_filter)
-      take_back(pending.there, filter);
-    story.born = 0;
+  if (is_removal) {
+    // Filters that do not want deletions need no events of a deleted entry.
+    for (auto& [filter, pending] : history.by_filter)
+      withdraw(pending.update, filter);
+    history.added = 0;
   }
   if (!notice.filters.empty() && waiting_.count(arrival) == 0)
     ++suppressed_;
@@ -134,7 +135,7 @@ void EventBacklog::merge(const ChangeNotice& notice) {
 void EventBacklog::place(Arrival arrival, ChangeEventPtr event, std::uint32_t filter) {
   auto& forms = waiting_.try_emplace(waiting_.end(), arrival)->second;
   auto same = std::find_if(forms.begin(), forms.end(),
-                           [&](auto& x) { return say_the_same(*x.event, *event); });
+                           [&](auto& x) { return have_same_content(*x.event, *event); });
   if (same != forms.end()) {
     same->filters.push_back(filter);
     return;
@@ -143,7 +144,7 @@ void EventBacklog::place(Arrival arrival, ChangeEventPtr event, std::uint32_t fi
   ++size_;
 }
 
-ChangeEventPtr EventBacklog::take_back(Arrival& arrival, std::uint32_t filter) {
+ChangeEventPtr EventBacklog::withdraw(Arrival& arrival, std::uint32_t filter) {
   if (arrival == 0)
     return nullptr;
   auto i = waiting_.find(std::exchange(arrival, 0));
@@ -164,18 +165,18 @@ ChangeEventPtr EventBacklog::take_back(Arrival& arrival, std::uint32_t filter) {
   return event;
 }
 
-void EventBacklog::trim(EntryHistories::iterator story) {
-  auto& [born, by_filter] = story->second;
-  std::erase_if(by_filter, [](auto& x) { return x.second.gone == 0 && x.second.there == 0; });
-  if (by_filter.empty() && born <= last_taken_)
-    stories_.erase(story);
+void EventBacklog::trim(EntryHistories::iterator history) {
+  auto& [added, by_filter] = history->second;
+  std::erase_if(by_filter, [](auto& x) { return x.second.removal == 0 && x.second.update == 0; });
+  if (by_filter.empty() && added <= last_taken_)
+    histories_.erase(history);
 }
 
-void EventBacklog::rest_if_empty() {
+void EventBacklog::stop_merging_if_empty() {
   if (!waiting_.empty())
     return;
   merging_ = false;
-  stories_.clear();
+  histories_.clear();
 }
 
 } // namespace castor

@@ -12,11 +12,11 @@
 
 namespace castor {
 
-/// What one receiver has not been sent yet, oldest first.
+/// Events not yet sent to one receiver, oldest first.
 ///
-/// Up to a bound it keeps every event as it came. Beyond it, it merges, until it has been emptied:
-/// of each entry it keeps at most two events for each filter, a DELETE and an ADD or OVERWRITE
-/// after it, and so no more than there are entries, however many events there were:
+/// Up to a bound it keeps every event. Beyond that it merges events until it is empty: it keeps at
+/// most two events per entry and filter, a DELETE and a later ADD or OVERWRITE, so that its size is
+/// bounded by the number of entries:
 ///
 ///     ADD, OVERWRITE         an ADD of the newer version
 ///     OVERWRITE, OVERWRITE   an OVERWRITE of the fields that either changed
@@ -24,57 +24,59 @@ namespace castor {
 ///     ADD, DELETE            nothing
 ///     DELETE, ADD, DELETE    the newer DELETE
 ///
-/// What stands for several events is the newest of them in all other respects, has its place in the
-/// order, and is marked `coalesced`. Whoever follows a filter that wants all changes of an entry
-/// ends with the same picture of it as if every event had come.
+/// A merged event is otherwise a copy of the newest, has its place in the order, and is marked
+/// `coalesced`. With a filter for all changes of an entry, a receiver arrives at the same state of
+/// the entry as with every single event.
 class EventBacklog {
 public:
-  /// What goes out together: the notices of one write, or, where filters have seen different parts
-  /// of an entry's story, the forms in which they get the same event.
+  /// Notices that are sent together: those of one write, or the variants of one merged event for
+  /// filters that have received different earlier events of its entry.
   using Batch = std::vector<ChangeNotice>;
 
   explicit EventBacklog(std::size_t bound) : bound_(bound) {}
 
-  /// Events of one subarchitecture come in their order. Those of one write stay together, unless
-  /// the backlog merges.
+  /// To be called in order for the events of one subarchitecture. Those of one write stay together,
+  /// unless the backlog merges.
   ///
-  /// While it merges, it should be given the events that no filter wants, too: it then need not
-  /// keep what single-minded filters (only ADD, only DELETE) want of entries that came and went.
+  /// While the backlog merges, events without filters should be pushed, too: it can then drop
+  /// pending events of entries that were added and deleted, also for filters for one operation
+  /// (only ADD, only DELETE).
   void push(Batch batch);
   void push(ChangeEventPtr event, std::vector<std::uint32_t> filters) {
     push(Batch{{std::move(event), std::move(filters)}});
   }
 
-  /// What comes next; there must be something.
+  /// Removes and returns the next batch. \pre not empty
   Batch pop();
 
-  /// The filter is withdrawn; its number may come again for another.
+  /// Removes a withdrawn filter; its number may be used again for another.
   void erase(std::uint32_t filter);
 
-  /// How many notices wait.
+  /// Number of waiting notices.
   std::size_t size() const { return size_; }
   bool empty() const { return waiting_.empty(); }
 
   bool is_merging() const { return merging_; }
 
-  /// How many of the events that some filter wanted have not come out and never will.
+  /// Number of events that matched a filter and will never be returned, because they were merged or
+  /// their filter was withdrawn.
   std::uint64_t suppressed() const { return suppressed_; }
 
 private:
-  /// Counts what was pushed; 0 is never.
+  /// Number of a pushed event, from 1; 0 for none.
   using Arrival = std::uint64_t;
 
-  /// What waits for one filter to hear of one entry.
+  /// Waiting events of one entry for one filter.
   struct Pending {
-    /// A DELETE, and an ADD or OVERWRITE.
-    Arrival gone = 0;
-    Arrival there = 0;
+    /// Arrival of a DELETE, and of an ADD or OVERWRITE.
+    Arrival removal = 0;
+    Arrival update = 0;
   };
 
-  /// Of one entry, while events are merged.
+  /// History of one entry, while events are merged.
   struct EntryHistory {
-    /// When the entry was added, if that was seen.
-    Arrival born = 0;
+    /// Arrival of the entry's ADD, if it was pushed.
+    Arrival added = 0;
     std::map<std::uint32_t, Pending> by_filter;
   };
   using EntryHistories = std::unordered_map<Address, EntryHistory>;
@@ -82,18 +84,18 @@ private:
   void begin_merging();
   void merge(const ChangeNotice& notice);
   void place(Arrival arrival, ChangeEventPtr event, std::uint32_t filter);
-  /// The event waits no longer for this filter; null if none did.
-  ChangeEventPtr take_back(Arrival& arrival, std::uint32_t filter);
-  /// Forgets what is of no use any more.
-  void trim(EntryHistories::iterator story);
-  void rest_if_empty();
+  /// Removes and returns the event that waits for this filter; null if there is none.
+  ChangeEventPtr withdraw(Arrival& arrival, std::uint32_t filter);
+  /// Removes the parts of a history that are no longer needed.
+  void trim(EntryHistories::iterator history);
+  void stop_merging_if_empty();
 
   std::size_t bound_;
-  /// While events are merged, each batch is of a single event.
+  /// While events are merged, each batch has variants of a single event.
   std::map<Arrival, Batch> waiting_;
   std::size_t size_ = 0;
   bool merging_ = false;
-  EntryHistories stories_;
+  EntryHistories histories_;
   Arrival last_arrival_ = 0;
   Arrival last_taken_ = 0;
   std::uint64_t suppressed_ = 0;

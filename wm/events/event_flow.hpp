@@ -11,14 +11,14 @@
 
 namespace castor {
 
-/// How many events may wait for a receiver before they are merged, unless it says otherwise.
+/// Default number of events that may wait for a receiver before they are merged.
 inline constexpr std::uint32_t standard_queue_limit = 100'000;
 inline constexpr std::uint32_t least_queue_limit = 16;
 
-/// Events on their way to one receiver, which is sent no more while there are `limit` (at least
-/// `least_queue_limit`) that it has not taken; a write of several entries goes as one, so the last
-/// may exceed that. The rest waits in a backlog. Nothing is merged unless more than `limit` events
-/// wait: what was taken but not acknowledged has its place in the backlog.
+/// Flow control of events to one receiver: while `limit` (at least `least_queue_limit`) sent events
+/// are unacknowledged, further ones wait in a backlog. A write of several entries is sent as a
+/// whole, so the last one may exceed the limit. Events are merged only if more than `limit` of them
+/// wait: the backlog has room for events that were taken but not yet acknowledged.
 class EventFlow {
 public:
   using Batch = EventBacklog::Batch;
@@ -27,7 +27,7 @@ public:
     : limit_(std::max(limit, least_queue_limit)),
       backlog_(Receipts::batch_for(std::max(limit, least_queue_limit))) {}
 
-  /// Returns what is to be sent at once: the batch, or nothing.
+  /// Returns the batch if it is to be sent at once; otherwise queues it.
   std::optional<Batch> push(Batch batch) {
     if (backlog_.empty() && in_flight_ < limit_)
       return sent(std::move(batch));
@@ -35,20 +35,21 @@ public:
     return std::nullopt;
   }
 
-  /// The receiver has taken so many. To be followed by `next`, until there is nothing.
+  /// The receiver has taken `count` events. To be followed by calls of `next` until it returns
+  /// nothing.
   void acknowledge(std::size_t count) { in_flight_ -= std::min(count, in_flight_); }
 
-  /// What may be sent now of that which waits.
+  /// Next waiting batch, if it may be sent now.
   std::optional<Batch> next() {
     if (backlog_.empty() || in_flight_ >= limit_)
       return std::nullopt;
     return sent(backlog_.pop());
   }
 
-  /// The filter is withdrawn: what waits for it is not sent.
+  /// Removes a withdrawn filter and its waiting events.
   void erase(std::uint32_t filter) { backlog_.erase(filter); }
 
-  /// Sent and not acknowledged.
+  /// Number of events sent and not acknowledged.
   std::size_t in_flight() const { return in_flight_; }
   const EventBacklog& backlog() const { return backlog_; }
 

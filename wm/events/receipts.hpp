@@ -6,17 +6,16 @@
 
 namespace castor {
 
-/// The receiver's end of a flow that keeps no more than `limit` on their way: counts what the
-/// receiver takes, and says when to tell the sender, which is seldom, so that it costs next to
-/// nothing.
+/// Receiver's end of a flow with at most `limit` unacknowledged items: counts the items taken, and
+/// says when to acknowledge them. Acknowledgements are batched, to be cheap.
 class Receipts {
 public:
   explicit Receipts(std::uint32_t limit) : batch_(batch_for(limit)) {}
 
-  /// So many are acknowledged at a time.
+  /// Number of items per acknowledgement.
   static std::uint32_t batch_for(std::uint32_t limit) { return std::max(limit / 4, 1U); }
 
-  /// One more is taken: how many are to be acknowledged now.
+  /// Counts one more item; returns the number to acknowledge now, or 0.
   std::uint32_t take() { return ++taken_ < batch_ ? 0 : std::exchange(taken_, 0); }
 
 private:
