@@ -14,20 +14,20 @@ namespace predicate {
 struct Node;
 }
 
-/// A predicate whose fields were looked up in one type: for the values of that type, it evaluates
-/// without looking at a name again.
+/// A predicate whose fields were resolved for one type: it is evaluated on values of that type
+/// without looking up names.
 class BoundPredicate {
 public:
-  /// Of the predicate's tree, null for the empty one. Throws FieldError if the type lacks a field,
-  /// or has one that cannot be compared as wanted.
+  /// `tree` is null for the empty predicate. Throws FieldError if the type lacks a field, or a
+  /// field cannot be compared as required.
   BoundPredicate(const predicate::Node* tree, const TypeDescriptor& type);
 
-  /// Nothing where the constructor throws.
+  /// As the constructor; nothing instead of an exception.
   static std::optional<BoundPredicate> try_bind(const predicate::Node* tree,
                                                 const TypeDescriptor& type);
 
-  /// Of a value of that type: nothing is encoded or decoded as a whole. A value that came as bytes
-  /// that are not what its type says matches nothing.
+  /// Whether a value of that type matches; reads single fields, without encoding or decoding the
+  /// whole. False for a value that came as bytes that do not fit its type.
   bool matches(const Value& x) const;
 
   using Coordinate = std::variant<double, FieldPath>;
@@ -57,12 +57,12 @@ public:
   };
 
   struct Node {
-    /// The path stands for its presence.
+    /// A FieldPath alone tests for the field's presence.
     std::variant<Condition, FieldPath, Junction, Negation> content;
   };
 
 private:
-  /// Nothing, or the one root.
+  /// Empty, or the root alone.
   std::vector<Node> root_;
 };
 

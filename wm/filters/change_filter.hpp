@@ -16,9 +16,9 @@
 
 namespace castor {
 
-/// Which change events a component wants: those that agree with every field that is set here.
+/// Selects the change events that a component wants: those that match every field set here.
 ///
-/// Filters are data, so they can travel to the working memories where events arise. They are best
+/// Filters are data, so they can be sent to the working memories where events occur. They are best
 /// written with the functions below:
 ///
 ///     overwritten<SceneChanged>()                 in the component's own subarchitecture
@@ -39,8 +39,8 @@ struct ChangeFilter {
   std::optional<std::string> subarchitecture;
   /// Only overwrites that changed one of these fields, sorted by name; empty for any change.
   std::vector<std::string> changing;
-  /// What must be true of the entry's content: of the new one, for a deletion of the last. Entries
-  /// of a type that lacks the fields are not wanted.
+  /// Condition on the entry's content: the new one, or the last one before a deletion. Entries of a
+  /// type without the fields do not match.
   Predicate predicate;
 
   ChangeFilter anywhere() const;
@@ -48,18 +48,17 @@ struct ChangeFilter {
   ChangeFilter from(std::string component) const;
   ChangeFilter at(const Address& address) const;
 
-  /// Adds a condition. Throws PredicateError if the text is none.
+  /// Adds a condition. Throws PredicateError if the text is not a predicate.
   ChangeFilter where(std::string_view text) const { return where(Predicate::parse(text)); }
   ChangeFilter where(const Predicate& condition) const;
 
-  /// Adds fields, of which one must have changed.
+  /// Adds fields of which at least one must have changed.
   ChangeFilter changing_any(std::vector<std::string> names) const;
 
   friend auto operator<=>(const ChangeFilter&, const ChangeFilter&) = default;
 };
 
-/// A filter for entries of type T (or of a type that derives from it), whose fields may be asked
-/// for.
+/// A filter for entries of type T (or of a derived type), with conditions on its fields.
 template <ReflectedRecord T>
 class ChangeFilterOf : public ChangeFilter {
 public:
@@ -87,7 +86,7 @@ public:
   const requires requires { field(member) == value; }
   { return with(field(member) == value); }
 
-  /// Throws PredicateError, and FieldError if it is no condition on T.
+  /// Throws PredicateError, and FieldError if the condition does not fit T.
   ChangeFilterOf where(std::string_view text) const { return with(PredicateOf<T>::parse(text)); }
 
   /// Only overwrites that changed one of these members.
@@ -107,15 +106,15 @@ inline ChangeFilter any_change() {
   return {};
 }
 
-/// Every change of one entry, wherever it lies.
+/// Every change of one entry, in any subarchitecture.
 inline ChangeFilter changes_of(const Address& address) {
   return ChangeFilter{}.at(address);
 }
 
-/// A change by one kind of operation.
+/// Every change by one kind of operation.
 ChangeFilter changes_by(Operation operation);
 
-/// Any change of entries of type T, or of a type that derives from it.
+/// Any change of entries of type T, or of a derived type.
 template <ReflectedRecord T>
 ChangeFilterOf<T> changed() {
   return ChangeFilterOf<T>{any_change()};
@@ -137,22 +136,22 @@ ChangeFilterOf<T> deleted() {
 }
 
 /// Overwrites that changed one of these members, of entries of the type that declares the first (or
-/// of a type that derives from it). For a member of a base see `ChangeFilterOf::changing`.
+/// of a derived type). For a member of a base see `ChangeFilterOf::changing`.
 template <ReflectedRecord T, class First, ReflectedRecord... Owner, class... Member>
 requires(FieldOwner<Owner, T>&&...) ChangeFilterOf<T> changed(First T::*first,
                                                               Member Owner::*... others) {
   return overwritten<T>().changing(first, others...);
 }
 
-/// Whether the filter wants the event, of an entry with that content: the new one, or the last
-/// before a deletion. Without content no filter with a predicate wants it. The filter's
-/// subarchitecture must have been resolved: one that is not set matches nothing.
+/// Whether the filter matches the event of an entry with that content: the new one, or the last one
+/// before a deletion. Without content, a filter with a predicate does not match. The filter's
+/// subarchitecture must have been resolved: an unset one matches nothing.
 bool matches(const ChangeFilter& filter, const ChangeEvent& event, const Value& content);
 
-/// Whether the filter wants the event as far as operation, address, source and type go.
+/// Whether the filter matches the event's operation, address, source and type.
 bool matches_envelope(const ChangeFilter& filter, const ChangeEvent& event);
 
-/// Whether the filter wants the event as far as the changed fields go.
+/// Whether the filter matches the event's changed fields.
 bool matches_changes(const ChangeFilter& filter, const ChangeEvent& event);
 
 /// "OVERWRITE of ROI in vision by tracker, changing area, where colour == \"red\"", for messages.

@@ -8,24 +8,24 @@
 
 namespace castor {
 
-/// A text that is no change filter.
+/// The text is not a change filter.
 class ChangeFilterError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
 };
 
-/// Reads a filter as people write it:
+/// Parses a filter in the users' notation:
 ///
 ///     [added | overwritten | deleted | changed] [TYPE] [in SUBARCHITECTURE] [from COMPONENT]
 ///     [at ID] [changing FIELD[,FIELD...]] [where PREDICATE]
 ///
 /// for instance `overwritten SceneObject in vision changing pose where confidence > 0.8`. Without
-/// `in` it is for all subarchitectures; the empty text is for every change. Throws
-/// ChangeFilterError, which says what to write.
+/// `in` it applies to all subarchitectures; the empty text matches every change. Throws
+/// ChangeFilterError, whose message has the remedy.
 ChangeFilter parse_change_filter(std::string_view text);
 
-/// As `parse_change_filter` reads it. A filter for the own subarchitecture cannot be written; it is
-/// written as one for all.
+/// The text of a filter, for `parse_change_filter`. The notation has no filters for the own
+/// subarchitecture: they are written as filters for all.
 std::string change_filter_text(const ChangeFilter& x);
 
 } // namespace castor

@@ -13,11 +13,11 @@ struct Interval {
   double high = 0;
 };
 
-/// The part of a predicate by which it is found: something that must be true of one field for the
-/// whole to be true, and can be looked up by the field's value.
+/// The part of a predicate that is indexed: a necessary condition on one field, which can be looked
+/// up by the field's value.
 struct ContentAccess {
   enum class Kind {
-    /// Nothing can be looked up.
+    /// No part can be indexed.
     none,
     /// The field equals `literal`.
     equal,
@@ -32,13 +32,13 @@ struct ContentAccess {
   std::string path;
   FieldValue literal;
   std::vector<Interval> region;
-  /// Holds every number of a field exactly on x86-64.
+  /// long double represents every number of a field exactly on x86-64.
   long double threshold = 0;
   bool inclusive = false;
 };
 
-/// The most selective part, the earlier of two alike: an equality, else the neighbourhood of a
-/// point, else a range with two ends, else one with one end.
+/// The most selective part: an equality, else the neighbourhood of a point, else a range with two
+/// bounds, else one with one bound; the first one of a kind.
 ContentAccess content_access(const Predicate& x);
 
 } // namespace castor

@@ -16,20 +16,20 @@
 
 namespace castor {
 
-/// Filters that ask the same of an event's operation, address, source and type, found by what they
-/// ask of the content: through one part of their predicate (`content_access`), or through the
-/// fields that must have changed, or, if there is neither, one by one.
+/// Filters with equal conditions on an event's operation, address, source and type, indexed by
+/// their conditions on the content: by one part of their predicate (`content_access`), else by the
+/// fields that must have changed. Filters with neither are in a list.
 class FilterGroup {
 public:
   void insert(RegisteredFilter* filter);
   void erase(RegisteredFilter* filter);
   bool empty() const { return plain_.empty() && !content_; }
 
-  /// Whether some filter here asks for changed fields.
+  /// Whether some filter of the group has a condition on changed fields.
   bool asks_for_changes() const { return content_ && content_->asking_for_changes > 0; }
 
-  /// Calls `f(RegisteredFilter&)` for every filter that may want the event: once, but for those
-  /// that wait for the change of several fields.
+  /// Calls `f(RegisteredFilter&)` for every filter that may match the event: once, or several times
+  /// for filters for changes of several fields.
   template <class F>
   void find(const ChangeEvent& event, const Value& content, F&& f) {
     for (auto* filter : plain_)
@@ -53,10 +53,11 @@ public:
 private:
   using Filters = std::vector<RegisteredFilter*>;
 
-  /// A threshold and whether it is beyond its number: `> 3` comes after `>= 3`, `<= 3` after `< 3`.
+  /// A number, and whether the threshold is just above it: `> 3` sorts after `>= 3`, `<= 3` after
+  /// `< 3`.
   using Threshold = std::pair<long double, bool>;
 
-  /// What filters ask of one single field.
+  /// Conditions of filters on one single field.
   struct FieldTable {
     std::unordered_map<FieldValue, Filters> equal;
     RegionTable regions;
@@ -90,11 +91,12 @@ private:
 
     /// The field, normalised; nothing if it is absent or the type has no such field.
     std::optional<FieldValue> read(const Value& content, const std::string& path);
-    /// Nothing for what is not a number, and for NaN, which is on no side of a threshold.
+    /// Nothing for a value that is not a number, and for NaN, which compares false with every
+    /// threshold.
     static std::optional<long double> as_number(const FieldValue& x);
   };
 
-  /// What filters ask of one point.
+  /// Conditions of filters on one point.
   struct PointTable {
     RegionTable regions;
     PerType<std::vector<FieldPath>> places;
@@ -105,7 +107,7 @@ private:
         regions.find(point, f);
     }
 
-    /// The coordinates; none if it is absent or the type has no such point.
+    /// The coordinates; empty if the point is absent or the type has no such point.
     std::vector<double> read(const Value& content, const std::string& path);
   };
 
@@ -121,13 +123,13 @@ private:
     /// By path and number of coordinates.
     std::map<std::pair<std::string, std::size_t>, PointTable> points;
     std::map<std::string, ChangingTable> changing;
-    /// How many filters ask for changed fields, by whatever they are looked up.
+    /// Number of filters with a condition on changed fields, whichever table they are in.
     std::size_t asking_for_changes = 0;
 
     bool empty() const { return fields.empty() && points.empty() && changing.empty(); }
   };
 
-  /// Whether a filter is looked up neither by a field nor by changes.
+  /// Whether a filter is indexed neither by a field nor by changes.
   static bool is_plain(const ChangeFilter& filter, const ContentAccess& access) {
     return access.kind == ContentAccess::Kind::none && filter.changing.empty();
   }
@@ -136,7 +138,7 @@ private:
   void erase_by_field(const ContentAccess& access, RegisteredFilter* filter);
 
   Filters plain_;
-  /// Most groups of a system with many addresses have none.
+  /// Null if empty, as in most groups of a system with many addresses.
   std::unique_ptr<Content> content_;
 };
 

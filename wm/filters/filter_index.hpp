@@ -11,18 +11,18 @@
 
 namespace castor {
 
-/// Finds the filters that want an event without looking at the others.
+/// Finds the filters that match an event without testing the others.
 ///
-/// A filter asks for equality in some of five fields of the event. Filters that ask for the same
-/// fields share one hash table, keyed by what they ask for; an event is looked up once per table in
-/// use (at most 32) and once per type it has. What it finds there is a group, in which filters are
-/// found by what they ask of the content (FilterGroup). So the cost grows with the filters that
-/// match, not with those registered.
+/// A filter requires equality in some of five fields of the event. Filters on the same fields share
+/// one hash table, keyed by the required values; an event is looked up once per table in use (at
+/// most 32) and once per type it has. The result is a group, which indexes its filters by their
+/// conditions on the content (FilterGroup). So the cost grows with the number of matching filters,
+/// not of registered ones.
 ///
-/// For one thread at a time: searches remember the types they met.
+/// Not thread-safe: searches cache types.
 class FilterIndex {
 public:
-  /// Chosen by the owner; one key may stand for several filters and then is found once for each.
+  /// Chosen by the owner; a key of several filters is found once for each of them.
   using Key = std::uint64_t;
 
   /// The filter's subarchitecture must have been resolved (set, or empty for any).
@@ -33,27 +33,27 @@ public:
 
   std::size_t size() const { return filters_.size(); }
 
-  /// Appends the keys of all filters that want the event of an entry with that content (as
-  /// `matches` says), in no particular order.
+  /// Appends the keys of all filters that match the event of an entry with that content (see
+  /// `matches`), in no particular order.
   void match(const ChangeEvent& event, const Value& content, std::vector<Key>& out);
 
-  /// Whether the event's `changed` makes a difference to `match`: where it does not, nobody need
-  /// compare the contents.
+  /// Whether the result of `match` depends on the event's `changed`; if not, contents need not be
+  /// compared.
   bool wants_changed_fields(const ChangeEvent& event) const;
 
 private:
   static constexpr std::size_t shapes = 32;
 
   struct Table {
-    /// By a hash of what is asked; so what is found there is only likely to match.
+    /// By a hash of the required values, so the filters found are only likely to match.
     std::unordered_map<std::uint64_t, FilterGroup> groups;
-    /// How many filters ask for changed fields.
+    /// Number of filters with a condition on changed fields.
     std::size_t asking_for_changes = 0;
   };
 
-  /// By a hash of key and filter; groups point into it.
+  /// By a hash of key and filter; groups have pointers into it.
   std::unordered_multimap<std::uint64_t, RegisteredFilter> filters_;
-  /// One for each set of fields asked for.
+  /// One for each set of required fields.
   std::array<Table, shapes> tables_;
   std::uint64_t searches_ = 0;
 };

@@ -23,7 +23,7 @@ struct Node;
 ///     distance(pose.position, [1, 2, 0]) < 0.5 || !has(pose)
 ///
 /// Built from text here or from members with `field(...)` (predicate_builder.hpp). Immutable and
-/// cheap to copy. The text is its identity, and how it travels: `parse(x.text()) == x`.
+/// cheap to copy. Predicates are compared and sent as their texts: `parse(x.text()) == x`.
 ///
 ///     or          and || and ...
 ///     and         unary && unary ...
@@ -35,9 +35,9 @@ struct Node;
 ///
 /// Comparisons are those of `compare` (field_access.hpp): numbers by value whatever their types,
 /// enumerators by name. A point is a record with the number fields x, y and perhaps z, or an array
-/// of two or three numbers. A comparison with an absent optional or with NaN is false, but for
-/// `!=`, which is true; beyond that there are only true and false: `!(x > 1)` is true of an entry
-/// without x. `has(x)` asks for presence alone.
+/// of two or three numbers. A comparison with an absent optional or with NaN is false, except `!=`,
+/// which is true. There is no third truth value: `!(x > 1)` is true of an entry without x. `has(x)`
+/// tests for presence alone.
 class Predicate {
 public:
   /// True of every entry.
@@ -46,27 +46,28 @@ public:
   /// Throws PredicateError if the tree is too deep or its text too long.
   explicit Predicate(predicate::Node tree);
 
-  /// Throws PredicateError, which marks the place in the text. The empty text is true of every
-  /// entry.
+  /// Throws PredicateError, whose message marks the place in the text. The empty text is true of
+  /// every entry.
   static Predicate parse(std::string_view text);
 
-  /// Whether it is true of every entry by construction.
+  /// Whether it is the empty predicate, which is true of every entry.
   bool empty() const { return rep_ == nullptr; }
 
-  /// In the form that is the same for the same predicate.
+  /// Canonical text: equal predicates have equal texts.
   const std::string& text() const;
 
   /// Null if empty.
   const predicate::Node* tree() const;
 
-  /// Throws FieldError unless every field that is named can be compared as it is here.
+  /// Throws FieldError unless the type has every field of the predicate, comparable as required.
   void check(const TypeDescriptor& type) const;
 
-  /// False of an entry that lacks the fields. For many entries of a type see BoundPredicate.
+  /// Whether the predicate is true of a value; false if its type lacks the fields. For many values
+  /// of a type see BoundPredicate.
   bool matches(const Value& x) const;
 
-  /// Throw PredicateError if the result would be too large. The negation of the empty predicate,
-  /// which would be true of nothing, is refused too.
+  /// Throw PredicateError if the result would be too large, and for the negation of the empty
+  /// predicate, which would never be true.
   friend Predicate operator&&(const Predicate& a, const Predicate& b);
   friend Predicate operator||(const Predicate& a, const Predicate& b);
   Predicate operator!() const;

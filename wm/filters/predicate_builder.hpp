@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-/// Predicates from members of C++ types; what does not fit together does not compile.
+/// Predicates from members of C++ types; type errors are compile-time errors.
 ///
 ///     field(&SceneObject::confidence) > 0.8 && field(&SceneObject::label) == "box"
 ///     field(&SceneObject::pose, &Pose::position, &Point::x) < 1
@@ -29,7 +29,7 @@ public:
 
   explicit PredicateOf(Predicate x) : Predicate(std::move(x)) {}
 
-  /// Throws PredicateError, and FieldError if it is none over T.
+  /// Throws PredicateError, and FieldError if the predicate does not fit T.
   static PredicateOf parse(std::string_view text) {
     PredicateOf result{Predicate::parse(text)};
     result.check(*descriptor_of<T>());
@@ -135,8 +135,8 @@ auto compared(const A& a, Comparison op, const B& b) {
     Predicate{predicate::condition(a.operand(), op, OtherSide<B>::operand(b))}};
 }
 
-/// What a field or a distance can be compared with, as its friends: so nobody else's comparisons
-/// have to consider these.
+/// Comparison operators of fields and distances; friends, so that overload resolution of other
+/// types does not consider them.
 template <class Self>
 struct Comparisons {
   template <class Other>
@@ -174,7 +174,7 @@ struct Comparisons {
   }
 };
 
-/// Whether a record, or one of its bases, has a number of that name.
+/// Whether a record, or one of its bases, has a number field of that name.
 template <ReflectedRecord T>
 constexpr bool has_number(std::string_view name) {
   using Base = typename decltype(reflection_of<T>())::BaseType;
@@ -189,7 +189,7 @@ constexpr bool has_number(std::string_view name) {
   return result;
 }
 
-/// How many coordinates a point type has, by the rules of `Predicate`; 0 for what is no point.
+/// Number of coordinates of a point type, by the rules of `Predicate`; 0 for other types.
 template <class T>
 struct Dimensions {
   static constexpr std::size_t value = 0;
@@ -226,7 +226,7 @@ predicate::Point point_literal(const T& p) {
   }
 }
 
-/// A predicate over a type, or a truth value among its fields.
+/// A predicate over a type, or one of its truth-value fields.
 template <class T>
 concept PredicateExpression = requires(const T& x) {
   typename T::Root;
@@ -240,7 +240,7 @@ PredicateOf<typename X::Root> as_predicate(const X& x) {
 
 } // namespace detail
 
-/// A field of `T`, or of what it contains, whose type (freed of optionals) is `L`.
+/// A field of `T`, or of a record in it, whose type (without optionals) is `L`.
 template <ReflectedRecord T, class L>
 struct Field : detail::Comparisons<Field<T, L>> {
   using Root = T;
@@ -252,7 +252,7 @@ struct Field : detail::Comparisons<Field<T, L>> {
 
   predicate::Operand operand() const { return predicate::Path{path}; }
 
-  /// Of a truth value: that it is true.
+  /// Predicate that a truth-value field is true.
   operator PredicateOf<T>() const requires std::same_as<L, bool> { return *this == true; }
 };
 
@@ -269,8 +269,8 @@ struct DistanceOf : detail::Comparisons<DistanceOf<T>> {
   predicate::Operand operand() const { return points; }
 };
 
-/// A member, and members of what it contains: `field(&Box::pose, &Pose::heading)`. Throws
-/// FieldError if a member was left out of its type's declaration.
+/// A member, or a member of a member: `field(&Box::pose, &Pose::heading)`. Throws FieldError if a
+/// member was left out of its type's declaration.
 template <ReflectedRecord Owner, class Member>
 Field<Owner, typename detail::Present<Member>::Type> field(Member Owner::*member) {
   return Field<Owner, typename detail::Present<Member>::Type>{std::string{field_name(member)}};
@@ -284,13 +284,13 @@ auto field(Member Owner::*member, Inner Next::*inner, Rest... rest) {
                                                       below.path};
 }
 
-/// From a field to a point.
+/// Distance from a field to a point.
 template <class T, class L, class P>
 requires detail::SameDimensions<L, P> DistanceOf<T> distance(const Field<T, L>& from, const P& to) {
   return DistanceOf<T>{predicate::distance(predicate::Path{from.path}, detail::point_literal(to))};
 }
 
-/// Between two fields.
+/// Distance between two fields.
 template <class T, class L, class U, class M>
 requires detail::SameDimensions<L, M> && detail::RelatedRoots<T, U>
   DistanceOf<detail::DerivedRoot<T, U>> distance(const Field<T, L>& from, const Field<U, M>& to) {
@@ -298,7 +298,7 @@ requires detail::SameDimensions<L, M> && detail::RelatedRoots<T, U>
     predicate::distance(predicate::Path{from.path}, predicate::Path{to.path})};
 }
 
-/// That no optional on the way to the field, nor itself, is empty.
+/// Predicate that neither the field nor an optional on the way to it is empty.
 template <class T, class L>
 PredicateOf<T> has(const Field<T, L>& x) {
   return PredicateOf<T>{Predicate{predicate::Node{predicate::Presence{{x.path}}}}};

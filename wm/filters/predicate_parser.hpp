@@ -7,7 +7,7 @@
 
 namespace castor {
 
-/// The tree of a predicate in the notation of `Predicate`, nothing for a text without one. Throws
+/// The tree of a predicate in the notation of `Predicate`; nothing for an empty text. Throws
 /// PredicateError.
 std::optional<predicate::Node> parse_predicate(std::string_view text);
 

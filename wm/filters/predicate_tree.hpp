@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// What a predicate consists of. Users write predicates as text or with `field(...)`; this is for
-/// those who take them apart.
+/// Syntax tree of a predicate, for code that analyses predicates. Users write predicates as text or
+/// with `field(...)`.
 namespace castor::predicate {
 
 /// "pose.position.x"
@@ -28,28 +28,28 @@ struct Distance {
 /// A literal (normalised, see `normalised`), a field, or a distance.
 using Operand = std::variant<FieldValue, Path, Distance>;
 
-/// At least one side is no literal, and `left` is not.
+/// A comparison. `left` is never a literal.
 struct Condition {
   Operand left;
   Comparison op = Comparison::equal;
   Operand right;
 };
 
-/// Whether a field is there: it, and the optionals on the way to it.
+/// Test that neither a field nor an optional on the way to it is empty.
 struct Presence {
   Path path;
 };
 
 struct Node;
 
-/// All of several nodes, or any of them: two at least, none of which is a junction of the same
-/// kind.
+/// Conjunction (`all`) or disjunction of at least two nodes, none of which is a junction of the
+/// same kind.
 struct Junction {
   bool all = true;
   std::vector<Node> parts;
 };
 
-/// Of one node, which is no negation.
+/// Negation of one node, which is not a negation itself.
 struct Negation {
   std::vector<Node> part;
 };
@@ -59,26 +59,25 @@ struct Node {
 };
 
 /// Puts a literal on the right and normalises it. Throws PredicateError if both sides are literals
-/// or one is not a number (NaN), with which nothing could be compared.
+/// or one is NaN, which nothing equals.
 Node condition(Operand left, Comparison op, Operand right);
 
-/// Throws PredicateError if neither side is a field, or if a literal has a coordinate that is not a
-/// number.
+/// Throws PredicateError if neither side is a field, or if a literal has a coordinate that is NaN.
 Distance distance(std::variant<Path, Point> from, std::variant<Path, Point> to);
 
 Node junction(bool all, std::vector<Node> parts);
 
 Node negation(Node x);
 
-/// The one text of a node: what has the same text is the same.
+/// Canonical text of a node: equal nodes have equal texts.
 std::string to_string(const Node& x);
 
 std::string_view to_string(Comparison x);
 
-/// In double quotes, with escapes for what would not stand on one line.
+/// The text in double quotes, with escapes.
 std::string quoted(std::string_view x);
 
-/// How many nodes lie below one another.
+/// Depth of the tree, in nodes.
 int depth(const Node& x);
 
 } // namespace castor::predicate

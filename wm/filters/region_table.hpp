@@ -17,16 +17,17 @@ struct RegisteredFilter;
 
 /// Finds the filters whose region contains a point, for points of one, two or three coordinates.
 ///
-/// There is a grid for every order of magnitude. A region lies in the grid whose cells are about as
-/// wide as its widest side, so in two cells at most for every coordinate; a point is looked up in
-/// its cell of every grid in use.
+/// There is a grid for every power of two. A region is stored in the grid whose cells are about as
+/// wide as its widest side, so in at most two cells per coordinate; a point is looked up in its
+/// cell of every grid in use.
 class RegionTable {
 public:
   void insert(const std::vector<Interval>& region, RegisteredFilter* filter);
   void erase(const std::vector<Interval>& region, RegisteredFilter* filter);
   bool empty() const { return size_ == 0; }
 
-  /// Calls `f` for every filter whose region contains the point, and for some whose region is near.
+  /// Calls `f` for every filter whose region contains the point, and for some whose region is near
+  /// it.
   template <class F>
   void find(std::span<const double> point, F&& f) const {
     for (auto& [level, grid] : grids_) {
@@ -40,7 +41,8 @@ public:
   }
 
 private:
-  /// A cell's number along each coordinate: whole, but wider than an integer could be.
+  /// Index of a cell along each coordinate: a whole number, but possibly beyond the range of
+  /// integers.
   using Cell = std::array<double, 3>;
 
   struct CellHash {
@@ -58,9 +60,9 @@ private:
   template <class F>
   static void for_each_cell(const std::vector<Interval>& region, int level, F&& f);
 
-  /// By the logarithm of the cells' width.
+  /// By the binary logarithm of the cells' width.
   std::map<int, Grid> grids_;
-  /// A region whose ends are exchanged is counted, too, though it touches no cell.
+  /// Includes empty regions (low above high), which touch no cell.
   std::size_t size_ = 0;
 };
 

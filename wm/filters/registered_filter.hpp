@@ -9,12 +9,12 @@
 
 namespace castor {
 
-/// A filter in an index, with what was worked out for the types that it met.
+/// A filter in an index, with its predicate bound to the types seen so far.
 struct RegisteredFilter {
   std::uint64_t key = 0;
   ChangeFilter filter;
   PerType<std::optional<BoundPredicate>> bound;
-  /// The last search that came across it.
+  /// Number of the last search that found it.
   std::uint64_t seen = 0;
 
   /// The same as `matches(filter, event, content)`.

@@ -18,55 +18,55 @@
 namespace castor {
 
 struct LeaseTableOptions {
-  /// How long a lease lasts without a renewal.
+  /// Duration of a lease without renewal.
   Timestamp duration = std::chrono::seconds{2};
-  /// Tokens rise from here. A table that takes over from another starts above it.
+  /// First token; tokens increase. A table that replaces another one starts above its tokens.
   LeaseToken first_token = 1;
 };
 
-/// How a wait ended.
+/// Result of a wait that has ended.
 struct SettledWait {
   enum class Result : std::uint8_t { granted, readable, timed_out, deleted };
 
   ClientPtr client;
   WaitNumber number = 0;
   Result result = Result::granted;
-  /// Where one was granted.
+  /// The lease, if one was granted.
   Lease lease;
 };
 
-/// The leases of one working memory, and who waits for them.
+/// The leases of one working memory, and the clients that wait for them.
 ///
-/// Lock waits and reads of an entry that is leased at level ODR stand in one queue per entry, first
-/// come, first served. When a lease ends, the queue is served from its front: up to the first lock
-/// wait, which gets the lease, and from then on only reads that the new lease allows.
+/// Lock requests and reads of an entry that is leased at level ODR wait in one queue per entry,
+/// first come, first served. When a lease ends, the queue is served from its front: up to the first
+/// lock request, which gets the lease, and after it only reads that the new lease allows.
 ///
-/// Time is passed in. Every function but `expire` takes leases as they stand: call `expire` first.
-/// What other waits became of a call is collected and taken with `take_settled`.
+/// Time is passed in. Only `expire` ends leases and waits that are over: call it before every other
+/// function. Waits that end by a call are collected for `take_settled`.
 class LeaseTable {
 public:
   struct Waiter {
     ClientPtr client;
     WaitNumber number = 0;
-    /// Nothing for a read.
+    /// Requested level; nothing for a read.
     std::optional<LockLevel> level;
     Timestamp deadline{0};
-    /// Counts the waits of the table.
+    /// Number of the wait in the table, in order of arrival.
     std::uint64_t arrival = 0;
   };
 
   struct Holding {
     Lease lease;
     ClientPtr holder;
-    /// The holder's number for the operation that obtained it.
+    /// Number that the holder gave to the operation that obtained the lease.
     WaitNumber number = 0;
-    /// The levels asked for and not given back yet; that of the lease is the strongest.
+    /// Levels requested and not released yet; the lease has the strongest of them.
     std::vector<LockLevel> levels;
   };
 
   enum class Verdict : std::uint8_t {
     permitted,
-    /// Somebody else holds a lease that forbids it.
+    /// Another client holds a lease that forbids it.
     leased,
     /// The token is not that of the entry's lease.
     stale,
@@ -83,37 +83,37 @@ public:
   /// No leases and no waits.
   bool empty() const { return rows_.empty(); }
 
-  /// The lease, if the entry is free or the client holds it already: then the same token, to be
-  /// released as often as it was obtained.
+  /// Returns a lease if the entry is free or leased by the client itself. In the latter case the
+  /// token is the same, and has to be released as often as it was obtained.
   std::optional<Lease> try_lock(const std::string& id, const ClientPtr& client, LockLevel level,
                                 WaitNumber number, Timestamp now);
 
-  /// Like `try_lock`; otherwise the wait is queued until the deadline.
+  /// Like `try_lock`; if there is no lease, queues the request until the deadline.
   std::optional<Lease> lock(const std::string& id, const ClientPtr& client, LockLevel level,
                             WaitNumber number, Timestamp now, Timestamp deadline);
 
   /// Whether the client may read now.
   bool may_read(const std::string& id, const Client& client) const;
 
-  /// Queues a read that may not happen now.
+  /// Queues a read that is not allowed now.
   void wait_to_read(const std::string& id, const ClientPtr& client, WaitNumber number,
                     Timestamp deadline);
 
-  /// Whether a write may happen; `token` is that of the lease that the client believes to hold, or
+  /// Whether a write is allowed; `token` is that of the lease that the client believes it holds, or
   /// 0.
   Verdict check(const std::string& id, const Client& client, Operation operation,
                 LeaseToken token) const;
 
-  /// Gives back one level; false if the token is not that of the entry's lease.
+  /// Releases one level; false if the token is not that of the entry's lease.
   bool unlock(const std::string& id, const Client& client, LeaseToken token, Timestamp now);
 
   /// Extends the lease; false if the token is not that of the entry's lease.
   bool renew(const std::string& id, const Client& client, LeaseToken token, Timestamp now);
 
-  /// Takes a wait back, or gives up the lease that it obtained meanwhile.
+  /// Cancels a wait, or releases the lease that it has obtained meanwhile.
   void cancel(const std::string& id, const Client& client, WaitNumber number, Timestamp now);
 
-  /// The client is gone: its leases end and its waits are forgotten.
+  /// The client has ended: releases its leases and removes its waits.
   void drop(const Client& client, Timestamp now);
 
   /// The entry was deleted: its lease ends, and every wait for it fails.
@@ -122,7 +122,7 @@ public:
   /// Ends leases that were not renewed and waits whose deadline has passed.
   void expire(Timestamp now);
 
-  /// When `expire` will next have something to do.
+  /// Time of the next lease expiry or wait deadline.
   std::optional<Timestamp> next_deadline() const;
 
   /// The waits that were settled since the last call, in the order of their settlement.
@@ -131,14 +131,14 @@ public:
   /// The entry's lease, or null.
   const Holding* holding(const std::string& id) const;
 
-  /// Those who wait for the entry, the longest waiting first; null if nobody does.
+  /// Waits for the entry, the longest first; null if there are none.
   const std::deque<Waiter>* waiting(const std::string& id) const;
 
-  /// How many leases there are.
+  /// Number of leases.
   std::size_t size() const { return expiries_.size(); }
 
 private:
-  /// Only a leased entry has waits.
+  /// An entry with a lease; only these have waits.
   struct Row {
     std::optional<Holding> holding;
     std::deque<Waiter> queue;
@@ -156,7 +156,7 @@ private:
   void serve_reads(Row& row);
   void enqueue(Rows::iterator row, Waiter waiter);
   void settle(const Waiter& waiter, SettledWait::Result result, Lease lease = {});
-  /// Takes the waits that `unwanted` picks out of the queue.
+  /// Removes the waits from the queue for which `unwanted` returns true.
   template <class F>
   void forget_waits(Row& row, F&& unwanted);
   void remove_if_idle(Rows::iterator row);
@@ -164,8 +164,8 @@ private:
   LeaseTableOptions options_;
   LeaseToken next_token_;
   Rows rows_;
-  /// Leased entries, the next to expire first. That is the one that was renewed first, unless the
-  /// clock has been put back since.
+  /// Leased entries, the next to expire first: the one renewed first, unless the clock was set back
+  /// since.
   std::multimap<Timestamp, std::string> expiries_;
   /// The waits by deadline and arrival, with the ids of their entries.
   std::map<std::pair<Timestamp, std::uint64_t>, std::string> deadlines_;

@@ -7,13 +7,13 @@
 
 namespace castor {
 
-/// A change of the store that is not journaled and not sent yet.
+/// A change of the store, before it is journaled and sent.
 struct CommittedChange {
-  /// Complete but for the fields that changed.
+  /// Complete except for the changed fields.
   std::shared_ptr<ChangeEvent> event;
-  /// As it is now, or was before its deletion.
+  /// The entry after the change, or before its deletion.
   EntryPtr entry;
-  /// Before an overwrite.
+  /// The entry before an overwrite.
   EntryPtr before;
 };
 

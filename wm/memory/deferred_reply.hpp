@@ -7,8 +7,8 @@
 
 namespace castor {
 
-/// An answer that somebody waits for. If it is never given, because the working memory ends before,
-/// they get an error.
+/// A reply that is sent later. If it is destroyed before, because the working memory ends, the
+/// requester gets an error.
 template <class Reply>
 class DeferredReply {
 public:
@@ -23,7 +23,7 @@ public:
 
   void deliver(Reply x) { promise_.deliver(std::move(x)); }
 
-  /// Nobody wants it any more.
+  /// No reply is wanted any more: destruction sends no error.
   void abandon() { wanted_ = false; }
 
   const caf::typed_response_promise<Reply>& promise() const { return promise_; }
@@ -36,7 +36,7 @@ private:
 template <class Reply>
 using DeferredReplyPtr = std::shared_ptr<DeferredReply<Reply>>;
 
-/// The answer to the current message is given later.
+/// Defers the reply to the current message.
 template <class Reply, class Self>
 DeferredReplyPtr<Reply> defer(Self self) {
   return std::make_shared<DeferredReply<Reply>>(self->template make_response_promise<Reply>());

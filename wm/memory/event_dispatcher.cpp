@@ -74,7 +74,7 @@ void EventDispatcher::send_near(PeerNumber peer, EventFlow::Batch events) {
 }
 
 void EventDispatcher::send_far(RouteNumber route, RoutedEvents events) {
-  // As a message of this actor's, so that the way knows whom to acknowledge it to.
+  // With this actor as the sender, to which the outlet sends its acknowledgement.
   outbox_.emit([self = self_, outlet = outlets_[route], events = std::move(events)]() mutable {
     caf::actor_cast<caf::abstract_actor*>(outlet)->enqueue(
       caf::actor_cast<caf::strong_actor_ptr>(self), caf::make_message_id(),
@@ -84,8 +84,8 @@ void EventDispatcher::send_far(RouteNumber route, RoutedEvents events) {
 
 caf::result<Outcome<Acknowledged>> EventDispatcher::subscribe(const Subscribe& request) {
   if (!self_->current_sender())
-    return Outcome<Acknowledged>{
-      Failure{FailureKind::no_answer, "there is nobody to be told of changes", {}}};
+    return Outcome<Acknowledged>{Failure{
+      FailureKind::no_answer, "a subscription needs a sender, to which its events are sent", {}}};
   auto filter = request.filter;
   if (!filter.subarchitecture)
     filter.subarchitecture = subarchitecture_;
@@ -150,7 +150,7 @@ caf::result<Outcome<Acknowledged>> EventDispatcher::announce(const ChangeFilter&
   pending->promise = self_->make_response_promise<Outcome<Acknowledged>>();
   pending->missing = concerned.size();
   for (auto peer : concerned)
-    tell_interest(peer, filter, id, true)
+    request_interest(peer, filter, id, true)
       .then(
         [pending](Acknowledged) {
           if (--pending->missing == 0)
@@ -167,7 +167,7 @@ caf::result<Outcome<Acknowledged>> EventDispatcher::announce(const ChangeFilter&
 
 void EventDispatcher::withdraw(const Subscriptions::WithdrawnInterest& interest) {
   for (auto peer : peers_.concerned(interest.filter))
-    tell_interest(peer, interest.filter, interest.id, false)
+    request_interest(peer, interest.filter, interest.id, false)
       .then([](Acknowledged) {}, [](const caf::error&) {});
 }
 
@@ -212,7 +212,7 @@ caf::result<Acknowledged> EventDispatcher::introduce(const Peers& peers) {
       if (!peers_.is_concerned(peer, filter))
         return;
       ++pending->missing;
-      tell_interest(peer, filter, id, true)
+      request_interest(peer, filter, id, true)
         .then([done](Acknowledged) { done(); }, [done](const caf::error&) { done(); });
     });
   }

@@ -20,8 +20,8 @@
 
 namespace castor {
 
-/// Sends change events to the components and working memories that want them: knows which actors
-/// stand behind the numbers of Subscriptions and PeerRoutes.
+/// Sends change events to the components and working memories that want them: maps the numbers of
+/// Subscriptions and PeerRoutes to actors.
 class EventDispatcher {
 public:
   EventDispatcher(WorkingMemoryActor::pointer self, JournalOutbox& outbox,
@@ -30,12 +30,12 @@ public:
   /// Sends the events of one write.
   void dispatch(const std::vector<CommittedChange>& changes);
 
-  /// Those of a write in another working memory, to the components here.
+  /// Sends the events of a write in another working memory to the components of this one.
   void receive(const ChangeNotices& events);
 
-  // -- of the sender of the current message
+  // -- requests of the sender of the current message
 
-  /// Answers once every working memory concerned has taken note.
+  /// Replies when every working memory concerned has registered the filter.
   caf::result<Outcome<Acknowledged>> subscribe(const Subscribe& request);
   void unsubscribe(const Unsubscribe& request);
   void acknowledge(const EventsTaken& taken);
@@ -45,14 +45,14 @@ public:
 
   caf::result<Acknowledged> introduce(const Peers& peers);
 
-  /// Null if there is no such subarchitecture, or if it is the own one.
+  /// Null for an unknown subarchitecture, and for the own one.
   const WorkingMemoryActor* find_peer(const std::string& subarchitecture) const;
   Failure unknown_subarchitecture(const Address& address) const;
 
-  /// A subscriber or a route, perhaps.
+  /// Removes an actor that has ended, if it was a subscriber or a route.
   void end(const caf::actor_addr& who);
 
-  /// Adds what there is to know about filters and events.
+  /// Fills in the fields about filters and events.
   void add_to(WorkingMemoryStatus& status) const;
 
 private:
@@ -60,14 +60,13 @@ private:
   using RouteNumber = PeerRoutes::RouteNumber;
 
   Subscriptions::Number subscriber_number(const Subscribe& request);
-  /// Null if it has none.
+  /// Null if the actor is not a subscriber of the stream.
   const Subscriptions::Number* find_subscriber(const caf::actor_addr& who,
                                                EventStream stream) const;
   caf::result<Outcome<Acknowledged>> announce(const ChangeFilter& filter, InterestId id);
   void withdraw(const Subscriptions::WithdrawnInterest& interest);
-  /// Tells another working memory what is wanted of it, or is not any more; to be followed by
-  /// `then`.
-  auto tell_interest(PeerNumber peer, const ChangeFilter& filter, InterestId id, bool wanted) {
+  /// Registers or withdraws an interest at another working memory; to be followed by `then`.
+  auto request_interest(PeerNumber peer, const ChangeFilter& filter, InterestId id, bool wanted) {
     return self_->request(peer_actors_[peer], peer_deadline_,
                           Interest{subarchitecture_, id, filter, wanted});
   }
@@ -75,8 +74,7 @@ private:
 
   RouteNumber find_or_add_route(const caf::strong_actor_ptr& outlet);
   std::optional<RouteNumber> find_route(const caf::actor_addr& who) const;
-  /// Removes those that are not part of the system any more, or that another has taken the place
-  /// of.
+  /// Removes peers that were removed from the system or replaced.
   void remove_missing(const Peers& peers);
 
   void push(Subscriptions::Notices notices);
@@ -97,11 +95,11 @@ private:
 
   PeerRoutes peers_;
   std::vector<WorkingMemoryActor> peer_actors_;
-  /// What takes events to the working memories of another process, by route.
+  /// Actors that forward events to the working memories of another process, by route.
   std::vector<caf::actor> outlets_;
-  /// Subarchitectures whose working memories are lost, and may come back.
+  /// Subarchitectures whose working memories are lost, but may be restarted.
   std::set<std::string> absent_;
-  /// Of working memories that have been introduced to this one, but it not yet to them.
+  /// Interests of working memories that know this one but have not been introduced to it yet.
   std::vector<std::pair<caf::actor_addr, Interest>> early_interests_;
 };
 

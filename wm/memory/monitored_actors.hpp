@@ -6,7 +6,7 @@
 
 namespace castor {
 
-/// Actors whose ends the working memory is told of, once each.
+/// Actors that the working memory monitors, each once.
 class MonitoredActors {
 public:
   explicit MonitoredActors(WorkingMemoryActor::pointer self) : self_(self) {}
@@ -16,7 +16,7 @@ public:
       self_->monitor(who);
   }
 
-  /// It has ended.
+  /// The actor has ended.
   void remove(const caf::actor_addr& who) { actors_.erase(who); }
 
 private:

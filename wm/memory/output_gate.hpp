@@ -8,11 +8,11 @@
 
 namespace castor {
 
-/// What a working memory has to say while changes are on their way to its journal: nobody hears of
-/// a change that a crash could undo.
+/// Holds back outgoing messages of a working memory while changes are not yet in its journal: no
+/// message depends on a change that a crash could undo.
 ///
-/// As long as no more than so many changes, or bytes of values, are unsynced, everything goes out
-/// at once. Beyond that it waits until those before it are synced, and keeps its order.
+/// While the unsynced changes and their bytes are within bounds, everything is sent at once. Beyond
+/// that, messages wait until the changes before them are synced, and keep their order.
 class OutputGate {
 public:
   struct Bounds {
@@ -23,11 +23,11 @@ public:
   OutputGate() = default;
   explicit OutputGate(Bounds bounds) : bounds_(bounds) {}
 
-  /// Whether what is to go out now has to wait.
+  /// Whether a message has to wait now.
   bool holds() const { return changes_ > bounds_.changes || bytes_ > bounds_.bytes; }
 
-  /// A write was handed to the journal, of so many changes that take so many bytes; the last one's
-  /// number.
+  /// Records a write that was sent to the journal: the sequence number of its last change, and the
+  /// number and bytes of its changes.
   void written(std::uint64_t sequence, std::size_t changes, std::size_t bytes) {
     unsynced_.push_back({sequence, changes, bytes});
     changes_ += changes;
@@ -35,10 +35,10 @@ public:
     last_ = sequence;
   }
 
-  /// To be asked only while it holds.
+  /// Queues a message. \pre holds()
   void push(std::function<void()> output) { waiting_.emplace_back(last_, std::move(output)); }
 
-  /// Everything up to that change is synced; lets go what waited for that.
+  /// All changes up to `sequence` are synced: sends the messages that waited for them.
   void synced(std::uint64_t sequence) {
     while (!unsynced_.empty() && unsynced_.front().last <= sequence) {
       changes_ -= unsynced_.front().changes;
@@ -52,10 +52,10 @@ public:
     }
   }
 
-  /// There is no journal any more: everything goes out.
+  /// There is no journal any more: sends everything.
   void open() { synced(~std::uint64_t{0}); }
 
-  /// What waits is never said.
+  /// Discards the waiting messages.
   void drop() { waiting_.clear(); }
 
   std::size_t unsynced() const { return changes_; }

@@ -14,20 +14,20 @@
 
 namespace castor {
 
-/// The other working memories: what each wants of this one, and the events on their way to them.
-/// Those of one process share a route, on which each event goes once.
+/// The other working memories: their interests in events of this one, and the events queued for
+/// them. Peers in one other process share a route, on which each event is sent once.
 ///
-/// Whoever uses this sends: to a peer in this process by `send_near(PeerNumber,
-/// EventFlow::Batch)`, on a route by `send_far(RouteNumber, RoutedEvents)`.
+/// Sending is left to the caller: `send_near(PeerNumber, EventFlow::Batch)` to a peer in this
+/// process, `send_far(RouteNumber, RoutedEvents)` on a route.
 class PeerRoutes {
 public:
   /// Counted from 0 in the order of addition, and never used twice.
   using PeerNumber = std::uint32_t;
   using RouteNumber = std::size_t;
 
-  /// The events of one write that are to be sent.
+  /// The events of one write to be sent.
   struct Outgoing {
-    /// By peer, for those in this process.
+    /// For peers in this process.
     std::map<PeerNumber, EventFlow::Batch> near;
     std::map<RouteNumber, EventFlow::Batch> far;
   };
@@ -41,35 +41,36 @@ public:
     std::uint64_t backlog = 0;
   };
 
-  /// With `broadcast`, every event goes to every peer, wanted or not, and on a route once for each.
+  /// With `broadcast`, every event is sent to every peer regardless of interests, on a route once
+  /// for each.
   explicit PeerRoutes(bool broadcast) : broadcast_(broadcast) {}
 
   // -- peers
 
   RouteNumber add_route();
 
-  /// Without a route it lives in this process.
+  /// A peer without a route is in this process.
   PeerNumber add(const std::string& subarchitecture, std::optional<RouteNumber> route);
 
-  /// The peer is no part of the system any more; its name may come again, for another.
+  /// Removes a peer that has left the system; its name may be used again for another.
   void remove(PeerNumber peer);
   bool is_removed(PeerNumber peer) const { return peers_[peer].removed; }
 
-  /// The process at the end of the route is lost, with its peers.
+  /// The process of the route is lost, with its peers.
   void end_route(RouteNumber route);
 
-  /// The peer of that subarchitecture that was not removed.
+  /// The present peer of a subarchitecture.
   std::optional<PeerNumber> find(const std::string& subarchitecture) const;
   const std::string& subarchitecture(PeerNumber peer) const { return peers_[peer].subarchitecture; }
 
-  /// Those that were not removed.
+  /// Subarchitectures of the present peers.
   std::vector<std::string> subarchitectures() const;
 
-  /// The peers with events that the filter can match, without those that are lost.
+  /// Peers whose events the filter can match, without lost ones.
   std::vector<PeerNumber> concerned(const ChangeFilter& filter) const;
   bool is_concerned(PeerNumber peer, const ChangeFilter& filter) const;
 
-  /// The peer wants such events, or does not any more.
+  /// Adds or withdraws an interest of the peer.
   void set_interest(PeerNumber peer, const Interest& interest);
 
   // -- events
@@ -78,11 +79,11 @@ public:
     return interests_.wants_changed_fields(event);
   }
 
-  /// The keys (receiver_keys.hpp) of the interests that want the event, in order; valid until the
+  /// The keys (receiver_keys.hpp) of the interests that match the event, in order; valid until the
   /// next call.
   const std::vector<FilterIndex::Key>& match(const ChangeEvent& event, const Value& content);
 
-  /// Adds an event to what is to be pushed.
+  /// Adds an event to `outgoing`.
   void collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
                Outgoing& outgoing) const;
 
@@ -97,7 +98,7 @@ public:
         send_far(route, routed(routes_[route], *now));
   }
 
-  /// The route has taken so many events.
+  /// The route has taken `count` events.
   template <class Far>
   void acknowledge(RouteNumber route, std::uint64_t count, Far&& send_far) {
     auto& x = routes_[route];
@@ -111,7 +112,7 @@ public:
 private:
   struct PeerInterest {
     ChangeFilter filter;
-    /// What it is called on its peer's route, if it has one.
+    /// Its number on the peer's route, if the peer has one.
     std::uint32_t number = 0;
   };
 
@@ -119,7 +120,7 @@ private:
     std::string subarchitecture;
     /// Nothing for one in this process.
     std::optional<RouteNumber> route;
-    /// Its process is.
+    /// Its process is lost.
     bool lost = false;
     bool removed = false;
     std::map<InterestId, PeerInterest> interests;
@@ -127,22 +128,22 @@ private:
 
   struct Route {
     EventFlow flow{route_limit};
-    /// What the filter numbers in the flow stand for: a peer, and its interest.
+    /// Peer and interest for each filter number in the flow.
     std::map<std::uint32_t, std::pair<PeerNumber, InterestId>> receivers;
     std::uint32_t last_number = 0;
   };
 
   void erase(PeerNumber peer, InterestId id, const PeerInterest& interest);
   void erase_interests(PeerNumber peer);
-  /// The batch in the form in which it goes on the route.
+  /// Converts a batch into the message for the route.
   RoutedEvents routed(const Route& route, const EventFlow::Batch& batch);
 
   bool broadcast_;
   std::vector<Peer> peers_;
   std::vector<Route> routes_;
-  /// By the peer's number above its interest's id.
+  /// Keys: the peer's number above its interest's id.
   FilterIndex interests_;
-  /// Without what is in the flows.
+  /// Without the figures of the flows.
   Counters counters_;
   std::vector<FilterIndex::Key> matched_;
 };

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-/// Keys of the filter indices: the number of a subscriber or a peer, above that of its filter or
-/// interest.
+/// Keys of the filter indices: the number of a subscriber or peer in the upper 32 bits, that of its
+/// filter or interest in the lower.
 namespace castor::receiver_keys {
 
 inline FilterIndex::Key key_of(std::uint32_t receiver, std::uint32_t id) {
@@ -21,7 +21,7 @@ inline void sort_unique(std::vector<FilterIndex::Key>& keys) {
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
-/// Calls `f` with each subscriber or peer and its filters or interests, of keys in order.
+/// Calls `f` with each subscriber or peer and its filters or interests. \pre the keys are sorted
 template <class F>
 void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
   for (std::size_t i = 0; i < keys.size();) {

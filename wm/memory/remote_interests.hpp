@@ -11,23 +11,23 @@
 
 namespace castor {
 
-/// What the components of one subarchitecture want of the others: filters that say the same are one
-/// interest, so that every other working memory hears of it, and sends an event for it, once.
+/// Interests of one subarchitecture's components in events of the others. Equal filters share one
+/// interest, so that every other working memory registers it, and sends an event for it, once.
 class RemoteInterests {
 public:
-  /// Interests are numbered from above `last`.
+  /// Interests are numbered from `last` + 1.
   explicit RemoteInterests(InterestId last) : last_(last) {}
 
   /// The interest of a filter that a subscriber has registered.
   InterestId add(const ChangeFilter& filter, FilterIndex::Key subscriber);
 
-  /// The interest, if it was the last of its subscribers; nothing as long as there are others.
+  /// Removes a subscriber; returns the interest if it was the last one, else nothing.
   std::optional<InterestId> remove(const ChangeFilter& filter, FilterIndex::Key subscriber);
 
-  /// Appends the subscribers of an interest, none of one that was withdrawn.
+  /// Appends the subscribers of an interest; none if it was withdrawn.
   void append_subscribers(InterestId id, std::vector<FilterIndex::Key>& out) const;
 
-  /// Calls `f` with the filter and the number of each.
+  /// Calls `f` with the filter and the number of each interest.
   template <class F>
   void for_each(F&& f) const {
     for (auto& [filter, interest] : by_filter_)

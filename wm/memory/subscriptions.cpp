@@ -45,7 +45,7 @@ std::optional<Subscriptions::WithdrawnInterest> Subscriptions::unsubscribe(Numbe
   auto key = key_of(number, id);
   filters_.erase(key, filter.mapped());
   subscriber.flow.erase(id);
-  note_whether_merging(number, subscriber);
+  update_merging(number, subscriber);
   auto interest = interests_.remove(filter.mapped(), key);
   if (!interest)
     return std::nullopt;
@@ -106,7 +106,7 @@ void Subscriptions::count(const Subscriber& subscriber, const Batch& batch, Usag
   }
 }
 
-void Subscriptions::note_whether_merging(Number number, const Subscriber& subscriber) {
+void Subscriptions::update_merging(Number number, const Subscriber& subscriber) {
   if (subscriber.flow.backlog().is_merging())
     merging_.insert(number);
   else

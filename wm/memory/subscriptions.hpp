@@ -18,18 +18,18 @@
 
 namespace castor {
 
-/// The filters that are registered at one working memory, and the events on their way to those who
-/// registered them. Whoever uses this sends: batches go to a function `send(Number, Batch)`.
+/// The filters registered at one working memory, and the events queued for their subscribers.
+/// Sending is left to the caller, by a function `send(Number, Batch)`.
 class Subscriptions {
 public:
-  /// Of a subscriber: one stream of events. Never used twice.
+  /// Number of a subscriber, which is one stream of events; never used twice.
   using Number = std::uint32_t;
   using Batch = EventFlow::Batch;
 
   /// Events of one write, by subscriber.
   using Notices = std::map<Number, Batch>;
 
-  /// What nobody here wants of the other subarchitectures any more.
+  /// An interest in the other subarchitectures that has no subscriber any more.
   struct WithdrawnInterest {
     InterestId id = 0;
     ChangeFilter filter;
@@ -44,8 +44,8 @@ public:
     std::uint64_t backlog = 0;
   };
 
-  /// Changes in the ignored subarchitectures match no filter. Interests are numbered from above
-  /// `last_interest`.
+  /// Changes in the ignored subarchitectures match no filter. Interests are numbered from
+  /// `last_interest` + 1.
   Subscriptions(std::string subarchitecture, std::set<std::string> ignored,
                 InterestId last_interest)
     : subarchitecture_(std::move(subarchitecture)), ignored_(std::move(ignored)),
@@ -53,15 +53,16 @@ public:
 
   // -- subscribers
 
-  /// The component is empty for a subscriber that is none, whose events are not logged as accesses.
+  /// Adds a subscriber. `component` is empty for one that is not a component; its events are not
+  /// counted in the usage log.
   Number add(std::string component, std::uint32_t queue_limit);
 
-  /// What is on its way to the subscriber is dropped.
+  /// Removes a subscriber and its queued events.
   std::vector<WithdrawnInterest> remove(Number number);
 
-  /// Registers a filter, whose subarchitecture is resolved, in the place of the former of that id,
-  /// if any, which has to be withdrawn before. Returns the interest to announce to the other
-  /// working memories; nothing for a filter of the own subarchitecture.
+  /// Registers a filter, whose subarchitecture has to be resolved. An earlier filter of that id has
+  /// to be withdrawn before. Returns the interest to announce to the other working memories;
+  /// nothing for a filter on the own subarchitecture.
   std::optional<InterestId> subscribe(Number number, FilterId id, const ChangeFilter& filter);
 
   /// Withdraws a filter, if it is registered.
@@ -79,11 +80,11 @@ public:
     return filters_.wants_changed_fields(event);
   }
 
-  /// The keys (receiver_keys.hpp) of the filters that want the event, in order; valid until the
+  /// The keys (receiver_keys.hpp) of the filters that match the event, in order; valid until the
   /// next call.
   const std::vector<FilterIndex::Key>& match(const ChangeEvent& event, const Value& content);
 
-  /// Adds an event to what is to be pushed.
+  /// Adds an event to `notices`.
   void collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
                Notices& notices) const;
 
@@ -99,12 +100,12 @@ public:
         counters_.delivered += now->size();
         send(number, *std::move(now));
       } else {
-        note_whether_merging(number, subscriber);
+        update_merging(number, subscriber);
       }
     }
   }
 
-  /// The subscriber has taken so many events.
+  /// The subscriber has taken `count` events.
   template <class F>
   void acknowledge(Number number, std::uint64_t count, F&& send) {
     auto& subscriber = subscribers_.at(number);
@@ -115,10 +116,10 @@ public:
       counters_.delivered += batch->size();
       send(number, *std::move(batch));
     }
-    note_whether_merging(number, subscriber);
+    update_merging(number, subscriber);
   }
 
-  /// How many filters there are.
+  /// Number of filters.
   std::size_t size() const { return filters_.size(); }
   Counters counters() const;
 
@@ -133,18 +134,18 @@ private:
     return ignored_.count(event.address.subarchitecture) > 0;
   }
   void count(const Subscriber& subscriber, const Batch& batch, UsageLog& usage);
-  void note_whether_merging(Number number, const Subscriber& subscriber);
+  void update_merging(Number number, const Subscriber& subscriber);
 
   std::string subarchitecture_;
   std::set<std::string> ignored_;
-  /// By the subscriber's number above its filter's id.
+  /// Keys: the subscriber's number above its filter's id.
   FilterIndex filters_;
   std::map<Number, Subscriber> subscribers_;
   Number last_number_ = 0;
   /// Subscribers whose events are being merged.
   std::set<Number> merging_;
   RemoteInterests interests_;
-  /// Without what is in the flows.
+  /// Without the figures of the flows.
   Counters counters_;
   std::vector<FilterIndex::Key> matched_;
 };

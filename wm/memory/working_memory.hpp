@@ -12,7 +12,7 @@ class WorkingMemoryShell;
 struct WorkingMemoryState {
   static constexpr const char* name = "working_memory";
 
-  /// Ends with the actor, and with it what is deferred.
+  /// Destroyed with the actor, which also ends deferred replies.
   std::shared_ptr<WorkingMemoryShell> shell;
 };
 

@@ -14,31 +14,31 @@
 namespace castor {
 
 /// The versions and tokens of a working memory without a journal begin at another multiple of this
-/// in each of its lives, so that none comes twice for different things.
+/// at each start, so that no number is used twice for different things.
 inline constexpr std::uint64_t numbers_per_life = std::uint64_t{1} << 32;
 
 struct WorkingMemoryOptions {
   std::string subarchitecture;
-  /// Subarchitectures whose components may write here besides its own; "*" for all.
+  /// Other subarchitectures whose components may write here; "*" for all.
   std::set<std::string> writers;
-  /// Changes in these subarchitectures are not told to the components of this one.
+  /// Changes in these subarchitectures are not sent to the components of this one.
   std::set<std::string> ignored;
-  /// Which of its lives this is. Versions and tokens of a later one are above those of the lives
-  /// before, so that nobody takes an entry for one that is gone.
+  /// Number of its start. Versions and tokens are above those of earlier starts, so that no entry
+  /// is taken for an earlier one.
   std::uint64_t incarnation = 1;
-  /// The moment that event times count from.
+  /// Origin of event times.
   std::chrono::steady_clock::time_point epoch{};
-  /// Every event is sent to every other working memory, wanted or not.
+  /// Every event is sent to every other working memory, regardless of interests.
   bool broadcast = false;
-  /// How long another working memory may take to take note of a filter.
+  /// Time limit for another working memory to register a filter.
   std::chrono::milliseconds peer_deadline{5000};
   EntryStoreOptions store;
   LeaseTableOptions leases;
   JournalOptions journal;
-  /// The journal, with what it held; without, there is none.
+  /// The opened journal with its content; null without a journal.
   std::shared_ptr<OpenedJournal> opened_journal;
-  /// Who takes JournalWrite and answers with JournalNews, instead of an actor that writes the
-  /// journal's file.
+  /// Actor that receives JournalWrite and sends JournalNews, instead of one that writes the
+  /// journal's file; may be null.
   caf::actor journal_writer;
 };
 

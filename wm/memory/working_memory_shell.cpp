@@ -237,7 +237,7 @@ void WorkingMemoryShell::delete_due(Timestamp now) {
     if (auto until = leases_.protected_until(id))
       store_.lifetimes().postpone(id, *until);
     else
-      effects.push_back(store_.prepare_forgetting(id));
+      effects.push_back(store_.prepare_due_deletion(id));
   }
   if (!effects.empty())
     commit(std::move(effects));

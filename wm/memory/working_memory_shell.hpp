@@ -18,13 +18,13 @@
 
 namespace castor {
 
-/// What a working memory does with the operations of its clients: asks the store and the leases,
-/// commits, and has the events sent. Operations are those of the actor's current message.
+/// Operations of a working memory's clients: checks them with the store and the leases, commits,
+/// and has the events sent. Every call handles the actor's current message.
 class WorkingMemoryShell {
 public:
   WorkingMemoryShell(WorkingMemoryActor::pointer self, const WorkingMemoryOptions& options);
 
-  /// Answers here what is ours, hands on what is another working memory's.
+  /// Answers a request for this working memory, delegates one for another.
   template <class Reply, class Request, class F>
   caf::result<Outcome<Reply>> at_owner(const Address& address, const Request& request, F&& answer) {
     if (address.subarchitecture == store_.subarchitecture())
@@ -55,7 +55,7 @@ public:
   /// Subarchitectures whose components may write here from now on; "*" for all.
   void allow_writers(const std::set<std::string>& writers);
 
-  /// Something may be due.
+  /// Handles leases, waits and entries that are due.
   void wake_up();
   void jump_clock(Timestamp by);
 
@@ -72,20 +72,20 @@ private:
   /// Time since the system began.
   Timestamp now() const;
 
-  /// Ends what is over by now: leases, waits, entries. Every operation begins with it.
+  /// Ends leases, waits and entries that are due. Every operation begins with it.
   void catch_up();
   void delete_due(Timestamp now);
 
-  /// Applies effects that were prepared together, and tells everybody who wants to know.
+  /// Applies effects that were prepared together, and sends their events.
   void commit(std::vector<EntryStore::Effect> effects);
 
-  /// Answers those whose waits have ended.
+  /// Replies to clients whose waits have ended.
   void settle();
 
-  /// Sees to it that `wake_up` is called when something is due.
+  /// Schedules the next call of `wake_up`.
   void set_alarm();
 
-  /// The sender of the current message is this client; it is watched from now on. To be called
+  /// Remembers that the sender of the current message is this client, and monitors it. To be called
   /// before the message's response promise is made, which takes the sender.
   void remember_client(const ClientPtr& client);
 
@@ -105,13 +105,13 @@ private:
   EventDispatcher events_;
 
   std::chrono::steady_clock::time_point epoch_;
-  /// How far the clock was made to be wrong.
+  /// Clock error, injected by `jump_clock`.
   Timestamp clock_jump_{0};
-  /// When the next WakeUp comes.
+  /// Time of the next WakeUp.
   Timestamp alarm_ = Timestamp::max();
-  /// Clients that hold something here, or wait, or own an entry.
+  /// Clients that hold a lease here, wait, or own an entry.
   std::map<caf::actor_addr, ClientPtr> clients_;
-  /// Operations refused.
+  /// Number of refused operations.
   std::uint64_t refused_ = 0;
 };
 

@@ -8,9 +8,9 @@
 
 namespace castor {
 
-/// The effects of writes that happen together, or the failure of the first that may not be. Of each
-/// write the leases are checked before the rules of the store: a client whose lease is lost has to
-/// know that, whatever else is wrong.
+/// The effects of the writes of an atomic write, or the failure of the first one that is refused.
+/// For each write the leases are checked before the rules of the store: a lost lease is reported
+/// before any other error.
 Outcome<std::vector<EntryStore::Effect>> prepare_writes(const EntryStore& store,
                                                         const LeaseService& leases,
                                                         std::span<const WriteRequest> requests);

@@ -5,8 +5,8 @@
 
 namespace castor {
 
-/// Who may write to a working memory: the components of its own subarchitecture always, those of
-/// other subarchitectures where the configuration says so. Reading is free.
+/// Write access to a working memory: for components of its own subarchitecture always, for those of
+/// other subarchitectures if configured. Every component may read.
 class AccessRules {
 public:
   explicit AccessRules(std::string owner) : owner_(std::move(owner)) {}

@@ -91,7 +91,7 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
     if (life.only_once && tombstones_.contains(address.id))
       return Failure{FailureKind::already_exists,
                      to_string(client) + " cannot add " + to_string(address) +
-                       ": there was one before, and this one is to be the only one of its id",
+                       ": its id was used before, and this entry may be added only once",
                      address};
     return Effect{
       Operation::add,
@@ -121,7 +121,7 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
   if (request.expected && old.writer != client.component)
     return Failure{FailureKind::inconsistent,
                    to_string(client) + " cannot overwrite " + to_string(address) +
-                     ": it counted on an earlier write of its own that has failed, and version " +
+                     ": an earlier write that this one depends on has failed, and version " +
                      std::to_string(old.version) + " is by " + old.writer +
                      ". Read it again and redo the change",
                    address};
@@ -210,7 +210,7 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
   return event;
 }
 
-EntryStore::Effect EntryStore::prepare_forgetting(const std::string& id) const {
+EntryStore::Effect EntryStore::prepare_due_deletion(const std::string& id) const {
   return {Operation::remove, entries_.at(id).entry, lifetimes_.source(id)};
 }
 

@@ -23,64 +23,65 @@
 namespace castor {
 
 struct EntryStoreOptions {
-  /// How many deleted ids keep their version; beyond that the oldest are forgotten.
+  /// Maximum number of deleted ids whose version is kept; the oldest are removed.
   std::size_t remembered_deletions = 100'000;
-  /// The largest value that is taken, in bytes of its wire form.
+  /// Maximum size of a value, in bytes of its wire form.
   std::size_t largest_value = std::size_t{256} << 20;
-  /// That of the first entry of any id.
+  /// Version of the first entry of every id.
   Version first_version = 0;
 };
 
-/// What a working memory holds, and every rule for changing it.
+/// Entries of a working memory, and the rules for changing them.
 ///
-/// A change has two steps: `prepare` makes all checks and touches nothing, `commit` applies what
-/// was prepared and cannot fail. Whatever must happen before a change may be seen stands between
+/// A change has two steps: `prepare` makes all checks and changes nothing, `commit` applies the
+/// prepared change and cannot fail. Actions that must happen before a change is visible go between
 /// the two.
 class EntryStore {
 public:
   /// A prepared change.
   struct Effect {
     Operation operation;
-    /// As it will be; for a deletion, as it was.
+    /// The entry after the change; for a deletion, before it.
     EntryPtr entry;
     /// The component that makes the change.
     std::string source;
-    /// As it was; for an overwrite.
+    /// The entry before an overwrite.
     EntryPtr before = {};
-    /// Whose end ends the entry; for the addition of an ephemeral one.
+    /// Owner of an added ephemeral entry; else null.
     ClientPtr owner = {};
   };
 
   explicit EntryStore(std::string subarchitecture, EntryStoreOptions options = {});
 
-  /// The tables point into one another, so a store moves but is never copied.
+  /// The tables have pointers into one another, so a store can be moved but not copied.
   EntryStore(EntryStore&&) = default;
   EntryStore& operator=(EntryStore&&) = default;
 
-  /// Takes up, as the first thing, what another store has left behind. The owners of ephemeral
-  /// entries are not known any more: these are due. `time` is what `now` is since 1970.
+  /// Restores the content of an earlier store; to be called first. The owners of ephemeral entries
+  /// are not known any more, so these entries are due. `time` is `now` as a Unix time.
   void restore(const StoreImage& image, Timestamp now, UnixTime time);
 
   const std::string& subarchitecture() const { return subarchitecture_; }
   AccessRules& access() { return access_; }
 
-  /// Why these writes cannot be one: they have to be of different entries, all of them here.
+  /// Failure if these writes cannot be one atomic write: they must be of different entries, all of
+  /// this working memory.
   std::optional<Failure> check_atomic(std::span<const WriteRequest> requests) const;
 
   Outcome<Effect> prepare(const WriteRequest& request) const;
 
-  /// Applies an effect of `prepare`, and says what happened; which fields changed is left out.
-  /// Since it was prepared, only others of the same atomic write may have been committed.
+  /// Applies an effect of `prepare`, and returns its event, without the changed fields. Between the
+  /// two calls, only other effects of the same atomic write may be committed.
   std::shared_ptr<ChangeEvent> commit(Effect effect, Timestamp now);
 
-  // -- entries that end of themselves
+  // -- entries with a lifetime
 
-  /// Those of the entries that are there.
+  /// Lifetimes of the present entries.
   Lifetimes& lifetimes() { return lifetimes_; }
   const Lifetimes& lifetimes() const { return lifetimes_; }
 
-  /// The deletion of an entry that is due.
-  Effect prepare_forgetting(const std::string& id) const;
+  /// Prepares the deletion of an entry that is due.
+  Effect prepare_due_deletion(const std::string& id) const;
 
   // -- reading
 
@@ -91,13 +92,13 @@ public:
 
   bool exists(const std::string& id) const { return entries_.count(id) > 0; }
 
-  /// The entry's version, or the last it had if it was deleted. Fails if it never existed (or was
+  /// The entry's version, or the last one before its deletion. Fails if it never existed (or was
   /// deleted too long ago to be remembered).
   Outcome<Version> version(const std::string& id) const;
 
   std::size_t size() const { return entries_.size(); }
 
-  /// How many events were made so far.
+  /// Number of events so far.
   std::uint64_t sequence() const { return sequence_; }
 
 private:
@@ -106,10 +107,10 @@ private:
 
   struct Slot {
     EntryPtr entry;
-    /// When it was last written, as a count of writes.
+    /// Number of its last write.
     std::uint64_t written = 0;
     Recency::iterator position;
-    /// Whether `lifetimes_` knows it.
+    /// Whether it is in `lifetimes_`.
     bool may_end = false;
   };
 
@@ -118,7 +119,7 @@ private:
     Recency recency;
   };
 
-  /// Why there is no entry of that id.
+  /// Reason for messages why there is no entry of that id.
   std::string absence(const std::string& id) const;
   Failure missing(const WriteRequest& request) const;
   std::optional<Failure> check_address(const WriteRequest& request) const;

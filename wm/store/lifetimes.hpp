@@ -13,39 +13,40 @@
 
 namespace castor {
 
-/// When entries end of themselves: so long after they were last written, or with the client that
-/// owns them. Time is passed in. Entries that do neither are not known here.
+/// Automatic deletion of entries: some time after their last write, or with the client that owns
+/// them. Time is passed in. Other entries are not recorded here.
 class Lifetimes {
 public:
-  /// The entry ends so long after `now`, if `time_to_live` is not 0, and with its owner, if it has
-  /// one.
+  /// Adds an entry, to be deleted at `now` + `time_to_live` (unless 0) and when its owner ends
+  /// (unless null).
   void add(const std::string& id, Timestamp time_to_live, ClientPtr owner, Timestamp now);
 
-  /// The entry was written again; its owner stays. One whose owner has ended is due all the same.
+  /// The entry was written again: its time begins anew. Its owner stays; if the owner has ended,
+  /// the entry stays due.
   void restart(const std::string& id, Timestamp time_to_live, Timestamp now);
 
   /// The entry was deleted.
   void erase(const std::string& id);
 
-  /// The client with which the entry ends; null if it has none, or is not known here.
+  /// Owner of the entry; null if it has none, or is not recorded here.
   ClientPtr owner(const std::string& id) const;
 
-  /// The entries of this client are due from now on.
+  /// The client has ended: its entries are due from now on.
   void end_owner(const Client& owner, Timestamp now);
 
-  /// The owner is not known any more, and has ended.
+  /// The entry's unknown owner has ended: the entry is due from now on.
   void orphan(const std::string& id, Timestamp now);
 
-  /// An entry that is due is kept until then.
+  /// Postpones the deletion of a due entry.
   void postpone(const std::string& id, Timestamp until);
 
-  /// When the next entry is due.
+  /// Time at which the next entry is due.
   std::optional<Timestamp> next_due() const;
 
-  /// The ids of the entries that are due, the longest due first.
+  /// Ids of the due entries, the longest due first.
   std::vector<std::string> due(Timestamp now) const;
 
-  /// Source of the deletion of an entry that is due.
+  /// Source of the change event for the deletion of a due entry.
   const char* source(const std::string& id) const { return lifetimes_.at(id).source; }
 
 private:
@@ -59,7 +60,7 @@ private:
                const char* source);
 
   std::unordered_map<std::string, Lifetime> lifetimes_;
-  /// By the time at which they are due.
+  /// Entries by the time at which they are due.
   std::set<std::pair<Timestamp, std::string>> due_;
   /// The ids of entries with an owner.
   std::set<std::string> owned_;

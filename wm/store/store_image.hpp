@@ -13,20 +13,20 @@ namespace castor {
 /// Time since 1970.
 using UnixTime = std::chrono::microseconds;
 
-/// What a working memory holds, without what only its process knows of it.
+/// Persistent content of a working memory.
 struct StoreImage {
   struct Written {
     EntryPtr entry;
-    /// The number of its last change.
+    /// Sequence number of its last change.
     std::uint64_t sequence = 0;
     UnixTime time{0};
   };
 
-  /// The longest unwritten first.
+  /// In the order of their last writes.
   std::vector<Written> entries;
-  /// With the last version that they had, the longest deleted first.
+  /// Deleted ids with their last versions, the oldest deletion first.
   std::vector<std::pair<std::string, Version>> deleted;
-  /// Above every version that was forgotten.
+  /// Above the versions of all deleted ids that are no longer remembered.
   Version floor = 0;
   std::uint64_t sequence = 0;
 };

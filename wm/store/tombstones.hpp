@@ -12,25 +12,25 @@
 
 namespace castor {
 
-/// The last versions of deleted entries, so that no version comes twice for the same id. Beyond a
-/// limit the longest deleted is forgotten, and the floor rises above its version.
+/// The last versions of deleted entries, so that no version is used twice for the same id. Beyond a
+/// limit the oldest one is removed, and the floor rises above its version.
 class Tombstones {
 public:
   struct Tombstone {
     std::string id;
-    /// As it was when the entry was deleted.
+    /// Version at the deletion.
     Version version = 0;
-    /// The number of the deletion.
+    /// Sequence number of the deletion.
     std::uint64_t sequence = 0;
   };
 
   explicit Tombstones(std::size_t limit, Version floor = 0) : limit_(limit), floor_(floor) {}
 
-  /// The tables point into one another, so tombstones move but are never copied.
+  /// The tables have pointers into one another, so tombstones can be moved but not copied.
   Tombstones(Tombstones&&) = default;
   Tombstones& operator=(Tombstones&&) = default;
 
-  /// The entry was deleted. Returns the tombstone that is forgotten for it, if any.
+  /// The entry was deleted. Returns the tombstone that is removed to make room, if any.
   std::optional<Tombstone> add(const std::string& id, Version version, std::uint64_t sequence);
 
   /// The entry was added again; false if there is no tombstone.
@@ -38,30 +38,30 @@ public:
 
   bool contains(const std::string& id) const { return by_id_.count(id) > 0; }
 
-  /// The version that the entry had last, as it counts now.
+  /// Last version of the entry, in the present incarnation.
   std::optional<Version> version(const std::string& id) const;
 
   /// The version of an entry that is added under the id.
   Version version_for_add(const std::string& id) const;
 
-  /// A new incarnation begins with this number: all versions of deletions up to it, and the floor,
-  /// count as no less.
+  /// Begins a new incarnation with this number: it is the minimum of the floor, and of the versions
+  /// of all earlier deletions.
   void begin_incarnation(std::uint64_t first_number);
 
-  /// A version as it counts in an incarnation whose numbers begin with `first_number`: none that
-  /// was written before is less.
+  /// A version in an incarnation whose numbers begin with `first_number`: versions written before
+  /// are raised to at least that number.
   static Version version_in_incarnation(Version version, std::uint64_t sequence,
                                         std::uint64_t first_number) {
     return sequence <= first_number ? std::max(version, first_number) : version;
   }
 
-  /// Above every version that was forgotten.
+  /// Above the versions of all removed tombstones.
   Version floor() const { return floor_; }
   void raise_floor(Version floor);
 
   std::size_t size() const { return tombstones_.size(); }
 
-  /// Calls `f` with id and version as it counts now, the longest deleted first.
+  /// Calls `f` with id and version in the present incarnation, the oldest deletion first.
   template <class F>
   void for_each(F&& f) const {
     for (auto& x : tombstones_)
@@ -77,9 +77,9 @@ private:
 
   std::size_t limit_;
   Version floor_;
-  /// The first of the present incarnation's numbers.
+  /// First number of the present incarnation.
   std::uint64_t first_number_ = 0;
-  /// The longest deleted first.
+  /// The oldest deletion first.
   List tombstones_;
   std::unordered_map<std::string, List::iterator> by_id_;
 };

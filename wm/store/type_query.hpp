@@ -7,16 +7,16 @@
 
 namespace castor {
 
-/// Which entries a reader wants.
+/// A query for entries by type and content.
 struct TypeQuery {
   std::string subarchitecture;
   /// Empty for every type.
   std::string type;
-  /// At most so many, the most recently written ones; 0 for all.
+  /// Maximum number of entries, the most recently written ones; 0 for all.
   std::size_t count = 0;
-  /// Whether entries of types that derive from `type` count too.
+  /// Includes entries of types that derive from `type`.
   bool with_derived = false;
-  /// What must be true of their content; entries that lack the fields do not count.
+  /// Condition on their content; entries without the fields do not match.
   Predicate predicate = {};
 };
 

@@ -10,17 +10,17 @@
 
 namespace castor {
 
-/// What a component has done so far with the entries of a type in one working memory.
+/// A component's operations so far on the entries of a type in one working memory.
 struct Usage {
   std::string component;
-  /// Whose working memory holds the entries.
+  /// Subarchitecture whose working memory holds the entries.
   std::string subarchitecture;
   std::string type;
   std::uint64_t adds = 0;
   std::uint64_t overwrites = 0;
   std::uint64_t deletes = 0;
   std::uint64_t reads = 0;
-  /// Events that the component wanted.
+  /// Events that matched the component's filters.
   std::uint64_t events = 0;
 
   std::uint64_t writes() const { return adds + overwrites + deletes; }
@@ -28,10 +28,10 @@ struct Usage {
   friend bool operator==(const Usage&, const Usage&) = default;
 };
 
-/// Who uses what, and how often.
+/// Counts of operations by component, subarchitecture and type.
 class UsageLog {
 public:
-  /// Counts one more.
+  /// Increments one counter.
   void record(std::string_view component, std::string_view subarchitecture, std::string_view type,
               std::uint64_t Usage::*what) {
     auto key = std::tie(component, subarchitecture, type);
@@ -46,7 +46,7 @@ public:
     ++(i->second.*what);
   }
 
-  /// By component, subarchitecture and type.
+  /// Sorted by component, subarchitecture and type.
   std::vector<Usage> all() const {
     std::vector<Usage> result;
     for (auto& [key, usage] : usages_)

@@ -9,8 +9,8 @@
 
 namespace castor {
 
-/// Why a working memory that takes values of up to `largest` bytes refuses what is to be written;
-/// or nothing. The same in the writer's process, before the value is sent, as at the owner.
+/// Failure if the value exceeds `largest` bytes, the limit of the working memory; else nothing.
+/// Checked in the writer's process before the value is sent, and again by the working memory.
 std::optional<Failure> value_too_large(const WriteRequest& request,
                                        const std::string& subarchitecture, std::size_t largest);
 

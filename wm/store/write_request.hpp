@@ -11,22 +11,23 @@
 
 namespace castor {
 
-/// A wish to change an entry.
+/// A request to change an entry.
 struct WriteRequest {
   Operation operation = Operation::add;
   Address address;
-  /// Not for a deletion.
+  /// The new value; none for a deletion.
   Value value;
-  /// The version that the client has seen of what it overwrites, or means to delete; or nothing.
+  /// Version of the entry that the client last saw, for an overwrite or deletion; or nothing.
   std::optional<Version> last_seen;
   ClientPtr client;
-  /// Of the lease that the client believes to hold on the entry; 0 for none.
+  /// Token of the lease that the client believes it holds on the entry; 0 for none.
   LeaseToken token = 0;
-  /// For an overwrite, nothing: as it was; whose end ends the entry stays as it was in any case.
+  /// Nothing for an overwrite that keeps the life of the entry. The owner of the entry is kept in
+  /// any case.
   std::optional<EntryLife> life = {};
-  /// The client counts on having written the version last seen itself, by a write that it has not
-  /// been answered yet: should that have failed, somebody else's version of this number will not
-  /// do.
+  /// `last_seen` is the version expected from an earlier write of the client that has not been
+  /// answered yet. If that write has failed and another client wrote this version, the request
+  /// fails.
   bool expected = false;
 };
 
