@@ -8,10 +8,10 @@
 
 namespace castor::benchmark {
 
-/// Another process with this program. It should end when its standard input does.
+/// A child process of this program. It should end at the end of its standard input.
 class OwnProcess {
 public:
-  /// Returns once the process has said a line.
+  /// Returns when the process has written a line.
   explicit OwnProcess(std::vector<std::string> arguments);
   OwnProcess(const OwnProcess&) = delete;
   OwnProcess& operator=(const OwnProcess&) = delete;
@@ -20,7 +20,7 @@ public:
 
   const std::string& first_line() const { return first_line_; }
 
-  /// With SIGKILL; safe from any thread.
+  /// Sends SIGKILL; thread-safe.
   void kill() const;
 
 private:
@@ -29,7 +29,7 @@ private:
   std::string first_line_;
 };
 
-/// Until whoever made this process wants no more of it.
+/// Waits until the parent process closes the standard input.
 void await_end_of_input();
 
 } // namespace castor::benchmark

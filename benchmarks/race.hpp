@@ -11,7 +11,7 @@ namespace castor::benchmark {
 
 using Clock = std::chrono::steady_clock;
 
-/// How often everything is measured.
+/// Number of measurements.
 inline int repetitions = 5;
 
 inline double median(std::vector<double> x) {
@@ -24,8 +24,9 @@ class Race {
 public:
   explicit Race(int threads) : threads_(threads), gate_(threads) {}
 
-  /// Operations per second of all threads together; called by each, returned to the first (0). The
-  /// work is prepared outside the time that counts, and first done once to warm up.
+  /// Operations per second of all threads together (median). Called by each thread; returns the
+  /// result to thread 0, and 0 to the others. `prepare` is not timed, and the first round is a
+  /// warm-up.
   double measure(int thread, std::size_t operations, const std::function<void()>& prepare,
                  const std::function<void()>& work) {
     std::vector<double> rates;

@@ -10,7 +10,7 @@
 
 #include "castor/perception/vision/types.hpp"
 
-/// CLEVR images and what is known of them: J. Johnson et al., "CLEVR: A diagnostic dataset for
+/// CLEVR images and their scene graphs: J. Johnson et al., "CLEVR: A diagnostic dataset for
 /// compositional language and elementary visual reasoning", 2017.
 namespace castor::clevr {
 
@@ -22,29 +22,29 @@ struct Object {
   std::string size;
   vision::Point3 position;
   vision::Point2 pixel;
-  /// Along the viewing direction.
+  /// Distance along the viewing direction.
   double distance = 0;
-  /// About the vertical axis. Radians: the number that CLEVR calls degrees was given to Blender,
-  /// and Blender takes radians.
+  /// Rotation about the vertical axis, radians: CLEVR calls the number degrees, but passed it to
+  /// Blender, which takes radians.
   double rotation = 0;
 
   /// Half the edge of a cube, else the radius; a cylinder's height is twice that.
   double radius() const { return size == "large" ? 0.7 : 0.35; }
 };
 
-/// Pairs of indices of objects: of the first, the second is on that side.
+/// Pairs of indices of objects: the second is on that side of the first.
 using ObjectPairs = std::set<std::pair<std::size_t, std::size_t>>;
 
 struct Scene {
   std::filesystem::path image;
   std::vector<Object> objects;
-  /// By the word: "left", "right", "front", "behind". Empty if the scene graph does not say.
+  /// By the word: "left", "right", "front", "behind". Empty if the scene graph has none.
   std::map<std::string, ObjectPairs> relations;
 };
 
-/// All scenes below `folder` whose image is there as well, ordered by image: those in files with a
-/// list of "scenes", and those in files of their own.
-/// \throws std::runtime_error naming the file if a scene lacks what an object needs.
+/// All scenes below `folder` whose image exists, ordered by image: from files with a list of
+/// "scenes", and from files with one scene.
+/// \throws std::runtime_error naming the file if a property of an object is missing.
 std::vector<Scene> load_scenes(const std::filesystem::path& folder);
 
 } // namespace castor::clevr

@@ -7,7 +7,7 @@
 
 namespace castor::clevr {
 
-/// Which object is seen where, as the scene graph has it: a label image with the index of the
+/// Ground truth of the visible objects, from the scene graph: a label image with the index of the
 /// object, -1 where there is none. Edges are sharp here and slightly rounded in the images.
 ///
 /// \param camera in CLEVR's units.

@@ -11,23 +11,24 @@
 
 namespace castor::clevr {
 
-/// CLEVR's unit, so that its two sizes lie on either side of SizeOptions::large_from.
+/// Length of CLEVR's unit, chosen so that its two sizes are on either side of
+/// SizeOptions::large_from.
 inline constexpr double metres_per_unit = 0.088;
 
-/// The overlap from which on an object counts as found.
+/// Minimum overlap for which an object counts as found.
 inline constexpr double found_overlap = 0.5;
 
-/// What was made of one image.
+/// Result for one image.
 struct Outcome {
   const Scene* scene = nullptr;
   std::vector<vision::Region> regions;
   /// Pairs that overlap at least `found_overlap`.
   std::vector<Match> matches;
-  /// How many pairs there are at an overlap of 0.3.
+  /// Number of pairs at a minimum overlap of 0.3.
   std::size_t loose_matches = 0;
-  /// How many objects have their pixel_coords in the box of a region, one to one.
+  /// Number of objects with their pixel_coords in the box of a region, one to one.
   std::size_t box_hits = 0;
-  /// From the image to the last decision.
+  /// Time from the image to the last decision.
   double milliseconds = 0;
 };
 
@@ -40,7 +41,7 @@ struct Outcome {
 Outcome evaluate(const Scene& scene, const CameraGuess& usual, const vision::RegionOptions& options,
                  const vision::ShapeNetwork& network);
 
-/// How many of how many.
+/// Hits among all cases.
 struct Tally {
   std::size_t hits = 0;
   std::size_t all = 0;
@@ -51,13 +52,13 @@ struct Tally {
   }
 };
 
-/// The sums over all images.
+/// Sums over all images.
 struct Summary {
   Tally recall;
   Tally precision;
   Tally loose_recall;
   Tally box_recall;
-  /// Of the objects found.
+  /// Correct properties of the objects found.
   Tally colour;
   Tally shape;
   Tally size;

@@ -14,15 +14,15 @@ namespace castor::clevr {
 struct Match {
   std::size_t region = 0;
   std::size_t object = 0;
-  /// What both cover, as a share of what either covers.
+  /// Intersection over union.
   double overlap = 0;
 };
 
 /// Pairs regions with objects, one to one, best overlaps first, as long as they overlap at least
 /// `min_overlap`. A region across two objects is at most one of them.
 ///
-/// \param labels which object is seen where; -1 where there is none.
-/// \param objects how many objects there are.
+/// \param labels index of the visible object per pixel; -1 where there is none.
+/// \param objects number of objects.
 std::vector<Match> match_regions(std::span<const vision::ROI* const> regions,
                                  const cv::Mat_<int>& labels, std::size_t objects,
                                  double min_overlap);

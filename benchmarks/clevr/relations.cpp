@@ -52,8 +52,8 @@ RelationSummary judge_relations(const std::vector<Outcome>& outcomes,
         for (const auto& landmark : objects) {
           if (target.object == landmark.object)
             continue;
-          const bool said = lies(*directions, relation, target.seen, landmark.seen,
-                                 relation_margin * metres_per_unit);
+          const bool said = is_on_side(*directions, relation, target.seen, landmark.seen,
+                                       relation_margin * metres_per_unit);
           const bool holds = truth->second.contains({landmark.object, target.object});
           summary.words[word].add(said == holds);
           summary.all.add(said == holds);
@@ -67,8 +67,8 @@ RelationSummary judge_relations(const std::vector<Outcome>& outcomes,
           const auto& here = scene.objects[landmark.object].position;
           summary.mistakes.push_back(
             {&scene, target.object, landmark.object, word,
-             advance(*directions, relation, target.seen, landmark.seen) / metres_per_unit,
-             advance(*directions, relation, {there.x, there.y}, {here.x, here.y})});
+             distance_to_side(*directions, relation, target.seen, landmark.seen) / metres_per_unit,
+             distance_to_side(*directions, relation, {there.x, there.y}, {here.x, here.y})});
         }
       }
     }

@@ -9,21 +9,21 @@
 
 namespace castor::clevr {
 
-/// The overlap with an object from which on a region shows it.
+/// Minimum overlap for which a region shows an object.
 inline constexpr double sample_overlap = 0.5;
 
-/// What the committed network is trained from: rendered pictures, and how much a view of an object
-/// in a CLEVR image counts beside them.
+/// Training data of the committed network: number and seed of rendered pictures, and weight of an
+/// object in a CLEVR image relative to them.
 inline constexpr int rendered_scenes = 1000;
 inline constexpr std::uint32_t rendered_seed = 7;
 inline constexpr double clevr_weight = 20;
 
-/// What segmentation finds of the objects in CLEVR images, each as it is and mirrored.
+/// Samples of the objects in CLEVR images as segmented, each also mirrored.
 /// \param weight of each sample.
 /// \throws std::runtime_error if an image cannot be read.
 std::vector<Sample> clevr_samples(std::span<const Scene> scenes, double weight);
 
-/// The same of `count` rendered pictures of random tables with random things on them, solid and
+/// The same from `count` rendered pictures of random tables with random things on them, solid and
 /// flat, under random cameras. The scenes are numbered on from `first_scene`.
 std::vector<Sample> rendered_samples(int count, std::uint32_t seed, std::size_t first_scene);
 

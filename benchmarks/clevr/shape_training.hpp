@@ -13,25 +13,25 @@ struct Sample {
   std::vector<double> evidence;
   /// An index in the shape vocabulary.
   std::size_t shape = 0;
-  /// How much it counts.
+  /// Weight in the loss.
   double weight = 1;
-  /// The image it was seen in.
+  /// Index of its image.
   std::size_t scene = 0;
 };
 
-/// How the network learns.
+/// Options of the training.
 struct TrainingOptions {
   int hidden = 24;
   int epochs = 20;
   std::size_t batch = 32;
   double learning_rate = 3e-3;
-  /// Each weight loses this share of itself times the learning rate per step.
+  /// Weight decay per step, times the learning rate.
   double decay = 0.1;
   std::uint32_t seed = 1;
 };
 
-/// A network that tells the samples' shapes: minimises the cross entropy by Adam (D. Kingma and
-/// J. Ba, 2015) with decoupled weight decay. Deterministic.
+/// Trains a shape classifier: minimises the cross entropy by Adam (D. Kingma and J. Ba, 2015) with
+/// decoupled weight decay. Deterministic.
 /// \pre there are samples, all with evidence of the same length.
 vision::ShapeNetwork train(std::span<const Sample* const> samples, const TrainingOptions& options);
 

@@ -9,13 +9,13 @@
 
 namespace castor::semeval {
 
-/// A command of SemEval-2014 task 6, what it means, and the board as it was said.
+/// A command of SemEval-2014 task 6, its annotation, and the board at that time.
 struct Command {
   std::string id;
   std::string text;
   RclTree tree;
   Board board;
-  /// The layout that its scene is one of: eight scenes share the same blocks.
+  /// Layout of its scene: eight scenes share the same blocks.
   int layout = 0;
 };
 

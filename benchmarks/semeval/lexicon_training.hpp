@@ -7,8 +7,8 @@
 
 namespace castor::semeval {
 
-/// The words of these commands as the lexicon of robot commands has them: phrases by what they were
-/// annotated with, weighted by how often, and fillers, which were not.
+/// Learns the words of the lexicon of robot commands: phrases with their annotations, weighted by
+/// frequency, and fillers, which have no annotation.
 std::string learn_words(std::span<const Command* const> commands);
 
 } // namespace castor::semeval

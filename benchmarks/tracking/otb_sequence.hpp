@@ -10,9 +10,9 @@
 namespace castor::otb {
 
 struct Sequence {
-  /// Of the pictures, in order.
+  /// Files of the pictures, in order.
   std::vector<std::filesystem::path> files;
-  /// Where the thing is in each.
+  /// Box of the object in each picture.
   std::vector<vision::ImageBox> truth;
 };
 
@@ -20,14 +20,14 @@ struct Sequence {
 /// \throws std::runtime_error if they do not fit together.
 Sequence load_sequence(const std::filesystem::path& folder);
 
-/// How a tracker that was shown the thing in the first picture did in the others.
+/// Result of a tracker that was given the object in the first picture, over the other pictures.
 struct Score {
   int pictures = 0;
   /// The overlap (intersection by union) with the truth.
   double mean_overlap = 0;
-  /// The share of pictures in which that is at least 0.5.
+  /// Share of pictures with an overlap of at least 0.5.
   double success_rate = 0;
-  /// Pictures in which the tracker did not see the thing; there, its last box counts.
+  /// Number of pictures in which the tracker did not find the object; its last box counts there.
   int missed = 0;
   double ms_per_picture = 0;
 };

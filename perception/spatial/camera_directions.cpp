@@ -16,8 +16,8 @@ std::optional<GroundDirections> ground_directions(const vision::Pose& viewer) {
   return GroundDirections{{-back.x, -back.y}, back, {-back.y, back.x}, {back.y, -back.x}};
 }
 
-double advance(const GroundDirections& directions, SpatialRelation relation,
-               const GroundPoint& target, const GroundPoint& landmark) {
+double distance_to_side(const GroundDirections& directions, SpatialRelation relation,
+                        const GroundPoint& target, const GroundPoint& landmark) {
   GroundPoint direction;
   switch (relation) {
     case SpatialRelation::front:
@@ -38,9 +38,9 @@ double advance(const GroundDirections& directions, SpatialRelation relation,
   return direction.x * (target.x - landmark.x) + direction.y * (target.y - landmark.y);
 }
 
-bool lies(const GroundDirections& directions, SpatialRelation relation, const GroundPoint& target,
-          const GroundPoint& landmark, double margin) {
-  return advance(directions, relation, target, landmark) > margin;
+bool is_on_side(const GroundDirections& directions, SpatialRelation relation,
+                const GroundPoint& target, const GroundPoint& landmark, double margin) {
+  return distance_to_side(directions, relation, target, landmark) > margin;
 }
 
 } // namespace castor::spatial

@@ -6,12 +6,12 @@
 
 namespace castor::spatial {
 
-/// The directions of the words on the ground, as a viewer sees them who looks along `back`; unit
-/// vectors.
+/// Directions on the ground for a viewer who looks along `back`; unit vectors.
 ///
-/// With these, relations are as in the CLEVR corpus (J. Johnson et al., "CLEVR: A diagnostic
-/// dataset for compositional language and elementary visual reasoning", 2017): directions only,
-/// however far apart things are and whatever else is there, and the same for all landmarks.
+/// Relations by these directions are as in the CLEVR corpus (J. Johnson et al., "CLEVR: A
+/// diagnostic dataset for compositional language and elementary visual reasoning", 2017): they
+/// depend on directions only, not on distances or other objects, and the directions are the same
+/// for all landmarks.
 struct GroundDirections {
   GroundPoint front;
   GroundPoint back;
@@ -20,17 +20,17 @@ struct GroundDirections {
 };
 
 /// The directions for a viewer whose body coordinates are those of a camera: x to the right, y
-/// down, z forward. Nothing, if it looks straight up or down.
+/// down, z forward. Nothing if it looks straight up or down.
 std::optional<GroundDirections> ground_directions(const vision::Pose& viewer);
 
 /// How far the target is to that side of the landmark, metres; negative on the other side.
 /// \pre `relation` is not near, which is no direction.
-double advance(const GroundDirections& directions, SpatialRelation relation,
-               const GroundPoint& target, const GroundPoint& landmark);
+double distance_to_side(const GroundDirections& directions, SpatialRelation relation,
+                        const GroundPoint& target, const GroundPoint& landmark);
 
 /// Whether the target is on that side of the landmark by more than `margin` metres.
-/// \pre as for advance().
-bool lies(const GroundDirections& directions, SpatialRelation relation, const GroundPoint& target,
-          const GroundPoint& landmark, double margin = 0);
+/// \pre as for distance_to_side().
+bool is_on_side(const GroundDirections& directions, SpatialRelation relation,
+                const GroundPoint& target, const GroundPoint& landmark, double margin = 0);
 
 } // namespace castor::spatial

@@ -9,20 +9,20 @@
 
 namespace castor::spatial {
 
-/// The map that fields are computed on, and what counts; metres.
+/// The map that fields are computed on, and radii; metres.
 struct FieldOptions {
   /// The middle of the map on the table.
   GroundPoint centre;
   double map_size = 2.0;
   double cell_size = 0.01;
-  /// Another object this close to a place makes that place neither left nor right of anything; and
-  /// so far apart are the positions that are found.
+  /// Within this distance of another object, the fields left, right, front and back are 0; also the
+  /// minimum distance between positions that are found.
   double distractor_radius = 0.15;
-  /// Near a landmark is only what is nearer to it than to any other by this much.
+  /// A place is near a landmark only if it is nearer to it than to any other by this margin.
   double proximity_gate = 0.009;
 };
 
-/// From which value on a relation holds.
+/// Minimum value for which a relation holds.
 struct RelationThresholds {
   double projective = 0.8;
   double proximity = 0.95;
@@ -32,9 +32,9 @@ struct RelationThresholds {
   }
 };
 
-/// How the objects of one scene lie to each other, by the potential fields of Kelleher and Costello
-/// (ACL 2006) as the PlayMate computed them: on a map of cells, each word is a field around its
-/// landmark with its maximum scaled to 1.
+/// Spatial relations between the objects of one scene, by the potential fields of Kelleher and
+/// Costello (ACL 2006) as the PlayMate computed them: on a map of cells, each word is a field
+/// around its landmark with its maximum scaled to 1.
 ///
 /// With d the distance from the landmark, d_max that to the farthest cell of the map, and theta the
 /// angle to the direction that the word names, in quarter turns:
@@ -43,11 +43,10 @@ struct RelationThresholds {
 ///                              object besides target and landmark
 ///   near                       (1 - d / d_max)^2, 0 where another object is (almost) as near
 ///
-/// The field is what is asked for one cell at a time; its maximum is 1 at the landmark, except
-/// where a distractor covers that, and is then looked for around it. So there is no map to fill.
-/// Positions are those of the cells that they lie in: moving something by less than a cell may make
-/// a difference of some 0.02. What lies outside of the map has no relations and disturbs
-/// none.
+/// The field is computed for single cells on demand, without filling a map: its maximum is 1 at the
+/// landmark, unless a distractor covers that; then the maximum is searched for around it. Positions
+/// are rounded to cells: moving something by less than a cell may change a value by some 0.02.
+/// Objects outside of the map have no relations and are no distractors.
 class PotentialFields {
 public:
   /// \throws std::invalid_argument if the map has no cells.
@@ -58,12 +57,12 @@ public:
   /// they are the same.
   double value(SpatialRelation relation, std::size_t target, std::size_t landmark) const;
 
-  /// Where to put something so that it is `relation` of the landmark: up to `count` positions, the
-  /// best first, apart from each other and from all objects. Fewer if there are no more.
+  /// Positions that are `relation` of the landmark: up to `count`, the best first, apart from each
+  /// other and from all objects. Fewer if there are no more.
   std::vector<TargetPosition> positions(SpatialRelation relation, std::size_t landmark,
                                         std::size_t count) const;
 
-  /// The best position, if there is any.
+  /// The best position, if there is one.
   std::optional<TargetPosition> position(SpatialRelation relation, std::size_t landmark) const;
 
 private:
@@ -78,11 +77,12 @@ private:
   struct Object {
     Cell cell;
     bool on_map = false;
-    /// From it to the farthest cell; cells.
+    /// Distance to the farthest cell of the map; cells.
     double farthest = 0;
   };
 
-  /// A field around a landmark: the shape of a word less what others take away; not yet scaled.
+  /// A field around a landmark: the shape of a word, minus the effects of other objects; not yet
+  /// scaled.
   struct Field {
     SpatialRelation relation;
     const Object* landmark = nullptr;

@@ -9,7 +9,7 @@
 
 namespace castor::spatial {
 
-/// A place that takes part in a scene, by the id of its SpatialLocation.
+/// A place in a scene, by the id of its SpatialLocation.
 struct ScenePlace {
   std::string location;
   GroundPoint position;
@@ -31,11 +31,11 @@ const std::vector<SpatialRelationship>& list_of(const SpatialScene& scene,
 /// The centre of a box, from above.
 GroundPoint ground_point(const vision::ObjectBox& box);
 
-/// Whether an object moved so far that relations may have changed: by more than its own width.
+/// Whether an object moved by more than its own width, so that relations may have changed.
 bool has_moved(const vision::ObjectBox& before, const vision::ObjectBox& now);
 
-/// Static points closer than `min_distance` metres to an object take no part in a scene: the object
-/// is there in their stead. True for those that stay.
+/// Whether a static point is part of a scene: those closer than `min_distance` metres to an object
+/// are replaced by the object.
 bool is_free(const GroundPoint& static_point, std::span<const GroundPoint> objects,
              double min_distance = 0.03);
 

@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-/// Entry types of the spatial working memory: where things are, and how they lie to each other.
+/// Entry types of the spatial working memory: locations of objects, and spatial relations between
+/// them.
 namespace castor::spatial {
 
-/// How a target lies to a landmark, as the viewer sees it: front is between the landmark and the
-/// viewer.
+/// Relation of a target to a landmark from the viewer's position: front is between the landmark and
+/// the viewer.
 enum class SpatialRelation { near, front, back, left, right };
 
 inline constexpr SpatialRelation all_spatial_relations[] = {
@@ -27,7 +28,7 @@ struct GroundPoint {
   friend bool operator==(const GroundPoint&, const GroundPoint&) = default;
 };
 
-/// Where an object is, or a static point such as "left of the table", which has a label and no
+/// Location of an object, or a static point such as "left of the table", which has a label and no
 /// object.
 struct SpatialLocation {
   EntryPointer<vision::SceneObject> object;
@@ -46,15 +47,15 @@ struct SpatialRelationship {
   friend bool operator==(const SpatialRelationship&, const SpatialRelationship&) = default;
 };
 
-/// There is a component that finds this relation in every scene. Goes with that component.
+/// Announces a component that finds this relation in every scene. Ephemeral.
 struct RelationFinder {
   SpatialRelation relation = SpatialRelation::near;
   std::string component;
 };
 
-/// All locations at one time. One component for each relation fills in what holds; the scene is
-/// complete when no component is active any more. Whoever makes the scene writes down who is to be
-/// active, so that it cannot seem complete before they have begun.
+/// All locations at one time. One component for each relation adds the pairs for which it holds;
+/// the scene is complete when no component is active any more. The component that adds the scene
+/// lists the active ones, so that the scene cannot seem complete before they have begun.
 struct SpatialScene {
   vision::Pose viewer;
   /// Microseconds since the system began.
@@ -69,7 +70,7 @@ struct SpatialScene {
   std::vector<std::string> active_components;
 };
 
-/// Where something could be put, and how well the word fits there.
+/// A possible position, and how well the word fits there.
 struct TargetPosition {
   GroundPoint position;
   double value = 0;
@@ -77,8 +78,8 @@ struct TargetPosition {
   friend bool operator==(const TargetPosition&, const TargetPosition&) = default;
 };
 
-/// A call: which positions are `relation` of a landmark? In the reply, which is of the same type,
-/// `targets` may hold fewer than were asked for, or none: there is no such position.
+/// A call for positions that are `relation` of a landmark. In the reply, which is of the same type,
+/// `targets` may have fewer than the requested ones, or none if there is no such position.
 struct SpatialRelationshipTargetQuery {
   SpatialRelation relation = SpatialRelation::near;
   /// The id of a SpatialLocation.

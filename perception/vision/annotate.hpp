@@ -8,7 +8,7 @@
 
 #include "castor/perception/vision/types.hpp"
 
-/// Pictures with drawings on them that say what the system takes the things in them for.
+/// Pictures with regions and labels drawn on them, for what the system recognises.
 namespace castor::vision {
 
 /// A line of a label; with a confidence in [0, 1] it is shown as a bar and in per cent.
@@ -27,16 +27,16 @@ struct BgrColour {
   friend bool operator==(const BgrColour&, const BgrColour&) = default;
 };
 
-/// What to draw about a region of a picture.
+/// Drawing for a region of a picture.
 struct Annotation {
   /// Pixels of the picture; drawn if there is no contour.
   ImageBox box;
   /// The outline, pixels of the picture; may be empty.
   std::vector<Point2> contour;
-  /// What the label says, the heading first; without lines there is no label. Letters other than
-  /// ASCII are shown as a question mark.
+  /// Lines of the label, the heading first; without lines there is no label. Characters other than
+  /// ASCII are shown as question marks.
   std::vector<AnnotationLine> lines;
-  /// From annotation_colour() by the annotation's position, if there is none.
+  /// Default: annotation_colour() of the annotation's index.
   std::optional<BgrColour> colour;
 };
 
@@ -44,11 +44,11 @@ struct AnnotateOptions {
   /// A picture whose longer side has fewer pixels is enlarged by a whole factor to at least that,
   /// so that labels are legible.
   std::uint32_t min_side = 600;
-  /// Of the regions' fill, in [0, 1].
+  /// Opacity of the regions' fill, in [0, 1].
   double fill_opacity = 0.12;
-  /// Of the labels' ground, in [0, 1].
+  /// Opacity of the labels' background, in [0, 1].
   double label_opacity = 0.78;
-  /// Of the letters, in proportion to the usual height.
+  /// Height of the letters, relative to the default.
   double text_scale = 1.0;
 };
 
@@ -58,14 +58,13 @@ BgrColour annotation_colour(std::size_t index);
 /// Draws outlines, translucent fills and labels on a copy of `image`, which may have 1 or 3
 /// channels; the result has 3. Labels are put beside their regions, within the picture, and away
 /// from each other and from other regions as far as there is room; a line leads to the region if
-/// need be. Coordinates that are outside of the picture are fine; annotations whose coordinates are
-/// no numbers are left out. \throws std::invalid_argument if the picture is empty or its numbers
-/// contradict each other.
+/// need be. Coordinates may be outside of the picture; annotations with coordinates that are not
+/// finite are left out. \throws std::invalid_argument if the picture is empty or its bytes do not
+/// fit its size.
 Image annotate(const Image& image, std::span<const Annotation> annotations,
                const AnnotateOptions& options = {});
 
-/// The image, so much smaller that it is no wider than `width`. \throws std::invalid_argument as
-/// `annotate`.
+/// The image, shrunk to at most `width` pixels across. \throws std::invalid_argument as `annotate`.
 Image shrunk(const Image& image, std::uint32_t width);
 
 } // namespace castor::vision

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-/// Where labels go on a picture.
+/// Layout of labels on a picture.
 namespace castor::vision {
 
 /// Pixels; the right and lower edges are just outside.
@@ -19,11 +19,10 @@ struct LayoutRect {
   friend bool operator==(const LayoutRect&, const LayoutRect&) = default;
 };
 
-/// The area that two rectangles share.
+/// Area of the intersection of two rectangles.
 double shared_area(const LayoutRect& a, const LayoutRect& b);
 
-/// A label to be placed: the region that it belongs to, and its size. Nothing is placed if the size
-/// is zero.
+/// A label to be placed: its region, and its size. A label of size zero is not placed.
 struct LayoutLabel {
   LayoutRect region;
   double width = 0;
@@ -31,8 +30,8 @@ struct LayoutLabel {
 };
 
 /// Places one label after the other, `gap` beside its region, where it covers least of the labels
-/// before it, of other regions and of its own, in this order; all within the `bounds`, unless a
-/// label is larger than these.
+/// before it, of other regions and of its own, in this order of priority; within the `bounds`,
+/// unless the label is larger.
 std::vector<LayoutRect> place_labels(std::span<const LayoutLabel> labels, const LayoutRect& bounds,
                                      double gap);
 

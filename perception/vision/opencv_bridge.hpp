@@ -12,9 +12,8 @@
 /// includes OpenCV.
 namespace castor::vision {
 
-/// A matrix over the image's own bytes; valid as long as the image and its bytes stay where they
-/// are.
-/// \throws std::invalid_argument unless there are 1 or 3 channels, and as many bytes as announced.
+/// A matrix over the image's own bytes; valid until the image is moved, changed or destroyed.
+/// \throws std::invalid_argument unless there are 1 or 3 channels, and the bytes fit the size.
 inline cv::Mat as_mat(Image& image) {
   const auto expected = static_cast<std::size_t>(image.width) * image.height * image.channels;
   if ((image.channels != 1 && image.channels != 3) || image.bytes.size() != expected)
@@ -24,7 +23,7 @@ inline cv::Mat as_mat(Image& image) {
           image.channels == 3 ? CV_8UC3 : CV_8UC1, image.bytes.data()};
 }
 
-/// As above, to read from only.
+/// As above, read-only.
 inline const cv::Mat as_mat(const Image& image) {
   return as_mat(const_cast<Image&>(image)); // cv::Mat knows no constant pixels
 }
@@ -48,7 +47,7 @@ inline Image to_image(const cv::Mat& mat) {
   return image;
 }
 
-/// The pixels that the box covers, one at least; they may be beyond the picture.
+/// The pixels that the box covers, at least one; they may be outside of the picture.
 inline cv::Rect pixels_of(const ImageBox& box) {
   cv::Size size(std::max(1, cvRound(box.width)), std::max(1, cvRound(box.height)));
   return {{cvRound(box.center.x - (size.width - 1) / 2.0),

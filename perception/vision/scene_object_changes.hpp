@@ -8,14 +8,14 @@
 
 namespace castor::vision {
 
-/// An update is news, and nothing to keep.
+/// Updates are notifications and are deleted after a minute.
 inline constexpr EntryLife update_life{.time_to_live = std::chrono::minutes{1}};
 
-/// What to add beside the overwrite of the object `id`: what of it changes.
+/// The update to add with the overwrite of the object `id`: its changes.
 SceneObjectUpdate changes(const std::string& id, const SceneObject& before,
                           const SceneObject& after);
 
-/// Whether anything at all changes that such an update tells of.
+/// Whether an update has any change.
 bool is_change(const SceneObjectUpdate& update);
 
 } // namespace castor::vision

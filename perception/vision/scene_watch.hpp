@@ -11,20 +11,20 @@ struct SceneWatchOptions {
   int pixel_threshold = 20;
   /// A frame has changed if more than this share of its pixels have.
   double changed_share = 0.003;
-  /// So many frames without change make the scene still again.
+  /// Number of frames without change after which the scene is still.
   int still_frames = 3;
-  /// Whether the first frame counts as a change: nothing was there, and now something is.
+  /// Whether the first frame counts as a change.
   bool first_frame_counts = true;
 };
 
-/// Notices that a scene changes and comes to rest again, from the differences between frames. The
+/// Detects from the differences between frames that a scene changes and comes to rest again. The
 /// rule and its numbers are those of the original system's change detector.
 class SceneWatch {
 public:
   explicit SceneWatch(SceneWatchOptions options = {}) : options_(options) {}
 
-  /// What is to be said of the scene after this frame: that it is changing, or once that it has
-  /// changed and is still. Nothing while nothing happens. A frame of another size is a changed one.
+  /// New state of the scene after this frame: that it is changing, or once that it has changed and
+  /// is still; otherwise nothing. A frame of another size counts as changed.
   std::optional<SceneChanged> observe(const Image& frame);
 
 private:

@@ -95,7 +95,7 @@ std::string load_text(const std::filesystem::path& path) {
       case InputFileError::Reason::folder:
         throw unreadable(path, "this is a folder, not a file", "Name a file in it.");
       case InputFileError::Reason::special:
-        throw unreadable(path, e.what(), "Write into a file what comes from it, and name that.");
+        throw unreadable(path, e.what(), "Copy its output into a regular file, and name that.");
       case InputFileError::Reason::too_long:
         throw unreadable(path, "the file is longer than 1 MiB",
                          "Check that it is the right file; such a text has a few lines.");

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-/// What the readers of line-oriented text files (scenes, camera calibrations) have in common:
-/// lines, words, numbers with units, and findings that are reported all at once.
+/// Common parts of the parsers of line-oriented text files (scenes, camera calibrations): lines,
+/// words, numbers with units, and findings that are reported all at once.
 namespace castor::vision {
 
-/// Thrown for a text file that cannot be used; what() tells of all its problems.
+/// A text file cannot be used; what() lists all its problems.
 class TextFileError : public std::runtime_error {
 public:
   explicit TextFileError(std::vector<Diagnostic> problems);
@@ -29,7 +29,7 @@ private:
 /// MiB.
 std::string load_text(const std::filesystem::path& path);
 
-/// Writes a text file: all of it, or, if that fails, nothing.
+/// Writes a text file atomically.
 /// \throws TextFileError if it cannot be written.
 void save_text(const std::filesystem::path& path, std::string_view text);
 
@@ -39,18 +39,19 @@ struct TextLine;
 Diagnostic finding(Severity severity, const std::string& file, const TextLine& line,
                    std::string message, std::string remedy);
 
-/// One line that says something: its words, without the comment that `#` begins. A `#` within a
-/// word begins no comment, nor does a colour code such as #ff8000.
+/// One line with its words, without the comment after `#`. A `#` within a word, or that of a colour
+/// code such as #ff8000, does not begin a comment.
 struct TextLine {
   int number = 0;
   std::string text;
   std::vector<std::string> words;
 };
 
-/// The lines of `text` that have words; all words in lower case. Line ends may be of any system.
+/// The lines of `text` that have words; all words in lower case. All kinds of line ends are
+/// accepted.
 std::vector<TextLine> text_lines(std::string_view text);
 
-/// The finite number that the whole of `word` is, written with a decimal point.
+/// Parses the whole of `word` as a finite number with a decimal point.
 std::optional<double> parse_number(std::string_view word);
 
 /// A length in metres: a number, or one with the unit m, cm or mm.

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Entry types of the vision working memory: what vision knows, and all that other subarchitectures
-/// may know of vision.
+/// Entry types of the vision working memory, its only interface to other subarchitectures.
 namespace castor::vision {
 
 /// A point in an image; pixels, x to the right, y down, (0, 0) the centre of the upper left pixel.
@@ -45,8 +44,8 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// Pixels in rows from the top; `bytes` has width * height * channels of them, 3 channels are B, G,
-/// R.
+/// An image in rows from the top; `bytes` has width * height * channels of them, 3 channels are B,
+/// G, R.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -101,18 +100,18 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// What a camera component delivers to those who pull from it or have it pushed; never an entry.
+/// A frame that a camera component delivers by pull or push; never an entry.
 struct CameraFrame {
   Image image;
   Camera camera;
-  /// When it was taken, microseconds since the system began.
+  /// Time of the image, microseconds since the system began.
   std::int64_t time = 0;
-  /// How many frames came before it.
+  /// Number of earlier frames.
   std::uint64_t index = 0;
 };
 
-/// One entry per camera, only ever overwritten: is the scene moving, has it come to rest changed,
-/// has that change been seen to?
+/// State of the scene: it is changing, it has come to rest changed, or that change was processed.
+/// One entry per camera, which is added once and then overwritten.
 struct SceneChanged {
   bool changing = false;
   bool changed = false;
@@ -120,49 +119,48 @@ struct SceneChanged {
   std::int32_t camera = 0;
 };
 
-/// What the feature extractor adds to a region: evidence, not decisions.
+/// Features that the feature extractor adds to a region: evidence, not decisions.
 struct RegionFeatures {
   /// Colour names, the likeliest first.
   std::vector<Hypothesis> colours;
   /// Shape names, the likeliest first.
   std::vector<Hypothesis> shapes;
-  /// The measurement that learned colours are judged by: L*, a* and b* of the paint.
+  /// Evidence for learned colours: L*, a* and b* of the paint.
   std::vector<double> colour_evidence;
-  /// The measurements that the shapes were judged by; the order is the shape classifier's.
+  /// Evidence for shapes, in the order of measure_shape().
   std::vector<double> shape_evidence;
-  /// Where the region meets the table and how large it is there; all zero without a calibration.
+  /// Position and size of the region on the table; all zero without a calibration.
   ObjectBox extent;
 };
 
-/// One entry per camera that has pictures kept of it, only ever overwritten: what the scene looked
-/// like when it was last seen to, small and with names on the things in it, for people.
+/// Small picture of the scene when it was last processed, with names on the objects, for users. One
+/// entry per camera with this option, which is added once and then overwritten.
 struct ScenePicture {
   Image image;
   std::int32_t camera = 0;
-  /// When the image was taken, microseconds since the system began.
+  /// Time of the image, microseconds since the system began.
   std::int64_t time = 0;
 };
 
-/// A region of interest: a part of an image in which something stands out from the background.
+/// A region of interest: a part of an image that differs from the background.
 struct ROI {
   ImageBox box;
-  /// The pixels in `box` (3 channels), and which of them belong to the region (1 channel, 0 or
-  /// 255).
+  /// The pixels in `box` (3 channels), and the mask of the region (1 channel, 0 or 255).
   Image region;
   Image mask;
   /// The outline in image coordinates.
   std::vector<Point2> contour;
   std::int32_t camera = 0;
-  /// When the image was taken, microseconds since the system began.
+  /// Time of the image, microseconds since the system began.
   std::int64_t time = 0;
   /// The SceneObject that this is a view of; empty while unknown.
   std::string object_id;
-  /// False until the feature extractor has seen to the region.
+  /// False until the feature extractor has processed the region.
   bool has_features = false;
   RegionFeatures features;
 };
 
-/// A thing on the table, the vision system's best hypothesis of it.
+/// An object on the table: the vision system's best hypothesis about it.
 struct SceneObject {
   std::int64_t time = 0;
   ObjectBox box;
@@ -176,7 +174,7 @@ struct SceneObject {
   std::string managing_process;
 };
 
-/// Added beside every overwrite of a SceneObject: what it changed.
+/// Changes of a SceneObject; added with every overwrite of one.
 struct SceneObjectUpdate {
   std::string object_id;
   bool position = false;
@@ -186,37 +184,37 @@ struct SceneObjectUpdate {
   bool label = false;
 };
 
-/// Something that a thing is said to be: a word for its "colour" or its "shape".
+/// Attribute of an object: a word for its "colour" or its "shape".
 struct Attribute {
   std::string kind;
   Hypothesis value;
 };
 
-/// Added by whoever knows, or has been told, what a thing is called; deleted by the learner that
-/// has seen to it.
+/// Instruction to learn words for an object. Added by a component that knows the words; deleted by
+/// the learner that has processed it.
 struct LearnInstruction {
-  /// A tutor has said so; otherwise the robot has concluded it.
+  /// Whether a tutor gave the words; otherwise the robot inferred them.
   bool tutor_initiated = true;
-  /// The SceneObject or the ROI that this is about.
+  /// The SceneObject or ROI concerned.
   std::string target_id;
   std::vector<Attribute> attributes;
 };
 
-/// A word and what it was learned from.
+/// A learned word and the statistics of its examples.
 struct LearnedWord {
   std::string kind;
   std::string word;
-  /// How many there were; one of which the tutor was not sure counts less.
+  /// Number of examples, weighted by the tutor's confidence.
   double examples = 0;
-  /// Of their evidence.
+  /// Mean of their evidence.
   std::vector<double> mean;
-  /// The sum of their squared distances from the mean.
+  /// Sum of the squared distances of their evidence from the mean.
   double scatter = 0;
 
   friend bool operator==(const LearnedWord&, const LearnedWord&) = default;
 };
 
-/// One entry: all that the learner knows, for those who name things.
+/// All words of the learner, for components that name objects. A single entry.
 struct LearnedWords {
   std::vector<LearnedWord> words;
 };

@@ -9,10 +9,10 @@
 
 namespace castor::semeval {
 
-/// A board has so many rows and columns.
+/// Number of rows and of columns of a board.
 inline constexpr int board_size = 8;
 
-/// Where something is: x grows towards the robot ("front"), y to its left, z upwards, in cells.
+/// A position in cells: x grows towards the robot ("front"), y to its left, z upwards.
 struct BoardPosition {
   int x = 0;
   int y = 0;
@@ -37,13 +37,13 @@ struct Board {
 
   const Block* at(const BoardPosition& position) const;
 
-  /// So many blocks stand upon each other there.
+  /// Number of blocks stacked there.
   int height(int x, int y) const;
 };
 
-/// Reads one layout, lines such as "3 3 0 B 1" (x, y, z, colour, 1 for a cube and 2 for a prism)
-/// and "6 5 4 O" (the gripper, open, or C if it holds what is there); nothing if a line is none of
-/// them.
+/// Parses one layout, lines such as "3 3 0 B 1" (x, y, z, colour, 1 for a cube and 2 for a prism)
+/// and "6 5 4 O" (the gripper, open, or C if it holds what is there); nothing if there is any other
+/// line.
 std::optional<Board> parse_board(std::string_view text);
 
 } // namespace castor::semeval

@@ -10,7 +10,7 @@ namespace castor::semeval {
 
 std::uint64_t cell(int x, int y);
 
-/// The middle of what a referent covers.
+/// The middle of the cells of a referent.
 struct BoardPoint {
   double x = 0;
   double y = 0;

@@ -11,21 +11,21 @@
 
 namespace castor::semeval {
 
-/// A reason to prefer a reading or not, by name: how much of it there is.
+/// A feature of a reading, for ranking: name and value.
 struct CommandFeature {
   std::string name;
   double value = 1;
 };
 
-/// How a command was read.
+/// The derivation of a reading.
 struct CommandDerivation {
-  /// As the parser heard them.
+  /// Words as parsed.
   std::span<const std::string> words;
   const communication::Meaning* meaning = nullptr;
 };
 
-/// What speaks for and against a reading: which words stand for what, what is attached where and,
-/// given a board, whether the entities are there.
+/// Features of a reading: the meanings of its words, its attachments and, given a board, whether
+/// its entities exist.
 /// @param board null if it is not known
 std::vector<CommandFeature> command_features(const CommandDerivation& derivation,
                                              const communication::Lexicon& lexicon,

@@ -12,7 +12,7 @@
 
 namespace castor::semeval {
 
-/// How much features speak for a reading, with and without a board.
+/// Weights of features, with and without a board.
 struct CommandWeights {
   std::unordered_map<std::string, double> with_board;
   std::unordered_map<std::string, double> without_board;
@@ -29,19 +29,18 @@ std::string to_string(const CommandWeights& weights);
 /// One way to understand a command.
 struct CommandReading {
   RclTree tree;
-  /// The higher the likelier.
+  /// Higher is likelier.
   double score = 0;
 };
 
-/// A reading before it is judged.
+/// A reading before it is scored.
 struct CommandCandidate {
   RclTree tree;
   std::vector<CommandFeature> features;
 };
 
-/// Understands commands to move blocks as trees of the Robot Commands Language: parses them, looks
-/// on the board which readings make sense there, and ranks them by learned weights. Not for several
-/// threads at once.
+/// Translates commands to move blocks into trees of the Robot Commands Language: parses them,
+/// compares the readings with the board, and ranks them by learned weights. Not thread-safe.
 class CommandInterpreter {
 public:
   CommandInterpreter(std::shared_ptr<const communication::Lexicon> lexicon, CommandWeights weights);
@@ -61,11 +60,11 @@ private:
   CommandWeights weights_;
 };
 
-/// What was learned from the training commands of SemEval-2014 task 6, which is part of the
-/// program.
+/// The interpreter learned from the training commands of SemEval-2014 task 6, which is built into
+/// the program.
 CommandInterpreter robot_command_interpreter();
 
-/// The lexicon of commands: its families, and then these words.
+/// The lexicon of commands: its built-in families, and these words.
 /// @param words as in robot_commands_words.ccg
 std::shared_ptr<const communication::Lexicon> robot_command_lexicon(std::string_view words);
 

@@ -8,7 +8,7 @@
 namespace castor::semeval {
 
 /// The RCL trees that a meaning may stand for: more than one if "one" may refer to several
-/// entities. Leaves know the word that they begin with.
+/// entities. Leaves have the index of their first word.
 std::vector<RclTree> command_trees(const communication::LogicalForm& form);
 
 } // namespace castor::semeval

@@ -12,8 +12,8 @@ namespace castor::semeval {
 /// punctuation mark and hyphen by itself.
 std::vector<std::string> command_tokens(std::string_view command);
 
-/// The same words, those that the lexicon does not know replaced by the nearest that it does, where
-/// one is near. Words that none comes near stay.
+/// Spelling correction: replaces words that are not in the lexicon by the nearest that is, if there
+/// is one.
 std::vector<std::string> corrected(std::vector<std::string> words,
                                    const communication::Lexicon& lexicon);
 

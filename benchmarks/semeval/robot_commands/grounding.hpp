@@ -8,27 +8,28 @@
 
 namespace castor::semeval {
 
-/// Something that an entity of a command may be: a block, a stack, or a part of the board.
+/// A possible referent of an entity of a command: a block, a stack, or a part of the board.
 struct Referent {
   /// One bit for every cell that it covers, number 8 x + y.
   std::uint64_t cells = 0;
   /// Its lowest and highest level; both -1 for parts of the board.
   int bottom = -1;
   int top = -1;
-  /// The block; null for what is none.
+  /// The block; null for other referents.
   const Block* block = nullptr;
 };
 
-/// What the entities of a command are on a board.
+/// Finds the referents of a command's entities on a board.
 class Grounding {
 public:
   /// @param command resolves references within it; both have to outlive this
   Grounding(const Board& board, const RclTree& command);
 
-  /// Everything that an entity describes; relations to others hold if they do to any of these.
+  /// All referents that an entity describes; a relation to another entity holds if it holds to any
+  /// of its referents.
   std::vector<Referent> referents(const RclTree& entity) const;
 
-  /// Those of `candidates` that are so related to something that the relation tree tells of.
+  /// Those of `candidates` that have this relation to a referent in the relation tree.
   std::vector<Referent> related(const std::vector<Referent>& candidates,
                                 const RclTree& relation) const;
 

@@ -6,8 +6,8 @@
 
 namespace castor::semeval {
 
-/// Adds what the board says of a command: how many things each entity may be, whether what is taken
-/// can be, and whether there is room where it is to be put.
+/// Adds features of a command on the board: the number of referents of each entity, whether the
+/// block can be taken, and whether there is room at its destination.
 void add_grounding_features(const RclTree& tree, const Board& board,
                             std::vector<CommandFeature>& features);
 

@@ -27,16 +27,16 @@ struct RclTree {
   std::string_view value_of(std::string_view wanted) const;
 };
 
-/// What is wrong with the text of a tree.
+/// Error in the text of a tree.
 struct RclError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a tree; `(token: 5 7)` is no child, but says which words the tree is from.
+/// Parses a tree; `(token: 5 7)` is not a child, but the range of its words.
 /// \throws RclError
 RclTree parse_rcl(std::string_view text);
 
-/// Without tokens; two trees mean the same if and only if they look the same.
+/// The text of a tree without tokens; two trees mean the same if and only if their texts are equal.
 std::string to_string(const RclTree& tree);
 
 } // namespace castor::semeval

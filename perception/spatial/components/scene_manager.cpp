@@ -34,7 +34,7 @@ class SceneManager final : public ManagedComponent {
       for (auto& x : read_all_in<SceneObject>(vision_))
         look(x.address);
     } catch (const UnknownSubarchitectureException&) {
-      info("there is nobody who sees anything");
+      info("there is no vision subarchitecture, so the scene has no objects");
     }
     // What is known of objects that went while nobody looked.
     for (auto& [object, box] : std::map{locations_})
@@ -113,15 +113,15 @@ class SceneManager final : public ManagedComponent {
   static std::string location_id(const Address& object) { return "location of " + object.id; }
 
   Option<SubarchitectureName> vision_{this, "vision", "vision",
-                                      "the subarchitecture that sees objects"};
+                                      "the subarchitecture with the SceneObjects"};
   Option<StandaloneName> camera_{this, "camera", "",
-                                 "the camera through which they are seen; without one, the viewer "
-                                 "stands where --viewer-x, -y and -z say"};
+                                 "the camera that sees the objects; without one, the viewer "
+                                 "is at --viewer-x, -y and -z"};
   Option<double> viewer_x_{this, "viewer-x", 0, "metres to the right of the table's middle"};
   Option<double> viewer_y_{this, "viewer-y", -1, "metres behind it"};
   Option<double> viewer_z_{this, "viewer-z", 0.5, "metres above it"};
   Option<std::chrono::milliseconds> period_{this, "period", 200ms,
-                                            "at least so long from one scene to the next"};
+                                            "least time from one scene to the next"};
   Option<std::chrono::milliseconds> memory_{this, "memory", 5min, "how long scenes are remembered"};
 
   std::map<Address, vision::ObjectBox> locations_;

@@ -69,7 +69,7 @@ class SpatialRelater final : public UnmanagedComponent {
     for (auto& target : places)
       for (auto& landmark : places)
         if (&target != &landmark &&
-            lies(*directions, relation_, target.position, landmark.position, margin_))
+            is_on_side(*directions, relation_, target.position, landmark.position, margin_))
           result.push_back({relation_, target.location, landmark.location, 1});
     return result;
   }
@@ -79,8 +79,8 @@ class SpatialRelater final : public UnmanagedComponent {
     this, "model", RelationModel::fields,
     "potential fields with distance and distractors, or directions only, as in CLEVR"};
   Option<double> threshold_{this, "threshold", 0,
-                            "from which value on it holds; 0 for 0.95 (near) or 0.8"};
-  Option<double> margin_{this, "margin", 0, "for directions: by so much at least, metres"};
+                            "least value at which it holds; 0 for 0.95 (near) or 0.8"};
+  Option<double> margin_{this, "margin", 0, "for directions: least distance to that side, metres"};
   FieldSettings settings_{this};
 
   RelationThresholds thresholds_;

@@ -48,7 +48,7 @@ class TargetFinder final : public UnmanagedComponent {
   FieldSettings settings_{this};
 };
 
-CASTOR_COMPONENT(TargetFinder, "answers where something would be left of, near ... something else")
+CASTOR_COMPONENT(TargetFinder, "finds positions that are left of, near ... a landmark")
 
 } // namespace
 

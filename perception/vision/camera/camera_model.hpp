@@ -15,7 +15,7 @@
 /// and from there the focal lengths and the principal point lead to pixels.
 namespace castor::vision {
 
-/// Half a straight line; table coordinates, metres, `direction` of length 1.
+/// A ray in table coordinates, metres; `direction` has length 1.
 struct Ray {
   Point3 origin;
   Point3 direction;
@@ -26,13 +26,13 @@ struct Ray {
 /// Turns `vector` by `rotation`.
 Point3 rotate(const Rotation& rotation, const Point3& vector);
 
-/// The rotation that undoes `rotation`.
+/// The inverse rotation.
 Rotation inverse(const Rotation& rotation);
 
-/// The rotation that first does `second`, then `first`, as in first * second * vector.
+/// The rotation by `second`, followed by `first`, as in first * second * vector.
 Rotation compose(const Rotation& first, const Rotation& second);
 
-/// A turn about the table's normal by `radians`, anticlockwise as seen from above.
+/// The rotation about the table's normal by `radians`, anticlockwise as seen from above.
 Rotation rotation_about_z(double radians);
 
 /// The rotation whose images of the x, y and z axes are these; they are orthonormal, right-handed.
@@ -49,19 +49,19 @@ Rotation rotation_from_axes(const Point3& x_axis, const Point3& y_axis, const Po
 Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degrees, int width,
                int height);
 
-/// A guess at the camera of a picture that comes without a calibration: a 50 degree camera that
-/// stands 0.75 m before the middle of the table and 0.70 m above it, looking at that middle.
+/// Assumed camera of a picture without a calibration: its vertical angle is 50 degrees, and it is
+/// 0.75 m before the middle of the table and 0.70 m above it, looking at that middle.
 Camera nominal_camera(int width, int height);
 
-/// Where the camera sees `point`, in pixels; it may be outside of the image. Nothing, if the point
-/// is behind the camera, or so far off its axis that the lens model folds the image over itself.
+/// Projection of `point`, in pixels; it may be outside of the image. Nothing if the point is behind
+/// the camera, or so far off its axis that the lens model folds the image over itself.
 std::optional<Point2> project(const Camera& camera, const Point3& point);
 
-/// The ray that arrives at `pixel`, from the camera's position. Nothing, if the lens model has no
-/// ray for that pixel, or if the camera has no focal length.
+/// The viewing ray of `pixel`, from the camera's position. Nothing if the lens model has no ray for
+/// that pixel, or if the camera has no focal length.
 std::optional<Ray> viewing_ray(const Camera& camera, const Point2& pixel);
 
-/// The point seen at `pixel`, if it lies on the plane z = `plane_z`. Nothing, if the ray misses the
+/// The point seen at `pixel`, if it lies on the plane z = `plane_z`. Nothing if the ray misses the
 /// plane: at or above the horizon, or with the plane behind the camera.
 std::optional<Point3> back_project(const Camera& camera, const Point2& pixel, double plane_z = 0);
 

@@ -51,7 +51,7 @@ private:
   void read_line(const TextLine& line) {
     const std::string keyword = line.words[0] == "center" ? "centre" : line.words[0];
     if (seen_.contains(keyword)) {
-      report(line, "\"" + keyword + "\" is said twice",
+      report(line, "\"" + keyword + "\" is given twice",
              "Remove this line or line " + std::to_string(seen_.at(keyword).line.number) + ".");
       return;
     }

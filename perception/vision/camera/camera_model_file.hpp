@@ -24,16 +24,16 @@
 /// Calibration tools that list five bare distortion numbers usually mean k1 k2 t1 t2 k3.
 namespace castor::vision {
 
-/// A camera, or else at least one error among the problems.
+/// Result of parsing: a camera, or at least one error among the problems.
 struct CameraText {
   std::optional<Camera> camera;
   std::vector<Diagnostic> problems;
 };
 
-/// Reads `text`, the contents of the file that is called `file_name` in problems.
+/// Parses `text`; `file_name` is for problems.
 CameraText parse_camera(std::string_view text, const std::string& file_name);
 
-/// \throws TextFileError if the file cannot be read or has errors; it tells of all of them.
+/// \throws TextFileError with all errors, if the file cannot be read or has errors.
 Camera load_camera(const std::filesystem::path& path);
 
 } // namespace castor::vision

@@ -12,7 +12,7 @@
 #include "castor/perception/vision/camera/image_source_file.hpp"
 #include "castor/perception/vision/types.hpp"
 
-/// Where pictures come from: files, folders, videos, cameras, rendered scenes.
+/// Sources of pictures: files, folders, videos, cameras, rendered scenes.
 namespace castor::vision {
 
 /// A picture and when it was taken.
@@ -21,26 +21,26 @@ struct Frame {
   Image image;
   /// By the clock of the options.
   std::chrono::microseconds time{0};
-  /// How many frames came before it.
+  /// Number of earlier frames.
   std::uint64_t index = 0;
-  /// False if it is known to show the same as the frame before, but for noise; true of the first.
+  /// False if it is known to equal the frame before, except for noise; true of the first.
   bool changed = true;
 };
 
 struct ImageSourceOptions {
-  /// Where relative names are looked for if they are not in the working directory; none if empty.
+  /// Folder for relative names that are not in the working directory; none if empty.
   std::filesystem::path base_directory;
-  /// What comes after the last picture of a folder or video.
+  /// Behaviour after the last picture of a folder or video.
   enum class AtEnd { loop, hold_last };
   AtEnd at_end = AtEnd::loop;
   ImageLimits limits;
-  /// What a device is asked for, pixels; it may deliver another size.
+  /// Size requested from a device, pixels; it may deliver another size.
   int device_width = 640;
   int device_height = 480;
-  /// The camera of a source that has none of its own, scaled to the size of its images;
-  /// nominal_camera() if there is none.
+  /// Camera for a source without its own, scaled to the size of its images; default:
+  /// nominal_camera().
   std::optional<Camera> calibration;
-  /// How much time has passed; by default since the source was opened. A scene is shown as it is at
+  /// Time for frames and scenes; default: since the source was opened. A scene is shown as it is at
   /// that time.
   std::function<std::chrono::microseconds()> clock;
 };
@@ -54,19 +54,18 @@ public:
   virtual ~ImageSource() = default;
 
   /// The next picture; waits for it, if it comes from a device.
-  /// \throws ImageSourceError; after a transient one the next call may succeed. A folder goes on
-  /// with
-  ///         the picture after one that it cannot read.
+  /// \throws ImageSourceError; after a transient one the next call may succeed. A folder
+  ///         continues after a picture that it cannot read.
   virtual Frame next() = 0;
 
-  /// The camera that the pictures are from. Without a calibration it is a guess, and before the
-  /// first frame of a video or device it may be one for another size of image.
+  /// Camera model of the pictures. Without a calibration it is assumed, and before the first frame
+  /// of a video or device it may be for another size of image.
   virtual Camera camera() const = 0;
 
-  /// The source in words, for messages: "folder /data/table with 12 pictures".
+  /// Description for messages: "folder /data/table with 12 pictures".
   virtual std::string description() const = 0;
 
-  /// What is strange about the source, but does not keep it from working.
+  /// Problems of the source that do not prevent its use.
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 

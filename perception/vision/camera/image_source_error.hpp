@@ -6,16 +6,16 @@
 
 namespace castor::vision {
 
-/// Why there is no picture.
+/// Reason why there is no picture.
 enum class ImageFault {
   /// Neither a file, a folder, a device nor a kind of source is called so.
   not_found,
   unknown_kind,
-  /// It is there, but may not be read, or reading it fails.
+  /// It exists, but may not be read, or reading it fails.
   unreadable,
-  /// It is no picture or video in a format that is known here.
+  /// It is not a picture or video in a supported format.
   not_an_image,
-  /// It begins as a picture but ends early, or is damaged in between.
+  /// It is a picture that ends early or is damaged.
   truncated,
   /// It has more pixels or bytes than the options allow.
   too_large,
@@ -23,18 +23,17 @@ enum class ImageFault {
   empty_folder,
   /// A scene file with errors.
   bad_scene,
-  /// A scene file that was edited and has errors since; it is shown as it was.
+  /// A scene file was edited and has errors; the version before is shown.
   bad_edit,
-  /// A device that is not there (any more) or delivers nothing.
+  /// A device does not exist (any more) or delivers nothing.
   device_lost,
-  /// A frame of a video or a picture of a folder could not be read; others may be fine.
+  /// A frame of a video or a picture of a folder cannot be read; others may be readable.
   frame_lost,
-  /// A picture could not be written.
+  /// A picture cannot be written.
   unwritable
 };
 
-/// Thrown by everything that reads or writes pictures. what() says what happened, to which file or
-/// device, and what to do about it.
+/// Error of reading or writing pictures. what() has the file or device, the error and the remedy.
 class ImageSourceError : public std::runtime_error {
 public:
   ImageSourceError(ImageFault fault, std::string source, const std::string& message,
@@ -46,14 +45,13 @@ public:
 
   ImageFault fault() const { return fault_; }
 
-  /// The file or device that it is about.
+  /// The file or device concerned.
   const std::string& source() const { return source_; }
 
-  /// What to do about it.
+  /// The remedy.
   const std::string& remedy() const { return remedy_; }
 
-  /// Whether it makes sense to try the same again soon, without anybody repairing anything but a
-  /// plug.
+  /// Whether a retry may succeed without any change but plugging in a device.
   bool transient() const {
     return fault_ == ImageFault::device_lost || fault_ == ImageFault::frame_lost ||
            fault_ == ImageFault::bad_edit;

@@ -9,26 +9,25 @@
 /// Pictures in files.
 namespace castor::vision {
 
-/// What is taken for a mistake rather than for a picture.
+/// Limits for pictures; larger ones are refused.
 struct ImageLimits {
   std::uint64_t max_pixels = 100'000'000;
   std::uint64_t max_bytes = 500'000'000;
 };
 
 /// Reads a PNG, JPEG, BMP, PNM, WebP or TIFF file. Grey, 16-bit and transparent pictures become
-/// 8-bit B, G, R (transparency is dropped); a picture is turned upright if it says how it was
-/// taken.
+/// 8-bit B, G, R (transparency is dropped); a picture with an orientation tag is turned upright.
 ///
-/// The size is checked before anything is decoded, and so is whether the file is complete: decoders
-/// fill what is missing with grey and say nothing. Damage within the coded data of a JPEG is not
-/// noticed, as it has no checksum.
+/// The size, and whether the file is complete, are checked before decoding: decoders fill missing
+/// parts with grey without an error. Damage within the coded data of a JPEG is not detected, as it
+/// has no checksum.
 ///
 /// \throws ImageSourceError not_found, unreadable, not_an_image, truncated, too_large
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 /// Writes a picture with 1 or 3 channels.
-/// \throws ImageSourceError unwritable, with the reason; nothing is left behind then.
-/// \throws std::invalid_argument if the picture's numbers contradict each other or are zero.
+/// \throws ImageSourceError unwritable, with the reason; no partial file is left.
+/// \throws std::invalid_argument if the picture's bytes do not fit its size, or the size is zero.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 /// Whether a file of this name may be a picture or a video, by its extension.

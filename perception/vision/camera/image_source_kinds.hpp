@@ -24,8 +24,7 @@ std::unique_ptr<ImageSource> open_device(const std::filesystem::path& path,
 std::unique_ptr<ImageSource> open_scene(const std::filesystem::path& path,
                                         const ImageSourceOptions& options);
 
-/// The calibration of the options, scaled to images of this size if it is for another, or else a
-/// guess.
+/// The calibration of the options, scaled to images of this size; without one, nominal_camera().
 Camera camera_for(const ImageSourceOptions& options, int width, int height);
 
 } // namespace castor::vision

@@ -150,7 +150,7 @@ private:
       throw ImageSourceError(ImageFault::frame_lost, path_.string(),
                              "picture " + std::to_string(position_ + 1) +
                                " of the video cannot be read",
-                             "Trying again goes on behind it.");
+                             "The next attempt continues after it.");
     failures_ = 0;
     if (options_.at_end == ImageSourceOptions::AtEnd::hold_last) {
       ended_ = true;

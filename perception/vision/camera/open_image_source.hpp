@@ -7,7 +7,7 @@
 
 namespace castor::vision {
 
-/// Opens what `spec` says:
+/// Opens the source `spec`:
 /// - FILE: a picture (it is the same in each frame) or a video,
 /// - FOLDER: its pictures in natural order, 2.png before 10.png, one per frame,
 /// - /dev/videoN, or another character device: a camera,

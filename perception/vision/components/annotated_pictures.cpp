@@ -140,7 +140,7 @@ class AnnotatedPictures final : public UnmanagedComponent {
                            "pixels across of the picture that an entry keeps of the scene; none if "
                            "0"};
   Option<std::chrono::milliseconds> settle_{this, "settle", 100ms,
-                                            "how long nothing may change before a picture is made"};
+                                            "time without a change before a picture is made"};
 
   Address entry_;
   bool is_due_ = false;

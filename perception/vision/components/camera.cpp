@@ -82,9 +82,10 @@ class Camera final : public StandaloneComponent {
   Option<std::chrono::milliseconds> period_{this, "period", 50ms, "time between pictures"};
   Option<AfterLast> after_last_{this, "after-last", AfterLast::hold,
                                 "what follows the last picture of a folder or video"};
-  Option<int> number_{this, "number", 0, "number of this camera in what others say of it"};
-  Option<int> width_{this, "width", 640, "width asked of a device, pixels"};
-  Option<int> height_{this, "height", 480, "height asked of a device, pixels"};
+  Option<int> number_{this, "number", 0,
+                      "number of this camera, in the entries about its pictures"};
+  Option<int> width_{this, "width", 640, "width requested from a device, pixels"};
+  Option<int> height_{this, "height", 480, "height requested from a device, pixels"};
 
   std::unique_ptr<ImageSource> source_of_frames_;
   CameraFrame frame_;

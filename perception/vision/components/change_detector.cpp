@@ -57,7 +57,7 @@ class ChangeDetector final : public UnmanagedComponent {
 
   Option<StandaloneName> camera_{this, "camera", "camera", "the camera component to watch"};
   Option<int> number_{this, "number", 0, "that camera's number"};
-  Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between looks"};
+  Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between pictures"};
   Option<int> threshold_{this, "threshold", SceneWatchOptions{}.pixel_threshold,
                          "grey levels by which a changed pixel differs, of 255"};
   Option<double> share_{this, "share", SceneWatchOptions{}.changed_share,

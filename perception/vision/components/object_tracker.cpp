@@ -170,20 +170,22 @@ class ObjectTracker final : public UnmanagedComponent {
   Option<int> number_{this, "number", 0, "that camera's number"};
   Option<ComponentName> from_{this, "from", "segmentor",
                               "the component whose objects are taken over, and given back"};
-  Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between looks"};
+  Option<std::chrono::milliseconds> period_{this, "period", 100ms, "time between pictures"};
   Option<std::chrono::milliseconds> update_period_{
     this, "update-period", 300ms, "least time between two updates of an object's position"};
   Option<double> least_move_{this, "least-move", 2,
-                             "an object has moved if it is so far from where it was, pixels"};
+                             "least distance by which an object has moved, pixels"};
   Option<int> max_missing_{this, "max-missing", TrackingOptions{}.max_missing,
-                           "pictures in a row without an object that is lost then"};
-  Option<double> min_similarity_{this, "min-similarity", TrackingOptions{}.min_similarity,
-                                 "what has less of an object's looks is not the object"};
-  Option<double> found_similarity_{this, "found-similarity", TrackingOptions{}.found_similarity,
-                                   "what has as much of it, anywhere in the picture, is"};
+                           "pictures in a row without an object after which it is lost"};
+  Option<double> min_similarity_{
+    this, "min-similarity", TrackingOptions{}.min_similarity,
+    "least colour similarity at which a box still shows its object, 0 to 1"};
+  Option<double> found_similarity_{
+    this, "found-similarity", TrackingOptions{}.found_similarity,
+    "least colour similarity at which an object is found elsewhere, 0 to 1"};
 
   struct Followed {
-    /// Where working memory has it.
+    /// Box in the working memory.
     ImageBox box;
     Timestamp reported{0};
   };

@@ -88,7 +88,7 @@ class Recogniser final : public ManagedComponent {
   }
 
   Option<double> large_from_{this, "large-from", SizeOptions{}.large_from,
-                             "longest side of a thing from which on it is called large, metres"};
+                             "longest side from which on an object is called large, metres"};
 
   WordLearner words_;
 };

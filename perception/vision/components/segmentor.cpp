@@ -237,8 +237,8 @@ class Segmentor final : public ManagedComponent {
 
   Option<StandaloneName> camera_{this, "camera", "camera", "the camera component to pull from"};
   Option<int> number_{this, "number", 0, "that camera's number"};
-  Option<std::string> background_{
-    this, "background", "", "pictures of the empty scene (folder or video), if there are any"};
+  Option<std::string> background_{this, "background", "",
+                                  "pictures of the empty scene (folder or video); none if empty"};
   Option<int> background_images_{this, "background-images", 30, "how many of them to learn from"};
   Option<double> min_area_{this, "min-area", SegmentationOptions{}.min_area,
                            "smallest region kept, as a share of the picture"};
@@ -252,9 +252,10 @@ class Segmentor final : public ManagedComponent {
   Option<double> same_overlap_{this, "same-overlap", 0.5,
                                "regions that overlap more than this show the same object"};
   Option<double> unchanged_overlap_{this, "unchanged-overlap", 0.85,
-                                    "and above this it has not moved"};
-  Option<double> unchanged_colour_{this, "unchanged-colour", 12,
-                                   "nor changed, if its mean colour differs by fewer grey levels"};
+                                    "an object whose region overlaps more than this has not moved"};
+  Option<double> unchanged_colour_{
+    this, "unchanged-colour", 12,
+    "and has not changed if its mean colour differs by fewer grey levels"};
 
   SegmentationOptions segmentation_;
   std::optional<BackgroundModel> background_model_;

@@ -114,7 +114,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     try {
       add(here("learn" + words + " from " + id), std::move(instruction), {.only_once = true});
     } catch (const AlreadyExistsOnWM&) {
-      trace("{} has taught{} before", id, words);
+      trace("{}: the instruction to learn{} was given before", id, words);
     }
   }
 
@@ -141,7 +141,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   static std::string position_id(const std::string& id) { return "vision/position/" + id; }
 
   Option<double> certain_{this, "certain", 0.5,
-                          "how sure vision has to be of a colour, a shape or a size to tell of it"};
+                          "least confidence of a colour, a shape or a size that is added"};
 
   /// Where each was when that was last told.
   std::map<std::string, ObjectBox> objects_;

@@ -21,7 +21,7 @@ constexpr std::size_t mean_at = 7;
 LearnedWord parse(const std::vector<std::string>& words) {
   if (words.size() < mean_at || words[2] != "examples" || words[4] != "scatter" ||
       words[6] != "mean")
-    throw std::invalid_argument("this is not a word with what it was learned from");
+    throw std::invalid_argument("this line is not a learned word");
   auto number = [&](std::size_t i) {
     auto x = parse_number(words[i]);
     if (!x)
@@ -39,7 +39,7 @@ LearnedWord parse(const std::vector<std::string>& words) {
 } // namespace
 
 std::string to_text(const std::vector<LearnedWord>& words) {
-  std::string result = "# Words that were learned, and from what.\n";
+  std::string result = "# Learned words, with the statistics of their examples.\n";
   for (auto& x : words)
     result += fmt::format("{} {}  examples {}  scatter {}  mean {}\n", x.kind, x.word, x.examples,
                           x.scatter, fmt::join(x.mean, " "));
@@ -57,9 +57,9 @@ std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::s
         throw std::invalid_argument("there is a line for this word already");
       result.push_back(std::move(word));
     } catch (const std::invalid_argument& e) {
-      problems.push_back(finding(
-        Severity::error, file_name, line, e.what(),
-        "Lines are: KIND WORD examples N scatter S mean NUMBER... Mend this one, or take it out."));
+      problems.push_back(finding(Severity::error, file_name, line, e.what(),
+                                 "Lines are: KIND WORD examples N scatter S mean NUMBER... Correct "
+                                 "this line, or remove it."));
     }
   }
   if (!problems.empty())

@@ -7,17 +7,17 @@
 #include <string_view>
 #include <vector>
 
-/// Learned words as a text file, a word on a line:
+/// Text file of learned words, one word per line:
 ///
 ///     colour azure  examples 2  scatter 3.5  mean 61.2 -5.4 -38.9
 namespace castor::vision {
 
 std::string to_text(const std::vector<LearnedWord>& words);
 
-/// \throws TextFileError with every line that is wrong.
+/// \throws TextFileError with all wrong lines.
 std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::string& file_name);
 
-/// Nothing if there is no such file yet.
+/// Loads the file; empty if there is no such file yet.
 /// \throws TextFileError as above, and if the file cannot be read.
 std::vector<LearnedWord> load_learned_words(const std::filesystem::path& path);
 

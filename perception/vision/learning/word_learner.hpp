@@ -8,53 +8,52 @@
 namespace castor::vision {
 
 struct LearningOptions {
-  /// How far the evidence of things that are called the same spreads about its mean, as long as
-  /// examples say nothing else: the standard deviation along each axis. Of colours in L*a*b* units,
-  /// of shapes in hidden values of the shape network.
+  /// Prior standard deviation, along each axis, of the evidence for one word about its mean. For
+  /// colours in L*a*b* units, for shapes in hidden values of the shape network.
   double colour_spread = 6;
   double shape_spread = 0.3;
-  /// This counts as much as so many examples.
+  /// Weight of the prior, as a number of examples.
   double prior_examples = 3;
-  /// Evidence that is further from a word's mean than this is nothing that the word is for: in
-  /// standard deviations along each axis, root mean square.
+  /// Maximum distance of evidence from a word's mean for which the word applies: in standard
+  /// deviations along each axis, root mean square.
   double reach = 1.6;
 };
 
-/// Learns words for colours and shapes from a few examples each, and says which fit.
+/// Learns words for colours and shapes from a few examples each, and finds the words that fit.
 ///
-/// A word is a normal distribution of the same width in all directions, of which mean and width are
-/// estimated from the examples and, for the width, a prior; what it says of something new allows
-/// for the uncertainty of both. The order of the examples does not matter.
+/// A word is an isotropic normal distribution. Its mean and width are estimated from the examples
+/// and, for the width, a prior; predictions include the uncertainty of both. The order of the
+/// examples does not matter.
 class WordLearner {
 public:
   explicit WordLearner(LearningOptions options = {}) : options_(options) {}
 
-  /// Goes on with what another has learned.
+  /// Continues with the words of an earlier learner.
   /// \throws std::invalid_argument as problem_of() says.
   explicit WordLearner(std::vector<LearnedWord> words, LearningOptions options = {});
 
-  /// What is wrong with a word, for people; empty if nothing is.
+  /// Error message about a word; empty if it is valid.
   static std::string problem_of(const LearnedWord& word);
 
-  /// Whether there are words of this kind: "colour" or "shape".
+  /// Whether `kind` is a kind of words: "colour" or "shape".
   static bool is_kind(const std::string& kind);
 
   /// The evidence for words of that kind in a region's features; empty if there is none.
   static std::vector<double> evidence(const std::string& kind, const RegionFeatures& features);
 
-  /// Takes in an example. Capital letters do not matter.
+  /// Learns from an example. Case is ignored.
   ///
-  /// \param weight how sure it is, in (0, 1].
+  /// \param weight confidence of the example, in (0, 1].
   /// \throws std::invalid_argument for an unknown kind, a word that has blanks or `#` in it, is
   ///         empty or "unknown", evidence of the wrong length, or a weight out of range.
   void learn(const std::string& kind, const std::string& word, const std::vector<double>& evidence,
              double weight = 1);
 
-  /// The words that may be for it, the likeliest first, with "unknown" for that none is;
-  /// confidences sum to 1.
+  /// Hypotheses about the word for the evidence, the likeliest first, with "unknown" for none of
+  /// them; confidences sum to 1.
   std::vector<Hypothesis> name(const std::string& kind, const std::vector<double>& evidence) const;
 
-  /// By kind and word.
+  /// Sorted by kind and word.
   const std::vector<LearnedWord>& words() const { return words_; }
 
 private:

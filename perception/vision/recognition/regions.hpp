@@ -13,7 +13,7 @@
 
 namespace castor::vision {
 
-/// The options of every step from an image to what is in it.
+/// Options of all steps from an image to recognised regions.
 struct RegionOptions {
   SegmentationOptions segmentation;
   ColourOptions colour;
@@ -21,12 +21,12 @@ struct RegionOptions {
   SizeOptions size;
 };
 
-/// A region of interest that shows `segment` of `image`; without features yet.
+/// The region of interest of a segment of `image`, without features.
 /// \throws std::invalid_argument if the segment's box is not within the image.
 ROI make_roi(const Image& image, const Segment& segment);
 
-/// The evidence in a region, for a feature extractor. The extent is all zero without a camera, or
-/// if the region is not seen on the table.
+/// Measures the features of a region. The extent is all zero without a camera, or if the region is
+/// not on the visible table.
 RegionFeatures measure_region(const ROI& roi, const Camera* camera = nullptr,
                               const RegionOptions& options = {},
                               const ShapeNetwork& network = trained_shape_network());
@@ -37,7 +37,7 @@ Hypothesis best_of(std::span<const Hypothesis> ranked);
 /// Whether a shape of this name lies flat on the table.
 bool is_flat_shape(const std::string& shape);
 
-/// A region with what is believed of it.
+/// A region with the hypotheses about it.
 struct Region {
   ROI roi;
   Hypothesis colour;
@@ -46,7 +46,7 @@ struct Region {
   Hypothesis size;
 };
 
-/// All steps in one: segments `image`, measures the regions and decides what they are.
+/// All steps: segments `image`, measures the regions and recognises them.
 /// \throws std::invalid_argument as segment() does.
 std::vector<Region> find_regions(const Image& image, const Camera* camera = nullptr,
                                  const RegionOptions& options = {},

@@ -8,7 +8,7 @@
 
 namespace castor::vision {
 
-/// The shapes that are told apart: solids, then flat pieces on the table.
+/// Names of the shapes: solids, then flat pieces on the table.
 const std::vector<std::string>& shape_vocabulary();
 
 /// The parameters of a perceptron with one hidden layer of tanh units and a softmax output.
@@ -33,17 +33,17 @@ std::vector<double> hidden_values(const ShapeNetwork& network, std::span<const d
 /// The probability of each output for the given hidden values; they sum to 1.
 std::vector<double> output_values(const ShapeNetwork& network, std::span<const double> hidden);
 
-/// What is known of shapes beforehand.
+/// Prior knowledge of shapes.
 struct ShapeOptions {
-  /// The names that occur here; all of the vocabulary, if empty.
+  /// Possible names; all of the vocabulary if empty.
   std::vector<std::string> candidates{};
-  /// A best shape with less confidence than this is named second, after "unknown".
+  /// If the best shape has less confidence than this, "unknown" comes before it.
   double min_confidence = 0.4;
 };
 
-/// What shape a region has, the likeliest first; confidences sum to 1.
+/// Shape names of a region, the likeliest first; confidences sum to 1.
 ///
-/// \param evidence as of measure_shape(); "unknown" with confidence 1 if it is empty.
+/// \param evidence from measure_shape(); if empty, the result is "unknown" with confidence 1.
 /// \throws std::invalid_argument if it has another length than the network has inputs, or if no
 ///         candidate is of the vocabulary.
 std::vector<Hypothesis> classify_shape(std::span<const double> evidence,

@@ -7,7 +7,7 @@
 
 namespace castor::vision {
 
-/// The measurements that shapes are judged by, as names, in the order of measure_shape().
+/// Names of the measurements for shape classification, in the order of measure_shape().
 ///
 /// Lengths are relative to the radius of the disc of the region's area, so that size does not
 /// matter; directions are kept, for things stand upright:
@@ -29,8 +29,8 @@ const std::vector<std::string>& shape_measurements();
 /// Measures a region; one number per name of shape_measurements(), all finite.
 ///
 /// \param region the pixels of the region's box, 1 or 3 channels.
-/// \param mask which of them are the region's: 1 channel, the same size, not 0 where they are.
-/// \returns nothing if the mask has fewer than 12 pixels, or all on a line.
+/// \param mask mask of the region: 1 channel, the same size, not 0 inside.
+/// \returns empty if the mask has fewer than 12 pixels, or all on a line.
 /// \throws std::invalid_argument unless both are images of the same size.
 std::vector<double> measure_shape(const Image& region, const Image& mask);
 

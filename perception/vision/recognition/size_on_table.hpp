@@ -9,23 +9,23 @@
 
 namespace castor::vision {
 
-/// The box on the table of something that is seen within `contour`. Nothing, if its foot is not
-/// seen on the table: at or above the horizon.
+/// The box on the table of an object with the outline `contour`. Nothing if its foot is not on the
+/// table: at or above the horizon.
 ///
-/// Without a third dimension, this is a guess: the lowest point of the outline touches the table; a
-/// solid is as deep as it is wide, and stands upright. For a flat piece, the outline lies on the
-/// table as a whole.
+/// As an image has no depth, these are assumptions: the lowest point of the outline touches the
+/// table; a solid is as deep as it is wide, and stands upright. For a flat piece, the whole outline
+/// is on the table.
 ///
 /// \param contour image coordinates.
 std::optional<ObjectBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
                                          bool flat);
 
-/// What is large.
+/// Options for "large" and "small".
 struct SizeOptions {
-  /// The longest side of a thing that may be called either; metres.
+  /// Longest side at which both names are equally likely; metres.
   double large_from = 0.10;
-  /// How fast the confidence grows: at this factor from that length, the other name has a
-  /// confidence of 0.1 left.
+  /// Slope of the confidence: at this factor from that length, the other name has a confidence of
+  /// 0.1.
   double sure_factor = 1.3;
 };
 

@@ -9,7 +9,7 @@
 
 namespace castor::vision {
 
-/// Where an area meets another one.
+/// Boundary of an area with another one.
 struct Contact {
   int area = 0;
   /// The number of neighbouring pixel pairs across the boundary, and the sum of their contrasts.
@@ -48,13 +48,13 @@ struct Area {
   int boundary() const;
 };
 
-/// How much of the convex hull around two areas is neither's, as shares of their own pixels.
+/// Parts of the convex hull around two areas that belong to neither, as shares of their own pixels.
 struct HullRest {
   double ground = 0;
   double others = 0;
 };
 
-/// The areas of a picture, their neighbourhoods, and what remains to be known when two are joined.
+/// The areas of a picture with their properties and boundaries, which are kept when two are joined.
 class AreaGraph {
 public:
   AreaGraph(Division division, const WorkingPicture& picture);
@@ -77,7 +77,7 @@ public:
   int ground() const { return ground_; }
   void set_ground(int id) { ground_ = id; }
 
-  /// Tells every area the colours of the ground at its place.
+  /// Sets every area's colours of the ground at its place.
   void set_ground_colours(const Grid<Colour>& colour, const Grid<Colour>& lab);
 
   HullRest hull_rest(int a, int b);

@@ -5,11 +5,11 @@
 
 namespace castor::vision {
 
-/// When a pixel is not the background's.
+/// Options for the difference of a pixel from the background.
 struct BackgroundOptions {
-  /// In standard deviations of the pixel's own past, per channel.
+  /// Minimum difference, in standard deviations of the pixel in the learned images, per channel.
   double deviations = 4.0;
-  /// Standard deviations are at least this, of 255: cameras quantise, lamps flicker.
+  /// Lower bound of standard deviations, of 255: cameras quantise, lamps flicker.
   double min_deviation = 3.0;
   /// A pixel of the background's chromaticity that is darker, but keeps at least this share of its
   /// brightness, lies in a shadow. 1: there are no shadows.
@@ -18,8 +18,7 @@ struct BackgroundOptions {
   double shadow_angle = 4.0;
 };
 
-/// What a place looks like with nothing on it: mean and variance per pixel over a sequence of
-/// images.
+/// Appearance of the empty scene: mean and variance per pixel over a sequence of images.
 ///
 /// The distinction of brightness and chromaticity is that of T. Horprasert, D. Harwood and L.
 /// Davis, "A statistical approach for real-time robust background subtraction and shadow
@@ -29,7 +28,8 @@ public:
   explicit BackgroundModel(BackgroundOptions options = {});
 
   /// Learns from one more image of the background.
-  /// \throws std::invalid_argument if it is none, or not of the same size as those before.
+  /// \throws std::invalid_argument if the image has no pixels, or is not of the same size as those
+  /// before.
   void learn(const Image& image);
 
   /// The number of images learned from.
@@ -40,7 +40,7 @@ public:
   /// The mean image, 0 to 255.
   const Grid<Colour>& mean() const { return mean_; }
 
-  /// 255 where `image` does not look like the background, else 0.
+  /// Mask: 255 where `image` differs from the background, else 0.
   /// \throws std::invalid_argument if nothing was learned, or the image is not of the same size.
   Grid<std::uint8_t> foreground(const Image& image) const;
 

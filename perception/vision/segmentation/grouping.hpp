@@ -12,7 +12,7 @@ void join_weak(AreaGraph& graph, double max_contrast);
 /// The area that holds most of the image's border.
 int widest_on_border(const AreaGraph& graph);
 
-/// Joins all that is ground into one area and sets it as the graph's ground.
+/// Joins all ground areas into one and sets it as the graph's ground.
 void join_ground(AreaGraph& graph, const SegmentationOptions& options);
 
 /// Likewise, where the ground is known: areas most of whose pixels are 0 in `foreground`.
@@ -22,7 +22,7 @@ void join_ground(AreaGraph& graph, const Grid<std::uint8_t>& foreground);
 /// colours.
 void group(AreaGraph& graph, const SegmentationOptions& options);
 
-/// Joins crumbs and insets to what they are on, where there is no ground.
+/// Joins crumbs and insets to the areas that they are on, in pictures without ground.
 void group_without_ground(AreaGraph& graph, const SegmentationOptions& options);
 
 } // namespace castor::vision

@@ -9,21 +9,22 @@
 
 namespace castor::vision {
 
-/// The area that two boxes share, as a share of the area that they cover together; 0 to 1.
+/// Intersection over union of two boxes; 0 to 1.
 double overlap(const ImageBox& a, const ImageBox& b);
 
-/// For each new box the old one that it is a new view of, if there is one: the pairs with the
-/// largest overlap first, each box in one pair at most, none with an overlap of `least` or less.
+/// Index of the old box for each new one, if there is a match: pairs are made in the order of their
+/// overlap, the largest first, each box in one pair at most, none with an overlap of `least` or
+/// less.
 std::vector<std::optional<std::size_t>> match_boxes(std::span<const ImageBox> fresh,
                                                     std::span<const ImageBox> old, double least);
 
-/// How much two regions differ in what is seen: the distance of their mean colours, in grey levels
-/// of 255.
+/// Difference in appearance of two regions: the distance of their mean colours, in grey levels of
+/// 255.
 double colour_distance(const ROI& a, const ROI& b);
 
-/// For each new region the old one that it looks like, wherever that was, if there is one: of about
-/// its size and less than `most` in colour_distance(). The pairs with the least distance first,
-/// each region in one pair at most.
+/// Index of the old region of like appearance for each new one, anywhere in the image, if there is
+/// a match: of about its size and less than `most` in colour_distance(). Pairs are made in the
+/// order of their distance, the least first, each region in one pair at most.
 std::vector<std::optional<std::size_t>> match_looks(std::span<const ROI* const> fresh,
                                                     std::span<const ROI* const> old, double most);
 

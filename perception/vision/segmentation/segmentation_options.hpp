@@ -2,8 +2,8 @@
 
 namespace castor::vision {
 
-/// How a close-up is looked at, in which textured things fill the frame: from so far off that their
-/// texture vanishes, and only for what is large.
+/// Options for close-ups, in which textured objects fill the frame: the image is shrunk until their
+/// texture vanishes, and only large areas count.
 struct CloseUpOptions {
   /// See SegmentationOptions.
   int working_side = 128;
@@ -19,11 +19,11 @@ struct CloseUpOptions {
   double max_border = 0.45;
 };
 
-/// What decides how an image falls apart. Contrasts are CIE L*a*b* units per pixel of the smoothed
-/// working image, with a* and b* stretched by `chroma_weight`; angles are degrees between linear
-/// (B, G, R) vectors; areas are shares of the image unless they say pixels.
+/// Options of the segmentation. Contrasts are CIE L*a*b* units per pixel of the smoothed working
+/// image, with a* and b* stretched by `chroma_weight`; angles are degrees between linear (B, G, R)
+/// vectors; areas are shares of the image unless they say pixels.
 struct SegmentationOptions {
-  /// Larger images are shrunk to this length of their longer side; pixels.
+  /// Maximum length of the longer side; larger images are shrunk; pixels.
   int working_side = 512;
   /// The Gaussian that the working image is smoothed with; its sigma, pixels.
   double smoothing = 1.0;
@@ -35,13 +35,13 @@ struct SegmentationOptions {
   /// Two areas are one while their mean contrast along the common boundary is below this multiple
   /// of the flat contrast.
   double edge_factor = 3.0;
-  /// Areas with fewer pixels than this belong to the neighbour that is most like them.
+  /// Areas with fewer pixels than this are joined to the most similar neighbour.
   int crumb_pixels = 12;
   /// An area this large is ground (a sheet, a tabletop in view with its rim), and so is one with
   /// this share of the image's border.
   double ground_area = 0.3;
   double ground_border = 0.1;
-  /// Less difference than this to the ground around is no object; L*a*b* units.
+  /// Minimum difference of an object from the ground around it; L*a*b* units.
   double ground_difference = 4.0;
   /// Two areas may be of one surface if their colours differ by at most this angle, where a
   /// difference in saturation (white light mirrored on the same paint) counts `saturation_weight`.
@@ -58,8 +58,8 @@ struct SegmentationOptions {
   /// of the outline.
   double completion = 0.04;
   double inner_contrast = 0.7;
-  /// What else speaks against joining two areas: each unit of contrast between them, and each
-  /// hundredth of the joint hull that belongs to others, as degrees of colour difference.
+  /// Further costs of joining two areas, as degrees of colour difference: per unit of contrast
+  /// between them, and per hundredth of the joint hull that belongs to others.
   double contrast_weight = 0.3;
   double hull_weight = 0.2;
   /// A darker shade of the ground beside something else is its shadow if it is smaller than this
@@ -91,7 +91,7 @@ struct SegmentationOptions {
   /// How far the colours of an area without edges may spread (standard deviation; L*a*b* units) if
   /// it is to be one surface.
   double ground_spread = 20.0;
-  /// What applies instead where no ground is found because texture drowns the edges.
+  /// Options used instead where no ground is found because texture hides the edges.
   CloseUpOptions close_up;
 };
 

@@ -4,10 +4,11 @@
 
 namespace castor::vision {
 
-/// The colour of an area as compared to the ground around it: shading moves it along a ray from
-/// black, mirrored light towards the ground's own hue; the direction away from that hue stays.
+/// The colour of an area relative to the ground around it. Shading moves the colour along a ray
+/// from black, specular light moves it towards the ground's own hue; the direction away from that
+/// hue is invariant.
 struct Surface {
-  /// Between the colour and the ground's; degrees.
+  /// Angle between the colour and the ground's; degrees.
   double angle = 0;
   /// The part of the unit colour vector that is orthogonal to the ground's.
   ColourSum offset{};
@@ -17,16 +18,17 @@ struct Surface {
 
 Surface surface_of(const Area& area);
 
-/// Between the ground's colour at the area and white; degrees.
+/// Angle between the ground's colour at the area and white; degrees.
 double ground_colourfulness(const Area& area);
 
-/// Degrees; differences in the angle to the ground's colour count `saturation_weight`.
+/// Difference of two surfaces in degrees; differences in the angle to the ground's colour have the
+/// weight `saturation_weight`.
 double surface_difference(const Surface& a, const Surface& b, double saturation_weight);
 
-/// Between the mean colours; L*a*b* units.
+/// Difference of the mean colours; L*a*b* units.
 double lab_difference(const Area& a, const Area& b);
 
-/// Between the area and the ground at its place; L*a*b* units.
+/// Difference of the area from the ground at its place; L*a*b* units.
 double ground_difference(const Area& area);
 
 /// The standard deviation of the colours within an area; L*a*b* units.

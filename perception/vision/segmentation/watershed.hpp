@@ -10,11 +10,11 @@ struct Division {
   int count = 0;
 };
 
-/// The basins of the landscape whose heights are the contrasts: floods it from its local minima.
+/// Watershed transform: the basins of `contrast`, flooded from its local minima.
 ///
-/// Heights are counted in 256 steps of `step` above `flat`, so that whatever is flat and connected
-/// is one basin. The order of flooding follows F. Meyer, "Topographic distance and watershed
-/// lines", 1994, without lines between the basins.
+/// Heights are counted in 256 steps of `step` above `flat`, so that a connected flat area is one
+/// basin. The order of flooding follows F. Meyer, "Topographic distance and watershed lines", 1994,
+/// without lines between the basins.
 Division watershed(const Grid<float>& contrast, float flat, float step);
 
 } // namespace castor::vision

@@ -6,7 +6,7 @@
 
 namespace castor::vision {
 
-/// What the segmentation looks at instead of the image itself.
+/// The preprocessed image that is segmented.
 struct WorkingPicture {
   /// Working pixels per image pixel, at most 1.
   double scale = 1;
@@ -14,13 +14,13 @@ struct WorkingPicture {
   Grid<Colour> colour;
   /// The same as CIE L*a*b*.
   Grid<Colour> lab;
-  /// How fast the colour changes; L*a*b* units per pixel.
+  /// Gradient of the colour; L*a*b* units per pixel.
   Grid<float> contrast;
   /// Contrasts below this are noise or shading.
   float flat_contrast = 0;
 };
 
-/// \throws std::invalid_argument if `image` is none.
+/// \throws std::invalid_argument if `image` has no pixels.
 WorkingPicture make_working_picture(const Image& image, const SegmentationOptions& options);
 
 /// Linear light from gamma encoded values; the square is near enough to the usual encodings to

@@ -9,7 +9,7 @@
 namespace castor::vision {
 
 struct RenderOptions {
-  /// Which frame this is; the sensor's noise is another one in each.
+  /// Number of the frame; the sensor's noise differs from frame to frame.
   std::uint64_t frame = 0;
   /// Rays towards the lamp per point that may be in a penumbra; at least 1.
   int shadow_samples = 16;
@@ -19,31 +19,31 @@ struct RenderOptions {
   /// is white in the picture if they add up to 1.
   double lamp_intensity = 0.85;
   double ambient_intensity = 0.32;
-  /// How much the objects shine, 0 for matt ones.
+  /// Gloss of the objects, 0 for matt ones.
   double gloss = 0.25;
-  /// How much darker the corners of the picture are, in [0, 1].
+  /// Loss of brightness in the corners of the picture, in [0, 1].
   double vignetting = 0.12;
   /// Rays per pixel at edges; 1 leaves them jagged.
   int edge_samples = 8;
 };
 
-/// What `camera` sees of the scene, 3 channels. The same arguments give the same bytes.
+/// Renders the scene as seen by `camera`, 3 channels. The same arguments give the same bytes.
 /// \throws std::invalid_argument if the camera has no size or focal length, or a count of samples
 /// is
 ///         not positive.
 Image render(const TabletopSnapshot& scene, const Camera& camera,
              const RenderOptions& options = {});
 
-/// The same with a perfect sensor, whatever TabletopSnapshot::noise says.
+/// The same without noise, regardless of TabletopSnapshot::noise.
 Image render_without_noise(const TabletopSnapshot& scene, const Camera& camera,
                            const RenderOptions& options = {});
 
-/// Adds noise of the standard deviation `sigma`, in grey levels, which is determined by `seed` and
-/// `frame`.
+/// Adds pseudo-random noise of the standard deviation `sigma`, in grey levels, determined by `seed`
+/// and `frame`.
 void add_sensor_noise(Image& image, double sigma, std::uint64_t seed, std::uint64_t frame);
 
-/// The ground truth of render(): 1 channel, the index of the object that is seen plus 1, and 0
-/// where none is; 255 stands for all objects from the 255th on. \throws std::invalid_argument like
+/// The ground truth of render(): 1 channel, the index of the visible object plus 1, and 0 where
+/// there is none; 255 stands for all objects from the 255th on. \throws std::invalid_argument like
 /// render().
 Image render_labels(const TabletopSnapshot& scene, const Camera& camera);
 

@@ -7,21 +7,21 @@
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
-/// Where rays meet the bodies on the table.
+/// Intersections of rays with the bodies on the table.
 namespace castor::vision {
 
-/// Where a ray enters a body.
+/// Intersection of a ray with a body, where it enters.
 struct BodyHit {
-  /// Along the ray, metres.
+  /// Distance along the ray, metres.
   double distance = 0;
-  /// Of length 1, outwards; near an edge it leans over to the neighbouring face, as if the edge
-  /// were slightly rounded.
+  /// Outward normal of length 1; near an edge it is tilted towards the neighbouring face, as for a
+  /// slightly rounded edge.
   Point3 normal;
-  /// Which face of the body it is.
+  /// Index of the body's face.
   int face = 0;
 };
 
-/// A convex body that stands upright, ready to be asked for many rays.
+/// A convex, upright body, prepared for intersections with many rays.
 class Body {
 public:
   explicit Body(const TabletopObject& object);
@@ -31,7 +31,7 @@ public:
 
   const Point3& centre() const { return centre_; }
 
-  /// Of a sphere about the centre that holds the body.
+  /// Radius of the bounding sphere about the centre.
   double radius() const { return radius_; }
 
   std::optional<BodyHit> hit(const Ray& ray) const;
@@ -67,9 +67,9 @@ private:
   double sine_ = 0;
   double radius_ = 0;
   double half_height_ = 0;
-  /// Of a sphere or cylinder.
+  /// Radius of a sphere or cylinder.
   double inner_radius_ = 0;
-  /// How far from an edge its rounding begins.
+  /// Distance from an edge at which its rounding begins.
   double bevel_ = 0;
   std::vector<Side> sides_;
 };

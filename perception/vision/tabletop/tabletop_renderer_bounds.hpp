@@ -4,11 +4,10 @@
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 #include "castor/perception/vision/types.hpp"
 
-/// Where an object need not be looked for: outside of these bounds, which may be too wide but are
-/// never too narrow.
+/// Conservative bounds of an object and its shadow: they may be too wide but are never too narrow.
 namespace castor::vision {
 
-/// The pixels that an object may be seen in.
+/// Pixels in which an object may be visible.
 struct PixelWindow {
   double left = 0;
   double top = 0;
@@ -34,7 +33,7 @@ struct TablePatch {
 
 PixelWindow window_of(const Body& body, const Camera& camera);
 
-/// Where the object may cast a shadow.
+/// Part of the table on which the object may cast a shadow.
 TablePatch shadow_patch(const TabletopObject& object, const Point3& lamp, double lamp_radius);
 
 } // namespace castor::vision

@@ -3,7 +3,7 @@
 #include "castor/perception/vision/tabletop/tabletop_renderer_light.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
-/// What the table's surface looks like from close by.
+/// Texture of the table's surface.
 namespace castor::vision {
 
 /// Makes the pattern of a table: boards with grain, woven cloth, or plain paint.
@@ -11,11 +11,11 @@ class TableTexture {
 public:
   explicit TableTexture(const TableLook& look);
 
-  /// The reflectance at (x, y). `footprint` is how much of the table a pixel covers there, metres;
-  /// finer detail than that is averaged out.
+  /// The reflectance at (x, y). `footprint` is the width of a pixel on the table there, metres;
+  /// finer detail is averaged out.
   LinearColour at(double x, double y, double footprint) const;
 
-  /// The reflectance on the whole.
+  /// The mean reflectance.
   const LinearColour& average() const { return colour_; }
 
 private:

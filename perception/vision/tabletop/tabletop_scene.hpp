@@ -11,8 +11,8 @@
 
 #include "castor/perception/vision/types.hpp"
 
-/// A table with objects on it that come, move and go: what a rendered camera looks at, and the
-/// ground truth of it.
+/// A table with objects that appear, move and disappear: the scene of a rendered camera, and its
+/// ground truth.
 namespace castor::vision {
 
 /// An sRGB colour.
@@ -33,20 +33,20 @@ std::string_view to_string(TabletopShape shape);
 /// Whether it is one of the flat pieces, a few millimetres thick.
 bool is_flat(TabletopShape shape);
 
-/// A thing that stands or lies on the table.
+/// An object on the table.
 struct TabletopObject {
-  /// What it is referred to by, if not by its colour and shape; may be empty.
+  /// Name for references; if empty, it is referred to by colour and shape.
   std::string name;
   /// As in the scene file: a common name, or "#rrggbb".
   std::string colour_name;
   SceneColour colour;
   TabletopShape shape = TabletopShape::cube;
-  /// Where its middle is on the table; metres.
+  /// Position of its middle on the table; metres.
   double x = 0;
   double y = 0;
-  /// How long it is along the axes of the table when not turned, and how high; metres. A triangle
-  /// is equilateral with the side size.x, points away from the viewer when not turned, and its
-  /// middle is its centroid.
+  /// Extent along the axes of the table when not turned, and height; metres. A triangle is
+  /// equilateral with the side size.x, points away from the viewer when not turned, and its middle
+  /// is its centroid.
   Point3 size;
   /// Anticlockwise as seen from above.
   double turned_degrees = 0;
@@ -54,19 +54,19 @@ struct TabletopObject {
   friend bool operator==(const TabletopObject&, const TabletopObject&) = default;
 };
 
-/// Where the object is: its middle, at half its height, and how it is turned.
+/// Pose of the object: its middle, at half its height, and its rotation.
 Pose pose_of(const TabletopObject& object);
 
 /// The smallest box along the table's axes that holds the object.
 ObjectBox bounding_box(const TabletopObject& object);
 
-/// The outline of what the object covers of the table, anticlockwise; a circle has 32 corners.
+/// Outline of the object on the table, anticlockwise; a circle has 32 corners.
 std::vector<Point2> footprint(const TabletopObject& object);
 
-/// Whether two objects would be in the same place: their footprints overlap.
+/// Whether the footprints of two objects overlap.
 bool overlap(const TabletopObject& a, const TabletopObject& b);
 
-/// What the table is made of.
+/// Material, size and colour of the table.
 struct TableLook {
   enum class Material { wood, cloth, plain };
 
@@ -82,11 +82,11 @@ struct TableLook {
 /// A scene as it is at one moment.
 struct TabletopSnapshot {
   TableLook table;
-  /// Where the lamp is; metres.
+  /// Position of the lamp; metres.
   Point3 light{-1, -1, 2};
   /// The standard deviation of the sensor's noise, in grey levels.
   double noise = 2;
-  /// Of the noise.
+  /// Seed of the noise.
   std::uint64_t seed = 1;
   std::vector<TabletopObject> objects;
 
@@ -96,7 +96,7 @@ struct TabletopSnapshot {
 /// Time since the scene began.
 using SceneTime = std::chrono::microseconds;
 
-/// A straight move at constant speed from wherever the object is at `start`; instantaneous if
+/// A straight move at constant speed from the object's position at `start`; instantaneous if
 /// `duration` is zero. It ends early if the next move begins.
 struct TabletopMove {
   SceneTime start{0};
@@ -107,12 +107,12 @@ struct TabletopMove {
   friend bool operator==(const TabletopMove&, const TabletopMove&) = default;
 };
 
-/// An object and its fate.
+/// An object and its changes over time.
 struct TabletopActor {
-  /// As it first appears.
+  /// Initial state.
   TabletopObject object;
   SceneTime appears{0};
-  /// The object is no longer there from then on; never, if empty.
+  /// Time of its removal; empty for never.
   std::optional<SceneTime> disappears;
   /// Ordered by start.
   std::vector<TabletopMove> moves;
@@ -126,7 +126,7 @@ struct TabletopActor {
 
 /// A scene over time.
 struct TabletopScene {
-  /// What stays as it is; its objects are empty.
+  /// Constant part of the scene; has no objects.
   TabletopSnapshot setting;
   Camera camera;
   /// In the order in which the scene file mentions them, initial ones first.
@@ -135,7 +135,7 @@ struct TabletopScene {
   /// The scene as it is at `time`; before zero it is as at zero.
   TabletopSnapshot at(SceneTime time) const;
 
-  /// When something begins or ends to change, in order and without repetition, zero first.
+  /// Times at which a change begins or ends, in order and without repetition, zero first.
   std::vector<SceneTime> change_times() const;
 };
 

@@ -6,16 +6,16 @@
 
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
-/// Whether the things in a scene could be where it puts them.
+/// Plausibility check of a scene.
 namespace castor::vision {
 
-/// Something implausible about an object of a scene.
+/// A finding about an object of a scene.
 struct SceneRemark {
-  /// False if the scene can be used in spite of it.
+  /// False for a warning: the scene can be used.
   bool is_error = false;
-  /// Whom it is about: an index into TabletopScene::actors.
+  /// Object concerned, as an index into TabletopScene::actors.
   std::size_t actor = 0;
-  /// When it is first so.
+  /// Time of its first occurrence.
   SceneTime time{0};
   std::string message;
   std::string remedy;

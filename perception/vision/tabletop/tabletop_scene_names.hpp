@@ -19,10 +19,11 @@ std::optional<TabletopShape> shape_named(std::string_view word);
 const std::vector<std::string>& colour_names();
 const std::vector<std::string>& shape_names();
 
-/// How many numbers may follow `size`, at the most: 3 for a box, 2 for a rectangle and a cylinder.
+/// Maximum count of numbers after `size`: 3 for a box, 2 for a rectangle and a cylinder, otherwise
+/// 1.
 std::size_t size_count(TabletopShape shape);
 
-/// The size of an object of which `given` is said, or nothing at all; the rest is by default:
+/// The size of an object from the numbers `given`, which may be empty; defaults:
 /// - cube, square, triangle: the edge (0.06; flat pieces 0.08),
 /// - sphere, disc: the diameter (0.06, 0.08),
 /// - cylinder: diameter and height (0.06, 0.08; the height is 4/3 of the diameter if left out),

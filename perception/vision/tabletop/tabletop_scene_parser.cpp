@@ -59,7 +59,7 @@ private:
     const std::string keyword = words.peek();
     if (is_scene_setting(keyword)) {
       if (const auto [first, is_new] = setting_lines_.emplace(keyword, line.number); !is_new)
-        throw StatementError("\"" + keyword + "\" is said twice",
+        throw StatementError("\"" + keyword + "\" is given twice",
                              "Remove this line or line " + std::to_string(first->second) + ".");
       words.next("a setting");
       read_setting(keyword, words);

@@ -68,7 +68,7 @@ std::string read_colour_name(StatementWords& words) {
   names.insert(names.end(), scene_settings.begin(), scene_settings.end());
   names.emplace_back("after");
   const auto guess = did_you_mean(word, {names.begin(), names.end()});
-  throw StatementError("\"" + word + "\" begins no statement",
+  throw StatementError("\"" + word + "\" is not the beginning of a statement",
                        !guess.empty() ? guess
                                       : "A line begins with " + joined(scene_settings) +
                                           ", after, or with the colour of an object.");
@@ -164,7 +164,7 @@ SceneTime StatementWords::time(const std::string& what) {
 
 void StatementWords::expect_end() const {
   if (!at_end())
-    throw StatementError("\"" + peek() + "\" is more than this line can say",
+    throw StatementError("\"" + peek() + "\" is one word too many in this line",
                          "Remove it, or begin a new line with it.");
 }
 
@@ -181,7 +181,7 @@ TableLook read_table(StatementWords& words) {
   std::optional<SceneColour> colour;
   std::optional<TableLook::Material> material;
   if (words.at_end())
-    throw StatementError("what the table looks like is missing",
+    throw StatementError("the material or colour of the table is missing",
                          "Write for example: table wood, table cloth, table grey");
   while (!words.at_end()) {
     if (words.accept("size")) {
@@ -200,7 +200,8 @@ TableLook read_table(StatementWords& words) {
       std::vector<std::string> looks(materials.begin(), materials.end());
       looks.insert(looks.end(), colour_names().begin(), colour_names().end());
       looks.emplace_back("size");
-      throw StatementError("\"" + word + "\" is not a look of a table, or one too many",
+      throw StatementError("\"" + word +
+                             "\" is not a material or colour of a table, or is one too many",
                            remedy_for(word, looks, "looks"));
     }
   }
@@ -235,12 +236,12 @@ CameraPlace read_camera_place(StatementWords& words) {
       place.fov_degrees = words.number("the field of view", 5, 150);
     } else {
       const std::array<std::string, 2> clauses{"looking-at", "fov"};
-      throw StatementError("\"" + words.peek() + "\" says nothing about a camera",
+      throw StatementError("\"" + words.peek() + "\" is not a property of a camera",
                            remedy_for(words.peek(), clauses, "possibilities"));
     }
   }
   if (!(vectors::norm(vectors::operator-(place.target, place.eye)) > 0.01))
-    throw StatementError("the camera looks at where it is itself",
+    throw StatementError("the camera and the point that it looks at are the same",
                          "Let it look at the middle of the table: looking-at 0 0 0");
   return place;
 }
@@ -289,8 +290,8 @@ TabletopObject read_object(StatementWords& words) {
   object.shape = read_shape(words);
   object.size = size_of(object.shape, {});
   if (!words.accept("at"))
-    throw StatementError("it is not said where the " + object.colour_name + " " +
-                           std::string(to_string(object.shape)) + " is",
+    throw StatementError("there is no position of the " + object.colour_name + " " +
+                           std::string(to_string(object.shape)),
                          "Write \"at\" and two numbers after the shape, for example: at 0.1 0.05");
   object.x = words.length("the object's x", -room, room);
   object.y = words.length("the object's y", -room, room);
@@ -306,7 +307,7 @@ TabletopObject read_object(StatementWords& words) {
         throw StatementError("\"" + object.name + "\" is no name for an object",
                              "A name is one word of letters, digits, - and _ that is no colour.");
     } else {
-      throw StatementError("\"" + words.peek() + "\" says nothing about an object",
+      throw StatementError("\"" + words.peek() + "\" is not a property of an object",
                            remedy_for(words.peek(), object_clauses, "possibilities"));
     }
   }
@@ -326,12 +327,12 @@ SceneEvent read_event(StatementWords& words) {
   if (!words.accept("move")) {
     const std::array<std::string, 3> verbs{"add", "move", "remove"};
     const std::string word = words.next("add, move or remove");
-    throw StatementError("\"" + word + "\" is nothing that can happen",
+    throw StatementError("\"" + word + "\" is not an event",
                          remedy_for(word, verbs, "possibilities"));
   }
   MoveEvent move{read_reference(words)};
   if (!words.accept("to"))
-    throw StatementError("it is not said where the object moves",
+    throw StatementError("there is no position to move the object to",
                          "Write \"to\" and two numbers, for example: to 0.1 0.05");
   move.x = words.length("the x to move to", -room, room);
   move.y = words.length("the y to move to", -room, room);

@@ -10,11 +10,10 @@
 
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
-/// The statements of the scene language, each read from the words of its line: the parts of which
-/// tabletop_scene_parser.hpp makes a scene.
+/// Parsers of the statements of the scene language, for tabletop_scene_parser.hpp.
 namespace castor::vision {
 
-/// What is wrong with a statement, and what to do about it.
+/// Error in a statement, with its remedy.
 class StatementError : public std::runtime_error {
 public:
   StatementError(const std::string& message, std::string remedy)
@@ -41,10 +40,10 @@ public:
   std::string peek() const { return at_end() ? std::string() : words_.front(); }
 
   /// Takes the next word.
-  /// \throws StatementError at the end, saying that `what` is missing.
+  /// \throws StatementError at the end, with the message that `what` is missing.
   std::string next(const std::string& what);
 
-  /// Takes the next word, if it is `word`.
+  /// Takes the next word if it is `word`; returns whether it was.
   bool accept(const std::string& word);
 
   /// Takes a number, or a length in metres.
@@ -74,7 +73,7 @@ struct ImageSize {
   int height = 480;
 };
 
-/// An object as a statement refers to it: by colour and shape, or else by name.
+/// A reference to an object: by colour and shape, or by name.
 struct ObjectReference {
   std::string name;
   std::string colour_name;
@@ -101,11 +100,10 @@ struct RemoveEvent {
 
 using SceneEvent = std::variant<AddEvent, MoveEvent, RemoveEvent>;
 
-/// Whether a line that begins with `word` is about the setting: table, camera, image, light, noise,
-/// seed.
+/// Whether `word` begins a line of the setting: table, camera, image, light, noise, seed.
 bool is_scene_setting(const std::string& word);
 
-/// The rest of a setting's line, after the word that says which.
+/// Parse the rest of a setting's line, after its first word.
 /// \throws StatementError
 TableLook read_table(StatementWords& words);
 CameraPlace read_camera_place(StatementWords& words);
@@ -126,7 +124,7 @@ SceneTime read_time(StatementWords& words);
 /// \throws StatementError
 SceneEvent read_event(StatementWords& words);
 
-/// The names in a row with commas.
+/// The names, separated by commas.
 std::string joined(std::span<const std::string> names);
 
 } // namespace castor::vision

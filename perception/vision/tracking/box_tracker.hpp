@@ -10,36 +10,35 @@
 namespace castor::vision {
 
 struct TrackingOptions {
-  /// A thing that is not seen in this many pictures in a row is lost.
+  /// Number of pictures in a row without an object after which it is lost.
   int max_missing = 5;
-  /// A box that looks less like the thing than this does not show it, and another place that looks
-  /// at least this much like it does; see Appearance::similarity.
+  /// Below the first similarity a box does not show the object, from the second on another place in
+  /// the picture does; see Appearance::similarity.
   double min_similarity = 0.4;
   double found_similarity = 0.65;
-  /// Where no more than this share of the pixels in and around a box differ by more than so many
-  /// grey levels, nothing has moved.
+  /// An object has not moved if at most this share of the pixels in and around its box differ by
+  /// more than this number of grey levels.
   double still_share = 0.0005;
   int pixel_threshold = 20;
 };
 
-/// Where a thing is by now.
+/// Tracked position of an object.
 struct Track {
   std::string name;
-  /// While it is missing, where it was seen last.
+  /// Its box in the picture; while it is missing, the last one.
   ImageBox box;
-  /// How much of its first looks it has there, 0 to 1.
+  /// Similarity to its first appearance, 0 to 1.
   double similarity = 1;
-  /// In how many pictures, up to this one, it was not seen.
+  /// Number of pictures in a row, up to this one, without the object.
   int missing = 0;
-  /// It has been missing for too long, and is not followed any more.
+  /// It was missing for too long, and is not tracked any more.
   bool is_lost = false;
 };
 
-/// Follows things through pictures: from one to the next by discriminative correlation filters
-/// (CSRT; A. Lukezic et al., "Discriminative correlation filter with channel and spatial
-/// reliability", 2017), which is exact and knows nothing but the last place. So what is in the box
-/// then is compared with the colours that the thing had at first; where it has others, the thing is
-/// looked for all over the picture.
+/// Tracks objects from one picture to the next by discriminative correlation filters (CSRT; A.
+/// Lukezic et al., "Discriminative correlation filter with channel and spatial reliability", 2017),
+/// which is exact, but searches around the last position only. So the box found is compared with
+/// the object's first colour histogram; if they differ, the whole picture is searched.
 class BoxTracker {
 public:
   explicit BoxTracker(TrackingOptions options = {});
@@ -47,10 +46,10 @@ public:
   BoxTracker& operator=(BoxTracker&&) noexcept;
   ~BoxTracker();
 
-  /// Follows a thing from the next picture on; anew, if a thing of this name is followed already.
+  /// Tracks an object from the next picture on; replaces a tracked object of this name.
   ///
-  /// \param region the pixels of the box that it was seen in, 3 channels.
-  /// \param mask which of them are the thing's; all, if it is empty.
+  /// \param region the pixels of its box, 3 channels.
+  /// \param mask mask of the object; all pixels if it is empty.
   /// \throws std::invalid_argument as Appearance does.
   void follow(const std::string& name, const ImageBox& box, const Image& region,
               const Image& mask = {});
@@ -59,7 +58,7 @@ public:
 
   bool follows(const std::string& name) const { return things_.count(name) > 0; }
 
-  /// Where everything is in this picture; by name.
+  /// Positions of all objects in this picture, sorted by name.
   std::vector<Track> update(const Image& picture);
 
 private:

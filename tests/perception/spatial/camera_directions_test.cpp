@@ -32,12 +32,12 @@ TEST(CameraDirections, AreNoneStraightFromAbove) {
 
 TEST(CameraDirections, RelateThingsWhateverTheirDistance) {
   const auto directions = *ground_directions(from_the_south());
-  EXPECT_NEAR(advance(directions, right, {0.3, 2}, {0.1, -1}), 0.2, 1e-12);
-  EXPECT_TRUE(lies(directions, right, {0.3, 2}, {0.1, -1}));
-  EXPECT_FALSE(lies(directions, right, {0.3, 2}, {0.1, -1}, 0.25));
-  EXPECT_TRUE(lies(directions, back, {0.3, 2}, {0.1, -1}));
-  EXPECT_FALSE(lies(directions, front, {0.3, 2}, {0.1, -1}));
-  EXPECT_FALSE(lies(directions, left, {0.3, 2}, {0.1, -1}));
+  EXPECT_NEAR(distance_to_side(directions, right, {0.3, 2}, {0.1, -1}), 0.2, 1e-12);
+  EXPECT_TRUE(is_on_side(directions, right, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(is_on_side(directions, right, {0.3, 2}, {0.1, -1}, 0.25));
+  EXPECT_TRUE(is_on_side(directions, back, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(is_on_side(directions, front, {0.3, 2}, {0.1, -1}));
+  EXPECT_FALSE(is_on_side(directions, left, {0.3, 2}, {0.1, -1}));
 }
 
 } // namespace

@@ -241,7 +241,7 @@ TEST(CameraFile, TellsOfAllProblemsAtOnce) {
   EXPECT_NE(text.find("bad.camera:2"), std::string::npos) << text;
   EXPECT_NE(text.find("did you mean 'focal'?"), std::string::npos) << text;
   EXPECT_NE(text.find("bad.camera:3"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"eye\" is said twice"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"eye\" is given twice"), std::string::npos) << text;
   EXPECT_NE(text.find("there is no \"target\" line"), std::string::npos) << text;
   EXPECT_NE(text.find("neither a \"focal\" nor a \"fov\""), std::string::npos) << text;
   for (const auto& problem : problems)
