@@ -6,8 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ cmake ccache ninja-build pkg-config
   libcaf-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev libssl-dev
-  libgraphviz-dev librsvg2-dev libsqlite3-dev zlib1g-dev
-  # The font that timelines are measured for.
+  libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev zlib1g-dev
+  # The font of timelines.
   fonts-liberation2
   # For the tests of what `castor new` makes.
   libgtest-dev

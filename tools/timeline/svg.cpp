@@ -16,7 +16,6 @@ namespace castor::timeline {
 
 namespace {
 
-
 /// Of the rows: for what is in the working memory, and for its ground.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> row_colours{
   {{"#2f6db3", "#f3f7fb"},
@@ -27,7 +26,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> row_colou
    {"#a6456b", "#fbf4f7"}}};
 
 constexpr std::string_view styles = R"(
-text { font-family: "Liberation Sans", Arial, Helvetica, sans-serif; fill: #1c2430; }
+text { fill: #1c2430; }
 .heading { font-size: 20px; font-weight: bold; }
 .stage { font-size: 17px; font-weight: bold; }
 .when, .legend { font-size: 11px; fill: #66707d; }
@@ -101,7 +100,7 @@ public:
                     "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" "
                     "aria-label=\"{2}\">",
                     layout_.width, layout_.height, escaped(figure_.title)));
-    add(fmt::format("<style>{}</style>", styles));
+    add(fmt::format("<style>\ntext {{ font-family: {}; }}{}</style>", font_families, styles));
     define_pictures();
     add("<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>");
     add(text("heading", layout_.rows.empty() ? 24 : layout_.rows.front().x, 34, figure_.title));
