@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/memory/working_memory_messages.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -2,7 +2,7 @@
 
 #include "castor/wm/leases/deadlock_probe.hpp"
 #include "castor/wm/leases/lease_table.hpp"
-#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/memory/working_memory_messages.hpp"
 #include "castor/wm/store/entry_store.hpp"
 
 #include <cstddef>

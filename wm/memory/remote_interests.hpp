@@ -2,7 +2,7 @@
 
 #include "castor/wm/filters/change_filter.hpp"
 #include "castor/wm/filters/filter_index.hpp"
-#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/memory/working_memory_messages.hpp"
 
 #include <map>
 #include <optional>

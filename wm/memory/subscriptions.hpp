@@ -3,7 +3,7 @@
 #include "castor/wm/events/event_flow.hpp"
 #include "castor/wm/filters/filter_index.hpp"
 #include "castor/wm/memory/remote_interests.hpp"
-#include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/memory/working_memory_messages.hpp"
 #include "castor/wm/store/usage_log.hpp"
 
 #include <cstddef>
