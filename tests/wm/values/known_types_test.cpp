@@ -1,5 +1,7 @@
 #include "castor/wm/values/known_types.hpp"
 
+#include "castor/wm/values/descriptor_of.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
