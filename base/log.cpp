@@ -109,7 +109,7 @@ Repeated& repeated() {
 
 } // namespace
 
-void note_repeated(LogLevel level, std::string_view what) {
+void log_repeated(LogLevel level, std::string_view what) {
   if (level < log_level())
     return;
   auto& all = repeated();

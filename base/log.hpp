@@ -24,7 +24,7 @@ void log_runtime(LogLevel level, std::string_view what);
 /// Logs a message that others (such as connecting clients) can cause without limit: of messages
 /// that differ in their digits only, a few are written every ten seconds, and the others are
 /// counted.
-void note_repeated(LogLevel level, std::string_view what);
+void log_repeated(LogLevel level, std::string_view what);
 
 /// Writes the counts whose ten seconds are over; to be called regularly.
 void write_repeated();

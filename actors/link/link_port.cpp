@@ -42,7 +42,7 @@ void LinkPort::refuse(ActorName to, caf::mailbox_element& x, const Failure& why)
   } else if (x.mid.is_response()) {
     send_checked(to, *caf::make_mailbox_element(x.sender, x.mid, {}, *std::move(answer)));
   } else {
-    note_repeated(LogLevel::warning, "not sent: " + why.message);
+    log_repeated(LogLevel::warning, "not sent: " + why.message);
     if (!x.sender)
       return;
     if (auto receipt = parts_.messages->receipt_if_dropped(x.content()))

@@ -55,13 +55,13 @@ public:
     : self_(self), parts_(std::move(parts)), admission_(parts_.admission) {}
 
   caf::behavior begin() {
-    add_acceptor(*self_, {parts_.socket, farewell(), [](const DescriptorShortage& x) {
-                            note_repeated(
-                              LogLevel::warning,
-                              "turned away " + std::to_string(x.turned_away) +
-                                " connections: " + x.problem +
-                                "; `ulimit -n` is how many file descriptors a process may have");
-                          }});
+    add_acceptor(*self_,
+                 {parts_.socket, farewell(), [](const DescriptorShortage& x) {
+                    log_repeated(LogLevel::warning,
+                                 "turned away " + std::to_string(x.turned_away) +
+                                   " connections: " + x.problem +
+                                   "; `ulimit -n` is how many file descriptors a process may have");
+                  }});
     send_later(self_, period, TickAtom::value);
     auto listener = shared_from_this();
     return {
@@ -69,8 +69,8 @@ public:
       [listener](const caf::io::new_data_msg& x) { listener->read(x); },
       [listener](const caf::io::connection_closed_msg& x) {
         if (auto stranger = listener->forget(x.handle))
-          note_repeated(stranger->is_own() ? LogLevel::debug : LogLevel::info,
-                        "a connection from " + stranger->from() + " left without a word");
+          log_repeated(stranger->is_own() ? LogLevel::debug : LogLevel::info,
+                       "a connection from " + stranger->from() + " left without a word");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
       [listener](const ResumeAccepting& x) { listener->self_->trigger(x.acceptor); },
@@ -98,8 +98,8 @@ private:
                       peer ? std::uint16_t{0} : self_->remote_port(handle),
                       std::make_shared<Channel>(parts_.credentials, SecureChannel::Role::accepts)};
     if (peer && !peer->is_of_this_user()) {
-      note_repeated(LogLevel::warning,
-                    "turned away " + stranger.from() + ": it belongs to another user");
+      log_repeated(LogLevel::warning,
+                   "turned away " + stranger.from() + ": it belongs to another user");
       self_->close(handle);
       return;
     }
@@ -216,7 +216,7 @@ private:
   void turn_away(connection_handle handle, const std::string& why,
                  LogLevel level = LogLevel::warning) {
     if (auto stranger = forget(handle))
-      note_repeated(level, "turned away " + stranger->from() + ": " + why);
+      log_repeated(level, "turned away " + stranger->from() + ": " + why);
     self_->close(handle);
   }
 

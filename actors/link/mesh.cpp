@@ -106,7 +106,7 @@ Bytes Mesh::introduction(const std::vector<TypeDescriptorPtr>& types) {
 /// Of a message that a link did not take, what is known of it is told to whoever waits for it.
 void Mesh::drop_too_large(WireReader& in, std::uint64_t size, caf::execution_unit* context) {
   auto why = "a message of " + std::to_string(size) + " bytes is more than a link takes";
-  note_repeated(LogLevel::warning, why);
+  log_repeated(LogLevel::warning, why);
   // Its head was too large, too.
   if (in.at_end())
     return;

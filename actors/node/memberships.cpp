@@ -66,8 +66,8 @@ bool Memberships::is_given_up(const Hello& coordinator) const {
 }
 
 Memberships::Membership& Memberships::enter(const Hello& coordinator) {
-  note_repeated(LogLevel::info,
-                parts_.name + " takes part in " + coordinator.system + ", for " + coordinator.node);
+  log_repeated(LogLevel::info,
+               parts_.name + " takes part in " + coordinator.system + ", for " + coordinator.node);
   tell({coordinator.system, true, coordinator.node, {}});
   auto& result = memberships_[coordinator.system];
   result.self.node = parts_.name;
@@ -168,7 +168,7 @@ std::vector<caf::actor> Memberships::leave(const std::string& system, const std:
   std::vector<caf::actor> links;
   if (!left)
     return links;
-  note_repeated(LogLevel::info, parts_.name + " leaves " + system + ": " + why);
+  log_repeated(LogLevel::info, parts_.name + " leaves " + system + ": " + why);
   tell({system, false, {}, why});
   auto& membership = left.mapped();
   caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);

@@ -114,9 +114,9 @@ void admit(Self* self, connection_handle handle) {
   // CAF numbers connections by their sockets.
   auto peer = local_peer(static_cast<int>(handle.id()));
   if (!peer || !peer->is_of_this_user()) {
-    note_repeated(LogLevel::warning, "turned away " + (peer ? to_string(*peer) : "a process") +
-                                       " from " + self->state.socket.string() +
-                                       ": it belongs to another user");
+    log_repeated(LogLevel::warning, "turned away " + (peer ? to_string(*peer) : "a process") +
+                                      " from " + self->state.socket.string() +
+                                      ": it belongs to another user");
     self->close(handle);
     return;
   }
@@ -191,9 +191,9 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
   add_acceptor(
     *self,
     {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
-       note_repeated(LogLevel::warning,
-                     "refused " + std::to_string(x.turned_away) + " who look on: " + x.problem +
-                       "; `ulimit -n` is how many file descriptors a process may have");
+       log_repeated(LogLevel::warning,
+                    "refused " + std::to_string(x.turned_away) + " who look on: " + x.problem +
+                      "; `ulimit -n` is how many file descriptors a process may have");
      }});
   return {
     [self](const SystemRosterPtr& x) {
