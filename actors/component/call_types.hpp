@@ -7,13 +7,13 @@
 #include <string>
 
 /// The entries that a call over working memory consists of, besides the request and the reply
-/// themselves. The caller writes to its own working memory, the server to its own; each ends with
-/// the component that wrote it.
+/// themselves. The caller writes to its own working memory, the server to its own; an entry is
+/// deleted when the component that wrote it ends.
 namespace castor {
 
-/// A component wants something done.
+/// Call that a component makes.
 struct Call {
-  /// Who shall do it: any component of that subarchitecture that serves such requests.
+  /// Subarchitecture of the server: any of its components that serves such requests.
   std::string subarchitecture;
   std::string request_type;
   std::string reply_type;
@@ -25,15 +25,15 @@ CASTOR_REFLECT(Call, subarchitecture, request_type, reply_type, request, caller)
 enum class CallState : std::uint8_t { taken, done, failed };
 CASTOR_REFLECT_ENUM(CallState, taken, done, failed)
 
-/// What became of a call.
+/// Progress of a call, written by its server.
 struct CallProgress {
   Address call;
   std::string caller;
   std::string server;
   CallState state = CallState::taken;
-  /// Once it is done.
+  /// Address of the reply, once the call is done.
   Address reply;
-  /// Why it failed.
+  /// Reason of the failure.
   std::string error;
 };
 CASTOR_REFLECT(CallProgress, call, caller, server, state, reply, error)

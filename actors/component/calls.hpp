@@ -11,7 +11,7 @@
 namespace castor {
 
 struct CallOptions {
-  /// Nothing: the component's deadline.
+  /// The component's deadline if there is no value.
   std::optional<std::chrono::nanoseconds> timeout = {};
   /// How often the call is made again if its server goes away while it works on it. Only for
   /// requests that may be served twice.
@@ -33,7 +33,7 @@ public:
   virtual void serve(const TypeDescriptor& request_type, const TypeDescriptor& reply_type,
                      Handler handler) = 0;
 
-  /// Whether the call that is being served has been taken back.
+  /// Whether the caller has cancelled the call that is being served.
   virtual bool is_cancelled() const = 0;
 };
 

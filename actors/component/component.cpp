@@ -29,8 +29,8 @@ ComponentRuntime& Component::runtime() const {
   auto& result = attached(runtime_);
   if (!result.is_own_thread())
     throw std::logic_error(result.identity().full_name() +
-                           " was used by another thread than its own. Let that thread put what it "
-                           "has into a queue of yours, and run() take it from there");
+                           " was used by another thread than its own. Let that thread put its "
+                           "data into a queue, and take them from there in run()");
   return result;
 }
 

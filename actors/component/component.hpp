@@ -23,9 +23,8 @@ namespace castor {
 class ComponentRuntime;
 class ComponentShell;
 
-/// Thrown by whatever a component is waiting in when the component is told to stop. It derives from
-/// nothing, so that a `catch (const std::exception&)` in a component does not swallow it; let it
-/// pass.
+/// Thrown by the operation that a component waits in when it is told to stop. It has no base class,
+/// so that a `catch (const std::exception&)` in a component does not swallow it; let it pass.
 struct ComponentStopped {};
 
 /// What happens to change events that arrive while the component is busy.
@@ -45,13 +44,13 @@ CASTOR_REFLECT_ENUM(RestartType, permanent, transient, temporary)
 /// CASTOR_COMPONENT. The runtime calls configure, start, run, stop in this order; no component of a
 /// system is started before all are configured, and none is run before all are started.
 ///
-/// All of it happens on the component's own thread, and callbacks too: they run inside `sleep_for`
-/// and `wait_for_changes`, and whenever `run()` has returned. Two pieces of a component's code
-/// therefore never run at the same time, and a component needs no locks for its members.
+/// All these functions and all callbacks run on the component's own thread. Callbacks run inside
+/// `sleep_for` and `wait_for_changes`, and once `run()` has returned. Two pieces of a component's
+/// code therefore never run at the same time, and a component needs no locks for its members.
 ///
-/// An exception that leaves one of these functions or a callback ends the component, and only it. A
-/// new one of the same name and with the same options then takes its place, unless its --restart
-/// says otherwise or it failed too often (docs/supervision.md).
+/// An exception that leaves one of these functions or a callback ends the component, and only it.
+/// It is then replaced by a new one of the same name and with the same options, unless --restart
+/// excludes that or it failed too often (docs/supervision.md).
 class Component {
 public:
   Component();
@@ -68,7 +67,7 @@ protected:
   /// Everything is connected: the place to register change filters and to add first entries.
   virtual void start() {}
 
-  /// The component's own activity, if it has any of its own accord. May return at any time.
+  /// The component's own activity, if it has any besides callbacks. May return at any time.
   virtual void run() {}
 
   /// The component is about to end. Working memory may still be used. Not called after an
@@ -78,17 +77,17 @@ protected:
   const std::string& component_name() const;
 
   /// False from the moment the component was told to stop, also in the middle of a callback. Long
-  /// computations ask now and then.
+  /// computations should check it regularly.
   bool is_running();
 
-  /// Lets time pass, delivering what arrives meanwhile; false if the component was told to stop.
+  /// Waits, and delivers events that arrive meanwhile; false if the component was told to stop.
   bool sleep_for(std::chrono::nanoseconds duration);
 
-  /// Since the system began.
+  /// Time since the start of the system.
   Timestamp now() const;
 
-  /// Ends this component, which has done its work. It is started again only if its --restart says
-  /// `permanent`, as it does of itself. Does not return.
+  /// Ends this component with its work done. It is started again only with `--restart permanent`,
+  /// the default. Does not return.
   [[noreturn]] void end_component();
 
   /// Ends the whole system; the process exits with `status`.
@@ -115,8 +114,8 @@ protected:
     log_at(LogLevel::error, format, std::forward<Ts>(xs)...);
   }
 
-  // -- connections to components outside the schema: images, motor commands and other things that
-  // are too many or too large for working memory
+  // -- connections to components outside the schema, for data too frequent or too large for working
+  // memory, such as images and motor commands
 
   /// The newest `T` of the stand-alone component `provider`. Throws ConnectionError if there is no
   /// such component, if it does not provide a `T`, or if it does not answer within the deadline.
@@ -126,9 +125,8 @@ protected:
   }
 
   /// Calls `callback` with every `T` that the stand-alone component `provider` pushes from now on.
-  /// Of those that wait while this component is busy, the oldest are dropped when they are more
-  /// than its
-  /// `--push-limit`. Throws like `pull`.
+  /// Pushes wait while this component is busy; of more than `--push-limit`, the oldest are dropped.
+  /// Throws like `pull`.
   template <ReflectedRecord T>
   void on_push(const std::string& provider,
                std::function<void(const std::shared_ptr<const T>&)> callback) {
@@ -174,7 +172,7 @@ private:
   std::string log_name_;
   LogLevel own_log_level_ = LogLevel::info;
 
-  // What every component understands.
+  // Options of every component.
   Option<bool> log_{this, "log", false, "log at level debug"};
   Option<bool> debug_{this, "debug", false, "log at level trace"};
   Option<std::chrono::milliseconds> deadline_{this, "deadline", std::chrono::seconds{10},
@@ -207,8 +205,8 @@ protected:
     provide_value(descriptor_of<T>(), [make = std::move(make)] { return Value::of(make()); });
   }
 
-  /// Sends `x` to every component that asked for pushes of `T`; never waits for them. One that does
-  /// not keep up gets the newest.
+  /// Sends `x` to every subscriber of `T`, without waiting. A subscriber that does not keep up gets
+  /// the newest.
   template <ReflectedRecord T>
   void push(T x) {
     push_value(Value::of(std::move(x)));

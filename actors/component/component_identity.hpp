@@ -5,7 +5,7 @@
 
 namespace castor {
 
-/// Who a component is; never changes.
+/// Identity of a component; immutable.
 struct ComponentIdentity {
   std::string name;
   /// Empty for a component outside the subarchitectures.
@@ -13,10 +13,10 @@ struct ComponentIdentity {
   std::string class_name;
   /// Position in the system's file, from 0; part of the ids that the component makes.
   std::uint32_t number = 0;
-  /// Which of its lives this is, from 1.
+  /// Number of this start of the component, from 1.
   std::uint64_t incarnation = 1;
 
-  /// "vision.segmentor", as logs have it.
+  /// "vision.segmentor", the form in logs.
   std::string full_name() const {
     return subarchitecture.empty() ? name : subarchitecture + '.' + name;
   }

@@ -17,8 +17,8 @@ namespace castor {
 
 class SubarchitectureComponent;
 
-/// What a component has of the runtime around it. To be used on the component's own thread, except
-/// for the first three.
+/// Interface of the runtime for one component. Used on the component's own thread only, except for
+/// the first three functions.
 class ComponentRuntime {
 public:
   using Clock = std::chrono::steady_clock;
@@ -28,21 +28,21 @@ public:
   virtual const ComponentIdentity& identity() const = 0;
   /// Whether the calling thread is the one that runs the component.
   virtual bool is_own_thread() const = 0;
-  /// Since the system began.
+  /// Time since the start of the system.
   virtual Timestamp now() const = 0;
 
   /// False from the moment the component was told to stop.
   virtual bool is_running() = 0;
 
-  /// Delivers what arrives until then, or until `enough`, which may be empty, says so after a piece
-  /// of work; false if the component was told to stop.
+  /// Delivers what arrives until `until`, or until `enough` (may be empty) returns true after a
+  /// delivery; false if the component was told to stop.
   virtual bool deliver(Clock::time_point until, const std::function<bool()>& enough) = 0;
 
   /// Number of change callbacks that were called so far.
   virtual std::uint64_t callbacks() const = 0;
 
-  /// Part of the ids that components make, where entries outlive the system: nobody else's number.
-  /// 0 where they do not.
+  /// Unique number of this run, part of the ids that components make, if entries outlive the
+  /// system; otherwise 0.
   virtual std::uint64_t run() const = 0;
 
   virtual void end_system(int status, const std::string& reason) = 0;

@@ -9,7 +9,7 @@
 
 namespace castor {
 
-/// A push or pull connection that cannot be: the message says why.
+/// A push or pull connection failed; the message says why.
 class ConnectionError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
@@ -20,12 +20,12 @@ class Connections {
 public:
   virtual ~Connections() = default;
 
-  // -- of one that provides
+  // -- provider
 
   virtual void provide(const TypeDescriptorPtr& type, std::function<Value()> make) = 0;
   virtual void push(const Value& x) = 0;
 
-  // -- of one that receives: both throw ConnectionError
+  // -- receiver: both throw ConnectionError
 
   virtual Value pull(const std::string& provider, const TypeDescriptorPtr& type) = 0;
   virtual void subscribe(const std::string& provider, const TypeDescriptorPtr& type,

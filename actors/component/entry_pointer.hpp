@@ -16,7 +16,7 @@ template <class T>
 struct EntryPointer {
   Address address;
 
-  /// Whether it leads anywhere at all.
+  /// Whether the pointer is set.
   explicit operator bool() const { return !address.id.empty(); }
 
   friend auto operator<=>(const EntryPointer&, const EntryPointer&) = default;

@@ -9,11 +9,11 @@ namespace castor {
 
 class Operations;
 
-/// A lease in hand, given back when the guard goes out of scope.
+/// A lease that the component holds, released when the guard goes out of scope.
 ///
-/// The runtime renews the lease while the component is alive and responsive. Should the lease end
-/// all the same, writes under it are refused with LeaseLostException, `held()` turns false as soon
-/// as this process knows, `unlock()` throws, and the destructor says so in the log.
+/// The runtime renews the lease while the component is alive and responsive. If the lease is lost
+/// nevertheless, writes under it are refused with LeaseLostException, `held()` turns false as soon
+/// as this process knows, `unlock()` throws, and the destructor logs the loss.
 class [[nodiscard]] LockGuard {
 public:
   /// Made by the components' `lock` and `try_lock`.
@@ -35,14 +35,14 @@ public:
 
   const Address& address() const { return address_; }
 
-  /// Higher than that of any earlier lease of the entry: whatever outside working memory is used
-  /// under the lease (a motor, a file) can refuse who comes with a lower one.
+  /// Higher than the token of any earlier lease of the entry: a resource outside working memory
+  /// that is used under the lease (a motor, a file) can refuse requests with a lower token.
   LeaseToken token() const { return token_; }
 
-  /// False once the lease was given back or is known to be lost.
+  /// False once the lease was released or is known to be lost.
   bool held() const;
 
-  /// Gives the lease back now. Throws LeaseLostException if it was lost meanwhile.
+  /// Releases the lease now. Throws LeaseLostException if it was lost meanwhile.
   void unlock();
 
 private:

@@ -22,13 +22,13 @@ namespace castor {
 /// Among the receivers of one event, those of higher priority are called first.
 enum class Priority : std::uint8_t { low = 10, medium = 50, high = 90 };
 
-/// Names a change callback, for its removal.
+/// Id of a change callback, for its removal.
 using ReceiverId = std::uint32_t;
 
 using ChangeCallback = std::function<void(const ChangeEvent&)>;
 
 /// The operations of one component on working memories, without the types of entries:
-/// SubarchitectureComponent puts those around them. All throw the exceptions of failure.hpp, and
+/// SubarchitectureComponent adds those. All throw the exceptions of failure.hpp, and
 /// ComponentStopped if the component is told to stop meanwhile.
 class Operations {
 public:
@@ -44,24 +44,24 @@ public:
 
   // -- leases
 
-  /// Waits for the timeout, or for the component's deadline.
+  /// Waits for the timeout, by default the component's deadline.
   virtual void lock(const Address& address, LockLevel level,
                     std::optional<std::chrono::nanoseconds> timeout) = 0;
-  /// False if somebody else has a lease.
+  /// False if another component has a lease.
   virtual bool try_lock(const Address& address, LockLevel level) = 0;
   /// Does nothing if the component has not locked the entry.
   virtual void unlock(const Address& address) = 0;
 
-  /// Of the entry that the component has locked last at the address; 0 if it has not.
+  /// Token of the component's last lease at the address; 0 if it has none.
   virtual LeaseToken lease(const Address& address) const = 0;
   /// Whether the component has that lease, as far as this process knows.
   virtual bool holds(const Address& address, LeaseToken token) const = 0;
-  /// Gives one level of a lease back. Does nothing if the lease is not that of the token.
+  /// Undoes one lock of a lease. Does nothing if the token is that of another lease.
   virtual void release(const Address& address, LeaseToken token) = 0;
-  /// The same where nothing can be thrown: failures are logged.
+  /// The same without exceptions: failures are logged.
   virtual void release_quietly(const Address& address, LeaseToken token) = 0;
 
-  /// The level of somebody else's lease, if there is one.
+  /// The level of another component's lease, if there is one.
   virtual std::optional<LockLevel> level_of_others(const Address& address) = 0;
 
   // -- change events

@@ -23,19 +23,19 @@ public:
   void add(OptionBase& option) { options_.push_back(&option); }
   const std::vector<OptionBase*>& all() const { return options_; }
 
-  /// What is wrong with the setting, with the nearest name or the kind of value expected; nothing
-  /// if it was taken. `name` is without dashes.
+  /// Sets an option. Returns the error, with the nearest name or the expected kind of value;
+  /// nothing if the value was accepted. `name` is without dashes.
   std::optional<std::string> set(std::string_view name, std::string_view value);
 
 private:
   std::vector<OptionBase*> options_;
 };
 
-/// What an option names.
+/// Kind of name that an option takes.
 enum class Reference : std::uint8_t { none, component, standalone, subarchitecture };
 
-/// One thing that a user may set on a component's line of a .cast file. Declared as a member, so
-/// that the class itself says what its options are, what they mean and what they default to:
+/// One option on a component's line of a .cast file. Declared as a member, with its name, default
+/// and help:
 ///
 ///     Option<double> min_area_{this, "min-area", 80, "smallest region kept, pixels"};
 ///
@@ -51,13 +51,13 @@ public:
   const std::string& name() const { return name_; }
   const std::string& help() const { return help_; }
 
-  /// What kind of value it takes ("number", "text", "left|right").
+  /// Kind of value that it takes ("number", "text", "left|right").
   virtual std::string kind() const = 0;
-  /// The present value, as a user would write it.
+  /// The current value, as a user would write it.
   virtual std::string text() const = 0;
-  /// What the value has to be the name of.
+  /// Kind of name that the value has to be.
   virtual Reference reference() const { return Reference::none; }
-  /// Takes a value as a user wrote it; false if it is none of that kind.
+  /// Parses a value as a user wrote it; false if it is not of that kind.
   virtual bool parse(std::string_view text) = 0;
 
 private:
@@ -65,8 +65,8 @@ private:
   std::string help_;
 };
 
-/// Names of what has to be in the system: `castor check` refuses those that are not. An option of
-/// such a type may be empty, and then names nothing.
+/// Names of components or subarchitectures of the system: `castor check` refuses unknown ones. An
+/// option of such a type may be empty.
 ///
 ///     Option<StandaloneName> camera_{this, "camera", "camera", "the camera to pull from"};
 ///
@@ -76,7 +76,7 @@ struct ComponentName : std::string {
   static constexpr auto reference = Reference::component;
 };
 
-/// A component outside of the subarchitectures, which others pull from and which pushes.
+/// A component outside of the subarchitectures, which provides pulls and pushes.
 struct StandaloneName : std::string {
   using std::string::string;
   static constexpr auto reference = Reference::standalone;
@@ -110,8 +110,7 @@ std::string print_option(const std::vector<std::string>& x);
 
 /// T is bool, a whole number, double, std::string, std::chrono::milliseconds,
 /// std::vector<std::string> (written with commas), an enumeration declared with
-/// CASTOR_REFLECT_ENUM, or the name of something: ComponentName, StandaloneName or
-/// SubarchitectureName.
+/// CASTOR_REFLECT_ENUM, or a name: ComponentName, StandaloneName or SubarchitectureName.
 template <class T>
 class Option final : public OptionBase {
 public:

@@ -5,8 +5,8 @@
 
 namespace castor {
 
-/// An operation that was sent and whose result is still to come. Take it once, with `get()`;
-/// dropping it abandons the result, not the operation.
+/// An operation that was sent and whose result has not arrived. Call `get()` at most once;
+/// destroying this object abandons the result, not the operation.
 template <class T>
 class Pending {
 public:

@@ -15,10 +15,10 @@ namespace castor {
 /// How many pushes of one type may wait for a component, unless it says otherwise.
 inline constexpr std::uint32_t standard_push_limit = 100;
 
-/// Pushes on their way to one receiver, which is sent no more while there are `limit` (at least 1)
-/// that it has not acknowledged. Of the rest the newest wait, and the older ones are dropped. That
-/// happens only if more than `limit` pushes are not taken, acknowledgements on their way apart:
-/// what was taken but not acknowledged has its place among those that wait.
+/// Flow control of the pushes to one receiver: at most `limit` (at least 1) are sent and not
+/// acknowledged. Of the others the newest wait, and older ones are dropped. Acknowledgements come
+/// in batches, so one batch may wait: pushes are dropped only if the receiver has more than `limit`
+/// that it has not taken, apart from acknowledgements under way.
 class PushFlow {
 public:
   explicit PushFlow(std::uint32_t limit)
@@ -36,10 +36,10 @@ public:
     return std::nullopt;
   }
 
-  /// The receiver has taken so many. To be followed by `next`, until there is nothing.
+  /// The receiver has taken `count` pushes. Call `next` afterwards until it returns nothing.
   void acknowledge(std::uint32_t count) { in_flight_ -= std::min(count, in_flight_); }
 
-  /// What may be sent now of that which waits.
+  /// The next waiting push, if it may be sent now.
   std::optional<Value> next() {
     if (waiting_.empty() || in_flight_ >= limit_)
       return std::nullopt;

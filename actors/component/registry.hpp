@@ -30,7 +30,7 @@ class Registry {
 public:
   static Registry& instance();
 
-  /// The first class of a name stays; a second one is reported and left out.
+  /// Of classes with the same name the first is kept; others are logged and left out.
   void add(ComponentClass x);
 
   /// Null if there is none.

@@ -93,9 +93,8 @@ Version SubarchitectureComponent::version(const Address& address) {
 
 const Address& SubarchitectureComponent::require_target(const Address& address) const {
   if (address.id.empty())
-    throw BadAddressException{{FailureKind::bad_address,
-                               component_name() + " follows a pointer that leads nowhere",
-                               address}};
+    throw BadAddressException{
+      {FailureKind::bad_address, component_name() + " follows a pointer that is not set", address}};
   return address;
 }
 
@@ -129,7 +128,7 @@ Calls& SubarchitectureComponent::calls() {
 void SubarchitectureComponent::wrong_reply(const TypeDescriptor& got,
                                            const TypeDescriptor& wanted) const {
   throw TypeMismatchException{{FailureKind::wrong_type,
-                               component_name() + " was replied a " + got.name() + " where a " +
+                               component_name() + " got a " + got.name() + " as reply where a " +
                                  wanted.name() + " was expected",
                                {}}};
 }

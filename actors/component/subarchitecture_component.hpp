@@ -42,7 +42,7 @@ struct EntryOf {
   const T* operator->() const { return object.get(); }
 };
 
-/// A component of a subarchitecture. It meets the others on working memory only.
+/// A component of a subarchitecture. It communicates with other ones over working memory only.
 ///
 /// Operations take effect in the working memory that owns the entry, in one step, and return when
 /// that has happened. They throw the exceptions of failure.hpp, and ComponentStopped if the
@@ -55,12 +55,12 @@ protected:
   /// An id that no other component of the system makes.
   std::string new_id();
 
-  /// Where an entry of the own subarchitecture lies.
+  /// Address of an entry of the own subarchitecture.
   Address here(std::string id) const { return {subarchitecture(), std::move(id)}; }
 
   // -- writing
 
-  /// Adds an entry to the own working memory under a new id. It may end of itself:
+  /// Adds an entry to the own working memory under a new id. `life` may limit its life:
   ///
   ///     add(Sighting{...}, {.time_to_live = 5s});
   template <ReflectedRecord T>
@@ -81,7 +81,7 @@ protected:
     return overwrite_async(address, std::move(object)).get();
   }
 
-  /// Adds the entry, or overwrites it, whatever it says and whoever wrote it.
+  /// Adds the entry, or overwrites it regardless of its content and writer.
   template <ReflectedRecord T>
   void put(const Address& address, T object) {
     put_value(address, Value::of(std::move(object)));
@@ -89,8 +89,8 @@ protected:
 
   void delete_entry(const Address& address) { delete_entry_async(address).get(); }
 
-  /// Makes all the writes of the batch, or none of them; nobody sees some without the others.
-  /// Returns the new versions, in the batch's order.
+  /// Makes all writes of the batch or none, in one step: nobody sees a part of them. Returns the
+  /// new versions, in the batch's order.
   std::vector<Version> write(const WriteBatch& batch);
 
   // -- reading
@@ -119,7 +119,7 @@ protected:
     return typed<T>(read_entries({subarchitecture_name, type_name<T>(), count, true}));
   }
 
-  /// The entry that a pointer leads to. Throws BadAddressException for one that leads nowhere.
+  /// The entry that a pointer refers to. Throws BadAddressException if the pointer is not set.
   template <ReflectedRecord T>
   EntryOf<T> follow(const EntryPointer<T>& pointer) {
     return read<T>(require_target(pointer.address));
@@ -141,8 +141,8 @@ protected:
       read_entries({subarchitecture_name, type_name<T>(), count, true, std::move(predicate)}));
   }
 
-  /// The same, for a predicate in words: `confidence > 0.8 && label == "box"`. Throws
-  /// PredicateException if it is none, or asks for what T does not have.
+  /// The same, for a predicate as text: `confidence > 0.8 && label == "box"`. Throws
+  /// PredicateException if it is not a predicate over T.
   template <ReflectedRecord T>
   std::vector<EntryOf<T>> read_where(std::string_view predicate, std::size_t count = 0) {
     return read_where_in<T>(subarchitecture(), predicate, count);
@@ -157,22 +157,22 @@ protected:
 
   bool exists(const Address& address);
 
-  /// Also of an entry that was deleted: the last it had.
+  /// Current version of the entry; the last one if it was deleted.
   Version version(const Address& address);
 
   // -- leases
 
-  /// Waits until it is this component's turn, then keeps others from writing, deleting or reading
-  /// the entry, as the level says, for as long as the guard lives. A component may lock what it has
-  /// locked already. Throws DoesNotExistOnWM if the entry is deleted meanwhile, DeadlineException,
-  /// and DeadlockException if the component would wait for itself.
+  /// Waits for the lease of the entry, which keeps others from writing, deleting or reading it,
+  /// depending on the level, until the guard is destroyed. A component may lock an entry
+  /// repeatedly. Throws DoesNotExistOnWM if the entry is deleted meanwhile, DeadlineException, and
+  /// DeadlockException if the wait would close a cycle of waits.
   LockGuard lock(const Address& address, LockLevel level,
                  std::optional<std::chrono::nanoseconds> timeout = {}) {
     lock_entry(address, level, timeout);
     return guard(address);
   }
 
-  /// The same without waiting; nothing if somebody else holds a lease.
+  /// The same without waiting; nothing if another component holds a lease.
   std::optional<LockGuard> try_lock(const Address& address, LockLevel level) {
     if (!try_lock_entry(address, level))
       return std::nullopt;
@@ -188,17 +188,17 @@ protected:
   /// had ended before, DoesNotExistOnWM if the entry was deleted.
   void unlock_entry(const Address& address);
 
-  /// Whether the leases of others would let this component do so now.
+  /// Whether the leases of others permit this operation now.
   bool is_overwritable(const Address& address);
   bool is_deletable(const Address& address);
   bool is_readable(const Address& address);
 
   // -- calls over working memory
 
-  /// Has a component of another subarchitecture (or of this one) do something, and waits for its
-  /// reply. Request and reply are entries, so everybody can see what goes on. Throws CallException
-  /// if the server fails, with its text, or goes away; DeadlineException; DeadlockException if the
-  /// server waits for this component.
+  /// Calls a component of another subarchitecture (or of this one), and waits for its reply.
+  /// Request and reply are entries, visible to everybody. Throws CallException if the server fails,
+  /// with its error text, or ends; DeadlineException; DeadlockException if the server waits for
+  /// this component.
   template <ReflectedRecord Request, ReflectedRecord Reply>
   Reply call(const std::string& subarchitecture_name, Request request, CallOptions options = {}) {
     auto value = calls().call(subarchitecture_name, Value::of(std::move(request)),
@@ -209,9 +209,9 @@ protected:
     return *reply;
   }
 
-  /// Serves calls with requests of that type, those waiting already too: `handler` is called with
-  /// each and returns the reply. What it throws is the caller's CallException, and this component
-  /// goes on.
+  /// Serves calls with requests of that type, including those already waiting: `handler` is called
+  /// with each and returns the reply. An exception that it throws reaches the caller as
+  /// CallException; this component continues.
   template <ReflectedRecord Request, std::invocable<const Request&> F>
   void on_call(F handler) {
     using Reply = std::invoke_result_t<F, const Request&>;
@@ -221,7 +221,7 @@ protected:
                   });
   }
 
-  /// Inside a handler of `on_call`: the caller has gone or waits no longer.
+  /// Inside a handler of `on_call`: whether the caller has ended or waits no longer.
   bool call_cancelled() const { return calls_ && calls_->is_cancelled(); }
 
   // -- pipelining: the same operations, without waiting for each
@@ -248,7 +248,7 @@ protected:
 
   // -- change events
 
-  /// Calls `callback` for every event that `filter` wants, from now on. May be called at any time
+  /// Calls `callback` for every event that matches `filter`, from now on. May be called at any time
   /// from `start()` on, also from inside a callback.
   ReceiverId on_change(const ChangeFilter& filter, ChangeCallback callback,
                        Priority priority = Priority::medium);
@@ -258,9 +258,9 @@ protected:
 
   std::size_t receiver_count() const;
 
-  /// Delivers what has arrived; if nothing has, waits for it. True once a callback was called,
-  /// false if the time is over or the component was told to stop. An event that arrived before the
-  /// call counts.
+  /// Delivers the events that have arrived; if there are none, waits for one. True once a callback
+  /// was called, false after the timeout or if the component was told to stop. An event that
+  /// arrived before the call counts.
   bool wait_for_changes(std::optional<std::chrono::nanoseconds> timeout = {});
 
   /// Switches the delivery of change events off and on; what arrives while it is off is dropped.
@@ -317,7 +317,7 @@ private:
     "entry are merged into one or two, marked coalesced"};
 };
 
-/// A component that runs of its own accord: for frequent, cheap processing.
+/// A component that runs independently of the task manager: for frequent, cheap processing.
 class UnmanagedComponent : public SubarchitectureComponent {};
 
 } // namespace castor

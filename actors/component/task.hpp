@@ -6,26 +6,26 @@
 #include <string>
 #include <vector>
 
-/// What managed components and their task manager say to each other.
+/// Messages between managed components and their task manager.
 namespace castor {
 
-/// Names a proposed task; unique in the system.
+/// Id of a proposed task; unique in the system.
 using TaskId = std::string;
 
-/// What a scheduling task manager goes by.
+/// Scheduling options of a task.
 struct TaskOptions {
   /// Of the tasks that could be adopted, those of higher priority come first.
   int priority = 0;
-  /// What it takes of the task manager's budget while it is under way.
+  /// Part of the task manager's budget that the task occupies while it is under way.
   double cost = 1;
   /// Tasks of the same subarchitecture that have to succeed first, whoever proposes them.
   std::vector<TaskId> after = {};
 };
 
-/// A managed component asks whether it may do something.
+/// Task that a managed component proposes.
 struct TaskProposal {
   TaskId id;
-  /// What is to be done, for the task manager's rules and for people.
+  /// Description of the task, for the task manager's rules and for people.
   std::string name;
   std::string component;
   TaskOptions options = {};
@@ -38,7 +38,7 @@ CASTOR_REFLECT_ENUM(TaskDecision, adopted, rejected, waiting)
 struct TaskDecided {
   TaskId id;
   TaskDecision decision = TaskDecision::adopted;
-  /// Why the task waits or is rejected, as the rest of the sentence "It is rejected: ...".
+  /// Why the task waits or is rejected, as a clause that follows "It is rejected: ".
   std::string reason = {};
 };
 

@@ -9,18 +9,18 @@
 
 namespace castor {
 
-/// What can become of a proposed task.
+/// Events in the life of a proposed task.
 enum class TaskStep : std::uint8_t { adopted, rejected, waiting, retracted, completed };
 
 /// "ADOPTED", "REJECTED", "WAITING", "RETRACTED" or "COMPLETED".
 std::string_view to_string(TaskStep x);
 
-/// What became of a task, for those who watch a system.
+/// Event of a task, for observers of a system.
 struct TaskEvent {
   TaskStep step = TaskStep::adopted;
   std::string subarchitecture;
   TaskProposal task;
-  /// Why, where a reason was given; of a completed task, its outcome.
+  /// Reason, if one was given; of a completed task, its outcome.
   std::string detail;
   Timestamp time{0};
 };

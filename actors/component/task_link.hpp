@@ -5,7 +5,7 @@
 
 namespace castor {
 
-/// What managed components and their task managers say to each other.
+/// Connection between managed components and their task managers.
 class TaskLink {
 public:
   virtual ~TaskLink() = default;
@@ -18,9 +18,9 @@ public:
 
   // -- of a task manager
 
-  /// Tells the component that proposed the task.
+  /// Sends the decision to the component that proposed the task.
   virtual void decide(const TaskDecided& decision) = 0;
-  /// Tells those who watch the system.
+  /// Sends the event to observers of the system.
   virtual void report(const TaskEvent& event) = 0;
 };
 

@@ -10,22 +10,22 @@
 
 namespace castor {
 
-/// Decides which of the tasks that a subarchitecture's managed components propose are done, and
-/// when. It sees proposals, not working memory.
+/// Decides which tasks proposed by a subarchitecture's managed components are executed, and when.
+/// It sees proposals, not working memory.
 class TaskManager : public Component {
 protected:
   /// A task was proposed. Decide now or later; a task that is not decided waits.
   virtual void task_proposed(const TaskProposal& task) = 0;
 
-  /// A proposal, adopted or not, was taken back, or its component has ended. Not called for tasks
+  /// A proposal, adopted or not, was retracted, or its component has ended. Not called for tasks
   /// that were rejected.
   virtual void task_retracted(const TaskProposal&) {}
 
   /// An adopted task is over.
   virtual void task_completed(const TaskProposal&, TaskOutcome) {}
 
-  /// Tells the proposing component, and those who watch the system; ids that are unknown or
-  /// retracted are ignored. `reason` says why a task waits or is rejected.
+  /// Sends the decision to the proposing component and to observers of the system; ids that are
+  /// unknown or retracted are ignored. `reason` says why a task waits or is rejected.
   void decide(const TaskId& id, TaskDecision decision, const std::string& reason = {});
 
 private:
@@ -34,7 +34,7 @@ private:
   void proposed(TaskProposal task);
   void retracted(const TaskId& id);
   void completed(const TaskId& id, TaskOutcome outcome);
-  /// The component that proposed these tasks is no more.
+  /// The component that proposed these tasks has ended.
   void abandoned(const std::vector<TaskId>& ids, bool failed);
 
   void report(TaskStep step, const TaskProposal& task, std::string detail);

@@ -11,8 +11,7 @@
 
 namespace castor {
 
-/// Writes that are to happen together: all or none, in one step. They write different entries of
-/// one working memory.
+/// Writes that are made all or none, in one step, to different entries of one working memory.
 ///
 ///     write(WriteBatch{}.overwrite(left, moved).overwrite(right, moved).delete_entry(gap));
 class WriteBatch {
@@ -29,7 +28,7 @@ public:
     return add_value(std::move(address), Value::of(std::move(object)), life);
   }
 
-  /// An entry whose C++ type need not be known here.
+  /// Adds an entry whose C++ type is not known here.
   WriteBatch& add_value(Address address, Value value, EntryLife life = {}) {
     items_.push_back({Operation::add, std::move(address), std::move(value), life});
     return *this;
