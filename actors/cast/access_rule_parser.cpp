@@ -52,7 +52,7 @@ void AccessRuleParser::check_operator_rule(std::size_t number, bool joins, Diagn
   const auto& line = *lines_[number];
   if (joins)
     log.report(
-      Severity::error, *line.line, "where operators may write was said when the system was started",
+      Severity::error, *line.line, "the rules for operators are fixed when the system is started",
       "remove the line, or write it into the file that the system is started with", line.text);
   auto is_other = [&](const AccessRule& x) {
     return x.writer == operators && x.owner != AccessRule::nothing;

@@ -21,7 +21,7 @@ struct ComponentContext {
 };
 
 struct ComponentLine {
-  /// Known as soon as the line says it, even if the rest is in error.
+  /// Set as soon as it was read, even if the rest of the line is in error.
   std::optional<ComponentKind> kind;
   /// Without a number. Absent if the line is in error.
   std::optional<ComponentDescription> component;
@@ -39,7 +39,7 @@ ComponentLine parse_component_line(WordStream& words, const StructureLine& line,
 std::string use_host(std::string_view expression, const StructureLine& line, HostTable& hosts,
                      DiagnosticLog& log);
 
-/// Whether one of the first two words is a language or a kind, as nowhere but in component lines.
+/// Whether one of the first two words is a language or a kind, as in component lines only.
 bool looks_like_component(std::string_view text) noexcept;
 
 } // namespace castor::cast

@@ -12,7 +12,7 @@
 
 namespace castor::cast {
 
-/// What a condition comes to, or why it comes to nothing.
+/// Value of a condition, or why it has none.
 struct ConditionResult {
   /// Without a value `problem` is an error, with one it is a warning.
   std::optional<bool> value;
@@ -41,7 +41,7 @@ public:
 
   enum class Outcome { done, no_block_open, second_else };
 
-  /// Enables the block if it was disabled, and the other way round.
+  /// Enables the block if it was disabled, and vice versa.
   Outcome otherwise();
   Outcome close();
 

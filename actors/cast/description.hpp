@@ -87,7 +87,7 @@ struct AccessRule {
   SourceLocation where;
 };
 
-/// How the failures of a subarchitecture's components are dealt with.
+/// Supervision policy of a subarchitecture.
 struct SupervisionRule {
   /// Stands for the level above the subarchitectures.
   static constexpr std::string_view system = "SYSTEM";
@@ -98,11 +98,11 @@ struct SupervisionRule {
   SourceLocation where;
 };
 
-/// Where something is started again when its node is lost.
+/// Hosts on which a subarchitecture or component is started again when its node is lost.
 struct FailoverRule {
   /// A subarchitecture or a component.
   std::string who;
-  /// The first of these that is there.
+  /// In order of preference: the first in reach is taken.
   std::vector<std::string> hosts;
   SourceLocation where;
 };
@@ -121,7 +121,7 @@ struct ArchitectureDescription {
   std::vector<AccessRule> access_rules;
   std::vector<SupervisionRule> supervision;
   std::vector<FailoverRule> failover;
-  /// Components of the file that this run does without: options may name them all the same.
+  /// Components of the file that this run leaves out; options may still name them.
   std::set<std::string, std::less<>> left_out;
 
   /// All look-ups return null if there is no such name.
@@ -132,10 +132,10 @@ struct ArchitectureDescription {
   /// elsewhere if an access rule says so.
   bool may_write(std::string_view writer, std::string_view owner) const noexcept;
 
-  /// What the rules say of a subarchitecture, or of SupervisionRule::system.
+  /// Policy of a subarchitecture, or of SupervisionRule::system.
   SupervisionPolicy supervision_of(std::string_view who) const noexcept;
 
-  /// Where a component may move; empty for nowhere.
+  /// Hosts to which a component may move; empty if none.
   std::vector<std::string> failover_of(const ComponentDescription& component) const;
 };
 

@@ -59,7 +59,7 @@ void check_given_variables(const Source& source, const ParseOptions& options, Di
   for (auto& [name, value] : options.variables) {
     if (is_set_by_parser(name)) {
       log.report(Severity::error, where, in_quotes(name) + " is set by the parser alone",
-                 "it is about where the file is; use a variable with another name");
+                 "it describes the location of the file; use a variable with another name");
       continue;
     }
     if (!is_identifier(name) || known.find(name) != known.end())

@@ -202,11 +202,12 @@ private:
       section_->is_broken = true;
     } else if (*name == health_subarchitecture) {
       report(Severity::error, line,
-             in_quotes(*name) + " is where every system tells of its own health",
+             in_quotes(*name) +
+               " is the subarchitecture of the health entries that every system has",
              "give the subarchitecture another name");
       section_->is_broken = true;
     } else if (*name == operators || *name == AccessRule::nothing) {
-      report(Severity::error, line, in_quotes(*name) + " has a meaning of its own in ACCESS lines",
+      report(Severity::error, line, in_quotes(*name) + " is a keyword of ACCESS lines",
              "give the subarchitecture another name");
       section_->is_broken = true;
     } else if (auto [first, is_new] = subarchitecture_lines_.try_emplace(*name, line.line);

@@ -9,7 +9,7 @@
 
 namespace castor::cast {
 
-/// What a host expression stands for.
+/// Host that an expression stands for.
 struct ResolvedHost {
   std::string host;
   /// False if it names a host that nobody defined: `host` is then what localhost stands for.
@@ -22,7 +22,7 @@ class HostTable {
 public:
   enum class Outcome {
     defined,
-    /// An earlier HOSTNAME line has defined it: ordinary, for the first one is meant to win.
+    /// An earlier HOSTNAME line has defined it. This is no error: the first definition counts.
     defined_before,
     /// It was used before, and thereby stands for localhost already.
     used_before
@@ -30,7 +30,7 @@ public:
 
   Outcome define(std::string_view name, std::string host);
 
-  /// Makes later definitions of an undefined name come too late.
+  /// Marks a name as used: if it is undefined, later definitions have no effect (`used_before`).
   void mark_used(std::string_view name);
 
   /// Replaces `[Name]` by its definition, and `localhost` and `127.0.0.1` by that of the name

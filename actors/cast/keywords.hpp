@@ -44,8 +44,8 @@ struct KeywordMatch {
   bool glued = false;
 };
 
-/// These match by prefix, as the language has always done, except for the keywords that it did not
-/// have from the beginning. HOSTNAME is none of them.
+/// These match by prefix, as in the original language, except for keywords that were added later.
+/// HOSTNAME does not match.
 std::optional<KeywordMatch<SectionKeyword>> match_section_keyword(std::string_view line) noexcept;
 std::optional<KeywordMatch<VariableCommand>> match_variable_command(std::string_view line) noexcept;
 std::optional<KeywordMatch<Directive>> match_directive(std::string_view line) noexcept;
@@ -65,7 +65,7 @@ std::optional<ComponentKind> match_kind(std::string_view word) noexcept;
 /// Every word that may begin a line: for suggestions.
 const std::vector<std::string_view>& all_line_keywords();
 
-/// The variables that the parser itself sets for every file: its directory, by two names, and itself.
+/// Variables that the parser sets for every file: its directory, by two names, and its path.
 inline constexpr std::string_view config_dir_variable = "CONFIG_DIR";
 inline constexpr std::string_view current_dir_variable = "CURRENT_DIR";
 inline constexpr std::string_view current_file_variable = "CURRENT_FILE";

@@ -28,8 +28,8 @@ enum class Merge {
 std::string merge_flags(std::string_view current, std::string_view changes, Merge merge);
 
 /// Whether any, or all, of the wanted flags have the wanted state in `value`. A flag that is absent
-/// there is unset; of one that occurs twice the first counts. All of no flags is true, any is
-/// false.
+/// there is unset; of one that occurs twice the first counts. With no wanted flags, all is true and
+/// any is false.
 bool matches_any_flag(std::string_view value, std::string_view wanted);
 bool matches_all_flags(std::string_view value, std::string_view wanted);
 

@@ -16,16 +16,16 @@ namespace castor::cast {
 /// What could be understood of a file with errors.
 struct Understood {
   ArchitectureDescription architecture;
-  /// The words of the lines that were not understood: what they name may exist.
+  /// Words of the lines that were not understood; names among them may exist.
   std::set<std::string, std::less<>> doubtful;
-  /// Lines are missing, so that nothing can be said to be missing.
+  /// Lines are missing, so the absence of a name is no error.
   bool is_incomplete = false;
 };
 
 struct ParseResult {
   /// Present exactly if no diagnostic is an error.
   std::optional<ArchitectureDescription> architecture;
-  /// Without an architecture: what of it could be understood, for further checks only.
+  /// Without an architecture: the part that was understood, for further checks only.
   Understood understood;
   /// All findings, in the order of the lines they are about.
   std::vector<Diagnostic> diagnostics;

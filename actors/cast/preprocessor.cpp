@@ -205,7 +205,7 @@ private:
       return;
     if (command.glued)
       log_.report(Severity::warning, line,
-                  "read as " + std::string(command.word) + " with letters too many");
+                  "read as " + std::string(command.word) + " with the letters behind it ignored");
     if (!multiline && assignment->value.find(" #") != std::string_view::npos)
       log_.report(Severity::note, line, "the text from # on is part of the value",
                   "put a comment on a line of its own");

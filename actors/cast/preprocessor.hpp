@@ -12,18 +12,17 @@
 
 namespace castor::cast {
 
-/// A line that says something about the architecture.
+/// A line that describes the architecture.
 struct StructureLine {
   /// After replacement of variables, trimmed, not blank.
   std::string_view text;
   const SourceLine* line = nullptr;
 };
 
-/// What is left of a source when variables and conditions have done their work. Refers to the
-/// source.
+/// A source after evaluation of its variables and conditions. Refers to the source.
 struct Preprocessed {
   std::vector<StructureLine> lines;
-  /// What those lines' texts point into, where it is not the source.
+  /// Storage of those line texts that do not point into the source.
   std::deque<std::string> texts;
   HostTable hosts;
   /// Comment lines that begin with `#EXPAND`, expanded: in disabled blocks too, and without

@@ -15,7 +15,7 @@ namespace castor::cast {
 struct Source {
   /// Each entry into a file, and each return to one, is marked by a line of kind `enter_file`.
   std::vector<SourceLine> lines;
-  /// What the lines' texts point into.
+  /// Storage of the line texts.
   std::vector<std::shared_ptr<const std::string>> texts;
   /// A limit was hit: lines are missing, so that their absence means nothing.
   bool truncated = false;

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-/// Changes of a system that runs.
+/// Changes of a running system.
 namespace castor::cast {
 
-/// Adds to `running` what a file describes that was read with the names of the running
-/// subarchitectures (`ParseOptions`): whole subarchitectures, and components of those that run. The
-/// new components get numbers from `next_number` on, which no component ever had.
+/// Adds the content of a file to `running`: whole subarchitectures, and components of running ones.
+/// The file was read with the names of the running subarchitectures (`ParseOptions`). The new
+/// components get numbers from `next_number` on, which no component ever had.
 ///
-/// Returns what stands in the way; then nothing is added.
+/// Returns the problems; if there are any, nothing is added.
 std::vector<Diagnostic> join(ArchitectureDescription& running, ArchitectureDescription added,
                              std::size_t& next_number);
 
 struct Removal {
-  /// What goes, working memories left out: in the order in which it is to be stopped.
+  /// Components to remove, without working memories, in the order in which to stop them.
   std::vector<std::string> components;
   /// Why nothing can be removed; empty if it can.
   std::string problem;

@@ -14,12 +14,12 @@ namespace castor::cast {
 
 enum class Remarks { no, yes };
 
-/// Says that localhost takes the place of a host that nobody defined.
+/// Reports that localhost is used for an undefined host.
 void report_undefined_host(const HostTable& hosts, std::string_view name, const SourceLine& line,
                            DiagnosticLog& log);
 
-/// The variables and hosts of one parse, the bounds on what replacing them may produce, and what
-/// there is to say about undefined ones.
+/// The variables and hosts of one parse, the limits on the text that replacing them may produce,
+/// and the reports of undefined ones.
 class Scope {
 public:
   Scope(const Limits& limits, DiagnosticLog& log);
@@ -37,7 +37,7 @@ public:
   /// @returns false, after an error, if it exceeds them
   bool admit(const SourceLine& line, std::string_view text);
 
-  /// The limit on all expansions together is exceeded: there is no point in going on.
+  /// The limit on all expansions together is exceeded: the rest need not be read.
   bool exhausted() const noexcept { return exhausted_; }
 
 private:

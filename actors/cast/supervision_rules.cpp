@@ -119,7 +119,7 @@ private:
 void SupervisionRules::read_supervise(WordStream& words, const StructureLine& line,
                                       DiagnosticLog& log) {
   auto who = words.next();
-  std::string problem = "this line does not say whom to supervise";
+  std::string problem = "SUPERVISE without a name";
   SupervisionRule rule{who.value_or(""), {}, line.line->where()};
   if (is_given(who))
     problem = PolicyReader{words}.read(rule.policy);
@@ -140,7 +140,7 @@ void SupervisionRules::read_failover(WordStream& words, const StructureLine& lin
   while (!words.peek().empty() && !words.peek().starts_with('#'))
     rule.hosts.push_back(use_host(*words.next()));
   if (!is_given(who) || to != "TO" || rule.hosts.empty()) {
-    log.report(Severity::error, *line.line, "this line does not say what moves where",
+    log.report(Severity::error, *line.line, "this FAILOVER line is incomplete",
                "write FAILOVER who TO host [host...], where who is a subarchitecture or a "
                "component",
                line.text);
@@ -162,8 +162,8 @@ void SupervisionRules::finish(const std::set<std::string, std::less<>>& subarchi
     auto [first, is_new] = seen.try_emplace(who, &line);
     if (!is_new)
       log.report(Severity::error, *line.line,
-                 "how to supervise " + who + " is said at " +
-                   to_string(first->second->line->where()) + " already",
+                 who + " has a SUPERVISE line at " + to_string(first->second->line->where()) +
+                   " already",
                  "remove one of the lines", line.text);
   }
   // Components that are no working memories: those go where their subarchitectures go.

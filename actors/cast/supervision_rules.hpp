@@ -12,7 +12,7 @@
 
 namespace castor::cast {
 
-/// Collects the lines that say how a system deals with failures:
+/// Collects the SUPERVISE and FAILOVER lines:
 ///
 ///     SUPERVISE vision one_for_all RESTARTS 5 IN 30s DELAY 100ms TO 2s
 ///     FAILOVER vision TO node2 node3

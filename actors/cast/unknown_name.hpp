@@ -8,8 +8,8 @@
 
 namespace castor::cast {
 
-/// Reports a name that nothing has. The remedy is the nearest of the names that there are, or else
-/// `otherwise`; looking for the nearest costs nothing once there are too many errors to be told.
+/// Reports an unknown name. The remedy is the nearest known name, or else `otherwise`; the nearest
+/// one is not searched for once the limit of reported errors is reached.
 void report_unknown(const std::string& name, const std::set<std::string, std::less<>>& known,
                     std::string message, std::string otherwise, const StructureLine& line,
                     DiagnosticLog& log);

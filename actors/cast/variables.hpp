@@ -38,7 +38,7 @@ struct Assignment {
 /// underscores, or if there is no equals sign.
 std::optional<Assignment> parse_assignment(std::string_view text) noexcept;
 
-/// What becomes of `%(name)` if there is no such variable.
+/// Treatment of `%(name)` if there is no such variable.
 enum class Undefined { keep, drop };
 
 /// The prefix by which `%(host:Name)` refers to a HOSTNAME.
@@ -50,14 +50,14 @@ struct Expansion {
   std::vector<std::string_view> undefined_variables;
   /// Names of hosts, without the prefix, that were not defined and became localhost.
   std::vector<std::string_view> undefined_hosts;
-  /// Some host came out as plain localhost.
+  /// Some host was resolved to plain localhost.
   bool uses_localhost = false;
   /// The result would be longer than allowed: `text` is cut.
   bool too_long = false;
 };
 
 /// Replaces each `%(name)`. The name is everything up to the next closing parenthesis, blanks
-/// included; an unclosed `%(` stays. What was put in is not looked at again.
+/// included; an unclosed `%(` stays. Replaced text is not expanded again.
 /// @param text must outlive the result, which refers to names in it
 Expansion expand(std::string_view text, const VariableTable& variables, const HostTable& hosts,
                  Undefined undefined, std::size_t max_bytes);

@@ -14,7 +14,7 @@ namespace castor::cast {
 bool is_given(const std::optional<std::string>& word) noexcept;
 
 /// The words of a line, one after the other. A word that begins with `$` is replaced as a whole by
-/// the environment variable that it names; the value is not split again. Words that nobody asks for
+/// the environment variable that it names; the value is not split again. Words that are not read
 /// are not replaced, so an undefined environment variable in a comment does no harm.
 class WordStream {
 public:

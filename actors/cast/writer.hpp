@@ -6,8 +6,8 @@
 
 namespace castor::cast {
 
-/// The description as a `.cast` file without variables, conditions and includes, which is read as
-/// the same description. Hosts stand at every line.
+/// The description as a `.cast` file without variables, conditions and includes, which parses to
+/// the same description. Every component line has its host.
 std::string to_cast(const ArchitectureDescription& architecture);
 
 } // namespace castor::cast

@@ -14,27 +14,27 @@
 
 namespace castor {
 
-/// Which of the proposed tasks are under way. It is told what happened and returns what that
-/// decides, in this order: rejections, adoptions, and that the proposed task has to wait.
+/// Decides which proposed tasks are adopted. Each function takes an event and returns the resulting
+/// decisions, in this order: rejections, adoptions, and that the proposed task has to wait.
 ///
 /// - A task is ready once all its predecessors have succeeded. If one of them ends in any other
-///   way, the task is rejected, and so are those that come after it. A predecessor that nobody has
-///   proposed so far is waited for; a cycle of predecessors is rejected when it closes.
+///   way, the task is rejected, and so are those that depend on it. A predecessor that was not
+///   proposed so far is waited for; a task that closes a cycle of predecessors is rejected.
 /// - Among ready tasks the one of highest priority comes first, then the oldest. It is adopted when
-///   its cost fits into what the adopted tasks leave of the budget; until then none that comes
-///   behind it is adopted either, so that small tasks cannot starve a large one. With `backfill`
-///   they are adopted, and can.
+///   its cost fits into the rest of the budget; until then none behind it is adopted either, so
+///   that small tasks cannot starve a large one. With `backfill` they are adopted, and can starve
+///   it.
 /// - A task that costs more than the whole budget is rejected.
 class TaskSchedule {
 public:
   struct Rules {
-    /// What the adopted tasks may cost together. Met up to a relative rounding error of 1e-9, so
+    /// Highest total cost of the adopted tasks. Met up to a relative rounding error of 1e-9, so
     /// that ten tasks of 0.1 fit into 1.
     double budget = 1;
     /// Whether a task that fits may overtake one that does not.
     bool backfill = false;
-    /// Of how many tasks that are over it is known how they ended. A task that comes after one that
-    /// was forgotten waits as if nobody had proposed that one.
+    /// Number of ended tasks whose outcome is remembered. A forgotten predecessor counts as not
+    /// proposed so far.
     std::size_t remembered = 10'000;
   };
 
@@ -42,14 +42,15 @@ public:
 
   explicit TaskSchedule(Rules rules) : rules_(rules) {}
 
-  /// Decides on the task: adopted, waiting or rejected. One under way by the same id is retracted.
+  /// Decides on the task: adopted, waiting or rejected. An earlier task of the same id that has not
+  /// ended is retracted.
   Decisions propose(const TaskProposal& task);
 
   /// Unknown ids are ignored, here and in `complete`.
   Decisions retract(const TaskId& id);
   Decisions complete(const TaskId& id, TaskOutcome outcome);
 
-  /// What the adopted tasks cost together.
+  /// Total cost of the adopted tasks.
   double used() const;
 
 private:
@@ -58,7 +59,7 @@ private:
 
   struct Task {
     TaskOptions options;
-    /// Counts proposals.
+    /// Sequence number of the proposal.
     std::uint64_t number = 0;
     /// Predecessors that have not succeeded so far.
     std::set<TaskId> awaited;
@@ -70,7 +71,7 @@ private:
   static Place place_of(const Task& x) { return {-std::int64_t{x.options.priority}, x.number}; }
   static std::string to_string(End x);
 
-  /// What forbids the task for good; empty if nothing does.
+  /// Reason to reject the task; empty if there is none.
   std::string objection(const TaskProposal& task) const;
   /// "a waits for b, which waits for a", should the task close a cycle; otherwise empty.
   std::string cycle_through(const TaskProposal& task) const;
@@ -84,9 +85,9 @@ private:
 
   Rules rules_;
   std::uint64_t proposals_ = 0;
-  /// Adopted and waiting ones.
+  /// Adopted and waiting tasks.
   std::unordered_map<TaskId, Task> tasks_;
-  /// What each adopted task costs.
+  /// Cost of each adopted task.
   std::map<TaskId, double> running_;
   std::map<Place, TaskId> ready_;
   /// By predecessor, the tasks that await it, oldest first.

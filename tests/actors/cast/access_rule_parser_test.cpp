@@ -95,7 +95,7 @@ TEST(AccessRuleParser, OfOperatorsAreCheckedToo) {
     reports(parse(systems + "ACCESS operator WRITES nothing\nACCESS operator WRITES vision\n"),
             Severity::error, 11, "another line lets them write", "remove one"));
   EXPECT_TRUE(reports(parse("SUBARCHITECTURE operator\nCPP WM W\nCPP TM T\n"), Severity::error, 1,
-                      "has a meaning of its own in ACCESS lines"));
+                      "is a keyword of ACCESS lines"));
 }
 
 TEST(AccessRuleParser, DoNotHideHostsOfThatName) {

@@ -107,7 +107,7 @@ TEST(Subarchitectures, NeedDifferentNames) {
 
 TEST(Subarchitectures, MayNotTakeTheNameOfTheSystemsOwn) {
   auto result = parse(system_with("SUBARCHITECTURE castor\n") + wm + tm + "CPP UM castor_wm A\n");
-  EXPECT_TRUE(reports(result, Severity::error, 5, "where every system tells of its own health",
+  EXPECT_TRUE(reports(result, Severity::error, 5, "is the subarchitecture of the health entries",
                       "another name"));
   EXPECT_TRUE(reports(result, Severity::error, 8, "a working memory that every system has"));
   EXPECT_EQ(test::count(result, Severity::error), 2U);

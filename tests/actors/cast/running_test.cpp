@@ -79,7 +79,7 @@ TEST_F(RunningSystem, TakesWholeSubarchitecturesStandaloneComponentsAndRules) {
 TEST_F(RunningSystem, RefusesRulesAboutOperators) {
   auto parsed = read_addition("ACCESS operator WRITES vision\n");
   ASSERT_EQ(parsed.diagnostics.size(), 1U);
-  EXPECT_THAT(parsed.diagnostics[0].message, HasSubstr("was said when the system was started"));
+  EXPECT_THAT(parsed.diagnostics[0].message, HasSubstr("are fixed when the system is started"));
 }
 
 TEST_F(RunningSystem, OperatorsMayNotWriteMoreWhenASubarchitectureIsRemoved) {

@@ -46,7 +46,7 @@ TEST(SupervisionRules, MayBeForAllOthers) {
 
 TEST(SupervisionRules, SayWhatIsWrong) {
   for (auto [line, message] : {
-         std::pair{"SUPERVISE", "whom to supervise"},
+         std::pair{"SUPERVISE", "SUPERVISE without a name"},
          {"SUPERVISE vison", "no subarchitecture 'vison'"},
          {"SUPERVISE vision one_for_al", "did you mean 'one_for_all'"},
          {"SUPERVISE vision RESTARTS many IN 10s", "whole number"},
@@ -56,8 +56,8 @@ TEST(SupervisionRules, SayWhatIsWrong) {
          {"SUPERVISE vision DELAY 1s", "followed by TO"},
          {"SUPERVISE vision DELAY 1s TO 10ms", "no shorter"},
          {"SUPERVISE vision\nSUPERVISE vision", "already"},
-         {"FAILOVER vision", "what moves where"},
-         {"FAILOVER vision TO", "what moves where"},
+         {"FAILOVER vision", "this FAILOVER line is incomplete"},
+         {"FAILOVER vision TO", "this FAILOVER line is incomplete"},
          {"FAILOVER trackr TO h", "neither a subarchitecture nor a component 'trackr'"},
        })
     EXPECT_THAT(render(parse(systems + line + '\n').diagnostics), HasSubstr(message)) << line;
