@@ -6,7 +6,7 @@
 
 namespace castor {
 
-/// Names an actor in the whole system; 0 is no actor.
+/// Name of an actor, unique in the system; 0 for none.
 using ActorName = std::uint64_t;
 
 constexpr ActorName make_actor_name(ProcessNumber process, std::uint32_t number) {
@@ -17,8 +17,8 @@ constexpr ProcessNumber process_of(ActorName name) {
   return static_cast<ProcessNumber>((name >> 32) - 1);
 }
 
-/// Number of an actor that every process has under the same number; which those are is not the
-/// links' business.
+/// Number of an actor that has the same number in every process. The numbers are assigned by the
+/// user of the links.
 enum class WellKnownActor : std::uint32_t {};
 
 /// All numbers up to this one are for well-known actors.

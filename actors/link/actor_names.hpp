@@ -15,14 +15,14 @@
 
 namespace castor {
 
-/// The names that the actors of a system have for one process: those of its own, which the others
-/// may know, and those of the others, for which it has representatives; and the types that the
-/// others have introduced. Safe to use from any thread.
+/// The actor names that one process of a system knows: those of its own actors that other processes
+/// may know, and those of remote actors, for which it has representatives; and the types that other
+/// processes have introduced. Safe to use from any thread.
 class ActorNames : public WireNames, public std::enable_shared_from_this<ActorNames> {
 public:
   ActorNames(caf::actor_system& system, ProcessNumber self) : system_(system), self_(self) {}
 
-  /// Makes an actor of this process known under that number.
+  /// Registers an actor of this process under a well-known number.
   void set(WellKnownActor number, const caf::strong_actor_ptr& who);
 
   ActorName name_of(const caf::strong_actor_ptr& x) override;
@@ -35,14 +35,14 @@ public:
   /// Null if there is none.
   std::shared_ptr<LinkPort> port(ProcessNumber process) const;
 
-  /// An actor of another process has ended, and so does its representative.
+  /// Ends the representative of a remote actor that has ended.
   void end_of_remote(ActorName name);
 
-  /// The process is lost. Its actors have no names any more; returns their representatives, which
-  /// are to end.
+  /// The process is lost. Removes the names of its actors; returns their representatives, which are
+  /// to end.
   std::vector<caf::strong_actor_ptr> remove_process(ProcessNumber process);
 
-  /// Nobody here can be named any more; returns the other processes.
+  /// Removes all names of local actors; returns the other processes.
   std::vector<ProcessNumber> close();
 
 private:

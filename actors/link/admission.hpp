@@ -11,20 +11,19 @@
 
 namespace castor {
 
-/// How many connections may be open that have not introduced themselves, and for how long.
+/// Limits on open connections that have not introduced themselves.
 struct AdmissionLimits {
   std::size_t all = 64;
   std::size_t per_address = 32;
-  /// For one that has said nothing at all.
+  /// Time for a connection that has sent nothing.
   std::chrono::milliseconds silent{1000};
-  /// For any.
+  /// Time for any connection.
   std::chrono::milliseconds patience{3000};
 };
 
-/// Decides which connections are kept that have not introduced themselves: of those that a listener
-/// has accepted, and whose peers could be anybody. Where there is no room for another one, the
-/// oldest gives way that has said nothing, and strangers give way before those whose address is
-/// known.
+/// Decides which accepted connections are kept that have not introduced themselves, and whose peers
+/// could be anybody. When a limit is reached, silent connections are closed first, those from
+/// unknown addresses before those from known ones, and the oldest first.
 ///
 /// Pure: it gets the time, and returns what to close.
 class Admission {
@@ -38,13 +37,13 @@ public:
   /// the new one; nothing if there is room.
   std::optional<Connection> admit(Connection x, const std::string& address, Time now);
 
-  /// Something came over a connection.
+  /// Bytes arrived over a connection.
   void has_sent(Connection x);
 
-  /// A connection was closed, or belongs to somebody else now.
+  /// A connection was closed or handed over.
   void remove(Connection x) { waiting_.erase(x); }
 
-  /// Whoever connects from there has introduced itself as the protocol has it.
+  /// A peer at this address has introduced itself correctly: the address is known from now on.
   void remember(const std::string& address);
 
   /// Connections whose time is over.
@@ -63,7 +62,7 @@ private:
 
   AdmissionLimits limits_;
   std::map<Connection, Waiting> waiting_;
-  /// The most recent ones first.
+  /// Known addresses, the most recent first.
   std::deque<std::string> known_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace castor {
 
-/// A connection that the peer has made, and what came over it so far. It is closed with the last
-/// reference to it, unless a link has taken it.
+/// A connection that the peer has made, and the bytes received over it so far. It is closed with
+/// the last reference to it, unless a link has taken it.
 struct AcceptedConnection {
   caf::io::scribe_ptr connection;
   std::shared_ptr<Channel> channel;
@@ -19,7 +19,7 @@ struct AcceptedConnection {
   Bytes received;
 };
 
-/// To a link: it may take the connection; what it leaves there belongs to the sender.
+/// To a link: it may take the connection; otherwise the sender keeps it.
 struct AdoptConnection {
   std::shared_ptr<AcceptedConnection> accepted;
 };

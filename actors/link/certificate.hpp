@@ -11,11 +11,10 @@ namespace castor {
 /// The node names in a certificate: its DNS names, then its common name if that is another.
 std::vector<std::string> names_in(const x509_st* certificate);
 
-/// The certificate's subject with whatever is not printable escaped, for messages.
+/// The certificate's subject with unprintable characters escaped, for messages.
 std::string subject_of(const x509_st* certificate);
 
-/// What was found wrong with a certificate, as it goes on after "the certificate": "expired on
-/// ...".
+/// Why a certificate is not valid, as a clause that follows "the certificate": "expired on ...".
 std::string why_not_valid(x509_store_ctx_st* verification);
 
 } // namespace castor

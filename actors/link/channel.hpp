@@ -14,53 +14,52 @@
 
 namespace castor {
 
-/// What lies between a connection and what is said over it: nothing, or encryption. Throws
-/// SecurityError.
+/// Layer between a connection and its plain bytes: encryption, or none. Throws SecurityError.
 class Channel {
 public:
-  /// With credentials, an encrypted one.
+  /// Encrypts if there are credentials.
   Channel(const std::optional<Credentials>& credentials, SecureChannel::Role role) {
     if (credentials)
       secure_.emplace(*credentials, role);
   }
 
-  /// Whether it is time to speak.
+  /// Whether plain bytes may be sent: without encryption always, otherwise after the handshake.
   bool is_ready() const { return !secure_ || secure_->established(); }
 
-  /// Whether the peer may call itself that.
+  /// Whether the peer's certificate has this name; true without encryption.
   bool proves(std::string_view name) const { return !secure_ || secure_->peer_has_name(name); }
 
-  /// Takes what arrived; what the peer has said thereby, which stays valid until the next call, and
-  /// no longer than what arrived does.
+  /// Decrypts bytes from the network. The result is valid until the next call, and no longer than
+  /// `from_network`.
   std::span<const std::uint8_t> receive(std::span<const std::uint8_t> from_network) {
     if (!secure_)
       return from_network;
-    if (!std::exchange(has_heard_, true) && !from_network.empty() &&
+    if (!std::exchange(has_received_, true) && !from_network.empty() &&
         is_begin_of_greeting(static_cast<char>(from_network.front())))
       throw SecurityError(peer_lacks_tls);
-    said_.clear();
-    secure_->receive(from_network, said_);
-    return said_;
+    plain_.clear();
+    secure_->receive(from_network, plain_);
+    return plain_;
   }
 
-  /// Appends what is to be written so that the peer hears `words`, and what else is due.
-  void write(std::vector<char> words, std::vector<char>& to_network) {
+  /// Encrypts `plain`, and appends it to `to_network`, with handshake bytes that are due.
+  void write(std::vector<char> plain, std::vector<char>& to_network) {
     if (!secure_) {
       if (to_network.empty())
-        to_network.swap(words);
+        to_network.swap(plain);
       else
-        to_network.insert(to_network.end(), words.begin(), words.end());
+        to_network.insert(to_network.end(), plain.begin(), plain.end());
       return;
     }
-    if (!words.empty())
-      secure_->send({reinterpret_cast<const std::uint8_t*>(words.data()), words.size()});
+    if (!plain.empty())
+      secure_->send({reinterpret_cast<const std::uint8_t*>(plain.data()), plain.size()});
     secure_->take_outgoing(to_network);
   }
 
 private:
   std::optional<SecureChannel> secure_;
-  bool has_heard_ = false;
-  Bytes said_;
+  bool has_received_ = false;
+  Bytes plain_;
 };
 
 } // namespace castor

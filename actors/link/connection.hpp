@@ -17,40 +17,40 @@ namespace castor {
 
 /// Connections that a process had no file descriptor for.
 struct DescriptorShortage {
-  /// How many were accepted with the descriptor kept in reserve, told why, and closed.
+  /// Number of connections accepted with the reserve descriptor, sent the reason, and closed.
   std::size_t turned_away = 0;
-  /// What `accept` failed with, in words.
+  /// Error text of `accept`.
   std::string problem;
 };
 
 struct AcceptorParts {
   /// Listens already; belongs to the broker from now on.
   int socket = -1;
-  /// What is written to a connection that there is no descriptor for, before it is closed.
+  /// Bytes written to a connection that there is no descriptor for, before it is closed.
   std::vector<char> farewell = {};
-  /// Called on the network's thread, whenever the limit of descriptors was met.
+  /// Called on the network's thread, whenever the limit of descriptors was reached.
   std::function<void(const DescriptorShortage&)> on_shortage = {};
 };
 
-/// To a broker with an acceptor: what was halted at the limit of descriptors goes on; to be passed
-/// to `trigger`.
+/// To a broker with an acceptor: resume accepting after the limit of descriptors was reached. To be
+/// passed to `trigger`.
 struct ResumeAccepting {
   caf::io::accept_handle acceptor;
 };
 
 /// Adds a connected socket to a broker, to which it belongs from now on.
 ///
-/// As `add_scribe`, but for two things: it lets go of its descriptor also if it is closed in the
-/// same round of the network's loop in which it was activated - CAF's own stays open for ever then
-/// - and once it is closed, a peer that acknowledges nothing holds it for two seconds at most.
+/// As `add_scribe`, but for two things: it closes its descriptor also if it is closed in the same
+/// round of the network's loop in which it was activated - CAF's own stays open for ever then
+/// - and after closing, a peer that acknowledges nothing keeps the socket for two seconds at most.
 caf::io::connection_handle add_connection(caf::io::abstract_broker& to, int socket);
 
 /// Adds a listening socket to a broker, which has to handle `ResumeAccepting`. Its connections are
 /// made as by `add_connection`.
 ///
-/// As `add_doorman`, but for what happens at the limit of descriptors, where CAF's own tries again
-/// and again: a descriptor that is kept in reserve accepts those who wait, tells them why, and
-/// closes their connections; then the acceptor rests for a tenth of a second.
+/// As `add_doorman`, but for what happens at the limit of descriptors, where CAF's own retries
+/// without a pause: with a reserve descriptor, waiting connections are accepted, sent the reason,
+/// and closed; then the acceptor pauses for 0.1 s.
 caf::io::accept_handle add_acceptor(caf::io::abstract_broker& to, AcceptorParts parts);
 
 } // namespace castor

@@ -100,7 +100,7 @@ Key key_in(const path& file) {
   bool asked = false;
   Key result{PEM_read_bio_PrivateKey(reader.get(), nullptr, refuse_passphrase, &asked)};
   if (asked)
-    refuse(file, "the key is encrypted, and nobody is there to type a passphrase",
+    refuse(file, "the key is encrypted, and a node cannot ask for a passphrase",
            "openssl pkey -in FILE -out FILE removes it");
   if (!result)
     refuse(file, "holds no private key in PEM form", make_anew);

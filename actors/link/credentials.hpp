@@ -16,16 +16,16 @@ class SecurityError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How a node proves who it is and whom it believes: its certificate and key, and the CA that signs
-/// those of all its peers. Copies share one state, and may be used in several threads.
+/// TLS identity of a node: its certificate and key, and the CA that signs the certificates of all
+/// its peers. Copies share one state, and may be used in several threads.
 ///
-/// Certificates are not revoked: a key that was stolen makes a new CA necessary.
+/// There is no revocation: after the theft of a key, a new CA is necessary.
 class Credentials {
 public:
   /// Reads `ca.pem`, `node.pem` (the certificate, and those between it and the CA if there are any)
-  /// and `node.key` of the directory. Throws a SecurityError if one of them is missing or of no
-  /// use, if they do not belong together, if the certificate is not valid now, or if others than
-  /// the owner may read the key.
+  /// and `node.key` of the directory. Throws a SecurityError if one of them is missing or unusable,
+  /// if they do not belong together, if the certificate is not valid now, or if others than the
+  /// owner may read the key.
   static Credentials load(const std::filesystem::path& directory);
 
   /// The names that the own certificate proves: its DNS names, and its common name.

@@ -111,9 +111,9 @@ bool is_loopback(const sockaddr& x) {
 }
 
 /// Why there is no connection with another machine.
-constexpr const char* not_proved =
-  "who is there cannot be known: start the nodes and the system with --tls DIR (scripts/make-certs "
-  "makes certificates), or all with --insecure";
+constexpr const char* not_proved = "the peer cannot be identified: start the nodes and the system "
+                                   "with --tls DIR (scripts/make-certs "
+                                   "makes certificates), or all with --insecure";
 
 } // namespace
 

@@ -10,20 +10,20 @@
 
 namespace castor {
 
-/// Whom a TCP connection may lead to.
+/// Peers that `dial` may connect to over TCP.
 enum class PeerTrust {
-  /// To nobody. Addresses of this machine stand for the Unix sockets beside them (node_socket.hpp),
+  /// None. An address of this machine is replaced by the Unix socket beside it (node_socket.hpp),
   /// at which a process of the same user listens.
   same_user,
-  /// To whatever listens there; it will have to prove its name.
+  /// Any listener; it has to prove its name with a certificate.
   certified,
-  /// To whatever listens there, unless there is a node of the same user.
+  /// Any listener, but on this machine a node of the same user takes precedence.
   anybody,
 };
 
-/// Connects, without ever hanging: tries every address that the host has until one answers. Returns
-/// a socket, or why there is none. Gives up early once `cancelled` says so. At a Unix socket, only
-/// a process of the same user is believed, whatever `trust` says.
+/// Connects within `patience`: tries every address of the host until one answers. Returns a socket,
+/// or why there is none. Gives up early once `cancelled` returns true. At a Unix socket, only a
+/// process of the same user is accepted, regardless of `trust`.
 std::variant<int, std::string> dial(const Endpoint& to, PeerTrust trust,
                                     std::chrono::milliseconds patience,
                                     const std::function<bool()>& cancelled);
@@ -35,7 +35,7 @@ int listen_at(const Endpoint& at);
 /// The port that a listening TCP socket has.
 std::uint16_t port_of(int socket);
 
-/// Why nobody knows where that host is; empty if it has an address, or is a path.
+/// Why the host cannot be resolved; empty if it has an address, or is a path.
 std::string why_unknown(const std::string& host);
 
 /// Whether everybody who can connect is on this machine.

@@ -5,7 +5,7 @@
 
 namespace castor {
 
-/// A place to be reached at: by TCP, or at a Unix socket of this machine.
+/// A TCP address, or a Unix socket of this machine.
 struct Endpoint {
   /// A name or an address; the absolute path of the socket if it is a Unix socket.
   std::string host;

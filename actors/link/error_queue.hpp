@@ -4,9 +4,9 @@
 
 namespace castor {
 
-/// OpenSSL's error queue belongs to the thread, and what one channel leaves there another takes for
-/// an error of its own. While an object of this class lives, the queue holds only what was called
-/// since; before and after that it is empty.
+/// Empties OpenSSL's error queue in its constructor and destructor: the queue belongs to the
+/// thread, so that errors left by one channel would be taken for errors of another. While this
+/// object lives, the queue holds only errors of calls made since.
 class ErrorQueue {
 public:
   ErrorQueue();
@@ -18,7 +18,7 @@ public:
   int ssl_reason() const;
   /// The PEM_R_ code of the latest error; 0 if it is none of the PEM reader's.
   int pem_reason() const;
-  /// What OpenSSL says about the latest error.
+  /// OpenSSL's text of the latest error.
   std::string text() const;
 };
 

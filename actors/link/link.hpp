@@ -10,31 +10,30 @@
 
 namespace castor {
 
-/// To a link: the end, once what can be sent was sent.
+/// To a link: end, after sending what can be sent.
 struct CloseLink {
   std::string reason;
 };
 
-/// To a link: from now on the peer is lost after so long without a connection.
+/// To a link: time without a connection after which the peer is lost, from now on.
 struct LinkPatience {
   std::chrono::milliseconds patience{0};
 };
 
 /// Connects this process with another one of the same system, for as long as both live: lost
-/// connections are made anew and nothing is lost with them. From now on it is the mesh's port to
-/// the peer.
+/// connections are made anew, without loss of messages. Registers the link with the mesh.
 caf::actor spawn_link(LinkParts parts);
 
-/// Says how a link gets to its peer: with credentials over TCP; without them to processes of the
-/// same user alone, or, if `insecure`, to anybody. At a Unix socket the kernel says who the peer
-/// is, and there is nobody to hide anything from.
+/// Sets which peers a link connects to: with credentials over TCP; without them only processes of
+/// the same user, or, if `insecure`, any. At a Unix socket the kernel identifies the peer, and
+/// encryption is not needed.
 void secure(LinkParts& parts, const std::optional<Credentials>& credentials, bool insecure);
 
-/// How a link is made.
+/// Creates a link.
 using LinkSpawn = std::function<caf::actor(LinkParts)>;
 
-/// Waits until actors that were told to end have ended: those of the network are not waited for
-/// when an actor system is destroyed, and what they were sent before is lost then.
+/// Waits until actors that were told to end have ended: the destructor of an actor system does not
+/// wait for network actors, and messages sent to them before would be lost.
 void await_ends(caf::actor_system& system, const std::vector<caf::actor>& actors);
 
 } // namespace castor

@@ -32,7 +32,7 @@ void LinkEnd::remind(LinkReminder of) {
       dial();
       break;
     case LinkReminder::delayed:
-      guarded([this] { say_delayed(); });
+      guarded([this] { write_delayed(); });
       break;
   }
 }
@@ -77,7 +77,7 @@ void LinkEnd::begin_connection(Connection x, std::shared_ptr<Channel> channel) {
   handshake_input_.clear();
   delayed_.clear();
   in_buffer_ = 0;
-  heard_ = driver_.now();
+  last_input_ = driver_.now();
   driver_.listen_to(x);
 }
 
@@ -96,8 +96,8 @@ void LinkEnd::disconnected(const std::string& why) {
     down_since_ = driver_.now();
     backoff_ = 20ms;
   }
-  if (!over_ && (was_up || why != reason_))
-    tell(LinkState::down, why);
+  if (!has_ended_ && (was_up || why != reason_))
+    set_state(LinkState::down, why);
   reason_ = why;
   if (parts_.dial) {
     // With some jitter, so that those who lost each other at once do not meet at once for ever.
@@ -109,20 +109,20 @@ void LinkEnd::disconnected(const std::string& why) {
 
 /// Without a connection for good.
 void LinkEnd::lost(const std::string& why) {
-  if (std::exchange(over_, true))
+  if (std::exchange(has_ended_, true))
     return;
   if (connection_) {
     session_.say_goodbye(why);
-    say_last();
+    try_flush();
     drop_connection();
   }
   // Whoever waits for an answer learns of the reason first.
-  tell(LinkState::lost, why);
+  set_state(LinkState::lost, why);
   parts_.mesh->end_process(parts_.peer);
   driver_.quit();
 }
 
-void LinkEnd::say_last() {
+void LinkEnd::try_flush() {
   try {
     flush();
   } catch (const SecurityError&) {
@@ -131,10 +131,10 @@ void LinkEnd::say_last() {
 }
 
 void LinkEnd::close(const std::string& reason) {
-  over_ = true;
+  has_ended_ = true;
   if (greeted_) {
     session_.say_goodbye(reason);
-    say_last();
+    try_flush();
   }
   if (connection_)
     drop_connection();
@@ -213,22 +213,22 @@ bool LinkEnd::loses_next() {
   return result;
 }
 
-void LinkEnd::say_delayed() {
+void LinkEnd::write_delayed() {
   auto now = driver_.now();
   while (connection_ && !delayed_.empty() && delayed_.front().first <= now) {
-    auto words = std::move(delayed_.front().second);
+    auto bytes = std::move(delayed_.front().second);
     delayed_.pop_front();
-    write_now(std::move(words));
+    write_now(std::move(bytes));
   }
 }
 
 // -- what is said
 
-void LinkEnd::write(std::vector<char> words) {
+void LinkEnd::write(std::vector<char> bytes) {
   auto now = driver_.now();
   bool is_late = now < delayed_until_;
   if (!is_late && delayed_.empty()) {
-    write_now(std::move(words));
+    write_now(std::move(bytes));
     return;
   }
   if (is_late)
@@ -236,25 +236,25 @@ void LinkEnd::write(std::vector<char> words) {
   // Never before what is on its way.
   auto due = std::max(is_late ? now + delay_ : now,
                       delayed_.empty() ? Clock::time_point{} : delayed_.back().first);
-  in_buffer_ += words.size();
-  delayed_.emplace_back(due, std::move(words));
+  in_buffer_ += bytes.size();
+  delayed_.emplace_back(due, std::move(bytes));
   auto rest = std::chrono::ceil<Milliseconds>(due - now);
   driver_.remind(LinkReminder::delayed, std::max(rest, 0ms));
 }
 
 /// Says it, after the greeting if that is due.
-void LinkEnd::write_now(std::vector<char> words) {
+void LinkEnd::write_now(std::vector<char> bytes) {
   if (!hello_sent_ && channel_->is_ready()) {
     hello_sent_ = true;
     auto hello = parts_.self;
     hello.known = incarnation_;
     hello.received = session_.received();
     hello.attempt = attempt_;
-    write_greeting(words, hello);
+    write_greeting(bytes, hello);
   }
   auto& out = driver_.output(*connection_);
   auto before = out.size();
-  channel_->write(std::move(words), out);
+  channel_->write(std::move(bytes), out);
   in_buffer_ += out.size() - before;
   LinkRecord::add(record_->bytes_out, out.size() - before);
   driver_.flush(*connection_);
@@ -279,7 +279,7 @@ void LinkEnd::established(const Hello& x) {
   greeted_ = true;
   backoff_ = 20ms;
   LinkRecord::add(record_->connections, 1);
-  tell(LinkState::up, {});
+  set_state(LinkState::up, {});
   read(std::exchange(handshake_input_, {}));
   flush();
 }
@@ -292,22 +292,22 @@ void LinkEnd::receive(Connection from, std::span<const std::uint8_t> bytes) {
   discarding_input_ = discarding_input_ || is_silent();
   if (discarding_input_)
     return;
-  heard_ = driver_.now();
+  last_input_ = driver_.now();
   LinkRecord::add(record_->bytes_in, bytes.size());
   guarded([&] {
-    auto words = channel_->receive(bytes);
+    auto plain = channel_->receive(bytes);
     write({});
     if (greeted_) {
-      read(words);
+      read(plain);
     } else {
-      handshake_input_.insert(handshake_input_.end(), words.begin(), words.end());
-      hear_greeting();
+      handshake_input_.insert(handshake_input_.end(), plain.begin(), plain.end());
+      read_hello();
     }
     flush();
   });
 }
 
-void LinkEnd::hear_greeting() {
+void LinkEnd::read_hello() {
   auto greeting = read_greeting(handshake_input_);
   if (!greeting)
     return;
@@ -331,44 +331,44 @@ void LinkEnd::read(std::span<const std::uint8_t> bytes) {
 }
 
 void LinkEnd::send(LinkMessage x) {
-  if (over_)
+  if (has_ended_)
     return;
   guarded([&] {
     std::vector<TypeDescriptorPtr> unknown;
     for (auto& type : x.types)
-      if (told_types_.insert(type->hash).second)
+      if (introduced_types_.insert(type->hash).second)
         unknown.push_back(std::move(type));
     if (!unknown.empty())
       session_.send({parts_.mesh->introduction(unknown)});
     session_.send(std::move(x.message));
     LinkRecord::add(record_->messages_out, 1);
     if (connection_ && loses_next())
-      disconnected("what was sent was lost");
+      disconnected("an injected fault has lost a message");
     flush();
   });
 }
 
 void LinkEnd::flush() {
-  if (!greeted_ || !connection_ || (session_.has_something_to_say() && is_silent()))
+  if (!greeted_ || !connection_ || (session_.has_output() && is_silent()))
     return;
-  while (in_buffer_ < buffered && session_.has_something_to_say()) {
-    std::vector<char> words;
-    session_.produce(words, buffered - in_buffer_);
-    wrote_since_tick_ = wrote_since_tick_ || !words.empty();
-    write(std::move(words));
+  while (in_buffer_ < buffered && session_.has_output()) {
+    std::vector<char> bytes;
+    session_.produce(bytes, buffered - in_buffer_);
+    wrote_since_tick_ = wrote_since_tick_ || !bytes.empty();
+    write(std::move(bytes));
   }
   record_->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
 }
 
 void LinkEnd::tick() {
-  if (over_)
+  if (has_ended_)
     return;
   driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
   auto now = driver_.now();
   if (connection_ && discarding_input_ && !is_silent())
     disconnected("sent data was not acknowledged");
   if (connection_) {
-    if (now - heard_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
+    if (now - last_input_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
       disconnected("no sign of life");
     } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
       session_.remind();
@@ -382,7 +382,7 @@ void LinkEnd::tick() {
                      reason_.empty() ? "" : " (" + reason_ + ")"));
 }
 
-void LinkEnd::tell(LinkState state, const std::string& why) {
+void LinkEnd::set_state(LinkState state, const std::string& why) {
   LinkNews news{parts_.peer, state, why, parts_.peer_name};
   record_->set_news(news);
   if (parts_.on_news)

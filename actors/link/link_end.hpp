@@ -21,17 +21,17 @@
 
 namespace castor {
 
-/// What the end of a link wants to be reminded of.
+/// Timers of the end of a link.
 enum class LinkReminder : std::uint8_t {
-  /// To look after the connection.
+  /// Check the connection, and send a heartbeat.
   tick,
-  /// To make a new one.
+  /// Make a new connection.
   dial,
-  /// To say what was held back.
+  /// Write delayed output.
   delayed,
 };
 
-/// What connects the end of a link with the world.
+/// Network, clock and timers for the end of a link.
 class LinkDriver {
 public:
   using Clock = std::chrono::steady_clock;
@@ -43,20 +43,20 @@ public:
   virtual void remind(LinkReminder of, std::chrono::milliseconds after) = 0;
   /// Tries to connect with the peer; to be followed by `LinkEnd::dialled` or `not_dialled`.
   virtual void dial() = 0;
-  /// From now on the link hears what comes over a connection.
+  /// Passes what arrives over the connection to `LinkEnd::receive` from now on.
   virtual void listen_to(Connection x) = 0;
   virtual void close(Connection x) = 0;
-  /// What is to be written.
+  /// Output buffer of the connection.
   virtual std::vector<char>& output(Connection x) = 0;
   virtual void flush(Connection x) = 0;
-  /// The link is over.
+  /// Ends the link.
   virtual void quit() = 0;
-  /// For what it delivers.
+  /// Execution unit for the messages that the link delivers.
   virtual caf::execution_unit* context() = 0;
 };
 
-/// One end of a link: decides about connections, and turns messages into what is said over them.
-/// Pure but for the driver, and for the mesh, to which it delivers.
+/// One end of a link: manages its connection, and converts messages to and from bytes. Pure but for
+/// the driver, and for the mesh, to which it delivers.
 class LinkEnd {
 public:
   using Clock = LinkDriver::Clock;
@@ -70,24 +70,24 @@ public:
 
   void begin();
 
-  /// Says it to the peer.
+  /// Sends a message to the peer.
   void send(LinkMessage x);
-  /// Says goodbye, and ends.
+  /// Sends a goodbye, and ends the link.
   void close(const std::string& reason);
   void remind(LinkReminder of);
   void inject(const LinkFault& x);
   void set_patience(std::chrono::milliseconds x) { parts_.options.patience = x; }
 
-  // -- what becomes of connections
+  // -- events of connections
 
-  /// Whether no connection can be made, as far as anybody here can see.
+  /// Whether an injected silence is in effect.
   bool is_silent();
   void dialled(Connection x);
   void not_dialled(const std::string& problem) { disconnected(problem); }
-  /// One that the peer has made, and what came over it so far.
+  /// Takes over a connection that the peer has made, with the bytes received over it so far.
   void adopt(Connection x, std::shared_ptr<Channel> channel, const Hello& hello, Bytes received);
   void receive(Connection from, std::span<const std::uint8_t> bytes);
-  /// So much of what was written is still in the connection's buffer.
+  /// `remaining` written bytes are still in the connection's buffer.
   void transferred(Connection x, std::size_t remaining);
   void closed(Connection x);
 
@@ -99,54 +99,54 @@ private:
   void drop_connection();
   void disconnected(const std::string& why);
   void lost(const std::string& why);
-  void say_last();
+  void try_flush();
   template <class F>
   void guarded(F&& f);
 
   bool loses_next();
-  void say_delayed();
-  void write(std::vector<char> words);
-  void write_now(std::vector<char> words);
+  void write_delayed();
+  void write(std::vector<char> bytes);
+  void write_now(std::vector<char> bytes);
 
   void established(const Hello& x);
-  void hear_greeting();
+  void read_hello();
   void read(std::span<const std::uint8_t> bytes);
   void flush();
   void tick();
-  void tell(LinkState state, const std::string& why);
+  void set_state(LinkState state, const std::string& why);
 
   LinkDriver& driver_;
   LinkParts parts_;
   std::shared_ptr<LinkRecord> record_;
   LinkSession session_;
   std::optional<Connection> connection_;
-  /// Whether the peer has introduced itself over the present connection.
+  /// Whether the peer's hello was received over the present connection.
   bool greeted_ = false;
-  /// Whether the link has introduced itself over it.
+  /// Whether the link's own hello was sent over it.
   bool hello_sent_ = false;
-  bool over_ = false;
+  bool has_ended_ = false;
   std::shared_ptr<Channel> channel_;
-  /// What the peer has said before it was established.
+  /// Bytes received before the peer's hello was complete.
   Bytes handshake_input_;
-  /// The peer's, once it is known.
+  /// Incarnation of the peer; 0 until it is known.
   std::uint64_t incarnation_ = 0;
-  /// Counts the connections, on the side that makes them.
+  /// Number of the present connection, counted by the side that dials.
   std::uint64_t attempt_ = 0;
-  std::unordered_set<std::uint64_t> told_types_;
+  std::unordered_set<std::uint64_t> introduced_types_;
   std::size_t in_buffer_ = 0;
   bool wrote_since_tick_ = false;
-  Clock::time_point heard_;
+  Clock::time_point last_input_;
   Clock::time_point down_since_;
   std::string reason_;
   Milliseconds backoff_{20};
   Clock::time_point silent_until_;
   FaultTicket silence_ticket_;
-  /// Something was said that was not heard.
+  /// Input was discarded during an injected silence, so the connection cannot be used any more.
   bool discarding_input_ = false;
   Clock::time_point delayed_until_;
   Clock::duration delay_{0};
   FaultTicket delay_ticket_;
-  /// What is said when its time comes.
+  /// Delayed output, with the time at which to write it.
   std::deque<std::pair<Clock::time_point, std::vector<char>>> delayed_;
   Clock::time_point lossy_until_;
   std::uint32_t loss_ = 0;

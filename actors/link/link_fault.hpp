@@ -11,19 +11,19 @@ namespace castor {
 /// An injected fault of a link, as seen from one of its ends.
 struct LinkFault {
   enum class Kind : std::uint8_t {
-    /// Nothing passes, either way, and nobody is told.
+    /// Nothing passes in either direction, and no error is reported.
     silence,
-    /// What is sent goes later.
+    /// Output is delayed.
     delay,
-    /// Some of what is sent is lost, and with it the connection.
+    /// Some messages are lost, and the connection with them.
     loss,
   };
 
   Kind kind = Kind::silence;
   Timestamp duration{0};
-  /// Of `delay`.
+  /// For `delay`: by how much.
   Timestamp by{0};
-  /// Of `loss`: the part of the messages, in millionths.
+  /// For `loss`: part of the messages that is lost, in millionths.
   std::uint32_t part = 0;
   FaultTicket ticket = {};
 };

@@ -15,13 +15,13 @@
 namespace castor {
 
 struct LinkOptions {
-  /// How often something is said, at least.
+  /// Longest time between two writes.
   std::chrono::milliseconds heartbeat{100};
-  /// After so long without a word from the peer, the connection is given up and made anew.
+  /// Time without input after which the connection is closed and made anew.
   std::chrono::milliseconds silence{1000};
-  /// After so long without a connection, the peer is lost.
+  /// Time without a connection after which the peer is lost.
   std::chrono::milliseconds patience{30'000};
-  /// How long a connection may take to be made, and the greetings to be said.
+  /// Longest time for connecting and exchanging greetings.
   std::chrono::milliseconds connecting{3000};
   SessionLimits session;
 };
@@ -33,11 +33,11 @@ struct LinkParts {
   std::string peer_name;
   /// Where the peer listens; nothing if it is the peer that dials.
   std::optional<Endpoint> dial;
-  /// What to say to the peer.
+  /// Hello to send to the peer.
   Hello self;
   /// With them, connections are encrypted and names are proved.
   std::optional<Credentials> credentials;
-  /// Whom `dial` may lead to.
+  /// Peers that `dial` may connect to.
   PeerTrust trust = PeerTrust::same_user;
   LinkOptions options;
   /// Called on the network's thread.

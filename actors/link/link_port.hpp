@@ -16,7 +16,7 @@
 
 namespace castor {
 
-/// To a link: a message for the peer, and the types that it must not arrive before.
+/// To a link: a message for the peer, and the types that have to arrive before it.
 struct LinkMessage {
   OutgoingMessage message;
   std::vector<TypeDescriptorPtr> types;
@@ -30,12 +30,11 @@ struct LinkPortParts {
   ProcessNumber peer = 0;
   caf::actor link;
   std::shared_ptr<LinkRecord> record;
-  /// The peer takes messages of up to so many bytes.
+  /// Largest message that the peer takes, in bytes.
   std::size_t largest_message = SessionLimits{}.largest_message;
 };
 
-/// The near end of the link to another process, for the actors here: they may use it from any
-/// thread.
+/// Sends messages of local actors over the link to another process. Safe to use from any thread.
 class LinkPort {
 public:
   explicit LinkPort(LinkPortParts parts) : parts_(std::move(parts)) {}
@@ -43,9 +42,9 @@ public:
   ProcessNumber peer() const { return parts_.peer; }
   const caf::actor& link() const { return parts_.link; }
 
-  /// Sends what was sent to the actor of that name; answers a request that cannot travel itself.
-  /// What is too large for its receiver, or for any link, is refused here: whoever waits for it is
-  /// told why, and nothing else is affected.
+  /// Sends a message to the actor of that name; a request that cannot be sent is answered here. A
+  /// message too large for its receiver, or for any link, is refused here: the actor that waits for
+  /// it gets the failure, and nothing else is affected.
   void send(ActorName to, caf::mailbox_element& x);
 
   /// Tells the peer that an actor here has ended.
@@ -53,7 +52,7 @@ public:
 
 private:
   void send_checked(ActorName to, caf::mailbox_element& x);
-  /// Does what becomes of a message that is not sent because it is too large.
+  /// Sends the failure or receipt for a message that is not sent because it is too large.
   void refuse(ActorName to, caf::mailbox_element& x, const Failure& why);
   /// Remembers a request until it is answered; false if the peer is lost.
   bool open_request(ActorName sender, const caf::mailbox_element& x);

@@ -13,23 +13,23 @@ using ProcessNumber = std::uint16_t;
 enum class LinkState : std::uint8_t {
   /// There is a connection.
   up,
-  /// There was none yet, or the connection was lost; what is sent meanwhile waits.
+  /// No connection so far, or it was lost; messages sent meanwhile wait.
   down,
-  /// There will be no connection any more.
+  /// The link has ended: there will be no further connection.
   lost,
 };
 
-/// What becomes of a link.
+/// Change of a link's state.
 struct LinkNews {
   ProcessNumber peer = 0;
   LinkState state = LinkState::up;
-  /// Why.
+  /// Reason of the change.
   std::string reason;
   /// The peer's name, once it has introduced itself.
   std::string name;
 };
 
-/// A link as it was at one moment.
+/// Snapshot of a link.
 struct LinkStatus {
   LinkNews news;
   std::uint64_t messages_out = 0;
@@ -39,13 +39,13 @@ struct LinkStatus {
   /// Change events among the messages.
   std::uint64_t events_out = 0;
   std::uint64_t events_in = 0;
-  /// How often a connection was made.
+  /// Number of connections made.
   std::uint64_t connections = 0;
   /// Bytes that were sent and that the peer has not acknowledged.
   std::uint64_t unacknowledged = 0;
 };
 
-/// What others may know of a link while it works; safe to use from any thread.
+/// State and counters of a link. Safe to use from any thread.
 class LinkRecord {
 public:
   using Counter = std::atomic<std::uint64_t>;

@@ -39,7 +39,7 @@ struct Stranger {
   std::shared_ptr<Channel> channel;
   Bytes received = {};
   /// Whether anything came.
-  bool has_spoken = false;
+  bool has_sent = false;
 
   std::string from() const { return port == 0 ? address : address + ':' + std::to_string(port); }
   /// Of this user, such as one that looks whether anybody listens here.
@@ -70,7 +70,8 @@ public:
       [listener](const caf::io::connection_closed_msg& x) {
         if (auto stranger = listener->forget(x.handle))
           log_repeated(stranger->is_own() ? LogLevel::debug : LogLevel::info,
-                       "a connection from " + stranger->from() + " left without a word");
+                       "a connection from " + stranger->from() +
+                         " was closed before it introduced itself");
       },
       [listener](const caf::io::acceptor_closed_msg&) {},
       [listener](const ResumeAccepting& x) { listener->self_->trigger(x.acceptor); },
@@ -112,8 +113,9 @@ private:
 
   void refuse_for_want_of_room(connection_handle handle) {
     const std::string why = "too many unauthenticated connections";
-    say_plainly(handle, parts_.credentials ? busy_alert()
-                                           : as_bytes(Refusal{why + "; it is tried again", false}));
+    say_plainly(handle, parts_.credentials
+                          ? busy_alert()
+                          : as_bytes(Refusal{why + "; the connection is tried again", false}));
     turn_away(handle, why);
   }
 
@@ -123,8 +125,8 @@ private:
       return;
     auto& stranger = i->second;
     admission_.has_sent(x.handle.id());
-    bool is_first = !std::exchange(stranger.has_spoken, true);
-    if (is_first && speaks_otherwise(x.handle, x.buf.front()))
+    bool is_first = !std::exchange(stranger.has_sent, true);
+    if (is_first && refuse_other_security(x.handle, x.buf.front()))
       return;
     try {
       auto words = stranger.channel->receive(
@@ -143,7 +145,7 @@ private:
 
   /// Turns away who uses TLS where nobody does, or does not where everybody has to, and says so in
   /// a way that it understands.
-  bool speaks_otherwise(connection_handle handle, char first) {
+  bool refuse_other_security(connection_handle handle, char first) {
     if (!parts_.credentials && first == tls_handshake) {
       // Whoever expects TLS knows Castor's own greeting (`Channel`).
       say_plainly(handle, as_bytes(Refusal{"it takes no encrypted connections", true}));
@@ -176,7 +178,7 @@ private:
   void welcome(connection_handle handle, Stranger& stranger, const Greeting& greeting) {
     auto* hello = std::get_if<Hello>(&greeting);
     if (!hello)
-      throw LinkError("it refuses before it is asked");
+      throw LinkError("it sent a refusal instead of a hello");
     if (!stranger.channel->proves(hello->node))
       throw LinkError("its certificate is not for the name " + hello->node);
     auto link = parts_.route(*hello);
@@ -231,7 +233,7 @@ private:
     auto now = Clock::now();
     take_back_given(now);
     for (auto id : admission_.late(now))
-      turn_away(connection_handle::from_int(id), "it did not say what it wants");
+      turn_away(connection_handle::from_int(id), "it did not introduce itself in time");
     write_repeated();
   }
 

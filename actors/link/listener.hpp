@@ -18,12 +18,12 @@ struct ListenerParts {
   std::function<std::variant<caf::actor, Refusal>(const Hello&)> route;
   /// With them, connections have to be encrypted and names proved.
   std::optional<Credentials> credentials = {};
-  /// How many connections may be there that have not introduced themselves, and for how long.
+  /// Limits on connections that have not introduced themselves.
   AdmissionLimits admission = {};
 };
 
-/// Takes connections, hears who they are from, and gives them to the links they are for. Whoever
-/// says something else, or nothing, is turned away, and nobody else notices.
+/// Accepts connections, reads their hello, and passes them to the links they are for. Connections
+/// without a valid hello are closed, without an effect on others.
 caf::actor spawn_listener(caf::actor_system& system, ListenerParts parts);
 
 } // namespace castor

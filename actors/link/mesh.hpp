@@ -23,8 +23,8 @@ namespace castor {
 /// The actors of a system as one process sees them: its own, which others may know by name, and
 /// those of other processes, for which it has representatives.
 ///
-/// Representatives are ordinary actors to everybody here: messages, requests, monitors and exits
-/// work as with a local one. Safe to use from any thread.
+/// Representatives are used as local actors: messages, requests, monitors and exits work. Safe to
+/// use from any thread.
 class Mesh {
 public:
   /// Takes messages in place of an actor, on the network's thread.
@@ -40,7 +40,7 @@ public:
 
   void set_well_known(WellKnownActor number, const caf::strong_actor_ptr& who);
 
-  /// What is sent to that number of this process goes there from now on.
+  /// Passes messages to that number of this process to `sink` from now on.
   void set_sink(WellKnownActor number, Sink sink);
 
   /// The representative of a well-known actor of another process.
@@ -56,17 +56,16 @@ public:
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;
 
-  /// The process is lost: its actors have ended, as far as everybody here is concerned, and will
-  /// not answer what they were asked.
+  /// The process is lost: ends the representatives of its actors, and fails open requests to them.
   void end_process(ProcessNumber process);
 
-  /// All processes are lost, and nobody here can be named any more.
+  /// Ends all processes as `end_process`, and removes all names of local actors.
   void close();
 
-  /// A message that tells of types, for `receive` at the other end.
+  /// A message that introduces types, for `receive` at the other end.
   static Bytes introduction(const std::vector<TypeDescriptorPtr>& types);
 
-  /// Carries out what a message from a process asks for. Throws DecodeError.
+  /// Handles a message from another process. Throws DecodeError.
   void receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context);
 
 private:

@@ -6,7 +6,7 @@
 
 namespace castor {
 
-/// What a message between processes is about: its first byte.
+/// Kind of a message between processes: its first byte.
 enum class MessageSubject : std::uint8_t {
   /// For an actor: sender, receiver, CAF's message id, the message.
   message,

@@ -139,11 +139,11 @@ std::string why_no_own_node(const Endpoint& at, const sockaddr& address) {
   if (!user)
     return std::strerror(ECONNREFUSED);
   if (*user != geteuid())
-    return "what listens at " + to_string(at) + " belongs to " + user_called(*user) +
+    return "the listener at " + to_string(at) + " belongs to " + user_called(*user) +
            ", not to you: take another port, or start the node and the system with --tls DIR "
            "(scripts/make-certs makes certificates), or, if every user of this machine may be "
            "trusted, both with --insecure";
-  return "what listens at " + to_string(at) +
+  return "the listener at " + to_string(at) +
          " is yours, but no node for systems of its own user alone: a node with --tls needs --tls "
          "here, too; a tunnel, or a node with a /tmp of its own, needs --insecure on both sides";
 }

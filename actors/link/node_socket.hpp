@@ -19,7 +19,7 @@ namespace castor {
 
 /// A Unix socket that stands for a TCP address.
 struct NodeSocket {
-  /// Listens; belongs to whoever has it.
+  /// Listens; owned by the holder of this struct.
   int socket = -1;
   std::filesystem::path file;
 };
@@ -27,15 +27,15 @@ struct NodeSocket {
 /// Listens at the Unix socket beside a TCP socket that listens already. Throws std::runtime_error.
 NodeSocket listen_beside(int tcp_socket);
 
-/// The names of the sockets that a node may have which is reached at a TCP address: for the address
-/// itself, and for all addresses of the machine.
+/// Possible names of the Unix socket of a node at a TCP address: for the address itself, and for
+/// all addresses of the machine.
 std::vector<std::string> node_socket_names(const sockaddr& address);
 
 /// A connection with the node of this user that listens at a loopback address; -1 if there is none.
 int connect_to_own_node(const sockaddr& address);
 
-/// Whose process listens at a TCP address of this machine; nothing if none does. `tcp` and `tcp6`
-/// are what /proc/net/tcp and /proc/net/tcp6 say.
+/// User whose process listens at a TCP address of this machine; nothing if none does. `tcp` and
+/// `tcp6` are the contents of /proc/net/tcp and /proc/net/tcp6.
 std::optional<uid_t> listening_user(std::string_view tcp, std::string_view tcp6,
                                     const sockaddr& address);
 

@@ -17,8 +17,8 @@ namespace castor {
 /// Replies to a request that its receiver has ended; any other message needs no reply.
 void reply_receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id);
 
-/// The requests of this process's actors to those of others that nobody has answered yet, so that
-/// none waits for a process that is lost. Safe to use from any thread.
+/// Unanswered requests of local actors to remote ones, so that none waits for a process that is
+/// lost. Safe to use from any thread.
 class OpenRequests {
 public:
   struct Request {
@@ -35,7 +35,7 @@ public:
   /// The request was answered; nothing happens if it is not known.
   void remove(const caf::strong_actor_ptr& sender, caf::message_id response);
 
-  /// The process is lost; returns what it will not answer.
+  /// The process is lost; returns the requests that it will not answer.
   std::vector<Request> remove_process(ProcessNumber x);
 
 private:
@@ -46,7 +46,7 @@ private:
 
   std::mutex mutex_;
   std::set<ProcessNumber> processes_;
-  /// By the sender, and the number of the answer.
+  /// By the sender, and the id of the response.
   std::map<std::pair<caf::actor_id, std::uint64_t>, Entry> requests_;
 };
 

@@ -82,7 +82,7 @@ std::string why_not_private(const fs::path& folder) {
     return folder.string() + " belongs to " + user_called(status.st_uid) +
            ": set XDG_RUNTIME_DIR to a folder of your own, or have it removed";
   if ((status.st_mode & 077) != 0)
-    return folder.string() + " is open to others: remove it, or say chmod 700 " + folder.string();
+    return folder.string() + " is open to others: remove it, or run chmod 700 " + folder.string();
   if (others_can_replace_in(folder.parent_path()))
     return "others may write to " + folder.parent_path().string() +
            ", so what is in it may be replaced: set XDG_RUNTIME_DIR to a folder of your own";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Folders that nobody but their user can look into, for the sockets of this user's processes.
+/// Folders that only their user can access, for the sockets of this user's processes.
 namespace castor {
 
 /// Why others could reach or replace what is in a folder, and what to do about it; empty if only
@@ -22,11 +22,11 @@ std::filesystem::path runtime_folder();
 /// std::runtime_error, with what to do.
 std::filesystem::path nodes_folder();
 
-/// Those of both that are there and private.
+/// Those of both that exist and are private.
 std::vector<std::filesystem::path> private_folders();
 
-/// Keeps other processes of this user from making and sweeping sockets in a folder meanwhile. One
-/// that hangs holds up nobody for longer than `patience`.
+/// Keeps other processes of this user from making and sweeping sockets in a folder meanwhile. Waits
+/// for `patience` at most, so that a process that hangs does not block the others.
 class FolderLock {
 public:
   explicit FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds patience);

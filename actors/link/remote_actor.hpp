@@ -11,8 +11,7 @@
 
 namespace castor {
 
-/// Stands for an actor of another process: what it is sent goes over the link, on the sender's
-/// thread.
+/// Represents an actor of another process: messages to it go over the link, on the sender's thread.
 class RemoteActor final : public caf::actor_proxy {
 public:
   RemoteActor(caf::actor_config& config, std::shared_ptr<LinkPort> port, ActorName actor)

@@ -34,7 +34,7 @@ std::string explain_alert(int alert) {
     case SSL_AD_CERTIFICATE_UNKNOWN:
       return std::string{"the peer refuses our certificate: "} + SSL_alert_desc_string_long(alert);
     case SSL_AD_USER_CANCELLED:
-      return "the peer has too many unauthenticated connections; it is tried again";
+      return "the peer has too many unauthenticated connections; the connection is tried again";
     case SSL_AD_PROTOCOL_VERSION:
       return "the peer does not speak TLS 1.3";
     default:

@@ -12,22 +12,23 @@
 
 namespace castor {
 
-/// The peer has no room for another connection; the next attempt may find some.
+/// The peer has no room for another connection; a later attempt may succeed.
 class BusyPeerError : public SecurityError {
   using SecurityError::SecurityError;
 };
 
-/// What tells a peer that expects TLS that there is no room for its connection: an alert in the
-/// clear ("user canceled", RFC 8446, section 6.1), for which no handshake is needed.
+/// Refusal for a peer that expects TLS, for lack of room: an alert in the clear ("user canceled",
+/// RFC 8446, section 6.1), for which no handshake is needed.
 std::vector<char> busy_alert();
 
-/// One end of an encrypted connection: mutual TLS 1.3 without a socket. It is told what arrived
-/// from the network and gives what to write there, in pieces of any size. For one thread at a time.
+/// One end of an encrypted connection: mutual TLS 1.3 without a socket. Takes bytes that arrived
+/// from the network, in pieces of any size, and returns those to write there. For one thread at a
+/// time.
 ///
 /// Whatever is wrong with the peer or the connection is a SecurityError, thrown by `receive`, and
 /// after that by every further call of `receive` and `send`. `take_outgoing` still works then: it
-/// gives what tells the peer why, to be written before the connection is closed. That a peer never
-/// finishes its handshake is for the owner of the connection to notice.
+/// returns the alert for the peer, to be written before the connection is closed. Handshakes that
+/// never finish have to be timed out by the owner of the connection.
 class SecureChannel {
 public:
   enum class Role : std::uint8_t { dials, accepts };
@@ -40,17 +41,17 @@ public:
   SecureChannel& operator=(SecureChannel&&) noexcept;
   ~SecureChannel();
 
-  /// Takes all of what arrived and appends what it means to `plain`. The same call may establish
+  /// Decrypts all of `from_network`, and appends the result to `plain`. The same call may establish
   /// the channel and bring the first bytes: look at the peer's name before using them. What was
   /// appended before an error is genuine.
   void receive(std::span<const std::uint8_t> from_network, Bytes& plain);
 
-  /// Encrypts for the peer. A std::logic_error before the channel is established: nobody should
-  /// speak before knowing to whom.
+  /// Encrypts for the peer. Throws std::logic_error before the channel is established, while the
+  /// peer is unknown.
   void send(std::span<const std::uint8_t> plain);
 
-  /// Appends what is to be written to the network; to be called after the constructor, `receive`
-  /// and `send`.
+  /// Appends the bytes to write to the network; to be called after the constructor, `receive` and
+  /// `send`.
   void take_outgoing(std::vector<char>& out);
 
   /// Whether the peer's certificate is signed by our CA and the peer has shown that it holds the

@@ -10,9 +10,9 @@
 
 namespace castor {
 
-/// Sends a broker something after a while, from nobody. With itself as the sender, as
-/// `delayed_send` and `delayed_anon_send` have it, it would live for ever if that came too late: a
-/// broker that ends leaves in its mailbox what it has not looked at.
+/// Sends a broker a message after a delay, without a sender. With the broker as sender, as in
+/// `delayed_send` and `delayed_anon_send`, a message that arrives after its end would keep it alive
+/// for ever: a broker that ends leaves unread messages in its mailbox.
 template <class T>
 void send_later(caf::local_actor* to, std::chrono::milliseconds after, const T& x) {
   auto& clock = to->system().clock();

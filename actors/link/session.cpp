@@ -136,7 +136,7 @@ private:
     for (std::uint32_t i = 0; i < count; ++i) {
       lengths.push_back(castor::take<std::uint64_t>(in));
       if (lengths.back() > std::numeric_limits<std::uint64_t>::max() - total)
-        throw LinkError("a message of more bytes than can be counted");
+        throw LinkError("the size of a message overflows");
       total += lengths.back();
     }
     if (total > largest)
@@ -147,7 +147,7 @@ private:
   /// Keeps the head, which says whom to tell, and counts the rest.
   void skip_pieces(std::span<const std::uint8_t> in) {
     if (in.size() > missing)
-      throw LinkError("a message is longer than it said");
+      throw LinkError("a message is longer than its declared size");
     auto arrived = too_large - missing;
     missing -= in.size();
     if (lengths.front() > largest_head_alone || arrived >= lengths.front())
@@ -178,7 +178,7 @@ private:
         break;
     }
     if (!in.empty())
-      throw LinkError("a message is longer than it said");
+      throw LinkError("a message is longer than its declared size");
   }
 
   bool is_full(std::size_t i) const { return pieces[i].size() == lengths[i]; }
@@ -289,7 +289,7 @@ void LinkSession::produce(std::vector<char>& out, std::size_t at_most) {
   }
 }
 
-bool LinkSession::has_something_to_say() const {
+bool LinkSession::has_output() const {
   return reminded_ || !goodbye_.empty() || rewritten_ < sent_.size() ||
          received_ - acknowledged_to_peer_ >= parts_per_ack || received_since_ >= bytes_per_ack ||
          (waiting() > 0 && unacknowledged_ < limits_.window);
@@ -297,7 +297,7 @@ bool LinkSession::has_something_to_say() const {
 
 void LinkSession::acknowledge(std::uint64_t received_by_peer) {
   if (received_by_peer > acknowledged_ + sent_.size())
-    throw LinkError("the peer acknowledges what was never sent");
+    throw LinkError("the peer acknowledges parts that were never sent");
   while (acknowledged_ < received_by_peer) {
     auto& part = sent_.front();
     unacknowledged_ -= part.size;
@@ -311,7 +311,7 @@ void LinkSession::acknowledge(std::uint64_t received_by_peer) {
 
 void LinkSession::resume(std::uint64_t received_by_peer) {
   if (received_by_peer < acknowledged_)
-    throw LinkError("the peer has lost what it had received");
+    throw LinkError("the peer has lost parts that it had acknowledged");
   acknowledge(received_by_peer);
   rewritten_ = 0;
   input_.clear();
@@ -380,7 +380,7 @@ void LinkSession::take_part(std::span<const std::uint8_t> content,
   auto message = known->second;
   message->take(content, limits_.largest_message);
   if (message->complete() != ((flags & last_part) != 0))
-    throw LinkError("a message is not as long as it said");
+    throw LinkError("a message is shorter than its declared size");
   ++received_;
   received_since_ += content.size();
   if (!message->complete())

@@ -17,7 +17,7 @@
 
 namespace castor {
 
-/// The peer does not keep to the protocol, or claims what cannot be.
+/// The peer violates the protocol.
 class LinkError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
@@ -40,18 +40,18 @@ struct OutgoingMessage {
 struct IncomingMessage {
   Bytes head;
   std::vector<Bytes> contents;
-  /// Not 0 if the message was larger than is taken: its size in bytes. Its contents are gone then,
+  /// Size in bytes of a message that exceeds the limit, otherwise 0. Its contents are dropped then,
   /// and so is its head if that alone was too large to be kept.
   std::uint64_t too_large = 0;
 };
 
-/// Pieces of a message, its head included, at most.
+/// Most pieces of a message, its head included.
 inline constexpr std::size_t most_pieces = std::size_t{1} << 20;
 
 struct SessionLimits {
-  /// The most that one frame carries.
+  /// Most bytes that one frame carries.
   std::size_t chunk = 64 * 1024;
-  /// What the peer may leave unacknowledged before nothing more is sent.
+  /// Unacknowledged bytes at which sending stops.
   std::size_t window = 4 * 1024 * 1024;
   /// The largest message that is taken, in bytes; of a larger one only the head arrives.
   std::size_t largest_message = std::size_t{1} << 30;
@@ -59,12 +59,12 @@ struct SessionLimits {
   std::size_t unfinished_messages = 4096;
 };
 
-/// Turns messages into frames and back, so that all arrive exactly once, whatever becomes of the
-/// connections that carry them. A long message travels in chunks between which others pass.
+/// Turns messages into frames and back, so that all arrive exactly once, even if the connections
+/// that carry them are lost. A long message travels in chunks between which others pass.
 ///
-/// Pure: bytes come in and go out, and whoever holds it moves them. What was written is kept until
-/// the peer acknowledges it. A new connection begins with each side telling the other how much it
-/// has received (`received`, `resume`), from where the sender goes on.
+/// Pure: the owner moves the bytes. Written parts are kept until the peer acknowledges them. A new
+/// connection begins with each side telling the other how much it has received (`received`,
+/// `resume`), from where the sender goes on.
 ///
 /// A frame is a length (u32, of what follows), a kind (u8) and its content:
 ///
@@ -89,14 +89,14 @@ public:
   void receive(std::span<const std::uint8_t> bytes,
                const std::function<void(IncomingMessage)>& deliver);
 
-  /// How many parts came in, for the peer to go on from.
+  /// Number of parts received, from where the peer goes on.
   std::uint64_t received() const { return received_; }
 
   /// A new connection: everything after the first `received_by_peer` parts is sent again. Throws
-  /// LinkError if the peer claims more than there was, or has lost what it had.
+  /// LinkError if the peer claims more than was sent, or less than it has acknowledged.
   void resume(std::uint64_t received_by_peer);
 
-  /// To be called now and then: the next `produce` says something even if there is nothing to say.
+  /// Heartbeat: the next `produce` writes a ping if there is nothing else to write.
   void remind() { reminded_ = true; }
 
   /// Ends the session once `produce` was called.
@@ -106,7 +106,7 @@ public:
   const std::string& goodbye() const { return peer_goodbye_; }
 
   /// Whether `produce` would write anything.
-  bool has_something_to_say() const;
+  bool has_output() const;
 
   /// Bytes that were written and not acknowledged.
   std::size_t unacknowledged() const { return unacknowledged_; }
@@ -118,14 +118,14 @@ private:
   struct Message;
   using MessagePtr = std::shared_ptr<Message>;
 
-  /// A stretch of a message.
+  /// A range of bytes of a message.
   struct Part {
     MessagePtr message;
     std::size_t begin = 0;
     std::size_t size = 0;
   };
 
-  /// Messages that have to keep their order, the first of which is long.
+  /// Messages of one lane, the first of which is long.
   struct LongLane {
     Lane lane;
     std::deque<MessagePtr> messages;

@@ -22,12 +22,11 @@
 #include <utility>
 #include <vector>
 
-/// How messages between actors are written for the way to another process, and read there. Entry
-/// values are not looked into: they have their wire form already.
+/// Writing and reading of messages between actors of different processes. Entry values are not
+/// decoded: they have their wire form already.
 namespace castor {
 
-/// What writer and reader must be told of the world: which name an actor has there, and which
-/// descriptor belongs to a hash.
+/// Look-ups for writer and reader: names of actors, and type descriptors by hash.
 class WireNames {
 public:
   virtual ~WireNames() = default;
@@ -35,20 +34,20 @@ public:
   /// 0 for none.
   virtual std::uint64_t name_of(const caf::strong_actor_ptr& x) = 0;
   virtual caf::strong_actor_ptr actor_of(std::uint64_t name) = 0;
-  /// Null if the type was never told of.
+  /// Null if the type was not introduced.
   virtual TypeDescriptorPtr type_of(std::uint64_t hash) = 0;
 };
 
-/// Contents of at least so many bytes are shared with the message rather than copied into it.
+/// Contents of at least this size in bytes are shared with the message rather than copied into it.
 inline constexpr std::size_t shared_content = 4096;
 
-/// What is written would take more than a message may.
+/// A message would exceed the largest size.
 class MessageTooLarge : public std::length_error {
 public:
   explicit MessageTooLarge(std::size_t size)
     : length_error("a message of " + std::to_string(size) + " bytes"), size_(size) {}
 
-  /// In bytes, as far as it was counted: at least so many.
+  /// Lower bound of the size, in bytes.
   std::size_t size() const { return size_; }
 
 private:
@@ -58,7 +57,7 @@ private:
 class WireWriter {
 public:
   static constexpr bool writes = true;
-  /// So many bytes have room for most messages.
+  /// Initial capacity in bytes, enough for most messages.
   static constexpr std::size_t usual_head = 128;
 
   /// Takes messages of up to `largest` bytes.
@@ -68,7 +67,7 @@ public:
     head_.reserve(usual_head);
   }
 
-  /// Throws MessageTooLarge if what was written so far is more than a message may be.
+  /// Throws MessageTooLarge if the message written so far exceeds the largest size.
   void check_size() const {
     if (auto size = head_.size() + content_bytes_; size > largest_)
       throw MessageTooLarge{size};
@@ -166,7 +165,7 @@ private:
   std::vector<TypeDescriptorPtr> types_;
 };
 
-/// Throws DecodeError at whatever cannot be.
+/// Throws DecodeError for invalid input.
 class WireReader {
 public:
   bool at_end() const { return decoder_.remaining() == 0; }
@@ -312,7 +311,7 @@ void WireReader::get(T& x) {
   if constexpr (std::is_enum_v<T>) {
     decoder_.get(x);
     if (x < T{} || x > last_enumerator<T>())
-      throw DecodeError("a number that stands for nothing");
+      throw DecodeError("an invalid enumerator");
   } else if constexpr (std::is_arithmetic_v<T>)
     decoder_.get(x);
   else if constexpr (detail::is_duration<T>)

@@ -20,7 +20,7 @@
 /// there must be none. The macros stand in the namespace of the type, CASTOR_WIRE_NULLABLE in
 /// `castor`.
 ///
-/// Members that stay on this side are named apart:
+/// Members that are not sent are named separately:
 ///
 ///     struct Subscription { FilterId id = 0; bool is_active = false; };
 ///     CASTOR_WIRE_EXCEPT(Subscription, (is_active), id)
@@ -31,7 +31,7 @@
 ///     CASTOR_WIRE(LockStatus, holder, waiting)
 ///     CASTOR_WIRE_NULLABLE(LockStatus, holder)
 ///
-/// What must hold beyond that is checked, after such a struct was read, by a function
+/// Further conditions are checked, after such a struct was read, by a function
 /// `void check_read(const Lease& x)` beside it, which throws DecodeError.
 namespace castor {
 

@@ -24,8 +24,8 @@ public:
     return result;
   }
 
-  /// Writes the number and the content of a message; false, and nothing written, if it is none that
-  /// may travel.
+  /// Writes the number and the content of a message; false, and nothing written, if the message is
+  /// not in the table.
   bool write(const caf::type_erased_tuple& message, WireWriter& out) const;
 
   /// Reads what `write` wrote. Throws DecodeError.
@@ -50,7 +50,7 @@ private:
   std::vector<Codec> codecs_;
 };
 
-/// For people: what kind of message it is.
+/// Kind of message, for logs and errors.
 const char* name_of_type(const caf::type_erased_tuple& message);
 
 } // namespace castor

@@ -161,9 +161,8 @@ TEST_F(CredentialsOfANode, AreRefusedIfTheKeyIsThatOfAnotherNode) {
 TEST_F(CredentialsOfANode, AreRefusedIfTheKeyIsEncrypted) {
   auto directory = arm();
   encrypt(directory / "node.key");
-  EXPECT_THAT(
-    problem_of(directory),
-    HasSubstr("node.key: the key is encrypted, and nobody is there to type a passphrase"));
+  EXPECT_THAT(problem_of(directory),
+              HasSubstr("node.key: the key is encrypted, and a node cannot ask for a passphrase"));
 }
 
 TEST_F(CredentialsOfANode, AreRefusedIfTheCertificateIsOfAnotherCa) {

@@ -112,7 +112,7 @@ TEST(LinkSession, StopsWhenThePeerAcknowledgesNothing) {
   auto first = everything(a);
   EXPECT_LT(first.size(), 320'000u);
   EXPECT_EQ(everything(a), "");
-  EXPECT_FALSE(a.has_something_to_say());
+  EXPECT_FALSE(a.has_output());
   auto got = heads(b, first).size();
   while (got < 100) {
     b.remind();
@@ -140,7 +140,7 @@ TEST(LinkSession, TellsWhenAMessageHasArrived) {
 TEST(LinkSession, AReminderSaysSomething) {
   LinkSession a;
   LinkSession b;
-  EXPECT_FALSE(a.has_something_to_say());
+  EXPECT_FALSE(a.has_output());
   a.remind();
   auto said = everything(a);
   EXPECT_FALSE(said.empty());

@@ -195,7 +195,7 @@ TEST_F(Nodes, StrangersAreTurnedAwayAndNobodyElseNotices) {
   }
   EXPECT_TRUE(two.process->wait_for_output("it does not speak Castor's protocol"));
   EXPECT_TRUE(two.process->wait_for_output("a greeting of 2147483647 bytes"));
-  EXPECT_TRUE(two.process->wait_for_output("it did not say what it wants"));
+  EXPECT_TRUE(two.process->wait_for_output("it did not introduce itself in time"));
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
   EXPECT_EQ(castor.errors().find("out of reach"), std::string::npos) << castor.errors();
 }
