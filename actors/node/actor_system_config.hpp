@@ -4,7 +4,7 @@
 
 namespace castor {
 
-/// How the actor system of a process is set up.
+/// Configuration of the actor system of a process.
 class ActorSystemConfig : public caf::actor_system_config {
 public:
   /// With the network's thread, or without.

@@ -181,7 +181,7 @@ std::string inspect_elsewhere(const ComponentClass& x,
   auto seconds = std::to_string(patience.count()) + " s";
   if (made.wait_for(patience) != std::future_status::ready) {
     thread.detach();
-    return "the constructor does not come back within " + seconds;
+    return "the constructor does not return within " + seconds;
   }
   std::exception_ptr problem;
   try {
@@ -192,7 +192,7 @@ std::string inspect_elsewhere(const ComponentClass& x,
   steps->looked_at.set_value();
   if (destroyed.wait_for(patience) != std::future_status::ready) {
     thread.detach();
-    return "the destructor does not come back within " + seconds;
+    return "the destructor does not return within " + seconds;
   }
   thread.join();
   if (problem)
@@ -227,8 +227,7 @@ void check_class_with(Inspect inspect, const ComponentDescription& x, const Syst
   });
   if (!problem.empty())
     add(out, x, x.class_name + " of " + x.name + ": " + problem,
-        "constructors declare options, and destructors give back what the component has: neither "
-        "may wait");
+        "constructors declare options, and destructors release resources: neither may wait");
 }
 
 } // namespace

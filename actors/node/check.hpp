@@ -13,7 +13,7 @@
 
 namespace castor {
 
-/// What options may name.
+/// Names that options may refer to.
 struct SystemNames {
   SystemNames() = default;
   explicit SystemNames(const ArchitectureDescription& architecture) { add(architecture); }
@@ -23,29 +23,28 @@ struct SystemNames {
   /// Those of subarchitectures, working memories and task managers left out.
   std::set<std::string, std::less<>> in_subarchitectures;
   std::set<std::string, std::less<>> subarchitectures;
-  /// Some of what is there may be missing in the others; these names may be among it.
+  /// Names that may exist although they are missing in the other sets.
   std::set<std::string, std::less<>> doubtful;
-  /// Anything may be missing.
+  /// Whether any name may be missing.
   bool is_incomplete = false;
 };
 
-/// Adds what stands in the way of running a component in this process: a class that does not exist
-/// or does not belong where it stands, options that it does not have or that are no such values, or
-/// that name what the system does not have. Loads the library that the class is in. Makes such a
-/// component, in this thread: whatever it does there has to come to an end.
+/// Adds the problems of running a component in this process: an unknown class or one of another
+/// kind, unknown options, invalid values, and names that the system does not have. Loads the
+/// library that the class is in. Makes such a component in this thread: its constructor and
+/// destructor must return.
 void check_class(const ComponentDescription& x, const SystemNames& names,
                  std::vector<Diagnostic>& problems);
 
 /// The same for all components of a system, and whether their hosts are addresses. Here, as below,
-/// a constructor or destructor that takes more than 5 s is one of the findings; its thread is left
-/// behind.
+/// a constructor or destructor that takes more than 5 s is one of the findings; its thread is left.
 std::vector<Diagnostic> check_architecture(const ArchitectureDescription& architecture);
 
 /// The findings of the parser, and those of further checks of what it could understand of a file
 /// with errors, in the order of lines.
 /// @param classes whether those of components on other machines are checked, too, whose libraries
 /// may be there only
-/// @param names what there is besides, in a system that the file is to be joined to
+/// @param names further names, of a system that the file is to be joined to
 enum class Classes { all, on_this_machine };
 std::vector<Diagnostic> all_findings(cast::ParseResult& result, Classes classes,
                                      SystemNames names = {});

@@ -4,8 +4,8 @@
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
-/// The wire form of what is said to components and working memories. The order of the parts is the
-/// format: processes of one system must be of one version, which they tell each other first.
+/// Wire form of the messages to components and working memories. The order of the members is the
+/// format: all processes of a system must have the same version, which is checked in the greetings.
 namespace castor {
 
 // -- the last enumerators
@@ -20,7 +20,7 @@ CASTOR_WIRE_ENUM(Phase, run)
 CASTOR_WIRE_ENUM(TaskDecision, waiting)
 CASTOR_WIRE_ENUM(TaskOutcome, incomplete)
 
-// -- what all of them speak of
+// -- shared types
 
 CASTOR_WIRE(Address, subarchitecture, id)
 CASTOR_WIRE(Client, component, subarchitecture, incarnation)
@@ -47,7 +47,7 @@ CASTOR_WIRE(Entry, address, version, value, writer, life)
 CASTOR_WIRE(WriteRequest, operation, address, value, last_seen, client, token, life, expected)
 inline void check_read(const WriteRequest& x) {
   if (x.operation != Operation::remove && !x.value.has_value())
-    throw DecodeError("a write of nothing");
+    throw DecodeError("a write without a value");
 }
 
 CASTOR_WIRE(BatchRequest, subarchitecture, writes)
@@ -66,7 +66,7 @@ CASTOR_WIRE(VersionQuery, address)
 CASTOR_WIRE(LockRequest, address, level, patience)
 inline void check_read(const LockRequest& x) {
   if (!x.patience.client)
-    throw DecodeError("a lock that nobody asks for");
+    throw DecodeError("a lock request without a client");
 }
 
 CASTOR_WIRE(Lease, token, level, expires)

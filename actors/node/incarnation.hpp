@@ -5,7 +5,7 @@
 
 namespace castor {
 
-/// Differs from every other, in whatever process; never 0.
+/// Random number, unique over all processes; never 0.
 inline std::uint64_t new_incarnation() {
   // Once for each thread: opening it costs some 50 microseconds in a virtual machine.
   static thread_local std::random_device random;

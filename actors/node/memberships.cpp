@@ -54,7 +54,7 @@ std::variant<caf::actor, Refusal> Memberships::route(const Hello& x) {
     return Refusal{"it does not take part in the system again yet", false};
   auto link = membership.links.find(x.process);
   if (link == membership.links.end())
-    return Refusal{"it has not heard of a process " + std::to_string(x.process) + " yet", false};
+    return Refusal{"it does not know a process " + std::to_string(x.process) + " yet", false};
   return link->second;
 }
 
@@ -68,7 +68,7 @@ bool Memberships::is_given_up(const Hello& coordinator) const {
 Memberships::Membership& Memberships::enter(const Hello& coordinator) {
   log_repeated(LogLevel::info,
                parts_.name + " takes part in " + coordinator.system + ", for " + coordinator.node);
-  tell({coordinator.system, true, coordinator.node, {}});
+  report({coordinator.system, true, coordinator.node, {}});
   auto& result = memberships_[coordinator.system];
   result.self.node = parts_.name;
   result.self.system = coordinator.system;
@@ -149,8 +149,8 @@ void Memberships::add_link(Membership& membership, ProcessNumber peer, const std
   membership.links[peer] = parts_.spawn_link(std::move(parts));
 }
 
-void Memberships::tell(const MembershipNews& x) {
-  std::lock_guard guard{telling_};
+void Memberships::report(const MembershipNews& x) {
+  std::lock_guard guard{news_mutex_};
   if (parts_.on_news)
     parts_.on_news(x);
 }
@@ -169,7 +169,7 @@ std::vector<caf::actor> Memberships::leave(const std::string& system, const std:
   if (!left)
     return links;
   log_repeated(LogLevel::info, parts_.name + " leaves " + system + ": " + why);
-  tell({system, false, {}, why});
+  report({system, false, {}, why});
   auto& membership = left.mapped();
   caf::anon_send_exit(membership.agent, caf::exit_reason::user_shutdown);
   for (auto& [peer, link] : membership.links) {

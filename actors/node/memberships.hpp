@@ -18,13 +18,13 @@
 
 namespace castor {
 
-/// A node takes part in a system, or does not any more.
+/// A node has joined or left a system.
 struct MembershipNews {
   std::string system;
   bool takes_part = false;
   /// The node of the system's coordinator, if it takes part.
   std::string coordinator;
-  /// Why it does not any more.
+  /// Why the node has left.
   std::string reason;
 };
 
@@ -51,12 +51,12 @@ public:
   Memberships(caf::actor_system& system, MembershipParts parts)
     : system_(system), parts_(std::move(parts)) {}
 
-  /// The link that a new connection is for. The coordinator's first makes the node take part.
+  /// The link that a new connection is for. The coordinator's first one makes the node join.
   std::variant<caf::actor, Refusal> route(const Hello& x);
 
   std::vector<std::string> systems() const;
 
-  /// Leaves all systems, and enters no other; the links that end thereby.
+  /// Leaves all systems, and joins no other; returns the links that end.
   std::vector<caf::actor> end();
 
 private:
@@ -68,23 +68,24 @@ private:
     std::map<ProcessNumber, caf::actor> links;
   };
 
-  /// Whether the coordinator takes this process for a new one.
+  /// Whether the coordinator has given up this process's membership, and addresses the process as a
+  /// new one.
   bool is_given_up(const Hello& coordinator) const;
   Membership& enter(const Hello& coordinator);
-  /// Unless the node has left the system since it took part in that incarnation.
+  /// Makes the links of the plan, unless the node has left that incarnation of the system.
   void connect(const std::string& system, std::uint64_t incarnation, const PartPlan& plan);
   void add_link(Membership& membership, ProcessNumber peer, const std::string& name,
                 std::optional<Endpoint> dial);
-  /// In that incarnation, or in any.
+  /// Leaves the system if it is in that incarnation, or in any; returns the links that end.
   std::vector<caf::actor> leave(const std::string& system, const std::string& why,
                                 std::optional<std::uint64_t> incarnation = {});
-  void tell(const MembershipNews& x);
+  void report(const MembershipNews& x);
 
   caf::actor_system& system_;
   const MembershipParts parts_;
   mutable std::mutex mutex_;
   bool has_ended_ = false;
-  std::mutex telling_;
+  std::mutex news_mutex_;
   std::map<std::string, Membership> memberships_;
 };
 

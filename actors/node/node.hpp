@@ -13,16 +13,16 @@
 namespace castor {
 
 struct NodeOptions {
-  /// By which systems know it.
+  /// Name by which systems know the node.
   std::string name;
   /// Listens already (`listen_at`); belongs to the node from now on.
   int socket = -1;
-  /// With them, it talks over TCP to those only whose certificates are signed by the same CA.
+  /// With credentials, TCP peers must have certificates that are signed by the same CA.
   std::optional<Credentials> credentials = {};
-  /// Without credentials, a node takes systems of its own user alone, over a Unix socket; who comes
-  /// by TCP is told so. This lets everybody in who can connect.
+  /// Accepts everybody who can connect. Otherwise a node without credentials accepts systems of its
+  /// own user only, over a Unix socket, and refuses TCP connections with that reason.
   bool insecure = false;
-  /// How processes that went out of reach are treated; how long they may be, the coordinator says.
+  /// Options of links to other processes; `patience` is set by the coordinator.
   LinkOptions link = {};
   /// Called when it takes part in a system, and when it does not any more; by any thread, one at a
   /// time. May be empty.

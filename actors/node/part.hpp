@@ -19,21 +19,22 @@ namespace castor {
 struct ShellParts;
 struct WorkingMemoryOptions;
 
-/// How the actors of a part are made.
+/// Functions that make the actors of a part.
 struct PartSpawn {
-  /// As working memories and components are.
+  /// Makes real working memories and components.
   PartSpawn();
 
   std::function<WorkingMemoryActor(caf::actor_system&, WorkingMemoryOptions)> working_memory;
   std::function<caf::actor(caf::actor_system&, ShellParts)> component;
-  /// Takes up the journal of a subarchitecture. Throws JournalError.
+  /// Opens the journal of a subarchitecture. Throws JournalError.
   std::function<OpenedJournal(const JournalOptions&, const std::string&)> journal = open_journal;
-  /// Why there cannot be threads for so many components; null if they have none.
+  /// Why there cannot be threads for so many components, or empty; null if components have no
+  /// threads.
   std::function<std::string(std::size_t components)> why_no_threads;
 };
 
 /// What one process contributes to a system: the working memories and components that the plan
-/// gives it. Its actors are there once a plan was applied; `join` lets them know those of the other
+/// gives it. Its actors exist once a plan was applied; `join` introduces them to those of the other
 /// parts.
 ///
 /// To be used by one thread at a time, and destroyed before the actor system.
@@ -43,26 +44,26 @@ public:
     : system_(system), self_(self), spawn_(std::move(spawn)) {}
   SystemPart(const SystemPart&) = delete;
   SystemPart& operator=(const SystemPart&) = delete;
-  /// Ends all its actors. Components that do not come back from their own code stay.
+  /// Ends all its actors. Components that do not return from their own code stay.
   ~SystemPart();
 
-  /// Makes what the plan gives to this process and what is not there yet, and ends what it does not
-  /// give to it any more. Returns what stands in the way; if anything does, nothing is made or
-  /// ended.
+  /// Makes the actors that the plan places in this process and that do not exist yet, and ends
+  /// those that it does not place here any more. Returns the problems; if there are any, nothing is
+  /// made or ended.
   std::vector<Diagnostic> apply(const PartPlan& plan);
 
-  /// Makes a component anew that the last plan gave to this process; its predecessor ends, if it
-  /// has not. It knows its neighbours.
+  /// Makes a component anew that the last plan placed in this process; its predecessor is ended, if
+  /// it has not ended. The new one knows its neighbours.
   void restart(const std::string& component, std::uint64_t incarnation);
 
   /// By the names of the components.
   std::map<std::string, caf::strong_actor_ptr> actors() const;
 
-  /// What the working memories of the last plan take, wherever they are: the largest value by
-  /// subarchitecture, in bytes.
+  /// Largest value that each working memory of the last plan takes, in any process; in bytes, by
+  /// subarchitecture.
   const std::map<std::string, std::size_t>& largest_values() const { return largest_values_; }
 
-  /// Something that runs here.
+  /// A component or working memory that runs here.
   struct Resident {
     std::string name;
     std::uint64_t incarnation = 1;
@@ -76,7 +77,7 @@ public:
   std::map<std::string, caf::strong_actor_ptr>
   subarchitectures(const std::map<std::string, caf::strong_actor_ptr>& actors) const;
 
-  /// Those whose working memories are not among these.
+  /// The other subarchitectures, whose working memories are not among these.
   std::set<std::string>
   absent(const std::map<std::string, caf::strong_actor_ptr>& working_memories) const;
 
@@ -105,12 +106,12 @@ private:
   };
 
   void begin(const PartPlan& plan);
-  /// Ends what is not `wanted`, or is to live another life.
+  /// Ends the actors that are not `wanted`, or are wanted in another incarnation.
   void end_others(const std::map<std::string, std::uint64_t>& wanted);
   void spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,
                             std::uint64_t incarnation, std::shared_ptr<OpenedJournal> journal);
   void spawn_component(const ComponentDescription& x, std::uint64_t incarnation);
-  /// Each component needs one.
+  /// Checks that there can be a thread for each component.
   void check_threads(const std::vector<const ComponentDescription*>& missing,
                      std::vector<Diagnostic>& problems) const;
   void list_working_memories();
@@ -124,8 +125,8 @@ private:
   std::set<std::string> temporary_;
   bool open_access_ = false;
   caf::actor supervisor_;
-  /// Who is told by components that the system is to end, and who watches tasks; null for nobody.
-  /// Kept here, since `services_` must not keep them.
+  /// Receivers of EndSystem and of TaskEvent, or null. Kept here, since `services_` must not keep
+  /// actors alive.
   caf::actor coordinator_;
   caf::actor task_observer_;
   /// Components' threads may use it after the part is gone.

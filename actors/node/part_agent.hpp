@@ -37,15 +37,15 @@ struct PartAgentState {
     std::uint64_t incarnation = 1;
     std::shared_ptr<const ComponentRecord> record;
   };
-  /// What runs here, or did until its end is known.
+  /// Actors that run here, until their end is processed.
   std::map<caf::actor_addr, Watched> watched;
   /// The other processes that are to be joined, and all with which there is a connection.
   std::set<ProcessNumber> others;
   std::set<ProcessNumber> connected;
-  /// Who waits for the part to have joined the others, and what is still missing.
+  /// Reply due to JoinParts, and the working memories that have not answered yet.
   std::optional<caf::response_promise> joining;
   std::set<caf::actor_addr> unanswered;
-  /// Counts what others had to be joined.
+  /// Number of JoinParts so far, to recognise late answers.
   std::size_t joins = 0;
 };
 

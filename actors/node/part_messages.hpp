@@ -12,15 +12,15 @@
 
 namespace castor {
 
-/// What the links of a process have to know of the messages of its part: which of them carry
-/// events, that working memories are to be acknowledged the events that other processes have, and
-/// what is too large.
+/// LinkMessages for the messages between parts: counts change events, acknowledges events to
+/// working memories once another process has them, and refuses messages that are too large.
 class PartMessages : public LinkMessages {
 public:
   using LinkMessages::LinkMessages;
 
-  /// A working memory of another process takes values of up to so many bytes: larger ones are
-  /// refused before they are sent. One that takes another's place has the same subarchitecture.
+  /// Sets the largest value, in bytes, that a working memory of another process takes: larger ones
+  /// are refused before they are sent. Replaces the setting of a predecessor of the same
+  /// subarchitecture.
   void set_largest_value(ActorName working_memory, const std::string& subarchitecture,
                          std::size_t bytes);
 
@@ -35,7 +35,7 @@ public:
 
 private:
   mutable std::mutex mutex_;
-  /// Of the events that working memories send to a process, by both.
+  /// Receipts of change events, by receiving process and sending working memory.
   std::map<std::pair<ProcessNumber, caf::actor_id>, std::shared_ptr<Receipts>> receipts_;
   /// By working memory: its subarchitecture, and the largest value that it takes.
   std::map<ActorName, std::pair<std::string, std::size_t>> largest_values_;

@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-/// What a system's coordinator says to the agents of its parts, one in every process, and they to
-/// it.
+/// Messages between a system's coordinator and the agents of its parts, one in every process.
 namespace castor {
 
 /// A process that takes part in a system.
@@ -28,21 +27,21 @@ struct ProcessDescription {
   /// Where the others reach it.
   std::string host;
   std::uint16_t port = 0;
-  /// Nobody needs to reach it any more.
+  /// Whether the process is lost, so that nobody needs to reach it.
   bool lost = false;
 };
 
-/// Where a component runs that is not to be made yet.
+/// Placement of a component that is not to be made yet.
 inline constexpr ProcessNumber nowhere = 0xffff;
 
-/// Where a component runs, as `placement` has it, which leaves out what the coordinator runs.
+/// Process of a component. `placement` leaves out the components of the coordinator's process.
 inline ProcessNumber process_of(const std::map<std::string, ProcessNumber>& placement,
                                 const std::string& component) {
   auto i = placement.find(component);
   return i == placement.end() ? ProcessNumber{0} : i->second;
 }
 
-/// What a process needs to know in order to make its part of a system.
+/// Plan of a system, from which each process makes its part.
 struct PartPlan {
   /// The name of the system, which differs from those of all others.
   std::string system;
@@ -51,36 +50,36 @@ struct PartPlan {
   std::vector<ProcessDescription> processes;
   /// Where components, working memories and task managers live, by name.
   std::map<std::string, ProcessNumber> placement;
-  /// Which of its lives each of them is to live, by name; the first where nothing is said. One that
-  /// lives another one is ended and made anew.
+  /// Incarnation that each of them is to have, by name; 1 if it is not listed. One of another
+  /// incarnation is ended and made anew.
   std::map<std::string, std::uint64_t> incarnations;
   /// The components that are not started again if they fail.
   std::set<std::string> temporary;
   /// Every subarchitecture may write to every other.
   bool open_access = false;
-  /// Every change is told to every working memory.
+  /// Every change event is sent to every working memory.
   bool broadcast = false;
-  /// The folder in which operations are written down, on each machine; empty for none.
+  /// Folder of the operation logs, on each machine; empty for none.
   std::string operations;
-  /// The folder in which is recorded what stand-alone components hand out, on each machine, and how
-  /// many bytes that may take in all; empty for none.
+  /// Folder in which values handed out by stand-alone components are recorded, on each machine, and
+  /// its limit in bytes; empty for none.
   std::string pushes;
   std::uint64_t pushes_limit = 0;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
-  /// After so long without a connection, a process is lost.
+  /// Time without a connection after which a process is lost.
   std::chrono::milliseconds patience{0};
-  /// Is sent EndSystem by whoever wants that.
+  /// Receiver of EndSystem.
   caf::actor coordinator;
-  /// Is sent ComponentEnded.
+  /// Receiver of ComponentEnded.
   caf::actor supervisor;
-  /// Is sent every TaskEvent; null if nobody wants to know.
+  /// Receiver of every TaskEvent, or null.
   caf::actor task_observer;
 };
 
 /// The actors of a part, by the names of the components.
 struct PartMade {
-  /// Why it cannot be made, then there are no actors.
+  /// Why the part cannot be made; if there are any, there are no actors.
   std::vector<Diagnostic> problems;
   std::map<std::string, caf::strong_actor_ptr> actors;
 };
@@ -89,7 +88,7 @@ struct PartMade {
 /// is connected with the others and its working memories know theirs.
 struct JoinParts {
   std::map<std::string, caf::strong_actor_ptr> actors;
-  /// Those that have made their parts; the rest is not waited for.
+  /// Processes that have made their parts; the others are not waited for.
   std::set<ProcessNumber> processes;
 };
 
@@ -99,13 +98,13 @@ struct RestartComponent {
   std::uint64_t incarnation = 0;
 };
 
-/// To the supervisor: a component or a working memory is not there any more.
+/// To the supervisor: a component or a working memory has ended.
 struct ComponentEnded {
   enum class How : std::uint8_t {
     /// It was told to, or had done its work.
     stopped,
     failed,
-    /// Its working memory has ended, and it could not go on without.
+    /// Its working memory has ended, which it needs.
     orphaned,
   };
 
@@ -114,11 +113,11 @@ struct ComponentEnded {
   How how = How::stopped;
   /// Why it failed.
   std::string failure;
-  /// Who was down, so that it could not go on; empty if that is not why it failed.
+  /// Component or working memory that was down, so that it failed; empty for other reasons.
   std::string waited_for = {};
 };
 
-/// To the supervisor: a component has not come back from its own code within its budget.
+/// To the supervisor: a component has not returned from its own code within its budget.
 struct ComponentHangs {
   std::string name;
   std::uint64_t incarnation = 0;
@@ -138,7 +137,7 @@ struct InjectLinkFault {
 
 struct PartStatusQuery {};
 
-/// What a process has taken of its machine.
+/// Resource usage of a process.
 struct ProcessUsage {
   /// Of all its threads, since it was started.
   std::chrono::nanoseconds cpu{0};
@@ -149,12 +148,12 @@ struct ProcessUsage {
 
 struct PartStatus {
   std::vector<ComponentStatus> components;
-  /// To the other processes.
+  /// Links to the other processes.
   std::vector<LinkStatus> links;
   ProcessUsage usage;
 };
 
-/// A component wants the whole system to end.
+/// Request of a component to end the whole system.
 struct EndSystem {
   int status = 0;
   std::string reason;

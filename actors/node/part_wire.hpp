@@ -4,7 +4,7 @@
 #include "castor/actors/node/component_wire.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
-/// The wire form of what a coordinator and the parts of its system say to each other.
+/// Wire form of the messages between a coordinator and the parts of its system.
 namespace castor {
 
 CASTOR_WIRE_ENUM(Severity, note)
@@ -19,7 +19,7 @@ CASTOR_WIRE_ENUM(LinkFault::Kind, loss)
 CASTOR_WIRE_ENUM(LinkState, lost)
 CASTOR_WIRE_ENUM(TaskStep, completed)
 
-/// Includes are not told of: a place is a file and a line.
+/// Includes are not sent: a location is a file and a line.
 template <class A>
 void wire(A& a, WirePart<A, SourceLocation>& x) {
   if constexpr (A::writes) {

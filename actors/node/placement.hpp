@@ -22,21 +22,21 @@ struct Placement {
   std::map<std::string, ProcessNumber> hosts;
   /// By the names of the components; the coordinator's own are left out.
   std::map<std::string, ProcessNumber> of;
-  /// Hosts that are no addresses.
+  /// Errors of hosts that are no addresses.
   std::vector<Diagnostic> problems;
 
-  /// Where a component runs.
+  /// Process in which a component runs.
   ProcessNumber process_of(const std::string& component) const {
     return castor::process_of(of, component);
   }
 };
 
 /// Places every component where its host says: in the coordinator's process if that is this
-/// machine, otherwise at the node that listens there. `nodes` says of hosts where their nodes
-/// listen, this machine included; the others are taken for HOST or HOST:PORT.
+/// machine, otherwise at the node that listens there. `nodes` has the addresses of nodes by host,
+/// this machine included; other hosts are read as HOST or HOST:PORT.
 ///
 /// Where a HOSTNAME line names the host, the node must have that name. Processes that are `known`
-/// keep their numbers, whether something is left for them or not.
+/// keep their numbers, even if nothing is placed there any more.
 Placement place(const ArchitectureDescription& architecture,
                 const std::map<std::string, Endpoint>& nodes, Placement known = {});
 
@@ -51,7 +51,7 @@ std::map<std::string, std::string> other_hosts(const ArchitectureDescription& ar
 /// it. Throws std::invalid_argument, with the hosts of the file, if it has no such host.
 std::string host_called(const ArchitectureDescription& architecture, const std::string& name);
 
-/// Gives the hosts node1, node2 and so on to everything in turn, whatever the file says.
+/// Assigns the hosts node1, node2 and so on to all component lines in turn, regardless of the file.
 void spread(ArchitectureDescription& architecture, int nodes);
 
 } // namespace castor

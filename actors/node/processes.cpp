@@ -116,12 +116,12 @@ void Processes::check_security(const ArchitectureDescription& architecture,
     auto reason = why_unknown(x.host);
     bool is_known = reason.empty();
     if (is_known)
-      reason = "what is said to another machine has to be encrypted";
+      reason = "connections with other machines have to be encrypted";
     problems.push_back(out_of_reach(architecture, placement, static_cast<ProcessNumber>(i),
                                     {x, LinkState::down, reason}));
     if (is_known)
       problems.back().remedy = "name a certificate with --tls DIR (scripts/make-certs makes some), "
-                               "or say --insecure";
+                               "or use --insecure";
   }
   if (!problems.empty())
     throw SystemError{std::move(problems)};

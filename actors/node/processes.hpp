@@ -23,7 +23,7 @@ namespace castor {
 /// Safe to use from any thread.
 class Processes {
 public:
-  /// How a process stands, and why.
+  /// Link state of a process, with the reason.
   struct State {
     ProcessDescription description;
     LinkState link = LinkState::down;
@@ -34,7 +34,7 @@ public:
   /// `on_news` is called on the network's thread.
   Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
             std::function<void(const LinkNews&)> on_news);
-  /// With links of another kind.
+  /// With links made by `spawn`.
   Processes(caf::actor_system& system, const SystemOptions& options, std::string name,
             std::function<void(const LinkNews&)> on_news, LinkSpawn spawn);
   Processes(const Processes&) = delete;
@@ -53,13 +53,13 @@ public:
   /// Begins to connect with those processes of the placement that are new to it.
   void open(const Placement& placement);
 
-  /// The same, and waits until there are connections. Throws SystemError, with
-  /// the lines of the architecture that need a process which is not to be reached in time; then the
-  /// new ones are left again, and count as lost processes without a name and a host.
+  /// The same, and waits until there are connections. Throws SystemError, with the lines of the
+  /// architecture that need a process that was not reached in time; then the new processes are
+  /// disconnected again, and count as lost ones without a name and a host.
   void connect(const ArchitectureDescription& architecture, const Placement& placement);
 
-  /// Looks for another process where a lost one was, for as long as one can be lost; it has the
-  /// number that is returned.
+  /// Connects with another process at the address of a lost one, within the time after which a
+  /// process is lost. Returns the number of the new one.
   ProcessNumber look_for_successor(ProcessNumber lost);
 
   std::size_t size() const;
@@ -70,10 +70,10 @@ public:
   std::chrono::steady_clock::time_point last_up(ProcessNumber x) const;
   std::vector<ProcessDescription> descriptions() const;
 
-  /// What changes from now on is nobody's concern.
+  /// Stops logging changes of link states.
   void suppress_notifications();
 
-  /// Takes leave of all others, and waits until that has been said.
+  /// Sends a goodbye to all others, and waits until the links have ended.
   void close(const std::string& reason);
 
 private:
@@ -82,14 +82,14 @@ private:
     caf::actor agent;
     caf::actor link;
     LinkNews news{0, LinkState::down, "no answer yet", {}};
-    /// Whether it was ever reached, and when last.
+    /// Whether it was ever reached.
     bool joined = false;
     std::chrono::steady_clock::time_point last_up{};
   };
 
   void check_security(const ArchitectureDescription& architecture, const Placement& placement,
                       std::size_t first) const;
-  /// Of one that takes part from now on.
+  /// Adds a process, and begins to connect with it.
   ProcessNumber open_link(const ProcessDescription& description);
   void await_connections(const ArchitectureDescription& architecture, const Placement& placement,
                          std::size_t first);

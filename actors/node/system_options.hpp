@@ -37,22 +37,22 @@ struct SystemOptions {
   /// Every subarchitecture may write to every other, as in the original CAST.
   bool open_access = false;
 
-  /// Every change is told to every working memory, wanted or not: the original's early scheme, for
-  /// comparison.
+  /// Every change event is sent to every working memory, subscribed or not: the original's early
+  /// scheme, for comparison.
   bool broadcast = false;
 
   /// Components that fail are started again, as the architecture says. Otherwise each stays down,
   /// and the others go on without it.
   bool restarts = true;
 
-  /// Where nodes listen, by the hosts that the architecture names; hosts that are not here are
-  /// looked for where their names say.
+  /// Addresses of nodes, by the hosts that the architecture names; other hosts are read as HOST or
+  /// HOST:PORT.
   std::map<std::string, Endpoint> nodes;
 
-  /// With them, what is said to nodes is encrypted and names are proved.
+  /// With credentials, connections with nodes are encrypted and names are proved.
   std::optional<Credentials> credentials;
 
-  /// Talk to nodes on other machines without credentials.
+  /// Connect with nodes on other machines without credentials.
   bool insecure = false;
 
   /// The socket at which people and programs of the same user find the running system
@@ -69,18 +69,18 @@ struct SystemOptions {
   /// How long processes may take to answer a question.
   std::chrono::milliseconds answer_patience{2000};
 
-  /// Every process writes down in this folder of its machine what its components ask of working
-  /// memories, and what they are answered (operation_log.hpp), and so does the endpoint for
-  /// operators; empty for none.
+  /// Folder, on each machine, in which every process logs the operations of its components on
+  /// working memories and their outcomes (operation_log.hpp), and the endpoint those of operators;
+  /// empty for none.
   std::filesystem::path operations;
 
-  /// Every process records in this folder of its machine what its stand-alone components hand out
-  /// (push_log.hpp); empty for none. Of what takes more than the limit in all, the oldest is
-  /// dropped.
+  /// Folder, on each machine, in which every process records the values that its stand-alone
+  /// components hand out (push_log.hpp); empty for none. Above the limit, in bytes, the oldest
+  /// values are dropped.
   std::filesystem::path pushes;
   std::uint64_t pushes_limit = std::uint64_t{1} << 30;
 
-  /// How a node that went out of reach is treated.
+  /// Options of the links to nodes.
   LinkOptions link;
 
   /// How long a component that does not say so itself (`--shutdown`) may take to stop before it is
@@ -95,17 +95,17 @@ struct SystemOptions {
   /// and is null if it was gone by then.
   std::function<void(const ChangeEvent&, const EntryPtr&)> on_entry;
 
-  /// Called like `on_change`, with the changes that one of these filters wants, and with its place
-  /// among them. Filters without a subarchitecture are for all of them.
+  /// Called like `on_change`, with the changes that match one of these filters, and with the index
+  /// of the filter. Filters without a subarchitecture are for all of them.
   std::vector<ChangeFilter> watched;
   std::function<void(std::size_t filter, const ChangeEvent&)> on_watched;
 
-  /// Called with what becomes of every proposed task, those of one task manager in their order;
+  /// Called with every event of every proposed task, those of one task manager in their order;
   /// never at the same time as `on_change`.
   std::function<void(const TaskEvent&)> on_task;
 
-  /// Called when a component or a working memory has gone down, and when it is back. By one thread
-  /// at a time, which has better things to do than to wait.
+  /// Called when a component or a working memory has gone down, and when it is back. Called by one
+  /// thread at a time; must not block it.
   std::function<void(const ComponentDown&)> on_down;
   std::function<void(const ComponentUp&)> on_up;
 
@@ -114,12 +114,13 @@ struct SystemOptions {
   std::function<void(std::uint64_t fault)> on_fault_happened;
 
   /// Kills the process of a host that is a child of this process, as those of isolated components
-  /// and local nodes are, if it was started before this moment: not one that has taken its place
-  /// since. False if there is none. Whoever gives this starts it again. Called from any thread.
+  /// and local nodes are, if it was started before `started_before`: not a successor. False if
+  /// there is none. The owner of this function has to start the process again. Called from any
+  /// thread.
   std::function<bool(const std::string& host, std::chrono::steady_clock::time_point started_before)>
     kill_child;
 
-  /// Asked now and then during lengthy work; true makes the system give up waiting.
+  /// Polled during lengthy work; true makes the system give up waiting.
   std::function<bool()> interrupted;
 };
 

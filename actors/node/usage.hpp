@@ -9,10 +9,10 @@
 
 namespace castor {
 
-/// What this process has taken of its machine so far.
+/// Resource usage of this process so far.
 ProcessUsage usage_of_process();
 
-/// How much of a process's memory is resident; nothing if there is no such process.
+/// Resident memory of a process in bytes; nothing if there is no such process.
 std::optional<std::uint64_t> resident_bytes(pid_t process);
 
 } // namespace castor

@@ -4,9 +4,9 @@
 
 namespace castor {
 
-/// Answers for the process's part of the system.
+/// Agent of the process's part of the system (part_agent.hpp).
 inline constexpr WellKnownActor part_agent_number{1};
-/// Hands events to the process's working memories.
+/// Receiver of change events for the process's working memories.
 inline constexpr WellKnownActor event_sink_number{2};
 
 } // namespace castor

@@ -69,11 +69,11 @@ struct WorkingMemoryClass {
   Option<bool> journal_shared{options, "journal-shared", false,
                               "the folder is storage that every node of FAILOVER sees"};
 
-  /// What it has acknowledged can be had on other nodes, and those who take it over there keep it
+  /// Whether its acknowledged writes are available on other nodes, where a successor prevents it
   /// from acknowledging more.
   bool outlives_its_node() const { return journal.get() == JournalMode::full && journal_shared; }
 
-  /// As the options say.
+  /// Journal options of a subarchitecture.
   JournalOptions journal_of(const std::string& subarchitecture) const {
     JournalOptions result;
     result.mode = journal;
