@@ -26,8 +26,8 @@ public:
   /// The working memories of this process, sorted; fixed before the first call of `run`.
   void set_working_memories(const std::vector<caf::resumable*>* sorted) { known_ = sorted; }
 
-  /// Calls `send` and runs what that made ready, and what these made ready in turn. Nothing may
-  /// stay behind: nobody else would resume it.
+  /// Calls `send` and runs the actors that it made ready, and those that these made ready in turn.
+  /// All of them have to be resumed here: nobody else would.
   template <class F>
   void run(F&& send) {
     keeping_ = true;

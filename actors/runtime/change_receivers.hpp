@@ -11,8 +11,8 @@
 
 namespace castor {
 
-/// Whom a component's change events are delivered to: its own callbacks, and listeners, which are
-/// the runtime's and are called as soon as an event arrives.
+/// Receivers of a component's change events: its own callbacks, and listeners of the runtime, which
+/// are called as soon as an event arrives.
 class ChangeReceivers {
 public:
   struct Receiver {
@@ -27,8 +27,8 @@ public:
   bool contains(ReceiverId id) const { return receivers_.contains(id); }
   std::size_t size() const { return receivers_.size(); }
 
-  /// Those of the filters, the highest priority first, and of one priority the oldest. They stay
-  /// callable if they are removed meanwhile.
+  /// Receivers of the filters, the highest priority first, and of one priority the oldest. They
+  /// stay callable if they are removed meanwhile.
   std::vector<std::shared_ptr<const Receiver>> of(const std::vector<FilterId>& filters) const;
 
   void add_listener(FilterId id, ChangeCallback f) { listeners_[id] = std::move(f); }

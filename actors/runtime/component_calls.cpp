@@ -37,11 +37,11 @@ Value ComponentCalls::call(const std::string& subarchitecture, const Value& requ
       reply = await_reply(subarchitecture, made, request, open, until);
     } catch (...) {
       open_.erase(made.call.id);
-      take_back(made);
+      cancel(made);
       throw;
     }
     open_.erase(made.call.id);
-    take_back(made);
+    cancel(made);
     if (reply)
       return *std::move(reply);
     if (attempt >= options.retries)
@@ -86,7 +86,7 @@ void ComponentCalls::make(const Made& made, const std::string& subarchitecture,
                           with_its_writer));
 }
 
-void ComponentCalls::take_back(const Made& made) {
+void ComponentCalls::cancel(const Made& made) {
   // If the component stops now, its entries go with it.
   if (!parts_.client.is_running())
     return;

@@ -63,20 +63,21 @@ private:
   void note_progress(const ChangeEvent& event);
   void make(const Made& made, const std::string& subarchitecture, const Value& request,
             const TypeDescriptor& reply_type);
-  void take_back(const Made& made);
+  void cancel(const Made& made);
   /// The reply, or nothing if the server went away.
   std::optional<Value> await_reply(const std::string& subarchitecture, const Made& made,
                                    const Value& request, const Open& open,
                                    std::chrono::steady_clock::time_point until);
   Failure not_served(Failure failure, const std::string& subarchitecture,
                      const std::string& request_type, const Open& open);
-  /// Whoever could end the wait for a call, as far as one component can be named.
+  /// Address of the entry whose owner the call waits for; nothing if several components could serve
+  /// it.
   std::optional<Address> obstacle(const std::string& subarchitecture, const Made& made,
                                   const std::string& request_type, const Open& open);
 
   void listen_for_ends();
   void take(const Address& call, const Handler& handler);
-  /// Takes a call if nobody else has; null if it is gone or another server has it.
+  /// Takes a call; null if it is gone or another server has taken it.
   std::shared_ptr<const Call> claim(const Address& call);
   void answer(const Address& call_at, const Call& call, const Handler& handler);
   void clean_up_later();

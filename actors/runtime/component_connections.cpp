@@ -86,7 +86,7 @@ void ComponentConnections::forget(const caf::actor_addr& subscriber) {
     std::erase_if(provision.subscribers, [&](auto& x) { return x.actor == subscriber; });
 }
 
-void ComponentConnections::work_off_pull(caf::mailbox_element& x, const PullRequest& request) {
+void ComponentConnections::handle_pull(caf::mailbox_element& x, const PullRequest& request) {
   auto& self = parts_.context.identity().name;
   auto i = provisions_.find(request.type->name());
   Outcome<Value> outcome;
@@ -116,15 +116,15 @@ void ComponentConnections::record(bool pushed, const Value& x) {
     recorder->record(parts_.context.identity().name, pushed, x);
 }
 
-void ComponentConnections::work_off_hand_out(caf::mailbox_element& x, const HandOut& order) {
+void ComponentConnections::handle_hand_out(caf::mailbox_element& x, const HandOut& order) {
   provide(order.value.type_ptr(), [value = order.value] { return value; });
   if (order.push)
     push(order.value);
   parts_.actor.respond(x, caf::make_message(Acknowledged{}));
 }
 
-void ComponentConnections::work_off_push_request(caf::mailbox_element& x,
-                                                 const PushRequest& request) {
+void ComponentConnections::handle_push_request(caf::mailbox_element& x,
+                                               const PushRequest& request) {
   if (!x.sender)
     return;
   auto actor = caf::actor_cast<caf::actor>(x.sender);
@@ -246,7 +246,7 @@ void ComponentConnections::renew_subscriptions() {
   }
 }
 
-void ComponentConnections::work_off_push(const caf::mailbox_element& x, const Pushed& pushed) {
+void ComponentConnections::handle_push(const caf::mailbox_element& x, const Pushed& pushed) {
   auto i = receptions_.find({pushed.provider, pushed.value.type_name()});
   if (i == receptions_.end())
     return;
@@ -264,16 +264,16 @@ void ComponentConnections::work_off_push(const caf::mailbox_element& x, const Pu
 
 // --
 
-bool ComponentConnections::work_off(caf::mailbox_element& x) {
+bool ComponentConnections::handle(caf::mailbox_element& x) {
   auto& content = x.content();
   if (content.match_elements<PullRequest>())
-    work_off_pull(x, content.get_as<PullRequest>(0));
+    handle_pull(x, content.get_as<PullRequest>(0));
   else if (content.match_elements<PushRequest>())
-    work_off_push_request(x, content.get_as<PushRequest>(0));
+    handle_push_request(x, content.get_as<PushRequest>(0));
   else if (content.match_elements<Pushed>())
-    work_off_push(x, content.get_as<Pushed>(0));
+    handle_push(x, content.get_as<Pushed>(0));
   else if (content.match_elements<HandOut>())
-    work_off_hand_out(x, content.get_as<HandOut>(0));
+    handle_hand_out(x, content.get_as<HandOut>(0));
   else
     return false;
   return true;

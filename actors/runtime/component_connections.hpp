@@ -24,8 +24,8 @@
 
 namespace castor {
 
-/// A stand-alone component is down, and was not back in time. Where it is the end of the component
-/// that waited for it, that is not the failure of that component.
+/// A stand-alone component is down, and was not back in time. If this ends the component that
+/// waited for it, the end does not count as a failure of that component.
 class ProviderDown : public ConnectionError {
 public:
   ProviderDown(std::string provider, const std::string& what)
@@ -62,16 +62,16 @@ public:
 
   // -- what arrives
 
-  /// A subscriber has taken pushes, for which it may be sent others.
+  /// A subscriber has taken pushes: sends it waiting ones.
   void taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x);
 
   /// A subscriber has ended.
   void forget(const caf::actor_addr& subscriber);
 
-  /// Carries out what the message asks for, if it is about connections; false if it is not.
-  bool work_off(caf::mailbox_element& x);
+  /// Handles the message if it concerns connections; otherwise returns false.
+  bool handle(caf::mailbox_element& x);
 
-  /// Gives up all of them.
+  /// Drops all connections.
   void clear();
 
 private:
@@ -93,18 +93,19 @@ private:
     Receipts receipts;
   };
 
-  /// The neighbours are others now: asks providers that were started again for pushes once more.
+  /// The neighbours have changed: subscribes again to providers that were started again.
   void renew_subscriptions();
-  /// Somebody gets that value.
+  /// Records a value that is handed out.
   void record(bool pushed, const Value& x);
-  void work_off_hand_out(caf::mailbox_element& x, const HandOut& order);
-  void work_off_pull(caf::mailbox_element& x, const PullRequest& request);
-  void work_off_push_request(caf::mailbox_element& x, const PushRequest& request);
-  void work_off_push(const caf::mailbox_element& x, const Pushed& pushed);
+  void handle_hand_out(caf::mailbox_element& x, const HandOut& order);
+  void handle_pull(caf::mailbox_element& x, const PullRequest& request);
+  void handle_push_request(caf::mailbox_element& x, const PushRequest& request);
+  void handle_push(const caf::mailbox_element& x, const Pushed& pushed);
   void send(const Subscriber& to, Value x);
   /// Null if it is down. Throws ConnectionError if the system has no such component.
   caf::actor find_provider(const std::string& name) const;
-  /// Another than the one that is `gone`; `task` completes "cannot ...".
+  /// Waits for another provider than the one that is `gone`; `task` completes "cannot ..." in
+  /// errors.
   caf::actor await_provider(const std::string& name, const caf::actor_addr& gone,
                             const std::string& task,
                             std::chrono::steady_clock::time_point until) const;
@@ -117,7 +118,7 @@ private:
     Value value;
   };
 
-  /// Asks the provider, and if it ends before it has answered the one that takes its place.
+  /// Sends a request to the provider; if that ends before it has answered, to its successor.
   template <class Request>
   Answer ask(const std::string& provider, const Request& request, const std::string& task);
 

@@ -12,7 +12,7 @@
 
 namespace castor {
 
-/// What the parts of one component's runtime know of the component and of the system around it.
+/// Data on a component and the system around it, shared by the parts of the component's runtime.
 /// Used on the component's own thread only.
 class ComponentContext {
 public:
@@ -30,7 +30,7 @@ public:
   const ClientPtr& client() const { return record_.client(); }
   ComponentServices& services() { return services_; }
 
-  /// Since the system began.
+  /// Time since the start of the system.
   Timestamp now() const {
     return std::chrono::duration_cast<Timestamp>(Clock::now() - services_.epoch);
   }
@@ -38,7 +38,7 @@ public:
   /// How long operations may take.
   std::chrono::milliseconds deadline() const { return deadline_; }
 
-  /// How many pushes of one type may wait for the component.
+  /// Most pushes of one type that may wait for the component.
   std::uint32_t push_limit() const { return push_limit_; }
 
   // -- the others in the system
@@ -47,17 +47,17 @@ public:
 
   /// Calls the observers, unless these are the first.
   void set_neighbours(NeighboursPtr neighbours);
-  /// `f` is called as soon as the neighbours are others.
+  /// Calls `f` whenever the neighbours have changed.
   void on_neighbours(NeighboursObserver f) { observers_.push_back(std::move(f)); }
 
-  /// Null for a component outside the subarchitectures, and as long as it is not there.
+  /// Null for a component outside the subarchitectures, and while the working memory is down.
   const WorkingMemoryActor& working_memory() const { return working_memory_; }
   void set_working_memory(WorkingMemoryActor x) { working_memory_ = std::move(x); }
 
   /// Whether the working memory of that subarchitecture is one of another process.
   bool is_in_another_process(const std::string& subarchitecture) const;
 
-  /// Gives up the handles of other actors: two that hold each other would live for ever.
+  /// Drops the handles of other actors: two actors that hold each other would live for ever.
   void forget_neighbours() { neighbours_ = nullptr; }
 
 private:

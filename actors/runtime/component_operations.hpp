@@ -18,8 +18,8 @@ namespace castor {
 
 struct WriteRequest;
 
-/// The operations of a component: makes requests of them, and remembers what the component has
-/// seen, locked and registered for.
+/// The operations of a component: turns them into requests, and keeps the versions it has seen, its
+/// leases and its filters.
 class ComponentOperations final : public Operations {
 public:
   struct Parts {
@@ -27,7 +27,7 @@ public:
     OperationsClient& client;
     Inbox& inbox;
     ChangeReceivers& receivers;
-    /// How many change events may wait for the component.
+    /// Most change events that may wait for the component.
     std::uint32_t queue_limit;
   };
 
@@ -57,14 +57,14 @@ public:
   std::size_t receiver_count() const override;
   void receive_changes(bool on) override;
 
-  /// Calls `f` as soon as an event that the filter wants arrives, in the middle of whatever the
-  /// component does: only for the runtime's own bookkeeping.
+  /// Calls `f` as soon as an event that matches the filter arrives, possibly inside an operation of
+  /// the component: only for the runtime's own bookkeeping.
   void add_listener(const ChangeFilter& filter, ChangeCallback f);
 
 private:
   WriteRequest write_request(Operation operation, const Address& address, Value value,
                              std::optional<EntryLife> life) const;
-  /// What the component remembers of a write that was made.
+  /// Updates the seen version and the leases after a write.
   void remember_write(Operation operation, const Address& address, Version version);
   /// Registers the filter under the next id.
   FilterId subscribe(const ChangeFilter& filter, EventStream stream);

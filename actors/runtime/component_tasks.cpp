@@ -51,11 +51,11 @@ void ComponentTasks::report(const TaskEvent& event) {
 
 // -- what arrives
 
-bool ComponentTasks::work_off(caf::mailbox_element& x) {
-  return (managed_ && work_off_managed(x)) || (manager_ && work_off_manager(x));
+bool ComponentTasks::handle(caf::mailbox_element& x) {
+  return (managed_ && handle_managed(x)) || (manager_ && handle_manager(x));
 }
 
-bool ComponentTasks::work_off_managed(caf::mailbox_element& x) {
+bool ComponentTasks::handle_managed(caf::mailbox_element& x) {
   auto& content = x.content();
   if (!content.match_elements<TaskDecided>())
     return false;
@@ -67,7 +67,7 @@ bool ComponentTasks::work_off_managed(caf::mailbox_element& x) {
   return true;
 }
 
-bool ComponentTasks::work_off_manager(caf::mailbox_element& x) {
+bool ComponentTasks::handle_manager(caf::mailbox_element& x) {
   auto& content = x.content();
   auto& code = parts_.code;
   if (content.match_elements<ProposeTask>()) {
@@ -85,14 +85,14 @@ bool ComponentTasks::work_off_manager(caf::mailbox_element& x) {
     proposers_.erase(done.id);
     code.run("the completion of " + done.id, [&] { manager_->completed(done.id, done.outcome); });
   } else if (content.match_elements<caf::down_msg>()) {
-    work_off_end(content.get_as<caf::down_msg>(0));
+    handle_end(content.get_as<caf::down_msg>(0));
   } else {
     return false;
   }
   return true;
 }
 
-void ComponentTasks::work_off_end(const caf::down_msg& x) {
+void ComponentTasks::handle_end(const caf::down_msg& x) {
   watched_.erase(x.source);
   std::vector<TaskId> left;
   for (auto& [id, proposer] : proposers_)

@@ -14,7 +14,7 @@ class Component;
 class ManagedComponent;
 class TaskManager;
 
-/// What a managed component and its task manager say to each other, at either end.
+/// Connection between a managed component and its task manager, at either end.
 class ComponentTasks final : public TaskLink {
 public:
   struct Parts {
@@ -32,26 +32,26 @@ public:
   void decide(const TaskDecided& x) override;
   void report(const TaskEvent& event) override;
 
-  /// Whether the component is a task manager, which is told of the end of those that it has tasks
-  /// of.
+  /// Whether the component is a task manager, which receives the ends of components whose tasks it
+  /// has.
   bool is_manager() const { return manager_ != nullptr; }
 
-  /// Carries out what the message asks for, if it is about tasks; false if it is not.
-  bool work_off(caf::mailbox_element& x);
+  /// Handles the message if it concerns tasks; otherwise returns false.
+  bool handle(caf::mailbox_element& x);
 
   void clear();
 
 private:
   const caf::actor& task_manager() const;
-  bool work_off_managed(caf::mailbox_element& x);
-  bool work_off_manager(caf::mailbox_element& x);
-  void work_off_end(const caf::down_msg& x);
+  bool handle_managed(caf::mailbox_element& x);
+  bool handle_manager(caf::mailbox_element& x);
+  void handle_end(const caf::down_msg& x);
 
   Parts parts_;
   ManagedComponent* managed_;
   TaskManager* manager_;
   std::map<TaskId, caf::actor> proposers_;
-  /// Components whose end this task manager will be told.
+  /// Components that this task manager monitors.
   std::set<caf::actor_addr> watched_;
 };
 

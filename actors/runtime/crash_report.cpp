@@ -143,8 +143,8 @@ void add_cause(SafeText& text, int signal, const siginfo_t& info) {
 void add_place(SafeText& text) {
   if (const auto* component = this_thread.component) {
     text << " in component " << component->component();
-    if (auto doing = component->doing(); !doing.empty())
-      text << ", in " << doing;
+    if (auto activity = component->activity(); !activity.empty())
+      text << ", in " << activity;
     return;
   }
   std::array<char, 17> name{};

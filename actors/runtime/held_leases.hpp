@@ -15,11 +15,11 @@
 
 namespace castor {
 
-/// The leases that a component has in hand, as far as its process knows: the component uses them,
-/// the keeper renews them. Safe from any thread.
+/// The leases that a component holds, as far as its process knows: the component uses them, the
+/// keeper renews them. Safe to use from any thread.
 class HeldLeases {
 public:
-  /// A lease was obtained, for the first time or once more.
+  /// A lease was obtained, for the first time or repeatedly.
   void add(const Address& address, LeaseToken token) {
     std::lock_guard guard{mutex_};
     auto& x = leases_[address];
@@ -29,14 +29,13 @@ public:
     count_ = leases_.size();
   }
 
-  /// One lock request's worth of that lease is given back; false if the entry is gone, and its
-  /// lease with it.
+  /// Undoes one lock of that lease; false if the entry is gone, and its lease with it.
   bool release(const Address& address, LeaseToken token) {
     std::lock_guard guard{mutex_};
     auto i = leases_.find(address);
     if (i == leases_.end())
       return false;
-    // Another lease of the entry is no business of who gives this one back.
+    // The token may be that of an earlier lease of the entry.
     if (i->second.token == token && --i->second.times == 0)
       leases_.erase(i);
     count_ = leases_.size();
@@ -54,7 +53,7 @@ public:
 
   struct Held {
     LeaseToken token = 0;
-    /// How often it was obtained and not given back.
+    /// Number of locks that were not undone.
     std::size_t times = 0;
     bool lost = false;
   };
@@ -67,7 +66,7 @@ public:
     return i == leases_.end() ? std::nullopt : std::optional{i->second};
   }
 
-  /// The token to write with; of a lost lease too, so that the write is refused. 0 for none.
+  /// The token for writes; also of a lost lease, so that the write is refused. 0 for none.
   LeaseToken token(const Address& address) const {
     auto x = find(address);
     return x ? x->token : 0;
@@ -95,7 +94,7 @@ public:
 private:
   mutable std::mutex mutex_;
   std::map<Address, Held> leases_;
-  /// Of `leases_`, so that who holds none pays nothing.
+  /// Size of `leases_`, so that components without leases need no lock.
   std::atomic<std::size_t> count_{0};
 };
 

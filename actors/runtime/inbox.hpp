@@ -18,13 +18,12 @@
 
 namespace castor {
 
-/// What has arrived for a component and waits for its turn, oldest first. Change events that the
-/// component has taken, or that were dropped, are acknowledged to the working memory now and then,
-/// which may then send others.
+/// Messages that wait for a component, oldest first. Change events that the component has taken, or
+/// that were dropped, are acknowledged to the working memory in batches, which may then send
+/// others.
 class Inbox {
 public:
-  /// Something that the runtime does in the component's name. `what` names it in reports of its
-  /// failure.
+  /// Work of the runtime on behalf of the component. `what` names it in reports of its failure.
   struct Task {
     std::string what;
     std::function<void()> run;

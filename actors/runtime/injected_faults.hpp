@@ -9,8 +9,8 @@
 
 namespace castor {
 
-/// Thrown where a component that is to crash calls the runtime. It derives from nothing, so that
-/// no handler of std::exception swallows it.
+/// Injected crash, thrown when the component calls the runtime. It has no base class, so that no
+/// handler of std::exception swallows it.
 struct InjectedCrash {};
 
 /// The faults that were injected into a component. Used on the component's own thread only.
@@ -20,21 +20,22 @@ public:
 
   void take(const ComponentFault& x, Clock::time_point now);
 
-  /// Throws InjectedCrash if the component is to crash.
+  /// Throws InjectedCrash if a crash was injected.
   void at_runtime() const {
     if (crash_)
       throw InjectedCrash{};
   }
 
-  /// Where a phase of its life begins: may take its time.
+  /// Called at the beginning of a phase: blocks if that was injected.
   void in_phase(Phase x);
 
-  /// Where a callback begins: may take its time, and throw std::runtime_error.
+  /// Called at the beginning of a callback: blocks, or throws std::runtime_error, if that was
+  /// injected.
   void in_callback();
 
 private:
   bool crash_ = false;
-  /// So many callbacks from now, one throws; 0 for none.
+  /// Number of callbacks until one throws; 0 for none.
   std::uint32_t failure_in_ = 0;
   FaultTicket failure_ticket_;
   std::optional<Timestamp> hang_;

@@ -43,12 +43,12 @@ struct KeeperParts {
   std::vector<std::shared_ptr<ComponentRecord>> components;
   /// By subarchitecture.
   std::map<std::string, WorkingMemoryActor> working_memories;
-  /// Called when one runs past its budget, if anybody wants to know.
+  /// Called when one runs past its budget; may be empty.
   std::function<void(const Overrun&)> on_overrun = {};
 };
 
-/// The keeper of one process: looks after the components that live in it. It renews their leases
-/// while they come back from their own code within their budget, and says so when one does not.
+/// The keeper of one process: renews the leases of its components while they return from their own
+/// code within their budget, and reports those that do not.
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts);
 
 } // namespace castor

@@ -6,8 +6,8 @@
 
 namespace castor {
 
-/// How far a component is in its life: the phases that it was told to enter, whether it was told to
-/// stop, and whether its working memory is there. Knows neither time nor messages.
+/// Life-cycle state of a component: its commanded phases, whether it was told to stop, and whether
+/// its working memory is there. Independent of time and messages.
 class LifeCycle {
 public:
   /// The component was told to enter the phase, once it is done with those before.
@@ -16,7 +16,7 @@ public:
   /// Enters the phase if it is the next one that was commanded.
   bool try_enter(Phase x);
 
-  /// configure() has returned, or its end is not that of a wrong configuration.
+  /// configure() has returned, or has ended for another reason than a wrong configuration.
   void leave_configure() { configuring_ = false; }
   bool is_configuring() const { return configuring_; }
 

@@ -18,9 +18,9 @@ namespace castor {
 /// A detached actor whose single mailbox is pumped by hand.
 ///
 /// Whatever its thread waits for, it takes every message that arrived out of CAF's mailbox and
-/// files it: replies into the slots of those who asked, work into a queue, stop and loss into
-/// flags. So an operation inside a callback works, a stop is seen inside every operation, deadlines
-/// hold under a flood of events, and filing costs the same however long the queue is.
+/// files it: replies into the slots of their requests, work into a queue, stop and loss into flags.
+/// So an operation inside a callback works, a stop is seen inside every operation, deadlines hold
+/// under a flood of events, and filing costs the same however long the queue is.
 class PumpedActor : public caf::blocking_actor {
 public:
   using Clock = std::chrono::steady_clock;
@@ -31,8 +31,8 @@ public:
   /// any.
   bool pump(Clock::time_point until);
 
-  /// Files what has arrived. Bounded, so that a sender faster than this loop cannot keep it from
-  /// looking at what it waits for.
+  /// Files what has arrived. Bounded, so that a sender faster than this loop cannot block the
+  /// caller.
   void file_arrived();
 
   /// A reply under way; empty until it has arrived.
@@ -47,7 +47,7 @@ public:
   void respond(caf::mailbox_element& x, caf::message reply);
 
 protected:
-  /// Takes whatever is no reply.
+  /// Files a message that is not a reply.
   virtual void file(caf::mailbox_element_ptr x) = 0;
 
 private:

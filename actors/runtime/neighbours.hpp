@@ -10,15 +10,15 @@
 
 namespace castor {
 
-/// The others in a system, wherever they run; never changes.
+/// The other actors of a system that a component uses, in any process; immutable.
 struct Neighbours {
   /// By subarchitecture.
   std::map<std::string, WorkingMemoryActor> working_memories;
   std::map<std::string, caf::actor> task_managers;
   /// Stand-alone components, by name.
   std::map<std::string, caf::actor> providers;
-  /// The names of those that the system has, of which some may be down; and whether they are
-  /// started again if they fail.
+  /// Names of all stand-alone components of the system, of which some may be down; and whether they
+  /// are started again if they fail.
   std::map<std::string, bool> known_providers;
 };
 

@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
-/// What components ask of working memories and what they are answered, for those who judge
-/// afterwards whether that can be.
+/// Log of the operations of components on working memories and their outcomes, from which
+/// linearizability is checked afterwards.
 namespace castor {
 
-/// A file of a process's own. What was written survives the process, however it ends. Safe to use
+/// The log file of one process. Written lines survive the process, however it ends. Safe to use
 /// from any thread.
 class OperationLog {
 public:
-  /// What the names of the files end with.
+  /// Extension of the files.
   static constexpr const char* extension = ".operations";
 
   /// A new file in that folder. Throws std::runtime_error.
@@ -39,8 +39,8 @@ private:
   std::atomic<std::uint64_t> last_{0};
 };
 
-/// Writes down the operations of one component: JSON, a line for the beginning of each and another
-/// one once it is answered.
+/// Logs the operations of one component: JSON, a line for the beginning of each and another one
+/// once it is answered.
 ///
 ///     {"begin": 7, "at": nanoseconds, "component": "segmentor", "life": 1, "do": "overwrite",
 ///      "where": "vision", "id": "0:3", "content": hash, "seen": 4, "expected": false,
@@ -56,11 +56,11 @@ public:
 
   OperationRecorder(OperationLog& log, ClientPtr client) : log_(log), client_(std::move(client)) {}
 
-  /// What is under way.
+  /// Request under way.
   struct Open {
     Clock::time_point since = Clock::now();
     std::vector<std::uint64_t> numbers = {};
-    /// Of the writes of a batch.
+    /// Addresses of the writes of a batch.
     std::vector<Address> where = {};
   };
 
@@ -80,11 +80,11 @@ public:
   /// The request has that id.
   void sent(std::uint64_t id, Open x) { open_[id] = std::move(x); }
 
-  // What came of it in the end.
+  // The outcome of the request.
   void end(std::uint64_t id, const Outcome<Version>& x);
   void end(std::uint64_t id, const Outcome<std::vector<Version>>& x);
   void end(std::uint64_t id, const Outcome<EntryPtr>& x);
-  /// Of a query, which was no operation on any entry until it had found some.
+  /// Outcome of a query: logged as a read of each entry that it found, begin and end.
   void end(std::uint64_t id, const Outcome<std::vector<EntryPtr>>& x);
   void end(std::uint64_t id, const Outcome<bool>& x);
   void end(std::uint64_t id, const Outcome<Lease>& x);

@@ -18,8 +18,8 @@
 
 namespace castor {
 
-/// Sends a component's operations to its working memory, and waits for what comes of them while
-/// its mailbox is pumped. What waits may be part of a cycle of waits; then it is given up.
+/// Sends a component's operations to its working memory, and pumps the mailbox until their outcomes
+/// arrive. A wait that is part of a cycle of waits is given up.
 class OperationsClient {
 public:
   using Clock = ComponentContext::Clock;
@@ -69,7 +69,7 @@ public:
   /// Of an operation that may have to wait for a lease to end; `wait` says what for.
   template <class Reply>
   Outcome<Reply> finish_wait(std::uint64_t id, WaitEdge wait, const Patience& patience) {
-    // The working memory knows better why it took too long, so it is let to say so first.
+    // The working memory knows the reason of a timeout, so its reply is given time to arrive.
     constexpr std::chrono::seconds grace{1};
     wait.waiter = parts_.context.client();
     wait.number = patience.number;
@@ -77,12 +77,12 @@ public:
     return finish<Reply>(id, wait.address, patience.at_most + grace, &wait);
   }
 
-  /// Calls `done` after every message that arrives until it says true. Nothing if all went well.
+  /// Calls `done` after every message that arrives until it returns true. Nothing on success.
   /// @param wait what the component waits for, if that could be part of a cycle; may be empty
   std::optional<Failure> wait_until(const std::function<bool()>& done, Clock::time_point until,
                                     const std::function<std::optional<WaitEdge>()>& wait);
 
-  /// Gives a lease back. While the component stops, without waiting for the answer.
+  /// Releases a lease. While the component stops, without waiting for the answer.
   Outcome<Acknowledged> try_unlock(const Address& address, LeaseToken token);
 
   /// To the own working memory, without an answer.
@@ -91,10 +91,10 @@ public:
     parts_.actor.send(working_memory(), std::forward<Message>(x));
   }
 
-  /// Somebody looks for a cycle of waits, and this component may be part of it.
+  /// Handles a search for a cycle of waits of which this component may be a part.
   void receive_probe(DeadlockProbe probe);
 
-  /// What a reply holds, or why it holds none.
+  /// Outcome in a reply, or a failure if there is none.
   template <class Result>
   Result take(caf::mailbox_element& x, const Address& address) {
     auto& content = x.content();
@@ -127,12 +127,12 @@ private:
   Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
 
   Parts parts_;
-  /// If operations are to be written down.
+  /// Set if operations are logged.
   std::optional<OperationRecorder> recorder_;
   WaitNumber last_wait_ = 0;
   /// What the component waits for now, if that could be a cycle.
   std::optional<WaitEdge> waiting_;
-  /// The cycle that its wait has to be given up for; empty for none.
+  /// The wait cycle that was found; empty for none.
   std::string deadlock_;
 };
 

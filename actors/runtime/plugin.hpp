@@ -8,13 +8,13 @@
 
 namespace castor {
 
-/// Loads a shared library for good, and with it the component classes that it registers. `library`
-/// is a path, or a name that the loader looks for ("robot" for librobot.so). Says what went wrong,
-/// if anything did.
+/// Loads a shared library permanently, and with it the component classes that it registers.
+/// `library` is a path, or a name that the loader looks for ("robot" for librobot.so). Returns the
+/// error, if there is one.
 std::optional<std::string> load_plugin(const std::string& library);
 
-/// Loads the libraries that a user names for the sake of their component classes. Says what is
-/// wrong with the first that cannot be loaded or registers no class.
+/// Loads the libraries that a user names for the sake of their component classes. Returns the error
+/// of the first that cannot be loaded or registers no class.
 std::optional<std::string> load_plugins(const std::vector<std::string>& libraries);
 
 /// The libraries of components that come with Castor, as `load_plugin` takes them.
@@ -26,7 +26,7 @@ std::string why_no_plugin(const std::string& library);
 /// Loads the libraries of components that come with Castor.
 void load_bundled_plugins();
 
-/// Where a class was looked for, and what came of it.
+/// Result of looking for a class.
 struct ClassLookup {
   /// Null if there is no such class.
   const ComponentClass* found = nullptr;

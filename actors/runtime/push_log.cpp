@@ -82,10 +82,10 @@ PushLogWriter::PushLogWriter(const std::filesystem::path& file, const std::strin
   if (database_.number("PRAGMA application_id") == 0)
     make_tables(database_, provider);
   database_.run("PRAGMA synchronous=NORMAL; PRAGMA journal_size_limit=16777216");
-  read_what_is_there();
+  read_content();
 }
 
-void PushLogWriter::read_what_is_there() {
+void PushLogWriter::read_content() {
   sqlite::Statement types{database_, "SELECT number, descriptor FROM types"};
   while (types.step()) {
     auto number = types.number();

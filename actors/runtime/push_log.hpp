@@ -15,62 +15,63 @@
 #include <unordered_map>
 #include <vector>
 
-/// What a stand-alone component hands out, in a file of its own beside the journals of a recording.
+/// Log of the values that a stand-alone component hands out: a file for each, beside the journals
+/// of a recording.
 ///
 /// The file is an SQLite database. Values are cut into chunks of 64 KB, and a chunk that equals the
 /// one at the same place of the value before is not stored again: a camera that looks at a still
 /// picture costs next to nothing. docs/journals.md describes the tables.
 namespace castor {
 
-/// What the names of these files end with.
+/// Extension of these files.
 inline constexpr const char* push_log_extension = ".castor-pushes";
 
-/// The time that recorded values carry.
+/// The current time, as recorded with values.
 UnixTime unix_now();
 
 /// A value that was pushed to somebody, or that somebody pulled.
 struct RecordedPush {
   UnixTime time{0};
-  /// Otherwise it was pulled.
+  /// Whether the value was pushed; otherwise it was pulled.
   bool pushed = true;
   Value value;
 };
 
-/// What a file holds, at a glance.
+/// Summary of a file.
 struct PushLogSummary {
   std::string provider;
   std::uint64_t pushes = 0;
   std::uint64_t pulls = 0;
-  /// Of the first and the last of them.
+  /// Times of the first and the last value.
   UnixTime first{0};
   UnixTime last{0};
-  /// What the values take in the file.
+  /// Size of the values in the file.
   std::uint64_t bytes = 0;
-  /// The oldest, removed to keep the file within its limit.
+  /// Number of oldest values that were removed to keep the limit.
   std::uint64_t dropped = 0;
-  /// Those that came faster than the disk took them.
+  /// Number of values lost because the disk was too slow.
   std::uint64_t lost = 0;
 };
 
 /// Writes such a file. Used by one thread at a time; throws sqlite::Error.
 class PushLogWriter {
 public:
-  /// Goes on with the file if there is one.
+  /// Appends to the file if there is one.
   PushLogWriter(const std::filesystem::path& file, const std::string& provider);
 
-  /// What is appended, dropped and counted between these two is written in one piece.
+  /// Begin and end of a transaction, around what is appended, dropped and counted.
   void begin();
   void commit();
 
   void append(const RecordedPush& x);
-  /// There must be one.
+  /// Removes the oldest value; there must be one.
   void drop_oldest();
   void count_lost(std::uint64_t count);
 
   std::size_t size() const { return served_.size(); }
   /// When the oldest was handed out; there must be one.
   UnixTime oldest() const { return served_.front().time; }
-  /// What the values take.
+  /// Size of the values.
   std::uint64_t bytes() const { return bytes_; }
 
 private:
@@ -91,7 +92,7 @@ private:
     std::vector<ChunkNumber> chunks;
   };
 
-  void read_what_is_there();
+  void read_content();
   std::uint64_t number_of(const TypeDescriptorPtr& type);
   ChunkNumber add_chunk(std::span<const std::uint8_t> bytes);
   void use(const Served& x);

@@ -13,15 +13,16 @@
 
 namespace castor {
 
-/// Records what the stand-alone components of a process hand out, in one file for each, on a thread
-/// of its own: nobody waits for the disk. Safe to use from any thread.
+/// Records the values that the stand-alone components of a process hand out, in one file for each,
+/// on a thread of its own, so that components do not wait for the disk. Safe to use from any
+/// thread.
 class PushRecorder {
 public:
-  /// The folder must be there. Of what takes more than `limit_bytes`, the oldest is dropped.
+  /// The folder must exist. Above `limit_bytes`, the oldest values are dropped.
   PushRecorder(std::filesystem::path folder, std::uint64_t limit_bytes);
   PushRecorder(const PushRecorder&) = delete;
   PushRecorder& operator=(const PushRecorder&) = delete;
-  /// Writes what still waits.
+  /// Writes the values that still wait.
   ~PushRecorder();
 
   void record(const std::string& provider, bool pushed, const Value& x);

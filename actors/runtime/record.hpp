@@ -44,7 +44,7 @@ struct ComponentCounters {
   std::atomic<std::uint64_t> tasks_completed{0};
 };
 
-/// What others may know of a component while its own thread works; safe to read from any thread.
+/// State of a component, maintained by its own thread; safe to read from any thread.
 class ComponentRecord {
 public:
   using Clock = std::chrono::steady_clock;
@@ -65,12 +65,12 @@ public:
   ComponentState state() const { return state_.load(); }
   void set_state(ComponentState x) { state_.store(x); }
 
-  /// The component could not go on without its working memory, which has ended.
+  /// Whether the component failed because its working memory has ended.
   bool is_orphaned() const { return orphaned_.load(); }
   void set_orphaned() { orphaned_.store(true); }
 
-  /// Who was down, so that the component could not go on: a stand-alone component, or the working
-  /// memory of another subarchitecture. Empty if that is not why it failed.
+  /// Stand-alone component, or working memory of another subarchitecture, that was down, so that
+  /// the component failed. Empty for other reasons.
   std::string waited_for() const {
     std::lock_guard guard{mutex_};
     return waited_for_;
@@ -97,7 +97,7 @@ public:
   std::chrono::milliseconds budget() const { return budget_.load(); }
   void set_budget(std::chrono::milliseconds x) { budget_.store(x); }
 
-  /// The component now waits for something to happen.
+  /// The component is idle from now on.
   void set_idle() {
     busy_since_.store(0, std::memory_order_relaxed);
     user_code_since_.store(0, std::memory_order_relaxed);
@@ -128,7 +128,7 @@ public:
     cpu_ = total;
   }
 
-  /// What the component's thread has computed.
+  /// CPU time of the component's thread.
   std::chrono::nanoseconds cpu() const {
     std::lock_guard guard{mutex_};
     timespec time{};
@@ -137,7 +137,7 @@ public:
     return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
   }
 
-  /// How long the component has had something to do without a pause.
+  /// Time since the component was last idle; 0 while it is idle.
   Clock::duration busy_for(Clock::time_point now) const { return since(busy_since_, now); }
 
   /// How long the component's own code has run without calling the runtime.
@@ -163,7 +163,7 @@ private:
   mutable std::mutex mutex_;
   std::string failure_;
   std::string waited_for_;
-  /// Of the component's thread, while there is one.
+  /// CPU clock of the component's thread, while there is one.
   std::optional<clockid_t> clock_;
   std::chrono::nanoseconds cpu_{0};
 };

@@ -11,7 +11,7 @@ namespace castor {
 
 class RunningComponent;
 
-/// Who keeps the process from ending: the components of this process whose own code runs just now,
+/// Components of this process whose own code is running, which keeps the process from ending:
 /// "vision.learner in configure()".
 std::vector<std::string> components_in_own_code();
 

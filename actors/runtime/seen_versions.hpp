@@ -13,13 +13,13 @@ namespace castor {
 /// The version of an entry that a component last read or wrote.
 struct SeenVersion {
   Version version = 0;
-  /// It will have written it if the writes succeed that it has sent and not been answered.
+  /// Whether it is the version after writes that were sent and not answered yet, if they succeed.
   bool expected = false;
 };
 
 /// Which version of which entry a component last read or wrote. Remembers the last `capacity`
-/// entries at least and twice as many at most, so that a component that sees entries come and go
-/// all day does not grow.
+/// entries at least and twice as many at most, so that memory stays bounded while entries come and
+/// go.
 class SeenVersions {
 public:
   explicit SeenVersions(std::size_t capacity = 100'000) : capacity_(capacity) {}

@@ -12,7 +12,7 @@ namespace castor {
 /// their replies are to be deleted.
 ///
 /// A call is over once its entry is gone: deleted, or lost with the working memory that it was in,
-/// of which no event tells.
+/// without a change event.
 class ServedCalls {
 public:
   /// To be called before the call's entry is read: whatever ends it from then on is noticed. False
@@ -22,7 +22,7 @@ public:
   /// The component does not serve the call after all.
   void abandon(const Address& call) { calls_.erase(call); }
 
-  /// The component has done all that it will do for the call.
+  /// The component has served the call.
   void finish(const Address& call);
 
   /// The call's entry was deleted.

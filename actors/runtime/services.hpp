@@ -21,31 +21,31 @@ namespace castor {
 /// What the components of one process share; outlives the actor system, and so must keep no actor
 /// alive, whose threads the actor system waits for.
 struct ComponentServices {
-  /// The moment that times count from.
+  /// Time origin of the system.
   std::chrono::steady_clock::time_point epoch;
 
-  /// Part of the ids that components make, where entries outlive the system: nobody else's number.
-  /// 0 where they do not.
+  /// Unique number of this run, part of the ids that components make, if entries outlive the
+  /// system; otherwise 0.
   std::atomic<std::uint64_t> run{0};
 
   /// The working memories of this process, sorted by address: the last list is that of now. A list
   /// never changes, since components' threads look at the one that there was when they were made.
   std::deque<std::vector<caf::resumable*>> working_memories;
 
-  /// A working memory still knows the last component that ran it after that component is gone, so
+  /// A working memory refers to the unit that ran it last even after that component is gone, so
   /// these stay until the end.
   std::vector<std::unique_ptr<CallerRuns>> units;
 
-  /// Where operations are written down; null where they are not.
+  /// Operation log, or null.
   std::unique_ptr<OperationLog> operations;
 
-  /// Records what stand-alone components hand out; null where that is not recorded.
+  /// Recorder of the values that stand-alone components hand out, or null.
   std::unique_ptr<PushRecorder> pushes;
 
   /// Called from any component's thread when it wants the system to end.
   std::function<void(int status, const std::string& reason)> end_system;
 
-  /// Called from task managers' threads, if anybody watches.
+  /// Called from task managers' threads; may be empty.
   std::function<void(TaskEvent)> on_task;
 };
 

@@ -109,7 +109,7 @@ void ComponentShell::live_or_fail() {
     // The normal way to end.
   } catch (const InjectedCrash&) {
     if (component_->isolate_) {
-      code_.crash_note().set_doing("an injected crash");
+      code_.crash_note().set_activity("an injected crash");
       std::abort();
     }
     life_.leave_configure();
@@ -180,11 +180,11 @@ void ComponentShell::await_phase(Phase phase) {
       throw ComponentStopped{};
     faults_.at_runtime();
     if (life_.has_started() && !inbox_.is_empty())
-      work_off_next();
+      handle_next();
     else
       pump(never());
   }
-  code_.set_doing(phase_name(phase));
+  code_.set_activity(phase_name(phase));
 }
 
 void ComponentShell::phase_done(Phase phase, std::string failure) {
@@ -193,7 +193,7 @@ void ComponentShell::phase_done(Phase phase, std::string failure) {
 }
 
 void ComponentShell::fail(const std::string& what) {
-  auto report = "failed in " + code_.doing() + ": " + shorten(what, longest_failure);
+  auto report = "failed in " + code_.activity() + ": " + shorten(what, longest_failure);
   // Whose configuration is wrong in the first life is named by who started the system.
   bool is_refused = life_.is_configuring() && identity().incarnation == 1;
   log_runtime(is_refused ? LogLevel::debug : LogLevel::error, identity().full_name(), report);
@@ -222,7 +222,7 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
   } else if (content.match_elements<DeadlockProbe>()) {
     client_.receive_probe(content.get_as<DeadlockProbe>(0));
   } else if (content.match_elements<NeighboursPtr>()) {
-    meet(content.get_as<NeighboursPtr>(0));
+    set_neighbours(content.get_as<NeighboursPtr>(0));
   } else if (content.match_elements<EnterPhase>()) {
     auto& command = content.get_as<EnterPhase>(0);
     phase_controller_ = command.phase_controller;
@@ -259,7 +259,7 @@ void ComponentShell::acknowledge(const std::optional<EventsTaken>& x) {
     client_.send(*x);
 }
 
-void ComponentShell::meet(NeighboursPtr neighbours) {
+void ComponentShell::set_neighbours(NeighboursPtr neighbours) {
   context_.set_neighbours(std::move(neighbours));
   if (identity().subarchitecture.empty() || context_.working_memory())
     return;
@@ -293,28 +293,28 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
         return true;
       continue;
     }
-    work_off_next();
+    handle_next();
     if ((enough && enough()) || Clock::now() >= until)
       return true;
   }
 }
 
-void ComponentShell::work_off_next() {
+void ComponentShell::handle_next() {
   auto x = inbox_.take();
-  work_off(x);
+  handle(x);
 }
 
-void ComponentShell::work_off(Inbox::Work& x) {
+void ComponentShell::handle(Inbox::Work& x) {
   if (auto* notice = std::get_if<ChangeNotice>(&x))
-    return work_off_change(*notice);
+    return handle_change(*notice);
   if (auto* task = std::get_if<Inbox::Task>(&x))
     return code_.run(task->what, task->run);
   auto& message = *std::get<caf::mailbox_element_ptr>(x);
-  if (!connections_.work_off(message))
-    tasks_.work_off(message);
+  if (!connections_.handle(message))
+    tasks_.handle(message);
 }
 
-void ComponentShell::work_off_change(const ChangeNotice& notice) {
+void ComponentShell::handle_change(const ChangeNotice& notice) {
   acknowledge(inbox_.delivered());
   // The receivers as they are now; a callback may remove any of them, or add some for later events.
   for (auto& receiver : receivers_.of(notice.filters)) {

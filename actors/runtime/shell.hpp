@@ -25,7 +25,7 @@
 
 namespace castor {
 
-/// What a component's shell is made of.
+/// Parameters of a component's shell.
 struct ShellParts {
   std::unique_ptr<Component> component;
   std::shared_ptr<ComponentRecord> record;
@@ -36,9 +36,8 @@ struct ShellParts {
   std::string where = {};
 };
 
-/// The actor around a component: leads it through its life, and hands what arrives to the parts
-/// that are in charge of it. Before the component enters its first phase it must be sent its
-/// neighbours.
+/// The actor around a component: runs its life cycle, and passes messages to the parts that handle
+/// them. Before the component enters its first phase it must be sent its neighbours.
 class ComponentShell final : public PumpedActor, public ComponentRuntime {
 public:
   using Clock = ComponentRuntime::Clock;
@@ -76,14 +75,14 @@ private:
   // -- life
 
   void live();
-  /// What live() has thrown is the component's failure, unless it is the normal end.
+  /// Calls live(); an exception is the component's failure, unless it is the normal end.
   void live_or_fail();
   void run_stop_hook();
   /// Delivers work, if the component has started, until the next phase is due.
   void await_phase(Phase phase);
   void phase_done(Phase phase, std::string failure);
   void fail(const std::string& what);
-  /// Gives up all handles of other actors: two that hold each other would live for ever.
+  /// Drops all handles of other actors: two actors that hold each other would live for ever.
   void forget_actors();
 
   // -- what arrives
@@ -91,14 +90,14 @@ private:
   void file(caf::mailbox_element_ptr x) override;
   void file_down(caf::mailbox_element_ptr x);
   void file_change(ChangeNotice notice);
-  void meet(NeighboursPtr neighbours);
+  void set_neighbours(NeighboursPtr neighbours);
   void acknowledge(const std::optional<EventsTaken>& x);
 
   // -- work
 
-  void work_off_next();
-  void work_off(Inbox::Work& x);
-  void work_off_change(const ChangeNotice& notice);
+  void handle_next();
+  void handle(Inbox::Work& x);
+  void handle_change(const ChangeNotice& notice);
 
   std::unique_ptr<Component> component_;
   std::shared_ptr<ComponentRecord> record_;

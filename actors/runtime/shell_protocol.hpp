@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <string>
 
-/// What is said to a component, besides what working memories say.
+/// Messages to a component, besides those of working memories.
 namespace castor {
 
 enum class Phase : std::uint8_t { configure, start, run };
 
-/// Enter the next phase of life; answered with PhaseDone where the phase ends of itself.
+/// Enter the next phase; answered with PhaseDone, except for Phase::run.
 struct EnterPhase {
   Phase phase = Phase::configure;
   caf::actor phase_controller;
@@ -33,23 +33,24 @@ struct PhaseDone {
 /// A fault to inject into a component.
 struct ComponentFault {
   enum class Kind : std::uint8_t {
-    /// It ends when it next turns to the runtime, an isolated one with its process.
+    /// The component ends at its next call of the runtime, an isolated one with its process.
     crash,
     /// A callback throws.
     failure,
-    /// Its next callback takes that long.
+    /// Its next callback takes `by`.
     hang,
-    /// Its next configure() or start() takes that long, which is that of its next life if it runs.
+    /// Its next configure() or start() takes `by`; of a running component, that is after its next
+    /// restart.
     blocked_configure,
     blocked_start,
-    /// Every callback takes that much longer.
+    /// Every callback takes longer, by `by`.
     slowness,
   };
 
   Kind kind = Kind::crash;
-  /// Of `failure`: which of those that begin from now on, from 1.
+  /// For `failure`: number of the callback that throws, counted from now, from 1.
   std::uint32_t callback = 1;
-  /// Of `hang`, `slowness`, and of what is blocked.
+  /// For `hang`, `blocked_configure`, `blocked_start` and `slowness`: duration of the delay.
   Timestamp by{0};
   /// How long slowness lasts.
   Timestamp duration{0};
@@ -73,12 +74,12 @@ struct PullRequest {
   TypeDescriptorPtr type;
 };
 
-/// To a stand-alone component: send the sender every value of the type that is pushed, but no more
-/// than `limit` that it has not taken.
+/// To a stand-alone component: send the sender every value of the type that is pushed, with at most
+/// `limit` not taken.
 struct PushRequest {
   TypeDescriptorPtr type;
   std::uint32_t limit = 0;
-  /// Its full name.
+  /// Full name of the subscriber.
   std::string subscriber;
 };
 
@@ -92,11 +93,11 @@ struct Pushed {
 /// Answered with Acknowledged.
 struct HandOut {
   Value value;
-  /// Also to those who asked for pushes; otherwise only to those who pull.
+  /// Whether subscribers get it, too; otherwise only those who pull.
   bool push = false;
 };
 
-/// To a stand-alone component: so many more pushes of the type were taken.
+/// To a stand-alone component: `count` more pushes of the type were taken.
 struct PushesTaken {
   std::string type;
   std::uint32_t count = 0;

@@ -8,12 +8,12 @@
 
 namespace castor {
 
-/// A component as it was at one moment, wherever it runs.
+/// Snapshot of a component, in any process.
 struct ComponentStatus {
   ComponentIdentity identity;
   bool is_task_manager = false;
   ComponentState state = ComponentState::created;
-  /// Its node does not answer, but is not lost yet: the rest is not known.
+  /// Its node does not answer, but is not lost yet: the other values are not known.
   bool out_of_reach = false;
   /// How often it was started again.
   std::uint64_t restarts = 0;
@@ -21,9 +21,9 @@ struct ComponentStatus {
   bool will_restart = false;
   /// Why it failed; empty if it did not.
   std::string failure;
-  /// How long it has had something to do without a pause.
+  /// Time since it was last idle; 0 while it is idle.
   std::chrono::nanoseconds busy{0};
-  /// What its thread has computed.
+  /// CPU time of its thread.
   std::chrono::nanoseconds cpu{0};
 
   std::uint64_t events_received = 0;
@@ -34,7 +34,7 @@ struct ComponentStatus {
   std::uint64_t pushes_dropped = 0;
 };
 
-/// For people: its state, or that it is on its way to another life.
+/// State for people: the name of the state, or "restarting".
 std::string state_of(const ComponentStatus& x);
 
 ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);

@@ -4,11 +4,11 @@
 
 namespace castor {
 
-std::string UserCode::set_doing(std::string what) {
+std::string UserCode::set_activity(std::string what) {
   // A crash in between is one of nobody knows what.
-  crash_note_.set_doing({});
-  auto before = std::exchange(doing_, std::move(what));
-  crash_note_.set_doing(doing_);
+  crash_note_.set_activity({});
+  auto before = std::exchange(activity_, std::move(what));
+  crash_note_.set_activity(activity_);
   return before;
 }
 

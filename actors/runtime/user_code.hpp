@@ -9,7 +9,7 @@
 
 namespace castor {
 
-/// Calls the component's own code, and knows what it was called for and how long it has run.
+/// Calls the component's own code, and keeps its activity and running time.
 class UserCode {
 public:
   using Clock = ComponentRecord::Clock;
@@ -19,12 +19,12 @@ public:
   /// `what` names the call in reports of its failure.
   template <class F>
   void run(const std::string& what, F&& f) {
-    // After an exception `doing_` stays at the innermost call, for the report.
-    auto outer = set_doing(what);
+    // After an exception `activity_` stays at the innermost call, for the report.
+    auto outer = set_activity(what);
     record_.enter_user_code(Clock::now());
     f();
     record_.leave_user_code();
-    set_doing(std::move(outer));
+    set_activity(std::move(outer));
   }
 
   /// The same for a callback, which faults may have been injected into.
@@ -41,10 +41,10 @@ public:
   /// Number of callbacks so far.
   std::uint64_t callbacks() const { return callbacks_; }
 
-  /// What the code was called for last.
-  const std::string& doing() const { return doing_; }
-  /// Returns what it was called for before.
-  std::string set_doing(std::string what);
+  /// Last activity of the code, such as "configure()".
+  const std::string& activity() const { return activity_; }
+  /// Returns the previous activity.
+  std::string set_activity(std::string what);
 
   CrashNote& crash_note() { return crash_note_; }
 
@@ -57,7 +57,7 @@ public:
     Pause& operator=(const Pause&) = delete;
     ~Pause() { record_.enter_user_code(Clock::now()); }
 
-    /// Again, after code in between that may have been the component's.
+    /// Pauses again, after code in between that may have been the component's.
     void renew() { record_.leave_user_code(); }
 
   private:
@@ -67,7 +67,7 @@ public:
 private:
   ComponentRecord& record_;
   InjectedFaults& faults_;
-  std::string doing_;
+  std::string activity_;
   CrashNote crash_note_;
   std::uint64_t callbacks_ = 0;
 };
