@@ -34,7 +34,7 @@ bool ActorTransitionDriver::kill(const std::string& child) {
   if (!kill_process_of(child))
     return false;
   log_runtime(LogLevel::error, child,
-              "did not stop: it has not come back from its own code; its process is killed");
+              "did not stop: it has not returned from its own code; its process is killed");
   return true;
 }
 

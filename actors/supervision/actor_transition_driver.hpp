@@ -23,7 +23,7 @@ namespace castor {
 /// agents of the processes that make them.
 class ActorTransitionDriver : public TransitionDriver {
 public:
-  /// All of them have to outlive it. `plan` is that of the system at the moment.
+  /// All of them have to outlive it. `plan` returns the current plan of the system.
   ActorTransitionDriver(caf::event_based_actor* self, const Processes& processes,
                         const SystemOptions& options, const SystemModel& model,
                         const Failover& failover, Deployments& deployments,

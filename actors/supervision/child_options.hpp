@@ -8,13 +8,13 @@
 
 namespace castor {
 
-/// What a component line tells the supervisor of the component, which may run elsewhere. `castor
-/// check` and the component itself have refused values that cannot be read.
+/// Options of a component line that its supervisor needs; the component may run in another process.
+/// Invalid values were refused by `castor check` and by the component itself.
 struct ChildOptions {
   /// `--restart`
   RestartType restart = RestartType::permanent;
-  /// `--shutdown`: how long it may take to stop; nothing if that is up to the options of the
-  /// system.
+  /// `--shutdown`: how long it may take to stop; the default of the system's options if there is no
+  /// value.
   std::optional<std::chrono::milliseconds> shutdown = {};
 
   explicit ChildOptions(const ComponentDescription& x);

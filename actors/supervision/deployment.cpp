@@ -108,7 +108,7 @@ void Deployments::no_answer(ProcessNumber from, const caf::error& error) {
                        : ": " + plain_words(error, self_->system());
   if (x.link != LinkState::up)
     problem.message += ": " + x.reason;
-  problem.remedy = "see that the nodes can reach each other where the file says that they are";
+  problem.remedy = "check that the nodes can reach each other at the addresses in the file";
   problems_.push_back(std::move(problem));
 }
 
@@ -122,7 +122,7 @@ bool Deployments::is_out_of_date() const {
                      [&](auto x) { return processes_.state(x).link == LinkState::lost; });
 }
 
-bool Deployments::look_again() {
+bool Deployments::update_reachability() {
   if (!orders_.empty() && is_out_of_date())
     begin();
   else if (!orders_.empty())

@@ -15,11 +15,11 @@
 
 namespace castor {
 
-/// Brings plans to the agents of all processes, one after the other, and introduces what they have
-/// made to each other.
+/// Sends plans to the agents of all processes, one plan after the other, and introduces the actors
+/// that they make to each other.
 ///
-/// A process that is out of reach at the moment holds nothing up unless it was said to: it gets the
-/// plan when it is back.
+/// A process that is out of reach is not waited for, unless `wait_for_all` is set: it gets the plan
+/// when it is back.
 class Deployments : public std::enable_shared_from_this<Deployments> {
 public:
   using Problems = std::vector<Diagnostic>;
@@ -37,24 +37,24 @@ public:
   };
   void add(Order x);
 
-  /// A process has gone out of reach, or is back. True if one is back that has missed something: it
-  /// needs a plan.
-  bool look_again();
+  /// To be called when a process has gone out of reach, or is back. True if one is back that has
+  /// missed a plan, and needs one.
+  bool update_reachability();
 
-  /// All that was made, by name.
+  /// All actors that were made, by name.
   const std::map<std::string, caf::strong_actor_ptr>& actors() const { return actors_; }
   void set_actor(const std::string& name, const caf::strong_actor_ptr& x) { actors_[name] = x; }
 
 private:
-  /// Asks those again that were asked first, unless they are lost, and goes on once those have
-  /// answered that count.
+  /// Sends a question to the processes that the plan went to, unless they are lost; calls `then`
+  /// once all have answered that are waited for.
   template <class Answer, class Question>
   void ask(const Question& question, std::function<void(ProcessNumber, const Answer&)> take,
            std::function<void()> then);
   void begin();
-  /// Whether the order under way has to wait for what that process says.
+  /// Whether the order under way has to wait for an answer of that process.
   bool is_waited_for(ProcessNumber x) const;
-  /// Whether a process was lost on which the plan under way counts, so that others wait for it.
+  /// Whether a process of `planned_` was lost, so that others would wait for it in vain.
   bool is_out_of_date() const;
   void take(const PartPlan& plan, ProcessNumber from, const PartMade& made);
   void introduce();
@@ -68,16 +68,16 @@ private:
   /// The first is under way.
   std::deque<Order> orders_;
   Problems problems_;
-  /// Those that the plan under way went to: one that has come since knows nothing of it.
+  /// Processes that the plan under way was sent to; later ones do not have it.
   std::set<ProcessNumber> asked_;
-  /// Those of them that have not answered the last question.
+  /// Processes of `asked_` that have not answered the last question.
   std::set<ProcessNumber> missing_;
-  /// Those that the plan under way counts on: out of reach when it began were all others.
+  /// Processes that the plan under way waits for; all others were out of reach when it began.
   std::set<ProcessNumber> planned_;
-  /// Those that were not waited for.
+  /// Processes that were not waited for, and need a plan when they are back.
   std::set<ProcessNumber> behind_;
   std::function<void()> then_;
-  /// Counts questions, so that late answers are known as such.
+  /// Number of questions so far, to recognise late answers.
   std::size_t question_ = 0;
   std::map<std::string, caf::strong_actor_ptr> actors_;
 };

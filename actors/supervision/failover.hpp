@@ -25,14 +25,14 @@ public:
     std::optional<SupervisionDecision> decision;
   };
 
-  /// Where the children of a lost process go.
+  /// New places of the children of a lost process.
   struct Loss {
     /// Those that another process takes over; they are placed there.
     std::vector<std::string> moved;
     /// Those that no other process takes over now.
     std::vector<std::string> left;
-    /// Whether somebody should look for a successor of the process: for those that are `left`, or
-    /// because others may have to move there later.
+    /// Whether a successor of the process is needed: for those that are `left`, or because others
+    /// may have to move there later.
     bool needs_successor = false;
   };
 
@@ -43,18 +43,18 @@ public:
   const Placement& placement() const { return placement_; }
   ProcessNumber process_of(const std::string& name) const { return placement_.process_of(name); }
 
-  /// A process is lost, in which these ran. What awaited that process is among them.
+  /// A process is lost, in which these ran, including children that awaited the process.
   Loss lose(ProcessNumber lost, const std::vector<std::string>& names,
             const ArchitectureDescription& architecture,
             const std::function<bool(ProcessNumber)>& is_up);
 
-  /// The successor takes over the hosts of the lost process, and what awaits it.
+  /// The successor takes over the hosts of the lost process, and the children that await it.
   void set_successor(ProcessNumber lost, ProcessNumber successor, Awaited awaited);
 
-  /// The process is in reach: what has awaited it, which does not wait any longer.
+  /// The process is in reach: returns the children that have awaited it, and clears them.
   std::optional<Awaited> take_awaited(ProcessNumber process);
 
-  /// These are to be made in other processes than before.
+  /// Marks children that are to be made in other processes than before.
   void begin_move(const std::vector<std::string>& names);
 
   /// The child is made now. True if it moves with that.

@@ -58,7 +58,7 @@ void HealthLog::write(const std::string& name, Value value) {
     self_->request(wm, caf::infinite, request)
       .then([](const Outcome<Version>&) {}, [](const caf::error&) {});
   };
-  if (!told_of_.insert(name).second) {
+  if (!reported_.insert(name).second) {
     request.operation = Operation::remove;
     send();
   }

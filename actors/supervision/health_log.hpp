@@ -14,8 +14,8 @@
 
 namespace castor {
 
-/// Makes known who goes down and who is back: in the log, to who asked for it in the options, and
-/// as entries of the working memory of `castor` (health.hpp).
+/// Reports components and working memories that go down and come back: in the log, to the callbacks
+/// of the options, and as entries of the working memory of `castor` (health.hpp).
 class HealthLog {
 public:
   /// All of them have to outlive it.
@@ -28,31 +28,31 @@ public:
     /// Empty for a stand-alone component.
     std::string subarchitecture;
     std::uint64_t incarnation = 1;
-    /// Why it fails is in the log of this process already.
+    /// Whether its failure is in the log of this process already.
     bool reports_itself = false;
   };
 
-  /// One that is known to be down is not told of again, unless it will not be back.
+  /// One that is known to be down is not reported again, unless it will not be restarted.
   void down(const Subject& who, const std::string& reason, bool will_restart);
 
   /// Nothing happens if it is not known to be down.
   void up(const Subject& who);
 
-  /// Whoever else is down is no part of the system any more.
+  /// Forgets those that are no part of the architecture any more.
   void forget_others(const ArchitectureDescription& architecture);
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Replaces what is there of a component.
+  /// Replaces the entry of a component.
   void write(const std::string& name, Value value);
 
   caf::event_based_actor* self_;
   const Deployments& deployments_;
   const SystemOptions& options_;
   std::map<std::string, Clock::time_point> down_since_;
-  /// Those of whom there is an entry.
-  std::set<std::string> told_of_;
+  /// Names of those that have an entry.
+  std::set<std::string> reported_;
 };
 
 } // namespace castor

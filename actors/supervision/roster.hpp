@@ -13,7 +13,7 @@
 
 namespace castor {
 
-/// Who takes part in a system, for those who look on.
+/// Participants of a system, for observers.
 struct SystemRoster {
   std::string file;
   std::chrono::steady_clock::time_point epoch;
@@ -25,10 +25,10 @@ struct SystemRoster {
   std::map<std::string, caf::actor> providers;
   /// Of all components, working memories included.
   std::map<std::string, ProcessNumber> placement;
-  /// In the order of their start, without working memories: who they are, and how often they were
-  /// started again.
+  /// In the order of their start, without working memories; only identities and restart counts are
+  /// set.
   std::vector<ComponentStatus> components;
-  /// How the hosts of the file are served.
+  /// Placement of the hosts of the file.
   Placement hosts;
 };
 

@@ -15,18 +15,18 @@
 
 namespace castor {
 
-/// What is to be done about a failure.
+/// Decision on a failure.
 struct SupervisionDecision {
   enum class Kind : std::uint8_t {
     /// The component stays down; the others go on.
     leave,
     restart,
-    /// It has gone too far: the system is to end.
+    /// A limit of restarts is exceeded: the system is to end.
     give_up,
   };
 
   Kind kind = Kind::leave;
-  /// Whoever of these runs is to be stopped first, the last one first.
+  /// Components to stop first if they run, in the reverse of this order.
   std::vector<std::string> stop = {};
   /// In the order of their start.
   std::vector<std::string> start = {};
@@ -35,23 +35,24 @@ struct SupervisionDecision {
   /// The subarchitecture that failed as a whole, because its components did so too often; empty if
   /// none did.
   std::string escalated = {};
-  /// Why it goes beyond the component, for the log.
+  /// Reason of the escalation, for the log.
   std::string reason = {};
 };
 
 /// The supervisors of a system: one for each subarchitecture, whose children are its working
 /// memory, task manager and components, and above them that of the system, whose children are the
-/// subarchitectures and the stand-alone components. Pure: time and chance are passed in.
+/// subarchitectures and the stand-alone components. Pure: the time and the seed of random numbers
+/// are passed in.
 ///
-/// A working memory takes all of its subarchitecture with it, since what the others know is about
-/// it; a task manager takes the managed components, whose tasks it knew.
+/// The failure of a working memory restarts all of its subarchitecture, whose components know its
+/// entries; that of a task manager restarts the managed components, whose tasks it knew.
 class SupervisionTree {
 public:
   /// `seed` is that of the jitter.
   explicit SupervisionTree(std::uint64_t seed = 0) : random_(seed) {}
 
-  /// Takes the children and the rules from the architecture. What is known of past failures of
-  /// those that stay is kept. Without `restarts` nobody is started again.
+  /// Takes the children and the rules from the architecture. The past failures of children that
+  /// stay are kept. Without `restarts` nothing is started again.
   void set(const ArchitectureDescription& architecture, bool restarts = true);
 
   /// A child has failed.
@@ -94,13 +95,13 @@ private:
   /// Whether one more restart is within the supervisor's limit.
   static bool may_restart(Supervisor& x, Timestamp now);
   SupervisionDecision restart_child(const std::string& component, Timestamp now);
-  /// Within the limits of its supervisor.
+  /// Restarts it with its siblings, within the limits of its supervisor.
   SupervisionDecision restart_with_siblings(const std::string& component, Timestamp now);
   SupervisionDecision escalate(const std::string& subarchitecture, const std::string& because,
                                Timestamp now);
   /// Of a supervisor's children, those that go down with one of them.
   std::vector<std::string> affected(const Supervisor& supervisor, const std::string& child) const;
-  /// Of the children of the system, what they consist of.
+  /// Components that these children of the system consist of.
   std::vector<std::string> components_of(const std::vector<std::string>& children) const;
   Timestamp delay_of(const SupervisionPolicy& policy, std::deque<Timestamp>& failures,
                      Timestamp now);

@@ -167,7 +167,7 @@ private:
   void on_up(const std::string& child) override { health_.up(subject(child)); }
 
   void on_stuck(const std::string& child, bool restarts) override {
-    log_runtime(LogLevel::error, child, "did not stop: it has not come back from its own code");
+    log_runtime(LogLevel::error, child, "did not stop: it has not returned from its own code");
     if (restarts)
       health_.down(subject(child), "it did not stop, and is not started again", false);
   }
@@ -326,7 +326,7 @@ private:
         bring_back(*awaited);
       }
     // Who was out of reach has missed something; the others do not know yet who is lost.
-    if (deployments_->look_again() || x.state == LinkState::lost)
+    if (deployments_->update_reachability() || x.state == LinkState::lost)
       tell_plan();
   }
 

@@ -16,19 +16,19 @@
 #include <string>
 #include <vector>
 
-/// The actor that makes a system what it is to be, in all its processes, and keeps it so: it alone
-/// starts, stops and restarts what a system consists of.
+/// The actor that deploys a system in all its processes, and keeps it running: only this actor
+/// starts, stops and restarts components and working memories.
 namespace castor {
 
-/// From now on the system is to consist of this; answered with Deployed. Nothing is started yet,
-/// but what is not wanted any more is ended.
+/// New architecture and placement of the system; answered with Deployed. Nothing is started yet,
+/// but what is not part of it any more is ended.
 struct Deploy {
   ArchitectureDescription architecture;
   Placement placement;
 };
 
 struct Deployed {
-  /// What stands in the way; then the system may be half of what it was to be.
+  /// Problems; if there are any, the system may be deployed in part only.
   std::vector<Diagnostic> problems;
 };
 
@@ -39,8 +39,8 @@ struct StartComponents {
 };
 
 struct ComponentsStarted {
-  /// What is wrong with the configuration of those whose configure() has failed. Then none of them
-  /// was started, and none will be.
+  /// Configuration errors of those whose configure() has failed. If there are any, none of them was
+  /// started, and none will be.
   std::vector<Diagnostic> problems;
 };
 
@@ -53,7 +53,7 @@ struct StopComponents {
 struct ComponentsStopped {
   /// In the order of their end.
   std::vector<std::string> stopped;
-  /// They did not come back from their own code.
+  /// Those that did not return from their own code.
   std::vector<std::string> stuck;
 };
 
@@ -63,13 +63,13 @@ struct SupervisorParts {
   const SystemOptions* options = nullptr;
   std::string file;
   std::chrono::steady_clock::time_point epoch;
-  /// That of the jitter of delays; nothing for one that nobody knows.
+  /// Seed of the jitter of delays; random if there is no value.
   std::optional<std::uint64_t> seed = {};
-  /// Is sent EndSystem.
+  /// Receiver of EndSystem.
   caf::actor end_listener;
-  /// Is sent every TaskEvent; null if nobody wants to know.
+  /// Receiver of every TaskEvent, or null.
   caf::actor task_observer;
-  /// Called whenever the system has become another.
+  /// Called whenever the system has changed.
   std::function<void(SystemRosterPtr)> on_change;
 };
 

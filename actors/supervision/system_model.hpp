@@ -28,22 +28,21 @@ struct SupervisedChild {
   bool alive = true;
   /// Whether it has a process of its own.
   bool isolated = false;
-  /// Whether it is left as it is, and not started again.
+  /// Whether it stays as it is, and is not started again.
   bool given_up = false;
   /// Whether its process was killed because it did not stop.
   bool killed = false;
 };
 
-/// The children of a supervisor, and what the processes of a system and its users are told of
-/// them. Pure.
+/// The children of a supervisor, and the plans and rosters made from them. Pure.
 class SystemModel {
 public:
   /// Both have to outlive it.
   SystemModel(const SupervisionTree& tree, const Failover& failover)
     : tree_(tree), failover_(failover) {}
 
-  /// The children are those of the architecture. What is known of those that stay is kept.
-  /// `shutdown` is how long those may take to stop that do not say so themselves.
+  /// Takes the children from the architecture. The state of those that stay is kept. `shutdown` is
+  /// the time to stop of those without an own setting.
   void set(ArchitectureDescription architecture, std::chrono::milliseconds shutdown);
 
   const ArchitectureDescription& architecture() const { return architecture_; }
@@ -58,18 +57,17 @@ public:
   // -- lives of children; all of them must exist
 
   void begin_life(const std::string& name);
-  /// Whether it is alive from now on. Returns whether it was.
+  /// Sets whether it is alive. Returns whether it was.
   bool set_alive(const std::string& name, bool alive);
   void set_given_up(const std::string& name, bool given_up);
-  /// Whether its process was killed. Returns whether it had been before.
+  /// Sets whether its process was killed. Returns the previous value.
   bool set_killed(const std::string& name, bool killed);
 
-  // -- what others are told
+  // -- plans and rosters
 
   /// Architecture, placement and lives; the rest is the caller's.
   PartPlan plan() const;
-  /// Children, placement, and those of the `actors` that somebody may ask; the rest is the
-  /// caller's.
+  /// Children, placement, and those of the `actors` that may be asked; the rest is the caller's.
   SystemRoster roster(const std::map<std::string, caf::strong_actor_ptr>& actors) const;
 
 private:

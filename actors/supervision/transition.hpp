@@ -14,23 +14,23 @@
 
 namespace castor {
 
-/// What became of a transition.
+/// Result of a transition.
 struct TransitionResult {
   /// Wrong configurations of children that were started for the first time. Then none of them was
   /// started.
   std::vector<Diagnostic> problems;
   /// In the order of their end.
   std::vector<std::string> stopped;
-  /// Those that did not come back from their own code.
+  /// Those that did not return from their own code.
   std::vector<std::string> stuck;
 };
 
-/// What is to be stopped and started.
+/// Children to stop and to start.
 struct TransitionRequest {
   /// Both in the order of their start.
   std::vector<std::string> stop = {};
   std::vector<std::string> start = {};
-  /// Whether what is started is made anew, and why.
+  /// Whether the children to start are made anew, and why.
   bool remakes = false;
   std::string reason = {};
   /// Time between the last stop and the making.
@@ -39,8 +39,8 @@ struct TransitionRequest {
   std::function<void(const TransitionResult&)> done = {};
 };
 
-/// The stopping and starting of some children, one step after the other. In most steps it is the
-/// turn of one child after the other.
+/// The stopping and starting of some children, one step after the other. In most steps the children
+/// have their turn one after the other.
 class Transition {
 public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -82,12 +82,11 @@ public:
   /// Configures those that `is_last` says after the others.
   void enter_configure(TimePoint now, const std::function<bool(const std::string&)>& is_last);
   void next(TimePoint now);
-  /// Time is counted anew for the present turn.
+  /// Restarts the time of the present turn.
   void restart_turn(TimePoint now) { since_ = now; }
   void set_commanded() { commanded_ = true; }
 
-  /// These are not started any more, wherever the transition is. Those that are just being made are
-  /// made.
+  /// Excludes these from being started, in any step. Those that are being made are still made.
   void withdraw(const Names& names);
 
   // -- what happens meanwhile
@@ -97,7 +96,7 @@ public:
   void do_not_start(const std::string& name);
   void add_problem(Diagnostic x) { result_.problems.push_back(std::move(x)); }
   bool has_problems() const { return !result_.problems.empty(); }
-  /// A child fails, which is dealt with when the transition has ended.
+  /// A child failed; the failure is handled when the transition has ended.
   void add_failure(ComponentEnded x) { failures_.push_back(std::move(x)); }
   const std::vector<ComponentEnded>& failures() const { return failures_; }
   bool has_failed(const std::string& name, std::uint64_t incarnation) const;

@@ -19,7 +19,7 @@ struct TransitionReminder {
   std::uint64_t turn = 0;
 };
 
-/// What carries out the commands of a TransitionScheduler, and answers its questions.
+/// Executes the commands of a TransitionScheduler, and answers its questions.
 class TransitionDriver {
 public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -38,12 +38,12 @@ public:
 
   /// To be followed by `TransitionScheduler::remind`.
   virtual void remind(const TransitionReminder& of, Timestamp after) = 0;
-  /// To be followed by `TransitionScheduler::ended`, if the child comes back from its own code.
+  /// To be followed by `TransitionScheduler::ended`, if the child returns from its own code.
   virtual void stop(const std::string& child) = 0;
   /// Kills the process of a child that does not stop; then `ended` or `lose` follow. False if the
   /// child has no process of its own, or that has ended already.
   virtual bool kill(const std::string& child) = 0;
-  /// Makes these anew, in the lives that the model says. `by_plan` if all processes have to know of
+  /// Makes these anew, in the incarnations of the model. `by_plan` if all processes have to know of
   /// it. Calls `done` later, with those that could not be made.
   virtual void make(const std::vector<std::string>& children, bool by_plan,
                     std::function<void(const std::set<std::string>& failed)> done) = 0;
@@ -52,7 +52,7 @@ public:
   virtual void enter(const std::string& child, Phase phase) = 0;
 };
 
-/// Is told what transitions bring about.
+/// Observer of the effects of transitions.
 class TransitionObserver {
 public:
   virtual ~TransitionObserver() = default;
@@ -62,7 +62,7 @@ public:
   virtual void on_up(const std::string& child) = 0;
   /// The child did not stop, and is given up. `restarts` if it was to be started again.
   virtual void on_stuck(const std::string& child, bool restarts) = 0;
-  /// The child takes its time in a phase.
+  /// The child takes long in a phase.
   virtual void on_slow(const std::string& child, Phase phase) = 0;
   /// A transition has ended.
   virtual void on_change() = 0;

@@ -37,10 +37,10 @@ public:
   /// A child has ended in its present life, which is known to the model; it `was_alive` before.
   /// True if a running transition takes care of that.
   bool ended(const ComponentEnded& x, bool was_alive);
-  /// A process is lost. These ran in it and are to go on elsewhere; the model knows of all that
-  /// were.
+  /// A process is lost. These ran in it and are to continue in another one; the model is up to date
+  /// for all that ran in it.
   void lose(const std::vector<std::string>& children);
-  /// Goes on where an actor was missing that may be known now, or was replaced.
+  /// Continues transitions that waited for an actor that may be known now, or was replaced.
   void resume();
 
   // -- what is under way
@@ -60,14 +60,14 @@ private:
   void advance(Iterator i);
   void end(Iterator i);
 
-  /// Lets one child after the other stop; true when the last one has.
+  /// Stops one child after the other; true when the last one has stopped.
   bool stop_next(Transition& x);
   bool kill_to_stop(Transition& x, const std::string& child);
   void make(Transition& x);
-  /// Those that the transition was to make are there, but for those that `failed`.
+  /// The children of the transition were made, except those that `failed`.
   void made(std::uint64_t transition, const std::set<std::string>& failed);
   void enter_configure(Transition& x);
-  /// Lets one child after the other go through a phase; true when the last one has.
+  /// Takes one child after the other through a phase; true when the last one is done.
   bool enter_next(Transition& x, Phase phase);
   /// Whether it is alive and goes through phases.
   bool takes_part(const std::string& child) const;

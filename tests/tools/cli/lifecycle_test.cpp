@@ -161,7 +161,7 @@ TEST_F(Lifecycle, CheckNamesADestructorThatBlocks) {
   auto x = ask({"check", system("CPP UM blocker Blocker --phase destructor\n")});
   EXPECT_EQ(x.status, 1);
   EXPECT_THAT(x.errors, AllOf(HasSubstr("system.cast:5: error: Blocker of blocker"),
-                              HasSubstr("the destructor does not come back within 5 s")));
+                              HasSubstr("the destructor does not return within 5 s")));
 }
 
 TEST_F(Lifecycle, NamedPipesAreRefusedWhereverAFileIsMeant) {
@@ -201,7 +201,7 @@ TEST_F(Lifecycle, AnIsolatedComponentThatDoesNotStopIsKilledAndStartedAgainWithT
                           "CPP UM blocker Blocker --isolate --shutdown 500ms --budget 1h\n"
                           "CPP UM thrower Blocker --phase late --how throw\n"),
      "--for", "60s"})};
-  ASSERT_TRUE(castor.wait_for_output("blocker] did not stop: it has not come back from its own "
+  ASSERT_TRUE(castor.wait_for_output("blocker] did not stop: it has not returned from its own "
                                      "code; its process is killed"))
     << castor.errors();
   ASSERT_TRUE(eventually([&] { return count(castor.errors(), "a.blocker] runs") >= 3; }))
