@@ -60,11 +60,11 @@ void add_components(const InspectionContextPtr& context, const Json& request) {
   auto result = cast::parse_file(request.at("file").get<std::string>(), options);
   if (!result.ok()) {
     auto findings = all_findings(result, Classes::on_this_machine, running_names(roster));
-    context->say(outcome_as_json({{}, std::move(findings)}), true);
+    context->send(outcome_as_json({{}, std::move(findings)}), true);
     return;
   }
   if (!result.diagnostics.empty())
-    context->say(as_line(Json{{"remarks", render(result.diagnostics)}}));
+    context->send(as_line(Json{{"remarks", render(result.diagnostics)}}));
   auto news = members_of(*result.architecture);
   give_order(*context, *std::move(result.architecture), std::move(news));
 }

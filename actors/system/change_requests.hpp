@@ -2,11 +2,10 @@
 
 #include "castor/actors/system/inspection_context.hpp"
 
-/// The requests of those who change what a system consists of.
+/// Requests that change the components of a system.
 namespace castor {
 
-// Each answers the request of that name (docs/introspection.md). They throw where a request makes
-// no sense.
+// Each answers the request of that name (docs/introspection.md). They throw for invalid requests.
 void add_components(const InspectionContextPtr& context, const Json& request);
 void remove_component(const InspectionContextPtr& context, const Json& request);
 

@@ -9,15 +9,15 @@
 
 namespace castor {
 
-/// What the processes of a system say of themselves, by their numbers; nothing of those that do not
-/// answer.
+/// Statuses of the processes of a system, by their numbers; nothing for those that do not answer.
 using PartStatuses = std::vector<std::optional<PartStatus>>;
 
-/// How a process sees its link to another; null if it does not answer, or knows of none.
+/// Status of the link from one process to another, as `from` reports it; null if it does not
+/// answer, or has no such link.
 const LinkStatus* find_link(const PartStatuses& parts, ProcessNumber from, ProcessNumber to);
 
-/// Of all components, in the order of their start: what their processes say of them, with what the
-/// supervisor knows. Of those whose processes do not answer, that.
+/// Statuses of all components, in the order of their start: as their processes report them,
+/// completed with what the supervisor knows, or that alone if the process does not answer.
 std::vector<ComponentStatus> component_statuses(const SystemRoster& roster,
                                                 const PartStatuses& parts);
 

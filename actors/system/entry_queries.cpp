@@ -18,7 +18,7 @@ void answer_nothing(const InspectionContextPtr& context, const std::string& name
   context->with_types([=](const TypeCatalogue& types) {
     if (!is_known_type(what, types))
       throw InspectionError(nothing_found(name, what, entries, types));
-    context->say({}, true);
+    context->send({}, true);
   });
 }
 
@@ -42,7 +42,7 @@ void show_entries(const InspectionContextPtr& context, const Json& request) {
         std::string text;
         for (auto& x : entries)
           text += entry_as_json(*x, with_values, max_bytes) + '\n';
-        context->say(std::move(text), true);
+        context->send(std::move(text), true);
       },
       [=](const caf::error&) {
         context->refuse("the working memory of " + name + " does not answer");
@@ -58,7 +58,7 @@ void show_types(const InspectionContextPtr& context, const Json& request) {
     for (auto& [other, type] : types)
       if (name.empty() || type->is_a(name))
         text += as_line(to_json(*type));
-    context->say(std::move(text), true);
+    context->send(std::move(text), true);
   });
 }
 

@@ -35,7 +35,7 @@ void EventWatch::begin(const Json& request) {
         [=, this](const Outcome<std::vector<EntryPtr>>& found) {
           if (found && select_entries(*found, what_).empty())
             return context_.refuse(nothing_found(name, what_, *found, known.types) +
-                                   ". With --wait it may come later");
+                                   ". With --wait, `castor events` waits for it");
           subscribe_to(filter);
         },
         [=, this](const caf::error&) { subscribe_to(filter); });
@@ -75,19 +75,19 @@ std::vector<ChangeFilter> EventWatch::filters_for(const std::string& name) const
   return {by_id, by_type};
 }
 
-void EventWatch::hear(const ChangeEventPtr& event) {
+void EventWatch::on_event(const ChangeEventPtr& event) {
   auto& address = event->address;
   auto watched = watched_.find(address.subarchitecture);
   if (watched == watched_.end())
     return;
   if (!with_values_ || event->operation == Operation::remove) {
-    ++watched->second.told;
-    context_.say(change_as_json(*event, {}, max_bytes_) + '\n');
+    ++watched->second.in_flight;
+    context_.send(change_as_json(*event, {}, max_bytes_) + '\n');
     return;
   }
   auto tell = [this, event](const Value& value) {
-    ++watched_.at(event->address.subarchitecture).told;
-    context_.say(change_as_json(*event, value, max_bytes_) + '\n');
+    ++watched_.at(event->address.subarchitecture).in_flight;
+    context_.send(change_as_json(*event, value, max_bytes_) + '\n');
   };
   context_.self->request(watched->second.actor, inspection_patience, ReadRequest{address, {}})
     .then([tell](const Outcome<EntryPtr>& x) { tell(x ? (*x)->value : Value{}); },
@@ -97,7 +97,7 @@ void EventWatch::hear(const ChangeEventPtr& event) {
 void EventWatch::taken() {
   for (auto& [name, x] : watched_) {
     std::uint64_t count = 0;
-    for (; x.told > 0; --x.told)
+    for (; x.in_flight > 0; --x.in_flight)
       count += x.receipts.take();
     if (count > 0)
       context_.self->send(x.actor, EventsTaken{EventStream::component, count});

@@ -12,30 +12,31 @@
 
 namespace castor {
 
-/// Tells somebody outside of a system of its changes, for as long as he wants to know (`events`).
-/// He is sent no more than he has taken: the rest waits in the working memories, which merge it.
+/// Sends the changes of a system to a client outside of it, until the client ends the request
+/// (`events`). The client is sent no more than it takes: the rest waits in the working memories,
+/// which merge it.
 class EventWatch {
 public:
   /// The context has to outlive it.
   explicit EventWatch(InspectionContext& context) : context_(context) {}
 
-  /// Throws where the request makes no sense.
+  /// Throws for an invalid request.
   void begin(const Json& request);
 
   /// Subscribes at working memories that are new, once it has begun.
   void update();
 
-  void hear(const ChangeEventPtr& event);
+  void on_event(const ChangeEventPtr& event);
 
-  /// Everything that was said was taken.
+  /// The client has taken everything that was sent.
   void taken();
 
 private:
   struct Watched {
     WorkingMemoryActor actor;
     Receipts receipts;
-    /// Events that were said and not yet taken.
-    std::uint64_t told = 0;
+    /// Events that were sent and not yet taken.
+    std::uint64_t in_flight = 0;
   };
 
   void subscribe_to(const ChangeFilter& filter);

@@ -9,14 +9,14 @@
 
 namespace castor {
 
-/// Through which tests and fault plans inject faults into a running system: `System::faults`.
+/// Interface by which tests and fault plans inject faults into a running system: `System::faults`.
 class FaultPort {
 public:
   virtual ~FaultPort() = default;
 
   /// Injects a fault into a component or a working memory; false if there is none of that name in
-  /// reach. A working memory crashes, whatever it is. In this process, what is done afterwards
-  /// comes after the fault.
+  /// reach. A working memory crashes, whatever the fault is. In this process, later actions take
+  /// effect after the fault.
   virtual bool inject(const std::string& component, const ComponentFault& x) = 0;
 
   /// Injects a fault into the link between two processes, by their numbers.

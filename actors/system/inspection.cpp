@@ -91,13 +91,13 @@ private:
 
   // -- what is said
 
-  void say(std::string text, bool last = false) { context_->say(std::move(text), last); }
+  void say(std::string text, bool last = false) { context_->send(std::move(text), last); }
 
   void hear(const ChangeEventPtr& event) {
     if (context_->on_event)
       context_->on_event(event);
     else
-      watch_.hear(event);
+      watch_.on_event(event);
   }
 
   /// Calls `f` once after everything that it was handed to was called or dropped.

@@ -6,8 +6,8 @@
 
 namespace castor {
 
-/// Answers one request for one connection, which may take for ever (`events`): it then goes on
-/// until it is ended. Later requests control a replay (pause, go on, end).
+/// Answers one request of one connection. A request without an end (`events`) is answered until the
+/// actor is ended. Later requests control a replay (pause, go on, end).
 caf::behavior inspection(caf::event_based_actor* self, InspectionParts parts);
 
 } // namespace castor

@@ -5,7 +5,7 @@
 
 namespace castor {
 
-void InspectionContext::say(std::string text, bool last) {
+void InspectionContext::send(std::string text, bool last) {
   self->send(parts.endpoint, InspectionReply{parts.connection, std::move(text), last});
 }
 

@@ -17,38 +17,38 @@
 #include <string>
 #include <utility>
 
-/// What the requests of an inspection share.
+/// Context that the requests of an inspection share.
 namespace castor {
 
 /// How long processes may take to answer.
 inline constexpr std::chrono::seconds inspection_patience{2};
 
-/// Byte fields are shown up to this length, unless everything is wanted.
+/// Byte fields are shown up to this length, unless the request is for all.
 inline constexpr std::size_t shown_bytes = 64;
 
-/// How many of a byte field the request wants to see.
+/// Most bytes of a byte field to show for the request.
 inline std::size_t bytes_shown(const Json& request) {
   return request.value("full", false) ? std::numeric_limits<std::size_t>::max() : shown_bytes;
 }
 
-/// A request that makes no sense, or comes too early.
+/// An invalid request, or one that comes too early.
 class InspectionError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
 };
 
-/// One request: who answers it, and the ways to answer.
+/// One request: the actor that answers it, and functions for answers.
 class InspectionContext : public std::enable_shared_from_this<InspectionContext> {
 public:
   InspectionContext(caf::event_based_actor* actor, InspectionParts x)
     : self(actor), parts(std::move(x)) {}
 
-  void say(std::string text, bool last = false);
+  void send(std::string text, bool last = false);
   /// The whole answer.
-  void answer(const Json& x) { say(as_line(x), true); }
+  void answer(const Json& x) { send(as_line(x), true); }
   void refuse(const std::string& why) { answer({{"error", why}}); }
 
-  /// Calls `f`; what it throws is the answer.
+  /// Calls `f`; answers with the error if it throws.
   template <class F>
   void guarded(F&& f) {
     try {
@@ -60,8 +60,8 @@ public:
     }
   }
 
-  /// Asks a working memory on behalf of a client, and writes that down where operations are. Calls
-  /// one of the two with what comes of it.
+  /// Sends a request to a working memory on behalf of a client, and logs the operation if
+  /// operations are logged. Calls `answered` with the outcome, or `failed` if there is none.
   template <class Reply, class Request, class Answered, class Failed>
   void ask(const WorkingMemoryActor& wm, const ClientPtr& client, const Request& request,
            Answered answered, Failed failed) {
@@ -87,12 +87,12 @@ public:
   /// Calls `f` with the entry types that the processes of the system know.
   void with_types(std::function<void(TypeCatalogue)> f);
 
-  /// All that the words of a filter may name.
+  /// All names that a filter may use.
   KnownNames known_names(TypeCatalogue types) const;
 
   caf::event_based_actor* self;
   InspectionParts parts;
-  /// Is called with what has happened, if the request has subscribed to something.
+  /// Called with every change event, if the request has subscribed to some.
   std::function<void(const ChangeEventPtr&)> on_event;
 };
 

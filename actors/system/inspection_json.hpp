@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-/// What an inspection says, as JSON. Times are in seconds.
+/// Answers of an inspection as JSON. Times are in seconds.
 namespace castor {
 
 using Json = nlohmann::ordered_json;
 
-/// As JSON in UTF-8 whatever its strings are: bytes that are none become U+FFFD.
+/// As JSON in UTF-8: bytes of strings that are not valid become U+FFFD.
 std::string to_text(const Json& x);
 
 /// The same as a line.
@@ -29,22 +29,23 @@ struct SystemReport {
 };
 
 Json to_json(const SystemReport& report, const SystemRoster& roster);
-/// What the processes, working memories and components of a system did, for its end.
+/// Summary of the processes, working memories and components of a system, for its end.
 Json to_json(const SystemSummary& summary, const SystemRoster& roster);
 Json to_json(const Usage& x);
 Json to_json(const ChangeEvent& x);
 Json to_json(const TaskEvent& x);
 Json to_json(const ReplayOutcome& x);
-/// Where it is in the recording (`at`) is in microseconds since 1970.
+/// The position in the recording (`at`) is in microseconds since 1970.
 Json to_json(const ReplayProgress& x);
 
 /// A type: its fields, and an example of a value.
 Json to_json(const TypeDescriptor& x);
 
-/// What joins a system with this.
+/// Subarchitectures and components that join a system with `added`.
 Json members_of(const ArchitectureDescription& added);
 
-/// What leaves a system with a component or a subarchitecture of that name.
+/// Subarchitectures and components that leave a system with the component or subarchitecture of
+/// that name.
 Json members_of(const SystemRoster& roster, const std::string& name);
 
 /// An entry, with its value if that is wanted. Byte fields of more than `max_bytes` are shown as

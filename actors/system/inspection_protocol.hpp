@@ -12,10 +12,10 @@
 #include <memory>
 #include <string>
 
-/// What is said to inspections, and by them.
+/// Messages to and from inspections.
 namespace castor {
 
-/// To an inspection: what somebody has asked for, a JSON object.
+/// To an inspection: a request, as a JSON object.
 struct InspectionRequest {
   std::string text;
 };
@@ -24,14 +24,14 @@ struct InspectionRequest {
 struct InspectionReply {
   std::uint64_t connection = 0;
   std::string text;
-  /// There is no more to come.
+  /// Whether this is the last reply.
   bool last = false;
 };
 
-/// To an inspection: everything it has said was taken, so that there may be more.
+/// To an inspection: all its replies were taken, so it may send more.
 struct InspectionTaken {};
 
-/// To an inspection from itself: a time is over.
+/// To an inspection from itself: a timeout has passed.
 struct InspectionTimeout {
   std::function<void()> then;
 };
@@ -42,7 +42,7 @@ struct InspectionParts {
   caf::actor endpoint;
   SystemRosterPtr roster;
   std::function<void(SystemOrder)> give_order;
-  /// Where operations of operators are written down; null where they are not.
+  /// Log of the operations of operators, or null.
   std::shared_ptr<OperationLog> operations;
 };
 

@@ -163,8 +163,8 @@ void check_fields(const ChangeFilter& filter, const TypeCatalogue& known) {
   if (!filter.predicate.empty())
     visit_fields(*filter.predicate.tree(),
                  [&](const std::string& path, const FieldValue*) { check(path); });
-  throw std::runtime_error("no type has fields for which this can hold: " + to_string(filter) +
-                           ". Name the type that is meant");
+  throw std::runtime_error("no known type has all fields that the filter uses: " +
+                           to_string(filter) + ". Name the type in the filter");
 }
 
 } // namespace

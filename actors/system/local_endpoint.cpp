@@ -192,8 +192,8 @@ caf::behavior endpoint(Self* self, fs::path path, int socket,
     *self,
     {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
        log_repeated(LogLevel::warning,
-                    "refused " + std::to_string(x.turned_away) + " who look on: " + x.problem +
-                      "; `ulimit -n` is how many file descriptors a process may have");
+                    "refused " + std::to_string(x.turned_away) + " connections for inspection: " +
+                      x.problem + "; `ulimit -n` is how many file descriptors a process may have");
      }});
   return {
     [self](const SystemRosterPtr& x) {

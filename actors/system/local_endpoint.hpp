@@ -11,20 +11,20 @@
 #include <memory>
 #include <string>
 
-/// How people and programs on this machine find out about a running system, and change it: a socket
-/// that only their user can reach. It speaks JSON, one object on a line; docs/introspection.md has
-/// the requests.
+/// Socket at which people and programs on this machine inspect and change a running system; only
+/// processes of its user can reach it. The protocol is JSON, one object on a line;
+/// docs/introspection.md has the requests.
 namespace castor {
 
 class OperationLog;
 
-/// Where a system that this process runs can be found. Throws std::runtime_error if there is no
-/// place that others cannot reach.
+/// Path of the socket of a system that this process runs. Throws std::runtime_error if there is no
+/// private folder for it.
 std::filesystem::path endpoint_of_process(const std::string& system_file);
 
 /// Listens at the socket, which goes with the actor. It has to be sent a SystemRosterPtr, and again
-/// whenever that has changed. `give_order` is called from any thread. What operators ask of working
-/// memories is written down in `operations`, unless it is null. Throws std::runtime_error.
+/// whenever that has changed. `give_order` is called from any thread. Operations of operators on
+/// working memories are logged in `operations`, unless it is null. Throws std::runtime_error.
 caf::actor open_local_endpoint(caf::actor_system& system, const std::filesystem::path& socket,
                                std::function<void(SystemOrder)> give_order,
                                std::shared_ptr<OperationLog> operations = nullptr);

@@ -9,8 +9,8 @@
 
 namespace castor {
 
-/// Whether somebody observes a system: spawns an observer if the options or the architecture ask
-/// for one, and waits until it has told what there is to tell.
+/// Observation of a system: spawns an observer if the options or the architecture ask for one, and
+/// waits until it has reported all changes.
 class Observation {
 public:
   /// All of them have to outlive it.
@@ -18,17 +18,18 @@ public:
               const ArchitectureDescription& architecture, RosterFeed& roster,
               StatusCollector& status);
 
-  /// Is to be sent every TaskEvent; null if nobody wants to know.
+  /// Receiver of every TaskEvent, or null.
   caf::actor task_observer() const { return options_.on_task ? observer_ : nullptr; }
 
-  /// Observes what the architecture has now; its subscriptions are in force then.
+  /// Adapts the observer to the present architecture. When this returns, its subscriptions are in
+  /// force.
   void update();
 
-  /// Waits until everything that has changed by now has been told.
+  /// Waits until all changes so far have been reported.
   void catch_up();
 
-  /// Waits until there is nothing left to tell: neither what it was sent, nor what it is sent when
-  /// it has told that.
+  /// Waits until nothing is left to report, including events that working memories send only once
+  /// earlier ones were taken.
   void flush();
 
   void end();

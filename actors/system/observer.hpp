@@ -25,12 +25,12 @@ struct ObservedSystem {
   std::map<std::string, LogLevel> logged;
 };
 
-/// To an observer, which answers with true: has it told all that it was sent before?
+/// To an observer: answered with true once it has reported all that it was sent before.
 struct FlushObserver {};
 
 /// A change whose entry is being read.
 struct AwaitedEntry {
-  /// Counts them.
+  /// Sequence number of the change.
   std::uint64_t number = 0;
   ChangeEventPtr event;
   EntryPtr entry;
@@ -38,7 +38,7 @@ struct AwaitedEntry {
 };
 
 struct AwaitedFlush {
-  /// Of the last change that is to be told before.
+  /// Number of the last change that is to be reported before.
   std::uint64_t number = 0;
   caf::typed_response_promise<bool> promise;
 };
@@ -48,7 +48,7 @@ struct ObserverState {
 
   ObservedSystem system;
   std::map<std::string, Receipts> receipts;
-  /// Those of a working memory in the order in which they are to be told.
+  /// By subarchitecture, in the order in which they are to be reported.
   std::map<std::string, std::deque<std::shared_ptr<AwaitedEntry>>> awaited;
   std::uint64_t last_awaited = 0;
   std::vector<AwaitedFlush> flushes;

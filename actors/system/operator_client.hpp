@@ -7,10 +7,10 @@
 
 namespace castor {
 
-/// Who stands as the source of what this user writes: "operator:ann".
+/// Source of this user's writes: "operator:ann".
 const std::string& operator_source();
 
-/// Another one for each request: its end is the end of what the request has made ephemeral.
+/// A new client for each request: its end is the end of the request's ephemeral entries.
 ClientPtr new_operator_client();
 
 /// Number of an entry, or of a client, that operators make in this process; no two have the same.

@@ -4,12 +4,11 @@
 
 #include <string>
 
-/// What people and programs outside of a system do to its working memories. They need the
-/// permission that ACCESS lines about operators give or take.
+/// Requests of people and programs outside of a system to write to its working memories, as far as
+/// ACCESS lines about operators permit it.
 namespace castor {
 
-// Each answers the request of that name (docs/introspection.md). They throw where a request makes
-// no sense.
+// Each answers the request of that name (docs/introspection.md). They throw for invalid requests.
 void add_entry(const InspectionContextPtr& context, const Json& request);
 void overwrite_entry(const InspectionContextPtr& context, const Json& request);
 void delete_entry(const InspectionContextPtr& context, const Json& request);

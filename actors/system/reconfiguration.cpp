@@ -30,19 +30,20 @@ std::vector<Diagnostic> Reconfiguration::add(ArchitectureDescription added) {
     processes_.connect(joined, placement);
     supervisor_.deploy(joined, placement);
   } catch (const SystemError& e) {
-    take_back(std::move(placement));
+    revert(std::move(placement));
     return e.diagnostics();
   }
   auto before = std::exchange(architecture_, std::move(joined));
   observation_.update();
   auto problems = supervisor_.start(names_of(added));
   if (!problems)
-    return {{Severity::error, {}, {}, {}, "the system ends before they have started", {}}};
+    return {
+      {Severity::error, {}, {}, {}, "the system ended before the new components were started", {}}};
   if (problems->empty())
     return {};
   supervisor_.stop(names_of(added));
   architecture_ = std::move(before);
-  take_back(placement);
+  revert(placement);
   observation_.update();
   return *std::move(problems);
 }
@@ -67,7 +68,7 @@ std::string Reconfiguration::remove(const std::string& name) {
 }
 
 /// What could not be added is to be nowhere.
-void Reconfiguration::take_back(Placement placement) {
+void Reconfiguration::revert(Placement placement) {
   auto before = place(architecture_, options_.nodes, roster_.newest()->hosts);
   // A host whose process could not be reached gets another one next time.
   std::erase_if(placement.hosts, [&](auto& x) {

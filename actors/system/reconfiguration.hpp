@@ -23,14 +23,14 @@ public:
                   Processes& processes, const RosterFeed& roster, SupervisorClient& supervisor,
                   Observation& observation);
 
-  /// Returns what stands in the way; then the system is as it was.
+  /// Returns the problems; if there are any, the system is unchanged.
   std::vector<Diagnostic> add(ArchitectureDescription added);
 
-  /// Returns why that cannot be done; empty if it was.
+  /// Returns the error; empty on success.
   std::string remove(const std::string& name);
 
 private:
-  void take_back(Placement placement);
+  void revert(Placement placement);
   void forget_lost_hosts(Placement& placement) const;
 
   ArchitectureDescription& architecture_;
@@ -39,7 +39,7 @@ private:
   const RosterFeed& roster_;
   SupervisorClient& supervisor_;
   Observation& observation_;
-  /// Of the next component that is added.
+  /// Number of the next component that is added.
   std::size_t next_number_ = 0;
 };
 

@@ -36,37 +36,38 @@ using RecordedStep = std::variant<RecordedWrite, RecordedValue>;
 
 UnixTime time_of(const RecordedStep& x);
 
-/// Which part of a recording is meant.
+/// Selected part of a recording.
 struct RecordingSelection {
   std::vector<std::filesystem::path> journals;
   /// Files of what stand-alone components handed out (push_log.hpp).
   std::vector<std::filesystem::path> pushes;
-  /// Components whose writes are meant; nothing for all.
+  /// Components whose writes are selected; nothing for all.
   std::optional<std::set<std::string>> sources = {};
-  /// Where it begins: earlier writes are replaced by the entries that they led to, earlier values
-  /// by the last of each type.
+  /// Begin: earlier writes are replaced by the entries that they led to, earlier values by the last
+  /// of each type.
   UnixTime from{0};
 };
 
-/// The journals of a system's working memories, and what its stand-alone components handed out, as
-/// one recording: step by step, in the order of time.
+/// The journals of a system's working memories, and the values that its stand-alone components
+/// handed out, as one recording: step by step, in the order of time.
 class Recording {
 public:
   /// Throws JournalError.
   explicit Recording(const RecordingSelection& selection);
 
-  /// Nothing after the last.
+  /// The next step; nothing after the last.
   std::optional<RecordedStep> next();
 
 private:
   struct JournalTrack {
     std::unique_ptr<JournalReader> reader;
     std::string subarchitecture;
-    /// Of the entries that it begins with, those not yet told; the first at the end.
+    /// Entries that the recording begins with and that were not returned so far; the first at the
+    /// end.
     std::vector<RecordedWrite> first;
     std::optional<JournalRecord> ahead;
     std::optional<RecordedWrite> write;
-    /// Who wrote what is there.
+    /// Writers of the present entries, by id.
     std::unordered_map<std::string, std::string> writers;
   };
 
@@ -85,21 +86,22 @@ private:
   void open_pushes(const std::filesystem::path& file);
   void fetch(JournalTrack& track);
   static void fetch(PushTrack& track);
-  /// On to where the recording begins.
+  /// Skips steps before `from`.
   void skip(JournalTrack& track);
   void skip(PushTrack& track) const;
-  /// The change becomes part of the write, if it is to be made again.
+  /// Adds the change to the write, if it is to be replayed.
   void take(JournalTrack& track, JournalRecord record, RecordedWrite& into);
 
   const RecordingSelection selection_;
   std::vector<JournalTrack> journals_;
   std::vector<PushTrack> pushes_;
-  /// What goes of itself in a working memory is of interest.
+  /// Whether steps before `from` are being skipped. Then expiries count; in a replay, the working
+  /// memory makes them itself.
   bool skipping_ = false;
 };
 
-/// What a stand-in of the stand-alone component has to hand out first: the last value of each type
-/// before `from`, otherwise the first. Throws JournalError.
+/// Values that a stand-in of the stand-alone component hands out first: the last one of each type
+/// before `from`, otherwise the first one. Throws JournalError.
 std::vector<RecordedPush> first_values(const std::filesystem::path& pushes, UnixTime from);
 
 } // namespace castor

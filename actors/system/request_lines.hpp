@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// What comes over the socket of a running system (docs/introspection.md), before anybody acts on
-/// it: plain functions of bytes.
+/// Parsing of requests from the socket of a running system (docs/introspection.md): pure functions
+/// of bytes.
 namespace castor {
 
 /// Bytes of a request, at most.
@@ -18,7 +18,7 @@ inline constexpr std::size_t longest_request = std::size_t{1} << 20;
 /// Objects and lists within one another in a request, at most.
 inline constexpr int deepest_request = 64;
 
-/// What came is no request; `what()` is the answer.
+/// The input is not a request; `what()` is the answer.
 class BadRequest : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
@@ -28,7 +28,7 @@ public:
 class RequestLines {
 public:
   /// The lines that are complete now, without their ends. Throws BadRequest once a line is longer
-  /// than `longest_request`: there is no use in going on then.
+  /// than `longest_request`: the rest of the input cannot be used then.
   std::vector<std::string> take(std::string_view arrived);
 
 private:

@@ -13,20 +13,20 @@
 
 namespace castor {
 
-/// The newest roster of a system, and the actors that are told of every new one. Safe to use from
-/// any thread.
+/// The newest roster of a system, and the actors that are sent every new one. Safe to use from any
+/// thread.
 class RosterFeed {
 public:
   SystemRosterPtr newest() const;
   void update(SystemRosterPtr x);
-  /// Nobody takes part any more; nobody is told.
+  /// Replaces the roster with an empty one, which is not sent.
   void clear();
 
-  /// Is sent the roster now, and every new one.
+  /// Sends the endpoint the roster now, and every new one.
   void set_endpoint(const caf::actor& x);
 
-  /// Is sent ObservedSystem now, and with every new roster. `logged` has the levels at which
-  /// changes are logged, by subarchitecture.
+  /// Sends the observer ObservedSystem now, and with every new roster. `logged` has the levels at
+  /// which changes are logged, by subarchitecture.
   void set_observer(const caf::actor& x, std::map<std::string, LogLevel> logged);
 
 private:

@@ -8,9 +8,9 @@ namespace castor {
 
 /// How long a system is to run.
 struct RunLimits {
-  /// Nothing: no limit.
+  /// No limit if there is no value.
   std::optional<std::chrono::nanoseconds> at_most = {};
-  /// Until nothing was changed and nobody was busy for so long.
+  /// Time without changes and busy components after which the run ends.
   std::optional<std::chrono::nanoseconds> quiet = {};
 };
 

@@ -12,11 +12,11 @@
 
 namespace castor {
 
-/// The main thread of a system: starts it, carries out what others want of it while it runs, and
+/// The main thread of a system: starts it, carries out requests of other threads while it runs, and
 /// stops it.
 class RunLoop {
 public:
-  /// What it works with; all of them have to outlive it.
+  /// All of them have to outlive the loop.
   struct Parts {
     const SystemOptions& options;
     const ArchitectureDescription& architecture;

@@ -15,7 +15,7 @@
 
 namespace castor {
 
-/// Asks the processes and working memories of a system how they are doing, and waits for their
+/// Requests the status of the processes and working memories of a system, and waits for their
 /// answers. Those that are out of reach, or do not answer in time, are left out.
 class StatusCollector {
 public:

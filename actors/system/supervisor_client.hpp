@@ -12,7 +12,7 @@
 
 namespace castor {
 
-/// Every component, working memories and task managers included, that has a name.
+/// Names of all components that have one, working memories and task managers included.
 std::vector<std::string> names_of(const ArchitectureDescription& x);
 
 /// The supervisor of a system, for its main thread, which waits for the answers.
@@ -25,7 +25,7 @@ public:
   void begin(SupervisorParts parts);
   void end();
 
-  /// Makes it so in every process. Throws SystemError.
+  /// Deploys the architecture in every process. Throws SystemError.
   void deploy(const ArchitectureDescription& architecture, const Placement& placement);
 
   /// Configures them all, then starts them all, then lets them run. Nothing if interrupted,
@@ -40,7 +40,7 @@ public:
   /// Those that did not stop.
   const std::vector<std::string>& stuck() const { return stuck_; }
 
-  /// Safe to call from any thread; nobody is told before it begins and once it has ended.
+  /// Sends the supervisor a message, if it runs. Safe to call from any thread.
   template <class Message>
   void tell(const Message& x) const {
     std::lock_guard guard{mutex_};
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  /// Nothing if the answer was not waited for, because somebody has interrupted that.
+  /// Nothing if the wait for the answer was interrupted.
   template <class Answer, class Question>
   std::optional<Answer> ask(const Question& question, bool interruptible);
 

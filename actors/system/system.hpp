@@ -21,8 +21,8 @@ using SystemRosterPtr = std::shared_ptr<const SystemRoster>;
 
 class FaultPort;
 
-/// A whole architecture: its coordinator, and what of it runs in this process. The rest runs on
-/// nodes, where the architecture says so.
+/// A whole architecture: its coordinator, and the part of it that runs in this process. The rest
+/// runs on nodes, as the architecture says.
 ///
 ///     System system{architecture};
 ///     system.start();
@@ -32,8 +32,8 @@ class FaultPort;
 /// Made, used and destroyed on one thread.
 class System {
 public:
-  /// Throws SystemError if the architecture names classes, options or hosts that are not to be had,
-  /// or nodes that are not to be reached; then nothing of it is left anywhere.
+  /// Throws SystemError if the architecture names classes, options or hosts that do not exist, or
+  /// nodes that cannot be reached; then nothing of it is left anywhere.
   explicit System(ArchitectureDescription architecture, SystemOptions options = {});
   System(const System&) = delete;
   System& operator=(const System&) = delete;
@@ -42,12 +42,13 @@ public:
 
   /// Configures every component, then starts every component, then lets them run. False if it was
   /// interrupted. Throws SystemError if a configure() fails, because the configuration is wrong
-  /// then; nothing was started. All other failures are dealt with by the supervisors.
+  /// then; nothing was started. All other failures are handled by the supervisors.
   bool start();
 
   using Until = RunLimits;
 
-  /// Waits until the system ends of itself, or for the other reasons asked for.
+  /// Waits until a component ends the system, all components have failed, the run is interrupted,
+  /// or a limit is reached.
   EndReason wait(const Until& until);
 
   /// The status and the reason that a component gave when it ended the system.
@@ -55,28 +56,28 @@ public:
 
   /// Joins what a file describes to the running system: whole subarchitectures, and components of
   /// those that run. The file is to be read with the names of the running subarchitectures
-  /// (`ParseOptions::running_subarchitectures`). Returns what stands in the way; then the system is
-  /// as it was.
+  /// (`ParseOptions::running_subarchitectures`). Returns the problems; if there are any, the system
+  /// is unchanged.
   std::vector<Diagnostic> add(ArchitectureDescription added);
 
   /// Stops a component, or a subarchitecture with all it consists of, and takes it out of the
-  /// system. Returns why that cannot be done; empty if it was.
+  /// system. Returns the error; empty on success.
   std::string remove(const std::string& name);
 
-  /// Waits until everything that has changed by now has been told, as far as nobody is too slow for
-  /// it.
+  /// Waits until all changes so far have been reported to the callbacks of the options, except
+  /// those held back for a slow receiver.
   void catch_up();
 
   /// Stops the components in the reverse order of their start. Working memories stay readable.
   void stop();
 
-  /// Takes leave of the nodes, where the system cannot be destroyed; to be called last.
+  /// Sends a goodbye to the nodes, if the system cannot be destroyed; to be called last.
   void abandon();
 
-  /// Through which tests and fault plans inject faults (fault_port.hpp), from any thread.
+  /// Interface by which tests and fault plans inject faults (fault_port.hpp), from any thread.
   FaultPort& faults();
 
-  /// Who takes part now.
+  /// Present participants.
   SystemRosterPtr roster() const;
 
   SystemSummary summary();
@@ -86,7 +87,7 @@ public:
 
   std::vector<std::string> subarchitectures() const;
 
-  /// The moment that all times of this system count from.
+  /// Time origin of this system.
   std::chrono::steady_clock::time_point epoch() const;
 
 private:

@@ -11,7 +11,7 @@
 
 namespace castor {
 
-/// Sends faults to whom they concern. Safe to use from any thread.
+/// Sends faults to their targets. Safe to use from any thread.
 class SystemFaults : public FaultPort {
 public:
   /// All of them have to outlive it. `listener` is sent FaultHappened when a fault with a number

@@ -12,7 +12,7 @@
 
 namespace castor {
 
-/// What other threads want of the main thread of a system: its end, and changes. Safe to use from
+/// Requests of other threads to the main thread of a system: its end, and changes. Safe to use from
 /// any thread.
 class SystemInbox {
 public:
@@ -24,7 +24,7 @@ public:
   std::optional<std::pair<int, std::string>> ended() const;
   std::deque<SystemOrder> take_orders();
 
-  /// Waits until something is there, but no longer than that. Whether the end was requested.
+  /// Waits for a request, for `at_most`. Returns whether the end was requested.
   bool wait(std::chrono::milliseconds at_most);
 
 private:

@@ -10,18 +10,18 @@
 
 namespace castor {
 
-/// Why the system could not be changed; all is empty if it was.
+/// Why the system could not be changed; empty if it was.
 struct OrderOutcome {
   std::string problem;
-  /// Of what was to be added.
+  /// Findings about the components that were to be added.
   std::vector<Diagnostic> findings;
 };
 
-/// Somebody wants the system to be changed.
+/// Request to change a system.
 struct SystemOrder {
-  /// What to add, or the name of what to remove.
+  /// Architecture to add, or name of a component or subarchitecture to remove.
   std::variant<ArchitectureDescription, std::string> what;
-  /// To be called with what stood in the way.
+  /// To be called with the outcome.
   std::function<void(const OrderOutcome&)> done;
 };
 

@@ -9,7 +9,7 @@
 
 namespace castor {
 
-/// JSON that is no value of a type.
+/// The JSON is not a value of the type.
 class ValueError : public std::runtime_error {
 public:
   using runtime_error::runtime_error;
