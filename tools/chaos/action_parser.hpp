@@ -7,14 +7,14 @@
 
 namespace castor::faults {
 
-/// Reads what a statement of a workload says behind its trigger: an action, or several with `or`
+/// Parses the part of a workload statement after its trigger: an action, or several with `or`
 /// between them. Throws StatementError.
 std::vector<Action> parse_actions(std::string_view text);
 
-/// Reads `same TYPE, ... [but for FIELD, ...]` behind its first word. Throws StatementError.
+/// Parses `same TYPE, ... [but for FIELD, ...]` after its first word. Throws StatementError.
 SameEntries parse_same(std::string_view text);
 
-/// Reads `expect answer within TIME` behind its first word. Throws StatementError.
+/// Parses `expect answer within TIME` after its first word. Throws StatementError.
 Timestamp parse_expectation(std::string_view text);
 
 } // namespace castor::faults

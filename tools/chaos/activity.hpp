@@ -10,7 +10,7 @@
 
 namespace castor::faults {
 
-/// What a component has done by some moment, since it was last started.
+/// Counters of a component at some moment, since it was last started.
 struct ComponentSample {
   std::string component;
   std::uint64_t incarnation = 1;
@@ -18,11 +18,11 @@ struct ComponentSample {
   std::uint64_t operations = 0;
 };
 
-/// What components do, from samples of their counters. What a component did between its last sample
-/// and its end is not known.
+/// Activity of components, computed from samples of their counters. Work between a component's last
+/// sample and its end is not counted.
 class ActivityMeter {
 public:
-  /// What was done before the first sample does not count.
+  /// Adds a sample. Work before the first sample is not counted.
   void take(Timestamp at, const std::vector<ComponentSample>& samples);
 
   Activity total() const;
@@ -33,7 +33,7 @@ private:
     ComponentSample last;
     std::uint64_t callbacks = 0;
     std::uint64_t operations = 0;
-    /// Of its present life, the samples so far.
+    /// Samples of the current incarnation.
     std::size_t seen = 0;
   };
 

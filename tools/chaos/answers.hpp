@@ -6,10 +6,11 @@
 
 #include <optional>
 
-/// What working memories answer, in the words of histories.
+/// Converts results of working memories to those of histories.
 namespace castor::linearizability {
 
-/// Nothing if no operation ends so.
+/// Status of an operation that ended with this failure; nothing if this failure is not a result of
+/// such operations.
 std::optional<Status> status_of(FailureKind failure, OperationKind operation);
 
 castor::LockLevel level_of(LockLevel x);

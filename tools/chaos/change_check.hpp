@@ -11,24 +11,24 @@
 
 namespace castor::linearizability {
 
-/// A write as its client knows it.
+/// A write as recorded by its client.
 struct ObservedWrite {
   Operation operation = Operation::add;
   Address address;
   std::string component;
-  /// Means nothing while it is pending.
+  /// Undefined while the write is pending.
   Version version = 0;
   Tick invoked = 0;
-  /// `never` while it is pending.
+  /// `never` while the write is pending.
   Tick returned = never;
-  /// The writes of one batch stand side by side and have one number; 0 for a write of its own.
+  /// Number of the batch, 0 for a single write. Writes of one batch are adjacent in the list.
   std::size_t batch = 0;
 };
 
-/// What is wrong with the changes of one working memory that a listener was told, given all writes
-/// to it: numbered without a gap and in order, one for each write that was made, with versions that
-/// follow from one another, in an order that agrees with the moments of the writes, those of one
-/// batch in one piece.
+/// Errors in the sequence of change events that a listener received from one working memory, given
+/// all writes to it. The events must be numbered in order and without a gap, one for each write
+/// that was made, with consecutive versions, in an order consistent with the times of the writes,
+/// and with the events of a batch adjacent.
 std::vector<std::string> faults_of(std::span<const ChangeEventPtr> told, std::uint64_t made,
                                    std::span<const ObservedWrite> writes);
 

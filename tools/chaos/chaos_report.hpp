@@ -6,19 +6,19 @@
 
 namespace castor::faults {
 
-/// A page that needs nothing but itself: the verdict, every violation with what brings it about
-/// again, a timeline of faults and outages, recovery times, resources over time, the lists of all
-/// of it, and the plan.
+/// A self-contained page: the verdict, every violation with the command that reproduces it, a
+/// timeline of faults and outages, recovery times, resources over time, the lists of all of it, and
+/// the plan.
 std::string to_html(const ChaosRun& run);
 
-/// The same for programs. Times are in microseconds.
+/// The report as JSON. Times are in microseconds.
 std::string to_json(const ChaosRun& run);
 
-/// The same in short, for a terminal.
+/// A summary of the report for a terminal.
 /// @param coloured uses ANSI escape sequences
 std::string to_text(const ChaosRun& run, bool coloured = false);
 
-/// The verdict with what it rests on, in one line, with escape sequences or without.
+/// The verdict and its grounds in one line.
 std::string to_line(const ChaosRun& run, bool coloured = false);
 
 /// "held", "2 violations", or "vacuous, nothing went down".

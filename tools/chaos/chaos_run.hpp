@@ -13,13 +13,13 @@
 
 namespace castor::faults {
 
-/// What became of a fault.
+/// State of a fault.
 enum class FaultState : std::uint8_t {
-  /// It is to take effect when something comes: a callback, a write, a message over a link.
+  /// Waits for its occasion: a callback, a write, a message over a link.
   armed,
   /// It took effect.
   happened,
-  /// What it was armed for never came.
+  /// Its occasion never came.
   never,
   /// It could not be injected.
   not_injected,
@@ -28,96 +28,97 @@ enum class FaultState : std::uint8_t {
 /// "armed", "happened", "never came to it", "not injected".
 std::string_view to_string(FaultState x);
 
-/// A fault that was injected, or was to be.
+/// A fault that was scheduled, whether or not it could be injected.
 struct FaultRecord {
   Timestamp at{0};
   /// When it took effect.
   std::optional<Timestamp> happened;
-  /// Of one that lasted: when it was over.
+  /// End of a fault that lasts.
   std::optional<Timestamp> until;
   /// "crash", "fail journal".
   std::string kind;
   /// Component, process, link or subarchitecture.
   std::string target;
-  /// As in a plan.
+  /// The fault in the syntax of plans.
   std::string fault;
   FaultState state = FaultState::happened;
-  /// What came of it, why it could not be injected, or why it never came to it.
+  /// Effect of the fault, or why it could not be injected or never happened.
   std::string outcome;
-  /// What came of it and must not; empty if nothing did.
+  /// Forbidden effect of the fault; empty if there was none.
   std::string violation = {};
 };
 
-/// A component or process that was down, and what became of it.
+/// A period in which a component or process was down.
 struct Outage {
   std::string target;
   Timestamp down{0};
-  /// When it was there again.
+  /// When it was up again.
   std::optional<Timestamp> up;
-  /// When its first callback after that came to an end.
+  /// When its first callback after that was completed.
   std::optional<Timestamp> first_callback;
-  /// When it was given up, so that its supervisor had to decide.
+  /// When it was given up and the failure was escalated to its supervisor.
   std::optional<Timestamp> escalated;
-  /// It has to be back, or given up, so long after it went down.
+  /// Longest time after `down` within which it must be up again or given up.
   Timestamp bound{0};
   std::string reason;
-  /// What it is: "component", "working memory".
+  /// Kind of the target: "component", "working memory".
   std::string_view kind = "component";
 
-  /// How long it took until it worked again; nothing if it never did.
+  /// Time from `down` to the first completed callback, or to `up` if there was none; nothing if it
+  /// never recovered.
   std::optional<Timestamp> recovery() const {
     auto back = first_callback ? first_callback : up;
     return back ? std::optional{*back - down} : std::nullopt;
   }
 };
 
-/// Something that must not be.
+/// A violated promise.
 struct Violation {
-  /// Which check found it.
+  /// Name of the check that found it.
   std::string check;
   /// Lines of text.
   std::string text;
   std::optional<Timestamp> at;
-  /// What brings it about again.
+  /// Seed and command line that reproduce it.
   std::uint64_t seed = 0;
   std::string replay;
 };
 
-/// One thing that was looked into.
+/// Result of one check.
 struct CheckRecord {
   enum class Verdict : std::uint8_t { held, violated, undecided };
 
   std::string name;
   Verdict verdict = Verdict::held;
-  /// On what grounds: "1,203 operations on 12 entries".
+  /// Amount of data checked: "1,203 operations on 12 entries".
   std::string grounds;
 };
 
 struct ResourceSample {
   Timestamp at{0};
-  /// In bytes, as far as it is resident.
+  /// Resident memory, bytes.
   std::uint64_t memory = 0;
   /// Open file descriptors.
   std::uint64_t files = 0;
   std::uint64_t threads = 0;
 };
 
-/// Of one process: if it is started again, that is another.
+/// Resources of one process. A restarted process is another process.
 struct ProcessResources {
   std::string process;
   std::vector<ResourceSample> samples;
-  /// By which the system tells processes of one name apart.
+  /// Process id, to distinguish processes of one name.
   std::int64_t id = 0;
 };
 
-/// What components did while faults were injected.
+/// Activity of components while faults were injected.
 struct Activity {
-  /// Over how long it was measured.
+  /// Length of the measurement.
   Timestamp duration{0};
   std::uint64_t callbacks = 0;
   std::uint64_t operations = 0;
-  /// Of so many moments, about one a second, those in which components that had not just been
-  /// started had anything to do.
+  /// Number of samples, about one a second, and of those in which components did anything that had
+  /// not just been started.
   std::size_t moments = 0;
   std::size_t busy_moments = 0;
 
@@ -128,36 +129,35 @@ struct Activity {
   }
 };
 
-/// All that is to be said about one run of `castor chaos`.
+/// All results of one run of `castor chaos`.
 struct ChaosRun {
   /// The .cast file.
   std::string system;
-  /// The command line that makes the same run.
+  /// Command line that repeats the run.
   std::string command;
   std::uint64_t seed = 0;
   Timestamp duration{0};
-  /// The plan, with nothing left to draw.
+  /// The plan with all random choices replaced by their results.
   std::string plan;
   std::vector<FaultRecord> faults;
   std::vector<Outage> outages;
   std::vector<CheckRecord> checks;
   std::vector<Violation> violations;
   std::vector<ProcessResources> resources;
-  /// What could be hit.
+  /// Possible targets of faults.
   FaultTargets targets;
   /// Nothing if it was not measured.
   std::optional<Activity> activity;
-  /// What was done to the system besides, if anything was.
+  /// The workload that ran meanwhile, if there was one.
   std::optional<WorkloadRecord> workload;
-  /// What else is worth knowing: names and values.
+  /// Further facts about the run: names and values.
   std::vector<std::pair<std::string, std::string>> facts;
 
-  /// Nothing is known that must not be.
+  /// No violation was found.
   bool held() const { return violations.empty(); }
 
-  /// Why the run shows nothing although nothing is known that must not be: nothing went down, or
-  /// most of the time nothing was going on, as far as it was long enough to tell. Empty if it shows
-  /// something.
+  /// Why a run without violations proves nothing: nothing went down, or components were idle most
+  /// of the time (if the run was long enough to tell). Empty if it proves something.
   std::string vacuous() const;
 };
 

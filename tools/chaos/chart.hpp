@@ -8,25 +8,25 @@
 
 namespace castor::faults {
 
-/// 0 and its multiples of 1, 2 or 5 times a power of ten, up to `most`: about so many.
+/// About `count` axis ticks from 0 to `most`, at multiples of 1, 2 or 5 times a power of ten.
 std::vector<double> round_ticks(double most, int count);
 
-/// These are SVG elements for the page of `to_html`, which has the styles that their classes name.
-/// What cannot be seen at once is told where the mouse is.
+/// These are SVG elements for the page of `to_html`, which defines the styles of their classes.
+/// Details are shown as tooltips.
 
-/// A row for everything that failed or was to fail: its faults, when it was down, when it was back.
+/// A row for each target of a fault: its faults, outages and recoveries.
 std::string timeline_chart(const ChaosRun& run);
 
-/// How many outages took how long; empty if there are none that ended.
+/// Histogram of recovery times; empty if no outage has ended.
 std::string recovery_chart(const ChaosRun& run);
 
-/// The names of the processes, each once; the lines of all that had one name look alike.
+/// The distinct names of the processes. The lines of processes of one name look alike.
 std::vector<std::string> process_names(const ChaosRun& run);
 
-/// The styles c0, c1 and so on of the lines of processes; then they begin anew.
+/// Number of line styles (c0, c1, ...); further processes reuse them in order.
 inline constexpr std::size_t chart_colours = 6;
 
-/// One of the values of all processes over time, divided by `unit`; empty if there are none.
+/// One resource of all processes over time, divided by `unit`; empty without samples.
 std::string resource_chart(const ChaosRun& run, std::uint64_t ResourceSample::*value, double unit,
                            std::string_view title);
 

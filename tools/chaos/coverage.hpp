@@ -10,7 +10,7 @@
 
 namespace castor::faults {
 
-/// How often each kind of fault has hit each target, in one run or in several.
+/// Number of faults by kind and target, in one run or in several.
 class Coverage {
 public:
   struct Cell {
@@ -23,12 +23,12 @@ public:
   /// Targets for which the same kinds are possible.
   struct Table {
     std::vector<std::string> kinds;
-    /// With one cell for each kind.
+    /// By target, one cell for each kind.
     std::map<std::string, std::vector<Cell>> rows;
   };
 
   Coverage() = default;
-  /// With every kind that a system is to survive (`fault_kinds`), at every target.
+  /// Zero for every kind that a system has to survive (`fault_kinds`), at every target.
   explicit Coverage(const FaultTargets& targets);
 
   void add(std::span<const FaultRecord> faults);

@@ -10,35 +10,35 @@
 
 namespace castor::faults {
 
-/// Lets processes run out of file descriptors: this one, and others that it may change the limits
-/// of. What they have open stays open. Safe to use from any thread.
+/// Makes processes run out of file descriptors: this one, and others whose limits it may change.
+/// Open descriptors stay open. Safe to use from any thread.
 class DescriptorShortages {
 public:
   DescriptorShortages() = default;
   DescriptorShortages(const DescriptorShortages&) = delete;
   DescriptorShortages& operator=(const DescriptorShortages&) = delete;
-  /// Ends that of this process.
+  /// Ends the shortage of this process.
   ~DescriptorShortages();
 
-  /// From now on the process can open nothing, unless it closes something first. Throws
+  /// From now on the process can open a descriptor only after closing another. Throws
   /// std::system_error.
   void begin(pid_t process);
 
-  /// The process can open as much as before, once each `begin` has its `end`.
+  /// Restores the limit once each `begin` has been followed by an `end`.
   void end(pid_t process);
 
-  /// The process is not there any more.
+  /// The process has ended.
   void forget(pid_t process);
 
-  /// A child of this process that was started during the shortage of this process has inherited its
-  /// limit, and is given the one from before.
+  /// Restores the earlier limit in a child that has inherited the reduced one, having been started
+  /// during a shortage of this process.
   void raise_inherited(pid_t child);
 
 private:
   struct Shortage {
     rlimit before{};
     int begun = 0;
-    /// Held so that nobody has them.
+    /// Descriptors opened to use up the rest.
     std::vector<int> taken;
   };
 
@@ -46,7 +46,7 @@ private:
 
   std::mutex mutex_;
   std::map<pid_t, Shortage> shortages_;
-  /// Of this process: its limit before and during its last shortage.
+  /// Limit of this process before and during its last shortage.
   rlimit own_before_{};
   std::optional<rlim_t> own_during_;
 };

@@ -6,8 +6,8 @@
 
 namespace castor::faults {
 
-/// The fault with names instead of every `any`. The plan must have been checked against the
-/// targets: throws std::invalid_argument if there is nothing to draw from.
+/// The fault with every `any` replaced by a randomly chosen name. The plan must have been checked
+/// against the targets: throws std::invalid_argument if there is no possible target.
 Fault draw_targets(Fault fault, const FaultTargets& targets, SeededRandom& random);
 
 } // namespace castor::faults

@@ -12,22 +12,22 @@
 
 namespace castor::faults {
 
-/// What the process of `castor run` or `castor chaos` is called where a plan names processes.
+/// Name of the process of `castor run` or `castor chaos` in plans.
 inline constexpr std::string_view coordinator = "coordinator";
 
-/// A component, or any: then which one is drawn when the faults are scheduled. Any component is
-/// neither a working memory nor a task manager; those are only meant by their names.
+/// A component, or any: then one is drawn when the faults are scheduled. Working memories and task
+/// managers are never drawn, only named.
 struct ComponentTarget {
   /// Empty for any.
   std::string name;
-  /// Of any component: the subarchitecture that it is one of, empty for all of them.
+  /// For any component: the subarchitecture to draw from, empty for all.
   std::string subarchitecture;
 
   bool is_any() const { return name.empty(); }
   friend auto operator<=>(const ComponentTarget&, const ComponentTarget&) = default;
 };
 
-/// A process: a node, or that of an isolated component. Empty for any node.
+/// A process: that of a node or of an isolated component. Empty for any node.
 struct ProcessTarget {
   std::string name;
 
@@ -43,7 +43,7 @@ struct MemoryTarget {
   friend auto operator<=>(const MemoryTarget&, const MemoryTarget&) = default;
 };
 
-/// What two processes say to each other, both ways. Both empty for any two.
+/// The link between two processes, in both directions. Both names empty for any link.
 struct LinkTarget {
   std::string first;
   std::string second;
@@ -52,11 +52,11 @@ struct LinkTarget {
   friend auto operator<=>(const LinkTarget&, const LinkTarget&) = default;
 };
 
-/// How long something lasts. Nothing: until the run ends, or a later fault ends it.
+/// Duration of a fault. Nothing: until the run ends, or a later fault ends it.
 using Lasting = std::optional<Timestamp>;
 
-/// The component ends at once, as by a fault of the machine. An isolated one takes its process
-/// along.
+/// The component ends at once, as after a hardware fault. The process of an isolated component ends
+/// too.
 struct Crash {
   static constexpr std::string_view kind = "crash";
   ComponentTarget component;
@@ -68,13 +68,13 @@ struct Crash {
 struct Throw {
   static constexpr std::string_view kind = "throw";
   ComponentTarget component;
-  /// Which of those that begin from now on, from 1.
+  /// Number of the callback, counted from 1 from now on.
   std::uint32_t callback = 1;
 
   friend auto operator<=>(const Throw&, const Throw&) = default;
 };
 
-/// The component's next callback does not come to an end.
+/// The component's next callback does not return.
 struct Hang {
   static constexpr std::string_view kind = "hang";
   ComponentTarget component;
@@ -83,8 +83,7 @@ struct Hang {
   friend auto operator<=>(const Hang&, const Hang&) = default;
 };
 
-/// The component's next configure() or start() does not come to an end, so that it does not come
-/// back when it is started again.
+/// The component's next configure() or start() does not return, so its restart does not complete.
 struct Block {
   static constexpr std::string_view kind = "block";
   enum class Phase : std::uint8_t { configure, start };
@@ -140,14 +139,14 @@ struct UseUpDescriptors {
   friend auto operator<=>(const UseUpDescriptors&, const UseUpDescriptors&) = default;
 };
 
-/// How many connections a flood makes if nothing is said.
+/// Default rate of connections of a flood.
 inline constexpr Rate flood_rate = highest_rate;
 
-/// Strangers connect with the process, who say nothing or nonsense.
+/// Unauthorised clients connect to the process and send nothing or garbage.
 struct Flood {
   static constexpr std::string_view kind = "flood";
   ProcessTarget process;
-  /// So many of them.
+  /// Rate of connections.
   Rate rate = flood_rate;
   Lasting duration;
 
@@ -165,7 +164,7 @@ struct Partition {
   friend auto operator<=>(const Partition&, const Partition&) = default;
 };
 
-/// What passes a link passes later.
+/// Messages over a link are delayed.
 struct Delay {
   static constexpr std::string_view kind = "delay";
   Timestamp by{0};
@@ -175,7 +174,7 @@ struct Delay {
   friend auto operator<=>(const Delay&, const Delay&) = default;
 };
 
-/// A part of what passes a link is lost.
+/// A share of the messages over a link is lost.
 struct Drop {
   static constexpr std::string_view kind = "drop";
   Percent part;
@@ -185,7 +184,7 @@ struct Drop {
   friend auto operator<=>(const Drop&, const Drop&) = default;
 };
 
-/// A part of what passes a link arrives twice.
+/// A share of the messages over a link arrives twice.
 struct Duplicate {
   static constexpr std::string_view kind = "duplicate";
   Percent part;
@@ -195,7 +194,7 @@ struct Duplicate {
   friend auto operator<=>(const Duplicate&, const Duplicate&) = default;
 };
 
-/// A part of what passes a link is overtaken by what comes after it.
+/// A share of the messages over a link is overtaken by later ones.
 struct Reorder {
   static constexpr std::string_view kind = "reorder";
   Percent part;
@@ -232,7 +231,7 @@ struct RemoveJournal {
   friend auto operator<=>(const RemoveJournal&, const RemoveJournal&) = default;
 };
 
-/// Another system opens the working memory's journal, which has to be refused to it.
+/// Another system tries to open the working memory's journal, which must be refused.
 struct ClaimJournal {
   static constexpr std::string_view kind = "claim journal";
   MemoryTarget memory;
@@ -240,7 +239,7 @@ struct ClaimJournal {
   friend auto operator<=>(const ClaimJournal&, const ClaimJournal&) = default;
 };
 
-/// The clock by which the working memory ends leases goes forward, or back.
+/// The working memory's lease clock jumps forward or back.
 struct JumpClock {
   static constexpr std::string_view kind = "jump clock";
   MemoryTarget memory;
@@ -249,7 +248,7 @@ struct JumpClock {
   friend auto operator<=>(const JumpClock&, const JumpClock&) = default;
 };
 
-/// Anything that a plan can do to a system.
+/// Any fault of a plan.
 using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue, UseUpDescriptors,
                            Flood, Partition, Delay, Drop, Duplicate, Reorder, FailJournal,
                            SlowJournal, RemoveJournal, ClaimJournal, JumpClock>;
@@ -257,22 +256,22 @@ using Fault = std::variant<Crash, Throw, Hang, Block, Slow, Kill, Stop, Continue
 /// "crash", "fail journal".
 std::string_view kind_of(const Fault& x) noexcept;
 
-/// Whether the fault only takes effect when something comes: a callback of its component, a write
-/// to its journal, a message over its link. Then this says what: "its component had no such
-/// callback". Null for faults that take effect when they are injected.
+/// For a fault that takes effect only on an occasion (a callback of its component, a write to its
+/// journal, a message over its link): the explanation if that occasion never comes, such as "its
+/// component had no such callback". Null for faults that take effect when they are injected.
 const char* missed_occasion(const Fault& x) noexcept;
 
-/// As a plan has it: "delay 50ms between coordinator and node1 for 1s".
+/// In the syntax of plans: "delay 50ms between coordinator and node1 for 1s".
 std::string to_string(const Fault& x);
 
-/// Its target: the name of a component, process or subarchitecture, several of them, or what
-/// it is drawn from, as a plan has it.
+/// Target of the fault: the name of a component, process or subarchitecture, several of them, or
+/// the set it is drawn from, in the syntax of plans.
 std::string target_of(const Fault& x);
 
-/// Nothing for a fault that is over as soon as it is done, or has no end.
+/// Nothing for a fault that is instantaneous or has no end.
 Lasting duration_of(const Fault& x);
 
-/// A name as a plan has it: in quotes if it could be taken for something else.
+/// A name in the syntax of plans: in quotes if it would be ambiguous without.
 std::string name_in_plan(const std::string& name);
 
 } // namespace castor::faults

@@ -7,7 +7,7 @@
 
 namespace castor::faults {
 
-/// Reads what a statement says behind its trigger: a fault, or several with `or` between them.
+/// Parses the part of a statement after its trigger: a fault, or several with `or` between them.
 /// Throws StatementError.
 std::vector<Fault> parse_faults(std::string_view text);
 

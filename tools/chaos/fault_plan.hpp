@@ -13,33 +13,33 @@
 
 namespace castor::faults {
 
-/// Once, so long after the system has started.
+/// Once, at this time after the start of the system.
 struct At {
   Timestamp time{0};
 
   friend auto operator<=>(const At&, const At&) = default;
 };
 
-/// Again and again, first after one period.
+/// Periodically, first after one period.
 struct Every {
   Timestamp period{0};
 
   friend auto operator<=>(const Every&, const Every&) = default;
 };
 
-/// At random moments that know nothing of each other.
+/// At random, independent moments.
 struct AtRandom {
   Rate rate;
 
   friend auto operator<=>(const AtRandom&, const AtRandom&) = default;
 };
 
-/// At a change that the filter wants.
+/// At a change that matches the filter.
 struct After {
   ChangeFilter filter;
-  /// At the so-manieth.
+  /// Number of matching changes to wait for.
   std::uint32_t count = 1;
-  /// And then again after as many.
+  /// Repeats after every `count` further changes.
   bool repeated = false;
 
   friend auto operator<=>(const After&, const After&) = default;
@@ -47,12 +47,12 @@ struct After {
 
 using Trigger = std::variant<At, Every, AtRandom, After>;
 
-/// One line of a plan: when something is to happen, and what. Of several faults one is drawn each
+/// One line of a plan: a trigger and its fault. If there are several faults, one is drawn each
 /// time.
 struct Statement {
   Trigger trigger;
   std::vector<Fault> faults;
-  /// Where it stands, and how it is written there.
+  /// Location and text in the file.
   SourceLocation where;
   std::string line;
 
@@ -61,7 +61,7 @@ struct Statement {
   }
 };
 
-/// What is to happen to a system while it runs. The language is described in docs/fault-plans.md.
+/// Faults to inject into a running system. The language is described in docs/fault-plans.md.
 struct FaultPlan {
   std::string file;
   std::optional<std::uint64_t> seed;
@@ -72,10 +72,10 @@ struct FaultPlan {
   }
 };
 
-/// Of the statements whose faults come after changes, in their order.
+/// Filters of the statements triggered by changes, in their order.
 std::vector<ChangeFilter> watched_by(const FaultPlan& x);
 
-/// As it stands before what is to happen.
+/// In the syntax of plans.
 std::string to_string(const Trigger& x);
 
 /// As a line of a plan, without a line break.

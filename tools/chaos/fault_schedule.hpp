@@ -10,48 +10,49 @@
 
 namespace castor::faults {
 
-/// A fault that is to happen now, and to whom.
+/// A fault that is due, with its target.
 struct DueFault {
-  /// Since the system has started.
+  /// Since the start of the system.
   Timestamp at{0};
   Fault fault;
-  /// Which statement of the plan it comes from.
+  /// Index of its statement in the plan.
   std::size_t statement = 0;
 
   friend bool operator==(const DueFault&, const DueFault&) = default;
 };
 
-/// The faults of a plan, one after the other. Which, when and to whom follows from plan, targets,
-/// seed and duration, and for those after changes from which changes there are.
+/// The faults of a plan in order of time. Kind, time and target are determined by plan, targets,
+/// seed and duration, and for statements triggered by changes also by the changes.
 ///
-/// What is drawn for a statement depends on no other statement, unless one is written like it.
+/// What is drawn for a statement does not depend on other statements, except on identical ones
+/// before it.
 class FaultSchedule {
 public:
-  /// No fault by time comes at or after the end of `duration`. The plan must have been checked
-  /// against the targets: throws std::invalid_argument if there is nothing to draw from, and
-  /// std::length_error if a statement comes to more faults than anybody could make sense of.
+  /// No timed fault comes at or after the end of `duration`. The plan must have been checked
+  /// against the targets: throws std::invalid_argument if there is no possible target, and
+  /// std::length_error if a statement results in too many faults.
   FaultSchedule(const FaultPlan& plan, FaultTargets targets, std::uint64_t seed,
                 Timestamp duration);
 
-  /// All that come by time, in order; those at one time in the order of the plan.
+  /// All timed faults in order of time; those at one time in the order of the plan.
   const std::vector<DueFault>& timed() const { return timed_; }
 
-  /// When the next by time is due.
+  /// Time of the next timed fault.
   std::optional<Timestamp> next_time() const;
 
-  /// The next by time that is due, if there is one; each is given once.
+  /// The next timed fault that is due, if there is one; each is returned once.
   std::optional<DueFault> next(Timestamp now);
 
-  /// There was a change that a filter wants: its place among those that the plan watches
-  /// (`watched_by`). The fault that happens because of it, if there is one.
+  /// Called for a change that matches a filter, given by its index in `watched_by`. Returns the
+  /// fault that it triggers, if any.
   std::optional<DueFault> on_change(std::size_t filter, Timestamp now);
 
-  /// The same faults as a plan in which nothing is drawn any more, but for those after every so
-  /// many changes. With the same seed its schedule is this one.
+  /// The same faults as a plan without random choices, except in statements `after every N`
+  /// changes. With the same seed its schedule is this one.
   FaultPlan as_plan() const;
 
 private:
-  /// A statement whose faults come after changes.
+  /// A statement triggered by changes.
   struct Watch {
     std::size_t statement = 0;
     After after;
@@ -65,7 +66,7 @@ private:
   FaultPlan plan_;
   FaultTargets targets_;
   std::uint64_t seed_;
-  /// Of each statement: its text, and how many like it come before.
+  /// For each statement: its text, and the number of identical ones before it.
   std::vector<std::string> purposes_;
   std::vector<DueFault> timed_;
   std::size_t next_ = 0;

@@ -12,7 +12,7 @@ namespace castor::faults {
 
 /// The possible targets of faults in a system.
 struct FaultTargets {
-  /// How many restarts a supervisor allows within a period.
+  /// Number of restarts that a supervisor allows within a period.
   struct RestartLimit {
     std::uint32_t restarts = 0;
     Timestamp period{0};
@@ -25,7 +25,7 @@ struct FaultTargets {
     /// Runs in a process of its own.
     bool isolated = false;
 
-    /// Whether it may be drawn where a plan says `any component`.
+    /// Whether `any component` of a plan includes it.
     bool is_any() const {
       return kind != ComponentKind::working_memory && kind != ComponentKind::task_manager;
     }
@@ -34,7 +34,7 @@ struct FaultTargets {
     std::string name;
     /// Whether its working memory has a journal.
     bool has_journal = false;
-    /// Whether it goes on without the journal if that fails.
+    /// Whether its working memory continues without the journal if that fails.
     bool goes_on_without_journal = false;
     RestartLimit limit = {};
   };
@@ -44,23 +44,23 @@ struct FaultTargets {
   std::vector<Subarchitecture> subarchitectures;
   /// Without the coordinator.
   std::vector<std::string> nodes;
-  /// That of the supervisor of stand-alone components and subarchitectures.
+  /// Limit of the supervisor of stand-alone components and subarchitectures.
   RestartLimit system_limit = {};
 
-  /// The subarchitecture that a component or a working memory is of; empty for stand-alone ones.
+  /// The subarchitecture of a component or a working memory; empty for a stand-alone one.
   std::string supervisor_of(const std::string& component) const;
-  /// Of a subarchitecture, or of the system if that is empty.
+  /// Limit of a subarchitecture, or of the system if `supervisor` is empty.
   RestartLimit limit_of(const std::string& supervisor) const;
 };
 
-/// What a component or a working memory is: "isolated component", "task manager".
+/// Kind of a component or a working memory: "isolated component", "task manager".
 std::string_view word_for(const FaultTargets& targets, const std::string& component);
 
 FaultTargets targets_of(const ArchitectureDescription& architecture,
                         std::vector<std::string> nodes);
 
-/// The names of a plan that there are none of in the system, and faults that cannot be injected
-/// into what they name.
+/// Errors in a plan: names unknown in the system, and faults that cannot be injected into their
+/// target.
 std::vector<Diagnostic> check_plan(const FaultPlan& plan, const FaultTargets& targets);
 
 } // namespace castor::faults

@@ -19,7 +19,7 @@ constexpr bool is_reserved(std::string_view word) {
   return std::ranges::find(reserved_words, word) != reserved_words.end();
 }
 
-/// Whether it may stand without quotes.
+/// Whether the character may be part of a name without quotes.
 constexpr bool continues_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view{"_-.:/@+="}.find(c) != std::string_view::npos;
@@ -28,14 +28,14 @@ constexpr bool continues_name(char c) {
 /// A word of a statement, a comma, or a name in quotes.
 struct Word {
   std::string text;
-  /// In quotes: a name, whatever it is spelt like.
+  /// In quotes: always a name, never a keyword.
   bool quoted = false;
 
-  /// A keyword, and no name.
+  /// Whether it is this keyword, not a quoted name.
   bool is(std::string_view keyword) const { return !quoted && text == keyword; }
 };
 
-/// Cuts off the next word of a piece of a line; nothing at its end, or at the comment there.
+/// Removes and returns the first word of a piece of a line; nothing at its end or at a comment.
 /// @param unfinished becomes true if a quote has no end; then there is no word
 std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished);
 
@@ -43,11 +43,11 @@ std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished);
 /// @param unfinished becomes true if a quote has no end
 std::vector<Word> split_words(std::string_view text, bool& unfinished);
 
-/// The text in quotes, as it is read again.
+/// The text in quotes, escaped so that it can be parsed again.
 std::string quoted(std::string_view text);
 
-/// Where the colon stands that ends a change filter: the first outside of quotes that a blank
-/// follows, or nothing; the end of the text if there is none.
+/// Position of the colon that ends a change filter: the first one outside of quotes that is
+/// followed by a blank or by the end of the text. The end of the text if there is none.
 std::size_t end_of_filter(std::string_view text);
 
 } // namespace castor::faults

@@ -27,8 +27,8 @@ namespace castor::faults {
 struct InjectorParts {
   /// Has to outlive the injector.
   System* system = nullptr;
-  /// Calls a function with the number of a process, which has the name that plans call it by and
-  /// is a child of this process, while the number is its own; false if there is none.
+  /// Calls a function with the id of the child process of that name (as used in plans); the id is
+  /// not reused during the call. False if there is no such process.
   std::function<bool(const std::string& process, const std::function<void(pid_t)>& f)> with_process;
   /// The files of journals, by subarchitecture (journal_faults.hpp).
   std::map<std::string, std::filesystem::path> journals = {};
@@ -39,36 +39,36 @@ class Injector {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Times of the schedule count from now.
+  /// Times of the schedule are relative to now.
   Injector(InjectorParts parts, FaultSchedule schedule);
   Injector(const Injector&) = delete;
   Injector& operator=(const Injector&) = delete;
   ~Injector();
 
-  /// There was a change that a filter of the plan wants, after which a fault may be due: the
-  /// filter's place among those that the plan watches (`watched_by`).
+  /// Called for a change that matches a filter of the plan, given by its index in `watched_by`; may
+  /// trigger a fault.
   void on_change(std::size_t filter);
 
-  /// Injects a fault now, whatever the schedule says. All its targets have names.
+  /// Injects a fault now, independently of the schedule. All its targets must be named.
   FaultRecord inject(const Fault& fault);
 
-  /// A fault of this number has taken effect (`SystemOptions::on_fault_happened`).
+  /// The fault of this number has taken effect (`SystemOptions::on_fault_happened`).
   void on_happened(std::uint64_t fault);
 
-  /// A component or a working memory is down: so its crash has happened, if one was armed.
+  /// A component or a working memory is down: an armed crash of it has happened.
   void on_down(const std::string& component);
 
-  /// What has not happened by now never will.
+  /// Marks all armed faults as never happened.
   void conclude();
 
-  /// No more faults; what was stopped goes on. Links that something befell are left to themselves.
+  /// Injects no more faults and continues stopped processes. Faults of links are not undone.
   void stop();
 
-  /// Of each fault so far, what became of it.
+  /// Records of all faults so far.
   std::vector<FaultRecord> records() const;
 
 private:
-  /// Whether a fault was injected, and what came of it or why not.
+  /// Whether a fault was injected, and its effect or the reason why not.
   struct Outcome {
     bool done = true;
     std::string text;
@@ -100,14 +100,14 @@ private:
   Outcome apply(const ClaimJournal& x);
   Outcome apply(const JumpClock& x);
 
-  /// The same for the coordinator, too.
+  /// As InjectorParts::with_process, but also for the coordinator.
   bool with_process(const std::string& name, const std::function<void(pid_t)>& f) const;
   Outcome signal(const std::string& process, int signal);
   void end_shortage(const std::string& name, pid_t process);
   Outcome inject_into_journal(const MemoryTarget& memory, const JournalFault& x);
-  /// Calls a function once a fault that lasts is over.
+  /// Calls a function at the end of a fault that lasts.
   void when_over(const Lasting& x, std::function<void()> f);
-  /// Something that lasts until the end of the run if nothing else is said.
+  /// Duration of a fault; until the end of the run if none is given.
   Timestamp lasting(const Lasting& x) const;
 
   const InjectorParts parts_;
@@ -118,9 +118,9 @@ private:
   std::vector<DueFault> due_;
   std::multimap<Timestamp, std::function<void()>> later_;
   std::vector<FaultRecord> records_;
-  /// Of each record, why it never came to it if it does not.
+  /// For each record, the explanation if it never happens.
   std::vector<const char*> missed_;
-  /// Of each component, the records of its armed crashes.
+  /// By component: indices of the records of its armed crashes.
   std::multimap<std::string, std::size_t> armed_crashes_;
   DescriptorShortages shortages_;
   bool over_ = false;

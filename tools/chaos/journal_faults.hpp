@@ -7,26 +7,26 @@
 #include <map>
 #include <string>
 
-/// Faults of journals from outside of the system that writes them.
+/// Journal faults injected from outside of the system that writes the journal.
 namespace castor::faults {
 
-/// The files of the journals that an architecture asks for, by subarchitecture, as processes that
-/// were started in the present folder find them.
+/// Journal files of an architecture by subarchitecture; relative paths are resolved against the
+/// current folder.
 std::map<std::string, std::filesystem::path>
 journals_of(const ArchitectureDescription& architecture);
 
-/// Moves the files of a journal to others beside it, whose name is returned. Throws
-/// std::runtime_error if there is none, or it cannot be moved.
+/// Renames the files of a journal within their folder and returns the new name. Throws
+/// std::runtime_error if there is no journal, or it cannot be moved.
 std::filesystem::path remove_journal(const std::filesystem::path& journal);
 
-/// What another system was told that opened a journal.
+/// Result of an attempt by another system to open a journal.
 struct JournalClaim {
   enum class Kind : std::uint8_t {
-    /// It was refused, by this reason.
+    /// Refused, for `reason`.
     refused,
-    /// It was given the journal although the system that writes it had it locked.
+    /// Granted, although the system that writes the journal had it locked.
     taken,
-    /// Nobody wrote it just then, so that nobody had to refuse it; it was left alone.
+    /// No process had the journal open at that time, so no refusal was due; it was not touched.
     free,
   };
 

@@ -9,12 +9,12 @@
 
 namespace castor::faults {
 
-/// The smallest part of a list for which something still holds, as far as tries go: Zeller and
-/// Hildebrandt's ddmin ("Simplifying and isolating failure-inducing input", 2002). The items keep
-/// their order. Of a result that was found within the tries, no single item can be left out.
+/// A minimal sublist for which a predicate still holds: Zeller and Hildebrandt's ddmin
+/// ("Simplifying and isolating failure-inducing input", 2002). The items keep their order. If the
+/// search ends within `most_tries`, no single item of the result can be left out.
 ///
-/// @param holds of the whole list it must be true
-/// @param most_tries how often it may be asked: each may be a run of a whole system
+/// @param holds must be true for the whole list
+/// @param most_tries limit of calls of `holds`, each of which may run a whole system
 template <class T>
 std::vector<T> minimise(std::vector<T> items,
                         const std::function<bool(const std::vector<T>&)>& holds,
@@ -23,7 +23,7 @@ std::vector<T> minimise(std::vector<T> items,
   auto try_out = [&](const std::vector<T>& x) { return tries++ < most_tries && holds(x); };
   if (try_out({}))
     return {};
-  // The items without, or with nothing but, the `i`th of so many pieces.
+  // The items without the `i`th piece, or that piece alone.
   auto part = [&](std::size_t i, std::size_t pieces, bool without) {
     auto begin = items.size() * i / pieces;
     auto end = items.size() * (i + 1) / pieces;

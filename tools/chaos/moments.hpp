@@ -8,9 +8,9 @@
 
 namespace castor::faults {
 
-/// When a statement's time comes, in order and before the end of `duration`: follows from the seed
-/// and from `purpose`, which tells statements apart. Nothing for what comes after changes.
-/// Throws std::length_error for more moments than anybody could make sense of.
+/// Times at which a trigger fires, in order and before the end of `duration`; determined by the
+/// seed and by `purpose`, which distinguishes statements. Empty for After. Throws std::length_error
+/// if there are too many.
 std::vector<Timestamp> moments_of(const Trigger& trigger, std::uint64_t seed,
                                   std::string_view purpose, Timestamp duration);
 

@@ -14,14 +14,14 @@ namespace castor::faults {
 struct PlanResult {
   /// Present exactly if no diagnostic is an error.
   std::optional<FaultPlan> plan;
-  /// In the order of the lines that they are about.
+  /// In the order of the lines.
   std::vector<Diagnostic> diagnostics;
 
   bool ok() const noexcept { return plan.has_value(); }
 };
 
-/// Reads a plan and the files that it includes. Whatever is wrong with them is among the
-/// diagnostics. Of the options the loader and the limits matter.
+/// Reads a plan and the files that it includes. All errors are reported as diagnostics. Only the
+/// loader and the limits of the options are used.
 PlanResult parse_plan_file(const std::string& file, const cast::ParseOptions& options = {});
 
 /// Takes `text` for the content of `file_name`, which need not exist.

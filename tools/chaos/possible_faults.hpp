@@ -11,39 +11,39 @@
 
 namespace castor::faults {
 
-/// What is drawn for a fault besides its kind and its target.
+/// Random parameters of a fault, other than its kind and its target.
 struct FaultDraws {
   SeededRandom& random;
-  /// No fault lasts longer.
+  /// Longest duration of a fault.
   Timestamp longest{0};
-  /// How many callbacks its component will have, as far as that is known; at least 1.
+  /// Expected number of callbacks of its component; at least 1.
   std::int64_t callbacks = 20;
 
   Timestamp duration();
-  /// What a callback, a message or a write is late by.
+  /// Delay of a callback, a message or a write.
   Timestamp lateness();
   Percent part();
 };
 
-/// A kind of fault that a system is to survive.
+/// A kind of fault that a system has to survive.
 struct FaultKind {
-  /// How often it is drawn, against the others that are possible in the system.
+  /// Relative frequency among the kinds that are possible in the system.
   std::size_t weight;
-  /// One fault for each target in the system, with nothing but the target; none if it is
+  /// One fault for each target in the system, without its parameters; empty if the kind is
   /// impossible.
   std::vector<Fault> (*for_each_target)(const FaultTargets&);
-  /// Draws what is missing.
+  /// Draws the parameters.
   void (*complete)(Fault&, FaultDraws&);
-  /// It takes effect in a callback of its component.
+  /// Takes effect in a callback of its component.
   bool needs_callback = false;
-  /// It makes a component or a working memory fail, which counts against the restarts that its
-  /// supervisor allows.
+  /// Makes a component or a working memory fail, which counts against its supervisor's restart
+  /// limit.
   bool costs_restart = false;
-  /// It takes effect where its component is started again, which therefore has to crash.
+  /// Takes effect when its component is restarted, so it has to be combined with a crash.
   bool needs_crash = false;
 };
 
-/// All kinds of faults that a system is to survive.
+/// All kinds of faults that a system has to survive.
 std::span<const FaultKind> fault_kinds();
 
 } // namespace castor::faults

@@ -10,20 +10,20 @@
 
 namespace castor::faults {
 
-/// Quantities in fault plans are whole numbers of a small unit, so that a plan means the same on
-/// every machine and is printed as it was read.
+/// Quantities in fault plans: whole numbers of a small unit, so that plans are exact on every
+/// machine and are printed as they were read.
 
-/// A part of what passes a link.
+/// A share of the messages over a link.
 struct Percent {
-  /// Of a percent; 100,000 is everything.
+  /// Thousandths of a percent; 100,000 is everything.
   std::uint32_t thousandths = 0;
 
   friend auto operator<=>(const Percent&, const Percent&) = default;
 };
 
-/// How often something happens on average.
+/// Average frequency.
 struct Rate {
-  /// So many times in a thousand seconds.
+  /// Times in a thousand seconds.
   std::uint32_t per_thousand_seconds = 0;
 
   friend auto operator<=>(const Rate&, const Rate&) = default;
@@ -34,17 +34,17 @@ inline constexpr Percent everything{100'000};
 inline constexpr Rate highest_rate{100'000};
 inline constexpr Timestamp longest_time{std::chrono::hours{1000}};
 
-/// These read a number and its unit, and give nothing for any other text and for what is beyond the
-/// limits above.
+/// These parse a number and its unit. They return nothing for any other text and for values beyond
+/// the limits above.
 
-/// "20us", "50ms", "1.5s", "3min", "1h": of a whole number of microseconds.
+/// "20us", "50ms", "1.5s", "3min", "1h": a whole number of microseconds.
 std::optional<Timestamp> parse_time(std::string_view text);
-/// "10%", "0.125%": more than nothing.
+/// "10%", "0.125%": above zero.
 std::optional<Percent> parse_percent(std::string_view text);
-/// "0.5/s": more than nothing.
+/// "0.5/s": above zero.
 std::optional<Rate> parse_rate(std::string_view text);
 
-/// As `parse_...` reads it.
+/// In the syntax of `parse_...`.
 std::string to_text(Timestamp x);
 std::string to_text(Percent x);
 std::string to_text(Rate x);

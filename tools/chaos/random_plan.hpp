@@ -10,34 +10,34 @@
 
 namespace castor::faults {
 
-/// What components have done in a run without faults: callbacks and operations per second.
+/// Activity of a component in a run without faults: callbacks and operations per second.
 struct ComponentActivity {
   double callbacks = 0;
   double operations = 0;
 };
 using ActivityByComponent = std::map<std::string, ComponentActivity>;
 
-/// How much a plan that nobody has written asks of a system.
+/// Options of randomly generated plans.
 struct RandomPlanOptions {
-  /// Between the beginnings of two faults, on average.
+  /// Average time between the beginnings of two faults.
   Timestamp interval = std::chrono::seconds{2};
-  /// No fault lasts longer.
+  /// Longest duration of a fault.
   Timestamp longest = std::chrono::seconds{3};
-  /// At the end nothing fails, so that the system can recover; in short runs, for a quarter of the
+  /// Time without faults at the end, so that the system can recover; at most a quarter of the
   /// duration.
   Timestamp rest = std::chrono::seconds{10};
-  /// No supervisor is asked for more restarts than it allows: what would be too much is left out.
+  /// Leaves out faults that would exceed a supervisor's restart limit.
   bool within_restart_limits = true;
   /// Only faults that make a component or a working memory fail.
   bool failures_only = false;
-  /// Faults go to components the more often, the more these do, and no fault waits for a callback
-  /// that will hardly come. Nothing: all components are alike.
+  /// Chooses components in proportion to their activity, and no callbacks that are unlikely to
+  /// come. Nothing: all components are equally likely.
   std::optional<ActivityByComponent> activity;
 };
 
-/// A mix of all that a system of that kind is to survive (`fault_kinds`), so no end of a working
-/// memory without a journal, and no fault without an end. The plan names times and targets; it
-/// follows from the seed and what components do, and is the same on every machine.
+/// A random mix of all faults that a system has to survive (`fault_kinds`): working memories
+/// without a journal do not end, and no fault is without end. Times and targets are fixed. The plan
+/// is determined by the seed and the activity of components, and is the same on every machine.
 FaultPlan random_plan(const FaultTargets& targets, std::uint64_t seed, Timestamp duration,
                       const RandomPlanOptions& options = {});
 

@@ -15,32 +15,32 @@
 #include <utility>
 #include <vector>
 
-/// What components have written down of their operations
-/// (castor/actors/runtime/operation_log.hpp), and whether it can be.
+/// The operations that components have logged (castor/actors/runtime/operation_log.hpp), and checks
+/// of their consistency.
 namespace castor::faults {
 
-/// One operation. Its record's client and entry are numbers of the whole recording; its versions
+/// One operation. Client and entry of its record are numbered across the whole recording; versions
 /// and tokens are those of the working memory.
 struct RecordedOperation {
   std::string component;
-  /// Which of the component's lives.
+  /// Incarnation of the component.
   std::uint64_t life = 1;
   Address address;
   linearizability::OperationRecord record;
-  /// An overwrite that counts on an earlier one, which was not answered yet.
+  /// An overwrite that depends on an earlier one that was not answered yet.
   bool expected = false;
-  /// A write of an entry that goes of itself, or can be added only once.
+  /// A write of an entry that is ephemeral, expires, or can be added only once.
   bool has_life = false;
-  /// It was answered in a way that says nothing about the entry: it was not permitted, say.
+  /// The result says nothing about the entry: the operation was not permitted, for example.
   bool says_nothing = false;
 };
 
 using Recording = std::vector<RecordedOperation>;
 
-/// Reads all files of a folder. Lines that a killed process did not finish are left out.
+/// Reads all files of a folder. Incomplete lines of killed processes are left out.
 Recording read_operations(const std::filesystem::path& folder);
 
-/// Reads files, one process's each, one by one.
+/// Reads the files of a recording, each from one process.
 class RecordingReader {
 public:
   void read(std::istream& in);
@@ -52,24 +52,25 @@ private:
   std::map<Address, std::uint32_t> entries_;
 };
 
-/// A component in one of its lives.
+/// A component in one incarnation.
 using Life = std::pair<std::string, std::uint64_t>;
 
-/// What is known of a working memory besides the operations on it.
+/// Facts about a working memory besides the operations on it.
 struct MemoryConditions {
   std::string subarchitecture;
-  /// How long a lease lasts at least, while its holder lives; 0 if that cannot be told, because the
-  /// working memory was started again or its clock has jumped.
+  /// Minimum duration of a lease while its holder lives; 0 if unknown, because the working memory
+  /// was restarted or its clock has jumped.
   Timestamp lease{0};
-  /// It was down in between.
+  /// It was down during the run.
   bool went_down = false;
-  /// When it comes back, it has what it had acknowledged; otherwise nothing.
+  /// Whether it keeps all acknowledged changes over a restart; otherwise it is empty then.
   bool durable = false;
-  /// Why nobody knows what it held in the beginning of one of its lives; empty if it held nothing.
+  /// Why its contents at the beginning of one of its incarnations are unknown; empty if it held
+  /// nothing.
   std::string unknown = {};
 };
 
-/// A judgement, with its grounds.
+/// Result of a check, with its grounds.
 struct Judgement {
   linearizability::Verdict::Kind verdict = linearizability::Verdict::Kind::ok;
   /// "1,203 operations on 12 entries, in 3 lives"
@@ -78,16 +79,17 @@ struct Judgement {
   std::string report;
 };
 
-/// Whether one operation after the other, each between its begin and its end, explains what the
-/// operations on a working memory gave: per entry, with leases. A working memory that comes back
-/// empty has several lives, which are told apart by the versions and tokens that it gave.
-/// @param ended lives that are over: from their last operation on, their leases may be
-/// @param until later operations do not count, later answers were not given
+/// Whether the results of the operations on a working memory are linearizable: per entry, with
+/// leases. Incarnations of a working memory that comes back empty are distinguished by the versions
+/// and tokens that it returned.
+/// @param ended incarnations that have ended: their leases may have ended at any time after their
+///   last operation
+/// @param until later operations are ignored, and later answers count as missing
 Judgement judge_operations(const Recording& recording, const MemoryConditions& conditions,
                            const std::set<Life>& ended, linearizability::Tick until);
 
-/// Whether a listener was told of each of those writes once, in order. Undecided if the working
-/// memory was down, or the listener too slow to be told of each.
+/// Whether a listener received exactly one event for each write, in order. Undecided if the working
+/// memory was down, or if events were merged because the listener was too slow.
 Judgement judge_events(const Recording& recording, const MemoryConditions& conditions,
                        std::span<const ChangeEventPtr> told);
 

@@ -9,11 +9,10 @@
 
 namespace castor::faults {
 
-/// How long outages took, in order; without those that had no end.
+/// Recovery times of outages, sorted; without those that had no end.
 std::vector<Timestamp> recovery_times(std::span<const Outage> outages);
 
-/// The smallest of the times, which are in order, that so many percent of them do not exceed
-/// (nearest rank). Nothing if there are none.
+/// Nearest-rank percentile of sorted times. Nothing if there are none.
 std::optional<Timestamp> percentile(std::span<const Timestamp> sorted, int percent);
 
 struct HistogramBin {
@@ -25,8 +24,8 @@ struct HistogramBin {
   friend bool operator==(const HistogramBin&, const HistogramBin&) = default;
 };
 
-/// Bins of one width, from 0 on, without a gap: at most so many, and as narrow as a width of 1, 2
-/// or 5 times a power of ten microseconds allows.
+/// At most `most_bins` adjacent bins of one width, from 0 on. The width is the smallest possible
+/// one of 1, 2 or 5 times a power of ten microseconds.
 std::vector<HistogramBin> histogram(std::span<const Timestamp> sorted, std::size_t most_bins);
 
 } // namespace castor::faults

@@ -9,24 +9,24 @@
 
 namespace castor::faults {
 
-/// What a process may gain in the course of a run before that counts as a leak.
+/// Growth of a process's resources in a run that does not count as a leak.
 struct ResourceTolerance {
-  /// While it fills caches and makes connections: not looked at.
+  /// Ignored time at the beginning, while the process fills caches and makes connections.
   Timestamp warm_up = std::chrono::seconds{5};
-  /// Shorter series say nothing.
+  /// Shorter series are not judged.
   std::size_t fewest_samples = 10;
-  /// Bytes, and in percent of the least it had; the larger of the two counts.
+  /// Bytes, and percent of the minimum; the larger of the two limits applies.
   double memory = 32e6;
   double memory_percent = 25;
   double files = 8;
   double threads = 4;
 };
 
-/// How fast values grow: the median of the slopes between every two of them (Theil and Sen), which
-/// a few outliers do not change. In units of `y` per unit of `x`; 0 for fewer than two points.
+/// Slope of a robust linear fit: the median of the slopes between every two points (Theil and Sen).
+/// In units of `y` per unit of `x`; 0 for fewer than two points.
 double robust_slope(std::span<const double> x, std::span<const double> y);
 
-/// One line for each resource of which a process had steadily more and more.
+/// One line for each resource of a process that grew steadily beyond the tolerance.
 std::vector<std::string> leaks(const ProcessResources& process,
                                const ResourceTolerance& tolerance = {});
 

@@ -8,7 +8,7 @@
 
 namespace castor::faults {
 
-/// For people: three digits and a unit, "236 ms", "31.4 s".
+/// Three digits and a unit: "236 ms", "31.4 s".
 std::string rounded(Timestamp x);
 
 /// "1 entry", "3 entries".

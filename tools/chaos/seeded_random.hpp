@@ -6,22 +6,22 @@
 
 namespace castor::faults {
 
-/// Random numbers that follow from a seed and are the same on every machine, which the
-/// distributions of the standard library do not promise. The generator is SplitMix64 (Steele, Lea,
-/// Flood: "Fast splittable pseudorandom number generators", 2014).
+/// Random numbers determined by a seed and equal on every machine, which the distributions of the
+/// standard library do not guarantee. The generator is SplitMix64 (Steele, Lea, Flood: "Fast
+/// splittable pseudorandom number generators", 2014).
 class SeededRandom {
 public:
   explicit SeededRandom(std::uint64_t seed) : state_(seed) {}
 
-  /// A generator for one purpose: what others draw changes nothing about what it gives.
+  /// A generator for one purpose, independent of those for other purposes.
   SeededRandom(std::uint64_t seed, std::string_view purpose, std::uint64_t number = 0)
     : SeededRandom(mix(seed ^ hash(purpose)) + number) {}
 
   std::uint64_t operator()() { return mix(state_ += 0x9e3779b97f4a7c15U); }
 
-  /// Below `count`, which is not 0; each with the same probability.
+  /// Uniform below `count`, which is not 0.
   std::uint64_t below(std::uint64_t count) {
-    // Of numbers at the upper end, some would be too many.
+    // Rejects the numbers at the upper end that would make the result biased.
     auto too_many = (UINT64_MAX % count + 1) % count;
     std::uint64_t x = 0;
     do

@@ -13,7 +13,7 @@
 
 namespace castor::faults {
 
-/// A line that is no statement.
+/// A syntax error in a statement.
 class StatementError : public std::runtime_error {
 public:
   StatementError(const std::string& what, std::string remedy)
@@ -29,7 +29,7 @@ private:
 inline constexpr std::string_view rate_remedy = "write a rate such as 0.5/s, up to 100/s";
 inline constexpr std::string_view time_remedy = "write a time such as 50ms, 1.5s or 2min";
 
-/// The candidate that comes near, or otherwise that.
+/// Suggests the candidate nearest to `word`; `otherwise` if none is near.
 inline std::string remedy_for(std::string_view word,
                               const std::vector<std::string_view>& candidates,
                               std::string otherwise) {
@@ -37,7 +37,7 @@ inline std::string remedy_for(std::string_view word,
   return remedy.empty() ? std::move(otherwise) : remedy;
 }
 
-/// Nothing if the text is anything but a whole number.
+/// Nothing unless the text is a whole number.
 template <class Number>
 std::optional<Number> parse_whole(std::string_view text) {
   Number result{};

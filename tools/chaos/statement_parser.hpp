@@ -8,13 +8,14 @@
 
 namespace castor::faults {
 
-/// Nothing if the line is not about the seed. Throws StatementError if that is no number.
+/// Parses a `seed` line; nothing for any other line. Throws StatementError if the seed is not a
+/// number.
 std::optional<std::uint64_t> parse_seed(std::string_view line);
 
-/// Cuts off when something is to happen, with which a line begins. Throws StatementError.
+/// Parses the trigger at the beginning of a line and removes it from `rest`. Throws StatementError.
 Trigger parse_trigger(std::string_view& rest);
 
-/// Throws StatementError. The statement does not know where it stands.
+/// Throws StatementError. Leaves the statement's location empty.
 Statement parse_statement(std::string_view line);
 
 } // namespace castor::faults

@@ -11,8 +11,8 @@
 
 namespace castor::faults {
 
-/// Connections to a listening process by strangers, who say nothing, or what is no greeting, or
-/// only the beginning of one. They are made on a thread of their own.
+/// A flood of connections to a listening process that send nothing, an invalid greeting, or an
+/// incomplete one. They are made on a thread of their own.
 class Strangers {
 public:
   Strangers(Endpoint to, Rate rate);
@@ -26,7 +26,7 @@ public:
     std::uint64_t failed = 0;
   };
 
-  /// No more of them; those that there are leave.
+  /// Stops connecting and closes all open connections.
   Counts stop();
 
 private:

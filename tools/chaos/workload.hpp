@@ -18,7 +18,7 @@ struct Say {
   friend bool operator==(const Say&, const Say&) = default;
 };
 
-/// An operator writes an entry: a new one each time, or always the one of that id.
+/// An operator writes an entry: a new one each time, or always the one with that id.
 struct WriteEntry {
   std::string type;
   /// JSON, as `castor wm add` takes it.
@@ -30,7 +30,7 @@ struct WriteEntry {
   friend bool operator==(const WriteEntry&, const WriteEntry&) = default;
 };
 
-/// A thing on the table that the camera sees is put elsewhere. Lengths are as in scene files.
+/// A thing on the table seen by the camera is moved. Lengths are as in scene files.
 struct MoveThing {
   std::string thing;
   std::string x;
@@ -39,10 +39,10 @@ struct MoveThing {
   friend bool operator==(const MoveThing&, const MoveThing&) = default;
 };
 
-/// A thing is put on the table; one that is called the same goes.
+/// A thing is put on the table; it replaces one of the same name.
 struct AddThing {
   std::string thing;
-  /// What follows `at` in a scene file.
+  /// The rest of the line after `at` in a scene file.
   std::string place;
 
   friend bool operator==(const AddThing&, const AddThing&) = default;
@@ -57,8 +57,8 @@ struct RemoveThing {
 
 using Action = std::variant<Say, WriteEntry, MoveThing, AddThing, RemoveThing>;
 
-/// One line of a workload: when something is done, and what. Of several actions one is drawn each
-/// time.
+/// One line of a workload: a trigger and its action. If there are several actions, one is drawn
+/// each time.
 struct WorkloadStatement {
   /// Never After.
   Trigger trigger;
@@ -72,11 +72,11 @@ struct WorkloadStatement {
   }
 };
 
-/// Which entries have to be the same in the end as in a run without faults.
+/// Entries whose final state must be the same as in a run without faults.
 struct SameEntries {
-  /// Of these types.
+  /// Types of the entries.
   std::vector<std::string> types;
-  /// Fields that do not count, wherever they stand.
+  /// Names of fields to ignore, at any depth.
   std::vector<std::string> but_for;
   SourceLocation where;
   std::string line;
@@ -86,14 +86,14 @@ struct SameEntries {
   }
 };
 
-/// What people and programs do to a system while it runs, and what has to come of it. The language
-/// is described in docs/fault-plans.md.
+/// Actions on a running system, and their expected results. The language is described in
+/// docs/fault-plans.md.
 struct Workload {
   std::string file;
-  /// Draws what the statements leave open; nothing for the seed of the faults.
+  /// Seed for random choices of the statements; nothing for the seed of the faults.
   std::optional<std::uint64_t> seed;
   std::vector<WorkloadStatement> statements;
-  /// Every sentence has to be answered, or apologised for, so soon.
+  /// Longest time to the answer to, or apology for, a sentence.
   std::optional<Timestamp> answer_within;
   std::optional<SameEntries> same;
 
@@ -103,10 +103,10 @@ struct Workload {
   }
 };
 
-/// Whether it is a change of the scene that the camera sees.
+/// Whether the action changes the scene seen by the camera.
 bool changes_scene(const Action& x);
 
-/// As in a workload.
+/// In the syntax of workloads.
 std::string to_string(const Action& x);
 
 /// As a line of a workload, without a line break.

@@ -12,18 +12,18 @@
 
 namespace castor::faults {
 
-/// What of a system workloads act on.
+/// The parts of a system that workloads act on.
 struct WorkloadPlaces {
   std::vector<std::string> subarchitectures;
-  /// Those that operators may not write to.
+  /// Subarchitectures that operators may not write to.
   std::vector<std::string> closed;
-  /// The subarchitecture in which somebody parses what is said; empty for none.
+  /// The subarchitecture with an UtteranceParser; empty for none.
   std::string listening;
-  /// Components that look at a scene, and its file as the `.cast` file names it.
+  /// A component that shows a scene, and the scene's file as named in the `.cast` file.
   struct Camera {
     std::string component;
     std::string file;
-    /// Folder in which a relative file is looked for too.
+    /// Further folder to search for a relative file.
     std::string base;
   };
   std::vector<Camera> cameras;
@@ -31,10 +31,10 @@ struct WorkloadPlaces {
 
 WorkloadPlaces places_of(const ArchitectureDescription& architecture);
 
-/// What a workload names that the system does not have, and what it expects that cannot be.
-/// @param scene what the cameras see, if there is one scene
-/// @param problem_of why no such entry can be written; empty if it can
-/// @param is_type whether there may be entries of a type
+/// Errors in a workload: names unknown in the system, and expectations that cannot be met.
+/// @param scene the scene that all cameras show, if there is exactly one
+/// @param problem_of the reason why such an entry cannot be written; empty if it can
+/// @param is_type whether an entry type exists
 std::vector<Diagnostic>
 check_workload(const Workload& workload, const WorkloadPlaces& places,
                const std::optional<SceneText>& scene,

@@ -11,13 +11,13 @@
 
 namespace castor::faults {
 
-/// How often something was to be done, and what came of it.
+/// Numbers of actions that were due and done, and of their results.
 struct WorkloadCounts {
   std::size_t due = 0;
   std::size_t done = 0;
   /// Of sentences.
   std::size_t said = 0;
-  /// Sentences that were said once more, because the working memory had lost them.
+  /// Sentences that were repeated because the working memory had lost them.
   std::size_t said_again = 0;
   std::size_t answered = 0;
   std::size_t apologised = 0;
@@ -27,32 +27,32 @@ struct WorkloadCounts {
   WorkloadCounts& operator+=(const WorkloadCounts& x);
 };
 
-/// What became of one statement of a workload.
+/// Results of one statement of a workload.
 struct StatementRecord {
-  /// As in a workload.
+  /// In the syntax of workloads.
   std::string statement;
   WorkloadCounts counts;
-  /// Why something could not be done, at the last try that failed.
+  /// Reason for the last failed attempt.
   std::string problem;
 };
 
-/// What became of a workload, in one run.
+/// Results of a workload in one run.
 struct WorkloadRecord {
   std::string file;
   std::vector<StatementRecord> statements;
-  /// For how long it was done.
+  /// How long the workload ran.
   Timestamp took{0};
-  /// How long answers took, sorted.
+  /// Times to the answers, sorted.
   std::vector<Timestamp> answer_times;
 
   WorkloadCounts total() const;
 };
 
-/// Counts what became of sentences for the statements that they come from.
+/// Adds the results of sentences to the counts of their statements.
 void count_sentences(WorkloadRecord& record, const std::vector<Sentence>& sentences,
                      std::optional<Timestamp> within);
 
-/// Lines of text about what was not done; empty if everything was.
+/// One line for each statement with actions that were not done; empty if all were.
 std::string actions_missing(const WorkloadRecord& x);
 
 /// "15 sentences, 14 answered, 1 apologised for (0.25 answers a second); 6 other actions"

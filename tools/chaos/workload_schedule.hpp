@@ -8,21 +8,21 @@
 
 namespace castor::faults {
 
-/// Something that is to be done at that time.
+/// An action and its time.
 struct DueAction {
-  /// Since the system has started.
+  /// Since the start of the system.
   Timestamp at{0};
   Action action;
-  /// Which statement of the workload it comes from.
+  /// Index of its statement in the workload.
   std::size_t statement = 0;
 
   friend bool operator==(const DueAction&, const DueAction&) = default;
 };
 
-/// All that a workload does within the duration, in order; at one time in the order of its lines.
-/// Which and when follows from workload, seed and duration. What is drawn for a statement depends
-/// on no other statement, unless one is written like it.
-/// Throws std::length_error if a statement comes to more than anybody could make sense of.
+/// All actions of a workload within the duration, in order of time; those at one time in the order
+/// of its lines. Determined by workload, seed and duration. What is drawn for a statement does not
+/// depend on other statements, except on identical ones before it. Throws std::length_error if a
+/// statement results in too many actions.
 std::vector<DueAction> schedule_of(const Workload& workload, std::uint64_t seed,
                                    Timestamp duration);
 
