@@ -20,33 +20,32 @@ struct Verdict {
   };
 
   Kind kind = Kind::ok;
-  /// Lines of text, empty if all is well: the entry, the longest order that was found, what could
-  /// not be placed after it and why.
+  /// Lines of text, empty if the history is linearizable: the entry, the longest order found, the
+  /// operations that could not follow it, and why.
   std::string report;
 
   bool ok() const { return kind == Kind::ok; }
 };
 
 struct CheckerOptions {
-  /// How many states the search of one entry may try. A hundred operations need about as many;
-  /// only histories with many waits that nothing tells apart need more than thousands.
+  /// Limit of states that the search of one entry may try. A hundred operations need about as many;
+  /// only histories with many indistinguishable waits need more than thousands.
   std::uint64_t max_states = 1'000'000;
 };
 
-/// Says whether a history is linearizable: entry by entry, which is enough (Herlihy and Wing,
+/// Checks whether a history is linearizable: entry by entry, which is sufficient (Herlihy and Wing,
 /// "Linearizability: a correctness condition for concurrent objects", 1990, theorem 1).
 ///
-/// Keep one for many histories, it keeps its memory. Each thread needs its own.
+/// Reuse one for many histories, since it keeps its allocated memory. Each thread needs its own.
 class Checker {
 public:
   explicit Checker(CheckerOptions options = {}) : options_(options) {}
 
-  /// The records may stand in any order; every entry starts as one that never existed. A violation
-  /// of one entry outweighs that others could not be decided. Throws std::invalid_argument if a
-  /// record ends before it begins.
+  /// The records may be in any order; every entry starts as never existed. A violation of one entry
+  /// outweighs undecided others. Throws std::invalid_argument if a record ends before it begins.
   Verdict check(std::span<const OperationRecord> history);
 
-  /// How many states the last check tried.
+  /// Number of states that the last check tried.
   std::uint64_t states() const { return states_; }
 
 private:

@@ -10,41 +10,42 @@
 
 namespace castor::linearizability {
 
-/// A step of an order: an operation arrives, or one that need not have happened is left out.
+/// A step of an order: an operation arrives, or an optional one is left out.
 struct Placement {
   OperationIndex operation = 0;
   bool left_out = false;
 };
 
-/// Looks for an order of the operations on one entry that the model agrees with: Wing and Gong's
-/// search ("Testing and verifying concurrent objects", 1993) with Lowe's memory of configurations
-/// that led nowhere ("Testing for linearizability", 2017).
+/// Searches for an order of the operations on one entry that satisfies the model: Wing and Gong's
+/// algorithm ("Testing and verifying concurrent objects", 1993) with Lowe's cache of failed
+/// configurations ("Testing for linearizability", 2017).
 ///
-/// What is placed is the arrival of an operation. If it has to wait, its completion follows from
-/// what is placed later, and must come before it returned.
+/// Steps are arrivals of operations. The completion of a waiting operation results from later
+/// steps, and must come before it returned.
 ///
-/// Whatever changes nothing is placed as soon as it may be, without a second thought: if there is
-/// an order with it later, there is one with it now. Of locks whose tokens are known, only the one
-/// with the next token is tried: no other could be granted any more. A pending lock whose lease
-/// nothing in the history could end is not queued: granted from the queue, it would be the last,
-/// and can as well come when nobody else waits.
+/// An operation that changes nothing is placed as soon as possible, without backtracking: if there
+/// is an order with it later, there is one with it now. Of locks whose tokens are known, only the
+/// one with the next token is tried, since tokens rise. A pending lock whose lease nothing in the
+/// history could end is not queued: granted from the queue, it would be the last, so it can as well
+/// arrive when nothing else waits.
 class EntrySearch {
 public:
   enum class Outcome : std::uint8_t { found, exhausted, gave_up };
 
-  /// The operations in the order of their invocation. Gives up after so many states.
+  /// @param operations in the order of their invocation
+  /// @param max_states limit after which the search gives up
   Outcome run(std::span<const OperationRecord> operations, std::uint64_t max_states);
 
-  /// How many states the last run tried.
+  /// Number of states that the last run tried.
   std::uint64_t states() const { return states_; }
 
-  /// The longest order from which the last run found no way on.
+  /// The longest partial order that the last run could not extend.
   const std::vector<Placement>& longest() const { return longest_; }
 
 private:
   struct Frame {
     EntryState state;
-    /// The sizes of `order_` and `choices_` without this frame's share.
+    /// Sizes of `order_` and `choices_` before this frame.
     std::size_t order_before = 0;
     std::size_t choices_before = 0;
   };
@@ -73,28 +74,28 @@ private:
   bool keeps_for_good(const OperationRecord& lock) const;
   void sort_waiting(EntryState& state) const;
   bool seen_before(const EntryState& state);
-  /// The first operation from there on that is not placed; as many as there are if all are.
+  /// The first unplaced operation from index `from` on; the number of operations if there is none.
   OperationIndex next_open(OperationIndex from) const;
   void place(Placement x);
   void undo_to(std::size_t order_size);
 
   std::span<const OperationRecord> operations_;
   EntryModel model_{{}};
-  /// Of a lock that obtained one: the highest lower token in the history.
+  /// For a lock that obtained a token: the next lower token in the history.
   std::vector<Token> previous_token_;
   struct Write {
     Version version = 0;
     bool adds = false;
     Token token = 0;
   };
-  /// Those that succeeded, by version.
+  /// Successful writes, by version.
   std::vector<Write> writes_;
-  /// Of a pending lock: whether its lease, if it obtains one, outlasts the history.
+  /// For a pending lock: whether its lease, if it obtains one, lasts to the end of the history.
   std::vector<bool> keeps_for_good_;
 
   std::vector<Frame> frames_;
   std::vector<Placement> order_;
-  /// What is still to be tried, the next one last.
+  /// Stack of placements still to be tried.
   std::vector<Placement> choices_;
   /// One bit per operation.
   std::vector<std::uint64_t> placed_;
@@ -103,7 +104,7 @@ private:
   SeenStates seen_;
   std::uint64_t states_ = 0;
   std::vector<Placement> longest_;
-  /// Kept for their memory only.
+  /// Buffers, members only to reuse their memory.
   std::vector<SettledWait> settled_;
   std::vector<std::uint64_t> key_;
   std::vector<Token> tokens_;

@@ -14,13 +14,13 @@ public:
 
   void clear();
 
-  /// False if it was there already.
+  /// False if the key was already in the set.
   bool insert(std::span<const std::uint64_t> key);
 
 private:
   struct Slot {
     std::uint64_t hash = 0;
-    /// Where the key stands in `keys_`.
+    /// Position of the key in `keys_`.
     std::size_t offset = 0;
     /// 0 in an empty slot: there is no empty key.
     std::size_t length = 0;

@@ -16,19 +16,19 @@ struct PictureView {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t channels = 0;
-  /// width * height * channels; as long as the value lives that they come from.
+  /// width * height * channels bytes. Valid as long as the value that contains them.
   std::span<const std::uint8_t> bytes;
 };
 
-/// What in a value may lead to other entries, and the pictures in it, at whatever depth.
+/// Possible references to other entries in a value, and its pictures, at any depth.
 struct Contents {
   std::vector<Address> addresses;
-  /// Strings that are no part of an address, each once: any of them may be the id of an entry.
+  /// Distinct strings that are not part of an address: any of them may be the id of an entry.
   std::vector<std::string> texts;
   std::vector<PictureView> pictures;
 };
 
-/// Of a value that is not what its type says: what was found up to there.
+/// For a value that does not match its type: the contents up to the error.
 Contents contents_of(const Value& x);
 
 } // namespace castor::timeline

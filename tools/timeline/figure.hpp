@@ -11,14 +11,14 @@
 
 namespace castor::timeline {
 
-/// What became of an entry in a stage.
+/// Change of an entry in a stage.
 enum class Fate {
   added,
   changed,
   unchanged,
-  /// It was there before.
+  /// Deleted: present before the stage.
   gone,
-  /// It was neither there before nor is afterwards.
+  /// Added and deleted within the stage.
   passed
 };
 
@@ -31,7 +31,7 @@ struct FigureEntry {
 struct EmbeddedPicture {
   double width = 0;
   double height = 0;
-  /// A URI with all of it.
+  /// Data URI.
   std::string data;
 };
 
@@ -47,11 +47,11 @@ struct EntryVersion {
   std::vector<std::string> summary;
   /// Into `Figure::entries`.
   std::vector<std::size_t> links;
-  /// Into `Figure::pictures`, those that show most first.
+  /// Into `Figure::pictures`, the largest first.
   std::vector<std::size_t> pictures;
 };
 
-/// An entry in a stage; one that is gone as it was last.
+/// An entry in a stage; a deleted one with its last version.
 struct CellEntry {
   /// Into `Figure::versions`.
   std::size_t version = 0;
@@ -63,8 +63,7 @@ struct FigureColumn {
   Timestamp end{0};
 };
 
-/// Working memories over time, as the paper's Figure 3 shows them: a row for each, a column for
-/// each stage.
+/// Working memories over time, as in the paper's figure 3: a row for each, a column for each stage.
 struct Figure {
   std::string title;
   std::vector<std::string> rows;
@@ -72,7 +71,7 @@ struct Figure {
   std::vector<FigureEntry> entries;
   std::vector<EntryVersion> versions;
   std::vector<EmbeddedPicture> pictures;
-  /// Row by row; in a cell the entries in the order in which they first came.
+  /// Row by row; the entries of a cell in the order of their first addition.
   std::vector<std::vector<CellEntry>> cells;
 
   const std::vector<CellEntry>& cell(std::size_t row, std::size_t column) const {
@@ -80,20 +79,19 @@ struct Figure {
   }
 };
 
-/// Makes a picture of at most that size of one that may be larger; nothing if it cannot.
+/// Scales a picture down to at most this size; nothing if that fails.
 using PictureMaker =
   std::function<std::optional<EmbeddedPicture>(const PictureView&, double width, double height)>;
 
-/// The larger pictures of a page are this size at most, the others `small_picture`.
+/// Maximum size of large pictures on a page; others are at most `small_picture` wide and high.
 inline constexpr double large_picture_width = 480;
 inline constexpr double large_picture_height = 320;
 inline constexpr double small_picture = 128;
 
-/// Those from here on are large: they show more than one thing.
+/// Width in pixels from which a picture counts as large: it shows more than one thing.
 inline constexpr std::uint32_t large_from = 160;
 
-/// @param rows subarchitectures in the order in which they are to be shown; others follow if they
-/// have entries
+/// @param rows subarchitectures in the order of the rows; others follow if they have entries
 Figure make_figure(std::string title, std::vector<std::string> rows, const Stages& stages,
                    const PictureMaker& picture);
 

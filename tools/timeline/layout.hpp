@@ -23,7 +23,7 @@ struct Box {
 
 struct PlacedText {
   double x = 0;
-  /// Of the letters' feet.
+  /// Baseline.
   double y = 0;
   std::string text;
 };
@@ -45,7 +45,7 @@ struct Card {
   std::vector<PlacedPicture> pictures;
 };
 
-/// Entries that are counted, of one type.
+/// Hidden entries of one type, shown as their number.
 struct Chip {
   Box box;
   std::size_t row = 0;
@@ -54,30 +54,30 @@ struct Chip {
   std::vector<CellEntry> entries;
 };
 
-/// The name of a type above its cards.
+/// Name of a type above its cards.
 struct GroupLabel {
   Box box;
   std::size_t row = 0;
   PlacedText text;
 };
 
-/// From a card to one that it refers to, through the gutter on the left of both.
+/// Arrow from a card to one that it refers to, through the gutter on the left of both.
 struct Arrow {
   /// Into `Layout::cards`.
   std::size_t from = 0;
   std::size_t to = 0;
-  /// They refer to each other.
+  /// The cards refer to each other.
   bool both_ways = false;
-  /// Nothing about it is new.
+  /// The reference and both entries are unchanged.
   bool is_old = false;
-  /// How far it goes into the gutter.
+  /// Horizontal extent into the gutter.
   double depth = 0;
 };
 
 struct Layout {
   double width = 0;
   double height = 0;
-  /// The cells' places, by rows and by columns.
+  /// Positions of the rows and columns of cells.
   std::vector<Box> rows;
   std::vector<Box> columns;
   std::vector<Card> cards;
@@ -86,7 +86,7 @@ struct Layout {
   std::vector<Arrow> arrows;
 };
 
-// Sizes of letters.
+// Font sizes.
 inline constexpr double title_size = 11.5;
 inline constexpr double line_size = 11;
 inline constexpr double label_size = 10.5;

@@ -10,14 +10,14 @@
 
 namespace castor::timeline {
 
-/// Finds out which entries an entry refers to: by address, by something that is the id of an entry,
-/// or because its own id is made of theirs ("location of 1:3").
+/// Finds the entries that an entry refers to: by address, by a string that is the id of an entry,
+/// or by its own id if it contains theirs ("location of 1:3").
 class Links {
 public:
-  /// There is an entry, or was.
+  /// Registers an entry, which may have been deleted since.
   void know(const Address& x) { by_id_[x.id].insert(x.subarchitecture); }
 
-  /// Each once and without the entry itself, in the order of their addresses.
+  /// Addresses of the referenced entries, without the entry itself.
   std::set<Address> of(const Address& entry, const Contents& contents) const {
     std::set<Address> result;
     auto add = [&](const std::optional<Address>& x) {
@@ -41,7 +41,8 @@ public:
   bool is_id(const std::string& x) const { return by_id_.count(x) > 0; }
 
 private:
-  /// In that subarchitecture if it is there; elsewhere if it is in one place only.
+  /// Finds an entry by its id: in that subarchitecture first, else in another one if the id is
+  /// unambiguous.
   std::optional<Address> find(const std::string& id, const std::string& subarchitecture) const {
     auto i = by_id_.find(id);
     if (i == by_id_.end())
@@ -53,7 +54,7 @@ private:
     return std::nullopt;
   }
 
-  /// The longest other id that the entry's ends with.
+  /// The longest other entry id that is a suffix of the entry's id.
   std::optional<Address> origin_of(const Address& entry) const {
     for (std::size_t at = entry.id.find_first_of(" /"); at != std::string::npos;
          at = entry.id.find_first_of(" /", at + 1))
@@ -62,7 +63,7 @@ private:
     return std::nullopt;
   }
 
-  /// The subarchitectures where there is an entry of that id.
+  /// By id: the subarchitectures that have an entry with it.
   std::unordered_map<std::string, std::set<std::string>> by_id_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace castor::timeline {
 
-/// A page that needs no other file and no network: the picture of `to_svg`, in which a click on an
-/// entry shows all of it and one on a number what is counted there.
+/// A self-contained page: the picture of `to_svg`, in which a click on an entry shows all of its
+/// content, and a click on a number the entries counted there.
 std::string to_page(const Figure& figure, const Layout& layout);
 
 } // namespace castor::timeline

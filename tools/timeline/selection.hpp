@@ -9,27 +9,27 @@
 namespace castor::timeline {
 
 struct SelectionOptions {
-  /// A group with more entries than these shows only some.
+  /// A group with more entries than this shows only `some`.
   std::size_t whole_group = 6;
   std::size_t some = 4;
-  /// Once a cell shows so many, the groups that follow show only some.
+  /// Once a cell shows this number of entries, its further groups show only `some`.
   std::size_t whole_cell = 14;
 };
 
-/// Entries of one type in a cell: those to be seen at once, and those that are counted.
+/// Entries of one type in a cell: those shown as cards, and those only counted.
 struct Group {
   std::string type;
   std::vector<CellEntry> shown;
   std::vector<CellEntry> hidden;
 };
 
-/// Which entries of the cells are seen at once, cell by cell as `Figure::cells` has them.
+/// Selects the entries to show as cards, cell by cell in the order of `Figure::cells`.
 ///
-/// In a cell, types with large pictures come first, then those that something refers to in another
-/// working memory, then those that something refers to in this one, then those that are few; of
-/// other types, which are most often the books that components keep, nothing is seen but their
-/// number. Of many entries those are seen that were seen in the stage before, that have changed,
-/// and that are linked to what is seen already.
+/// Types within a cell are ordered: first types with large pictures, then types referenced from
+/// another working memory, then types referenced from this one, then types with few entries. Other
+/// types, mostly internal bookkeeping of components, are only counted. Of many entries of a type,
+/// those are shown that were shown in the previous stage, that have changed, and that are linked to
+/// entries already shown.
 std::vector<std::vector<Group>> select(const Figure& figure, const SelectionOptions& options = {});
 
 } // namespace castor::timeline

@@ -18,53 +18,54 @@ namespace castor::timeline {
 /// An entry at the end of a stage in which it changed.
 struct ChangedEntry {
   std::string type;
-  /// It was not there when the stage began.
+  /// Added in this stage.
   bool is_new = false;
-  /// It is not there when the stage ends.
+  /// Deleted in this stage.
   bool is_gone = false;
   Version version = 0;
-  /// When it changed first in the stage.
+  /// Time of the first change in the stage.
   Timestamp since{0};
-  /// The component that changed it last, and when.
+  /// Writer and time of the last change.
   std::string writer;
   Timestamp time{0};
-  /// None if it was not known in time, or is gone.
+  /// Empty if it could not be read in time, or the entry was deleted.
   Value value;
 };
 
-/// What changed until the next stage began.
+/// Changes up to the beginning of the next stage.
 struct Stage {
   Timestamp begin{0};
   Timestamp end{0};
   std::map<Address, ChangedEntry> changed;
-  /// How long the pause before it was; none where work only went on elsewhere.
+  /// Length of the pause before it; 0 if the stage began only because activity passed to another
+  /// working memory.
   Timestamp pause{0};
 };
 
 struct StageOptions {
-  /// What has been going on ends with a pause of so long.
+  /// Shortest pause that ends a stage.
   Timestamp gap = std::chrono::milliseconds{250};
-  /// What repeats itself counts as going on after so many times the gap.
+  /// Repeated operations are considered background activity after this many times the gap.
   int patience = 4;
-  /// No more stages than these: those with the shortest pauses between them become one.
+  /// Maximum number of stages: those with the shortest pauses between them are merged.
   std::size_t most = 8;
 };
 
-/// Divides what happens in working memories into stages, for people to look at, as it happens; what
-/// it keeps grows with the number of entries and not with that of changes.
+/// Divides the changes of working memories into stages for display, while they happen. Memory use
+/// grows with the number of entries, not with that of changes.
 ///
-/// A stage ends where something begins after a pause. What is overwritten (added, deleted) again
-/// and again is going on: it begins nothing, and prolongs nothing either once it has gone on for
-/// some time. What follows without a pause is divided where it passes on from one working memory to
-/// another: whatever refers to an entry elsewhere that has changed in a stage belongs to a later
-/// one, and so does all that happens there afterwards. So a stage is a state that the system may
-/// have been in, although not one moment of it.
+/// A new stage begins with the first change after a pause. Repeated overwrites (additions,
+/// deletions) of a type are background activity: they begin no stage, and after some time no longer
+/// prolong one. Changes without a pause in between are divided where activity passes from one
+/// working memory to another: a change that refers to an entry elsewhere that changed in a stage
+/// belongs to a later stage, and so do all later changes in that working memory. So a stage is a
+/// consistent state of the system, although not its state at one moment.
 class Stages {
 public:
   explicit Stages(StageOptions options = {}) : options_(options) {}
 
-  /// The changes of one working memory in their order.
-  /// @param entry as it was read, perhaps later; null if it was gone
+  /// Adds a change. Changes of one working memory have to come in their order.
+  /// @param entry as it was read, perhaps after later changes; null if it was deleted
   void add(const ChangeEvent& event, const EntryPtr& entry);
 
   const std::list<Stage>& list() const { return stages_; }
@@ -74,16 +75,16 @@ private:
 
   bool is_news(const ChangeEvent& event);
   void begin_burst(Timestamp time, Timestamp pause);
-  /// The stage that a change belongs to, of those after the last pause.
+  /// Stage of a change, among those after the last pause.
   Place place_of(const ChangeEvent& event, const EntryPtr& entry);
   void merge_shortest();
 
   StageOptions options_;
   std::list<Stage> stages_;
   Links links_;
-  /// Where the work of each subarchitecture is, since the last pause.
+  /// Current stage of each subarchitecture since the last pause.
   std::map<std::string, Place> current_;
-  /// Where entries have changed first, since the last pause.
+  /// Stage of the first change of each entry since the last pause.
   std::unordered_map<Address, Place> first_changed_;
   Place burst_ = stages_.end();
   Timestamp last_news_{0};
@@ -92,7 +93,7 @@ private:
     Timestamp begin{0};
     Timestamp last{0};
   };
-  /// Of operations on a type in a working memory, without a pause between them.
+  /// Repeated operations on a type in a working memory, without a pause between them.
   std::map<std::tuple<std::string, std::string, Operation>, Series> going_on_;
 };
 

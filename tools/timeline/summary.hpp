@@ -8,12 +8,12 @@
 
 namespace castor::timeline {
 
-/// Is this the id of an entry?
+/// Whether a string is the id of an entry.
 using IsId = std::function<bool(const std::string&)>;
 
-/// The most telling of an entry's content, the most telling first: what is said, words and their
-/// confidences, which entries it leads to, what is true, numbers; long lists are counted, and what
-/// is empty, zero or a time is left out. Pictures are for others to show.
+/// Summary of an entry's content, the most informative lines first: utterances, words and their
+/// confidences, references to entries, flags that are true, numbers. Long lists are counted; empty
+/// and zero values and times are left out. Pictures are not included.
 std::vector<std::string> summary(const nlohmann::ordered_json& content, const IsId& is_id);
 
 } // namespace castor::timeline

@@ -6,10 +6,10 @@
 
 namespace castor::timeline {
 
-/// The figure as an SVG picture that needs nothing else: letters, lines and embedded pictures. For
-/// a page, its cards have the classes `card` and what became of the entry, and data-v, the number
-/// of its version; its chips the class `chip` and data-i, the number of the chip; its arrows the
-/// class `arrow`, data-a and data-b, the numbers of the cards at their ends.
+/// The figure as a self-contained SVG picture. For scripts of a page, cards have the classes `card`
+/// and the name of their Fate, and data-v, the index of the version; chips have the class `chip`
+/// and data-i, the index of the chip; arrows have the class `arrow`, data-a and data-b, the indices
+/// of the cards at their ends.
 std::string to_svg(const Figure& figure, const Layout& layout);
 
 } // namespace castor::timeline
