@@ -15,51 +15,51 @@
 #include <string>
 #include <vector>
 
-/// What `castor chaos` does once or for many seeds: to start a system, to let it run under faults
-/// or without, and to look into what it did.
+/// One trial of `castor chaos`: starts a system, runs it with or without faults, and checks the
+/// results.
 namespace castor::cli {
 
 class Progress;
 class Signals;
 
-/// What all trials of a command have in common.
+/// Settings common to all trials of a command.
 struct ChaosSetup {
   std::vector<std::string> plugins;
   ArchitectureDescription architecture;
   faults::FaultTargets targets;
   std::optional<CheckedWorkload> workload;
-  /// Which entries have to be in the end as they are without faults.
+  /// Entries whose final state must be the same as without faults.
   StateQuestion question;
   std::chrono::milliseconds duration{0};
-  /// The system has come to rest when nothing has changed for so long.
+  /// The system has settled when nothing has changed for this long.
   std::chrono::milliseconds settle{0};
-  /// Within which whatever goes down has to be back, or given up.
+  /// Longest time after going down within which a target must be back or given up.
   std::chrono::milliseconds bound{0};
 
-  /// What draws the actions of the workload, in a trial with this seed; 0 without a workload.
+  /// Seed for the actions of the workload in a trial with this seed; 0 without a workload.
   std::uint64_t workload_seed(std::uint64_t seed) const;
 };
 
-/// What a system does without faults.
+/// Results of a run without faults.
 struct FaultlessRun {
-  /// The actions of the workload were drawn from it.
+  /// Seed that the actions of the workload were drawn from.
   std::uint64_t workload_seed = 0;
-  /// What components did.
+  /// Activity of components.
   std::optional<faults::ActivityByComponent> activity;
-  /// As `state_of` gives it, at rest.
+  /// State after the system has settled, from `state_of`.
   std::vector<std::string> state;
-  /// What does not hold even then.
+  /// Violations in the run without faults.
   std::vector<faults::Violation> violations;
 };
 
-/// The workload's actions are drawn from the seed.
+/// @param seed for the actions of the workload
 FaultlessRun run_without_faults(const ChaosSetup& setup, std::uint64_t seed, const Signals& signals,
                                 Progress& progress);
 
-/// Adds what happened and what was found to `run`, which says already which run it is.
-/// @param wanted the entries that count, as they are without faults
-/// @param report is called when all is known and before the system is destroyed, which a component
-///   can block: then the process ends
+/// Adds events and findings to `run`, in which the run is already described.
+/// @param wanted the expected final state, from a run without faults
+/// @param report is called when all results are known, before the system is destroyed: a component
+///   may block its destruction, and then the process ends
 void run_with_faults(const ChaosSetup& setup, const faults::FaultPlan& plan,
                      const std::vector<std::string>& wanted, const Signals& signals,
                      Progress& progress, faults::ChaosRun& run,

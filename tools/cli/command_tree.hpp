@@ -7,11 +7,11 @@ namespace CLI {
 class App;
 }
 
-/// The command line of a program as plain data, read from its CLI11 definitions: completion and
-/// manual pages are made from it, so that they offer and explain what `--help` does.
+/// The command line of a program as plain data, read from its CLI11 definitions. Completion and
+/// manual pages are made from it, so that they agree with `--help`.
 namespace castor::cli {
 
-/// What a shell can offer as the value of an argument.
+/// Kinds of values that a shell can complete.
 enum class ValueKind {
   flag,   // takes no value
   text,   // anything: there is nothing to offer
@@ -26,10 +26,10 @@ enum class ValueKind {
 struct Argument {
   /// As written on the command line, dashes included; empty for a positional argument.
   std::vector<std::string> names;
-  /// What stands for the value, such as FILE; empty for a flag.
+  /// Placeholder of the value, such as FILE; empty for a flag.
   std::string value;
   std::string help;
-  /// Interval that the value has to be in, as CLI11 words it; often empty.
+  /// Interval of allowed values, in CLI11's wording; often empty.
   std::string range;
   std::string default_value;
   ValueKind kind = ValueKind::flag;
@@ -47,15 +47,15 @@ struct Command {
   std::string footer;
   std::vector<Argument> options;
   std::vector<Argument> positionals;
-  /// Options of the commands that this is part of, which are understood here, too.
+  /// Options of the parent commands, which are accepted here, too.
   std::vector<Argument> inherited;
   std::vector<Command> commands;
 };
 
-/// What is hidden from `--help` is left out.
+/// Leaves out what is hidden from `--help`.
 Command command_tree(const CLI::App& app, const std::string& program);
 
-/// The command and all its parts, itself first.
+/// The command and all its subcommands, itself first.
 std::vector<const Command*> all_commands(const Command& command);
 
 } // namespace castor::cli

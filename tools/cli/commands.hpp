@@ -11,11 +11,11 @@ class App;
 /// The commands of `castor`, each in a source file of its own.
 namespace castor::cli {
 
-/// What to do once the command line is read; returns the exit status.
+/// Executes a parsed command; returns the exit status.
 using Action = std::function<int()>;
 
-// Each adds a command to `app`; if the user calls for it, `chosen` is what to do.
-/// `plugins` are those that the command line has named.
+// Each adds a command to `app`; if the user calls it, `chosen` is set to its action.
+/// @param plugins named on the command line
 void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins);
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins);
 void add_simulate(CLI::App& app, Action& chosen);
@@ -23,7 +23,7 @@ void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
 void add_new(CLI::App& app, Action& chosen);
-// Those that look at a running system, and those that change it.
+// Commands that inspect or change a running system.
 void add_ps(CLI::App& app, Action& chosen);
 void add_wm(CLI::App& app, Action& chosen);
 void add_events(CLI::App& app, Action& chosen);
@@ -32,18 +32,18 @@ void add_add(CLI::App& app, Action& chosen);
 void add_remove(CLI::App& app, Action& chosen);
 void add_call(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
-/// Those that look at journals, whether a system runs or not.
+/// Commands for journals; they need no running system.
 void add_journal(CLI::App& app, Action& chosen);
-/// Those that tell of all the others, which `app` has when they are called.
+/// Commands that describe all other commands of `app`.
 void add_completion(CLI::App& app, Action& chosen);
 void add_man(CLI::App& app, Action& chosen);
 
-/// Exit statuses besides those that a component ends a system with.
+/// Exit statuses other than those set by components.
 enum ExitStatus : int {
   success = 0,
   a_component_failed = 1,
   bad_input = 2,
-  /// A run under faults that shows nothing.
+  /// A run with faults that proves nothing.
   vacuous_run = 4,
 };
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-/// What `castor doctor` judges: plain data about a machine, and what is wrong with it.
+/// The checks of `castor doctor`: plain data about a machine, and findings about it.
 namespace castor::cli {
 
-/// A machine as far as Castor depends on it.
+/// Properties of a machine that Castor depends on.
 struct Machine {
   struct Library {
     std::string name;
@@ -23,18 +23,17 @@ struct Machine {
   };
 
   std::string version;
-  /// Component libraries that come with Castor, and how many classes they have together.
+  /// Component libraries of Castor, and the number of their classes.
   std::vector<Library> libraries;
   std::size_t classes = 0;
   /// "4.6.0"; empty if it is not loaded.
   std::string opencv;
-  /// The folder of the .cast files that come with Castor; empty if there is none, with where it was
-  /// looked for.
+  /// Folder of the .cast files of Castor, empty if not found; and the folders that were searched.
   std::string configs;
   std::string configs_looked_for;
 
   std::uint16_t port = 0;
-  /// Why a node could not listen at it; empty if it could.
+  /// Why a node cannot listen at the port; empty if it can.
   std::string port_problem;
 
   std::string socket_folder;
@@ -42,13 +41,13 @@ struct Machine {
   std::size_t stale_sockets = 0;
   std::size_t systems = 0;
 
-  /// As the environment wants it, and what came of it.
+  /// Locale of the environment, whether it is installed, and the resulting character set.
   std::string locale;
   bool locale_is_there = true;
   std::string character_set;
 
   bool clock_is_steady = true;
-  /// Nothing if the machine does not say.
+  /// Nothing if unknown.
   std::optional<bool> clock_is_synchronised;
 
   /// Nothing for unlimited.
@@ -89,7 +88,7 @@ Finding check_locked_memory(const Machine& x);
 Finding check_disk(const Machine& x);
 Finding check_cameras(const Machine& x);
 
-/// All of them, in this order.
+/// All checks, in this order.
 std::vector<Finding> examine(const Machine& x);
 
 } // namespace castor::cli

@@ -4,7 +4,7 @@
 
 namespace castor::cli {
 
-/// A string in quotes, as the language of Graphviz has it.
+/// A quoted string in the language of Graphviz.
 inline std::string dot_string(const std::string& x) {
   std::string result = "\"";
   for (char c : x) {

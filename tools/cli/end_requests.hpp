@@ -7,8 +7,8 @@
 
 namespace castor::cli {
 
-/// What requests to end a process amount to: the first one ends it in order, the second by force.
-/// Pure: gets the time as an argument.
+/// Decides how a process reacts to requests to end: the first one ends it in order, the second by
+/// force. Pure: gets the time as an argument.
 class EndRequests {
 public:
   using Clock = std::chrono::steady_clock;
@@ -16,11 +16,11 @@ public:
   enum class Kind : std::uint8_t {
     /// Ctrl-C or SIGTERM.
     interrupt,
-    /// The terminal is closed, which may be said several times.
+    /// The terminal is closed; may be signalled several times.
     hangup,
-    /// Nobody reads what is printed.
+    /// The reader of the output has closed it.
     output_ended,
-    /// Whoever started the process has closed its standard input, or is gone.
+    /// The parent process has closed the standard input, or has ended.
     input_ended,
   };
 
@@ -30,7 +30,8 @@ public:
   /// then to the process group.
   static constexpr std::chrono::milliseconds same_request{50};
 
-  /// So long after the first request the process ends by force; nothing for never.
+  /// @param patience time after the first request after which the process ends by force; nothing
+  /// for never
   explicit EndRequests(std::optional<std::chrono::milliseconds> patience = {})
     : patience_(patience) {}
 
@@ -43,10 +44,10 @@ public:
     return insists ? Answer::by_force : Answer::nothing;
   }
 
-  /// The process has to be over by then, whether anybody asks it to or not; nothing: it need not.
+  /// Sets a deadline for the end of the process, independent of requests; nothing for none.
   void set_limit(std::optional<Clock::time_point> x) { limit_ = x; }
 
-  /// When it ends by force.
+  /// Time at which the process ends by force.
   std::optional<Clock::time_point> deadline() const {
     if (!first_ || !patience_)
       return limit_;
@@ -54,7 +55,7 @@ public:
     return limit_ ? std::min(*limit_, result) : result;
   }
 
-  /// What is to be done without a further request.
+  /// Reaction due to time alone, without a further request.
   Answer look(Clock::time_point now) const {
     auto end = deadline();
     return end && now >= *end ? Answer::by_force : Answer::nothing;

@@ -2,8 +2,8 @@
 
 namespace castor::cli {
 
-/// Ends the process, as _Exit() does, in whichever thread. Of Castor's own threads; those of
-/// components are reported when they end the process (exits.cpp).
+/// Ends the process, as _Exit() does, from any thread. For Castor's own threads: an exit from a
+/// component's thread is reported (exits.cpp).
 [[noreturn]] void leave_process(int status);
 
 } // namespace castor::cli

@@ -10,18 +10,19 @@ class System;
 
 namespace castor::cli {
 
-/// Which entries of a system count, and which of their fields do not.
+/// Which entries of a system to compare, and which of their fields to ignore.
 struct StateQuestion {
   /// Names of types.
   std::set<std::string> types;
-  /// Names of fields, wherever they stand: what differs from run to run, such as times and ids.
+  /// Names of fields, at any depth, that differ from run to run, such as times and ids.
   std::set<std::string> ignored;
 };
 
-/// One line for each entry that counts, sorted: its working memory, its type, and its content.
+/// One line for each compared entry, sorted: its working memory, its type, and its content.
 std::vector<std::string> state_of(System& system, const StateQuestion& question);
 
-/// What one has and the other has not, as lines that begin with + or -; empty if they are the same.
+/// Lines only in `got`, marked with +, and only in `wanted`, marked with -; empty if they are
+/// equal.
 std::string difference(const std::vector<std::string>& wanted, const std::vector<std::string>& got);
 
 } // namespace castor::cli

@@ -21,7 +21,7 @@ struct FoxgloveMessage {
   nlohmann::ordered_json content;
 };
 
-/// Finds in values what viewers can show, by the shape of their records, whatever these are called:
+/// Finds displayable records in values by their fields, whatever their types are called:
 ///
 ///   picture   width, height, channels, bytes          pixels in rows; 3 channels are B, G, R
 ///   picture   bytes or data, mime_type or format      encoded; "image/png" and "png" are the same
@@ -33,12 +33,12 @@ struct FoxgloveMessage {
 /// forward.
 class FoxgloveView {
 public:
-  /// An entry is as this value has it from now on; without a value it is gone. `topic` is that of
-  /// its type, `id` is the entry's.
+  /// Messages for an added or overwritten entry with this value, or for a deleted one if the value
+  /// is empty. `topic` is that of its type, `id` that of the entry.
   std::vector<FoxgloveMessage> change(const std::string& topic, const std::string& id,
                                       UnixTime time, const Value& value);
 
-  /// A stand-alone component has handed out this value.
+  /// Messages for a value that a stand-alone component has pushed or returned.
   std::vector<FoxgloveMessage> handed_out(const std::string& topic, UnixTime time,
                                           const Value& value);
 
@@ -54,7 +54,7 @@ private:
   /// By topic and id.
   std::map<std::string, std::map<std::string, Json>> poses_;
   std::map<std::string, std::set<std::string>> entities_;
-  /// By topic: the checksum of the picture that was shown last.
+  /// By topic: checksum of the last picture.
   std::map<std::string, std::uint32_t> last_picture_;
 };
 

@@ -5,8 +5,7 @@
 
 namespace castor::cli {
 
-/// Those of Foxglove's well-known schemas that we write
-/// (https://docs.foxglove.dev/docs/sdk/schemas).
+/// The Foxglove schemas that are written (https://docs.foxglove.dev/docs/sdk/schemas).
 enum class FoxgloveSchema : std::uint8_t {
   compressed_image,
   camera_calibration,
@@ -18,7 +17,7 @@ enum class FoxgloveSchema : std::uint8_t {
 /// "foxglove.CompressedImage"
 std::string name_of(FoxgloveSchema x);
 
-/// In the language of JSON Schema.
+/// As JSON Schema.
 std::string text_of(FoxgloveSchema x);
 
 } // namespace castor::cli

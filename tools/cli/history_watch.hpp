@@ -16,28 +16,30 @@
 
 namespace castor::cli {
 
-/// What the components of a system asked of its working memories, what they were answered and what
-/// was told of it; kept in a folder of its own, which goes with this object.
+/// Records the operations of a system's components on its working memories, their results and the
+/// change events, for a linearizability check. Keeps them in a folder that is removed by the
+/// destructor.
 class HistoryWatch {
 public:
-  /// @param clocks_jump so that leases may end at any time
+  /// @param clocks_jump whether clocks of working memories may jump, so that leases may end at any
+  ///   time
   HistoryWatch(const ArchitectureDescription& architecture, bool clocks_jump);
   HistoryWatch(const HistoryWatch&) = delete;
   HistoryWatch& operator=(const HistoryWatch&) = delete;
   ~HistoryWatch();
 
-  /// To be called before the system is made, after all else that is called when something is down.
+  /// To be called before the system is made, after all other handlers of `on_down` are set.
   void watch(SystemOptions& options);
 
   /// To be called before the system starts.
   void look_at_beginning(System& system);
 
-  /// What is asked from now on does not count.
+  /// Ignores operations that begin from now on.
   void end();
 
-  /// One judgement each of the operations on a working memory, and of what was told of it, with
-  /// their names. To be called once the system has stopped. `begin` is called with each name
-  /// before.
+  /// For each working memory, one judgement of its operations and one of its change events, with
+  /// their names. To be called once the system has stopped. `begin` is called with each name before
+  /// its check.
   std::vector<std::pair<std::string, faults::Judgement>>
   judge(const std::function<void(const std::string& name)>& begin) const;
 
@@ -50,7 +52,7 @@ private:
   mutable std::mutex mutex_;
   std::map<std::string, std::vector<ChangeEventPtr>> told_;
   std::set<faults::Life> ended_;
-  /// Subarchitectures whose working memories held entries in the beginning.
+  /// Subarchitectures whose working memories held entries at the start.
   std::set<std::string> had_entries_;
   linearizability::Tick until_ = linearizability::never - 1;
 };

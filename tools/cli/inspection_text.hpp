@@ -5,22 +5,23 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-/// What systems say of themselves, as people want to read it.
+/// Readable text for the answers of running systems.
 namespace castor::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// The answer to `ps`; with the counters of every stage on the way of an event if `stats`.
+/// The answer to `ps`.
+/// @param stats with the counters of every stage of event delivery
 std::string system_as_text(const Json& report, bool stats);
 
-/// The answers to `wm`, one entry each.
+/// The answers to `wm`, each about one entry.
 std::string entries_as_text(const std::vector<Json>& entries);
 
-/// An event and, if there is one, the value, on lines of their own.
+/// An event and its value, if there is one, on separate lines.
 std::string change_as_text(const Json& change, bool coloured);
 
-/// Who uses which types of entries, as a graph in the language of Graphviz: `report` is the answer
-/// to `ps`, `accesses` those to `graph`.
+/// The usage of entry types by components as a graph in the language of Graphviz: `report` is the
+/// answer to `ps`, `accesses` are the answers to `graph`.
 std::string usage_as_dot(const Json& report, const std::vector<Json>& accesses);
 
 } // namespace castor::cli

@@ -6,7 +6,7 @@
 
 namespace castor::cli {
 
-/// What values of the type look like as JSON (wm/values/json.hpp), in the language of JSON Schema.
+/// JSON Schema of the JSON form of a type's values (wm/values/json.hpp).
 nlohmann::ordered_json json_schema(const TypeDescriptor& type);
 
 } // namespace castor::cli

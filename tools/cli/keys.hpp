@@ -8,8 +8,8 @@
 
 namespace castor::cli {
 
-/// Keys that are pressed while a command runs in a terminal: without Return, and not echoed. The
-/// terminal is as it was before once this object is gone.
+/// Reads keys that are pressed in the terminal while a command runs, without Return and without
+/// echo. The destructor restores the terminal's mode.
 class Keys {
 public:
   Keys();
@@ -17,7 +17,7 @@ public:
   Keys& operator=(const Keys&) = delete;
   ~Keys();
 
-  /// Whether there is a terminal to press keys in, in the foreground.
+  /// Whether the command runs in the foreground of a terminal.
   bool are_read() const { return before_.has_value(); }
 
   /// The next key that was pressed, if any.

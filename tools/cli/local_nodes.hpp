@@ -21,41 +21,41 @@
 
 namespace castor::cli {
 
-/// A node that is to run on this machine, in a process of its own.
+/// A node on this machine, in a process of its own.
 struct LocalNode {
   std::string name;
-  /// MB that it may allocate; 0 for as much as there is.
+  /// MB that it may allocate; 0 for no limit.
   std::int64_t memory_limit = 0;
 };
 
-/// Nodes on this machine: they stand in for those of other machines, or keep a component apart from
-/// the others. They listen at Unix sockets that only their user reaches. One that dies is started
-/// again where it listened, and if that fails, again every second. They end with this object, and
-/// also if this process is killed.
+/// Node processes on this machine, in place of nodes on other machines or to isolate a component.
+/// They listen at Unix sockets that only their user can open. A node that ends is restarted at the
+/// same socket; if that fails, every second. They end with this object, and also if this process is
+/// killed.
 class LocalNodes {
 public:
-  /// Starts these nodes, by host. Throws std::runtime_error if one does not come up.
+  /// Starts these nodes, given by host. Throws std::runtime_error if one does not start.
   LocalNodes(const std::map<std::string, LocalNode>& nodes, std::vector<std::string> plugins,
              std::string tls);
   LocalNodes(const LocalNodes&) = delete;
   LocalNodes& operator=(const LocalNodes&) = delete;
   ~LocalNodes();
 
-  /// Where they listen, by host.
+  /// Addresses at which the nodes listen, by host.
   std::map<std::string, Endpoint> endpoints() const;
 
-  /// Calls a function with the number of a host's process, which is not that of another one
-  /// meanwhile; false if it has none.
+  /// Calls a function with the id of a host's process; the id is not reused during the call. False
+  /// if the host has no process.
   bool with_process(const std::string& host, const std::function<void(pid_t)>& f) const;
 
-  /// Kills the process of a host, with all that it has started, if it was started before this
-  /// moment; false if there is none such.
+  /// Kills the process of a host and its descendants if it was started before this time; false if
+  /// there is no such process.
   bool kill_older(const std::string& host, std::chrono::steady_clock::time_point than);
 
-  /// Processes that end from now on are not started again.
+  /// Does not restart processes that end from now on.
   void end_restarts();
 
-  /// The processes that there are now, by host.
+  /// Ids of the running processes, by host.
   std::map<std::string, pid_t> processes() const;
 
 private:
@@ -63,23 +63,23 @@ private:
     LocalNode node;
     pid_t id = -1;
     std::chrono::steady_clock::time_point started{};
-    /// Its standard input, and what tells of its end.
+    /// Its standard input, and a pipe that is closed at its end.
     int input = -1;
     int end = -1;
     Endpoint at;
-    /// Whether it could not be started when that was last tried.
+    /// Whether the last attempt to start it failed.
     bool failed = false;
   };
 
   /// Throws std::runtime_error.
   void start(Process& x) const;
   void watch();
-  /// Of a process that has ended.
+  /// Handles the end of a host's process.
   void take_leave(const std::string& host);
-  /// Starts one in its place.
+  /// Starts a new process for a host.
   void restart(const std::string& host);
 
-  /// Where they listen, at Unix sockets.
+  /// Folder of their Unix sockets.
   RunFolder folder_;
   const std::vector<std::string> plugins_;
   const std::string tls_;
@@ -87,19 +87,19 @@ private:
   std::map<std::string, Process> processes_;
   bool ending_ = false;
   bool restarts_ = true;
-  /// Written to when the watch is over.
+  /// Pipe to wake the watching thread, written to when it has to end.
   int wake_[2] = {-1, -1};
   AtForcedEnd at_forced_end_{kill_children};
   std::thread watch_;
 };
 
-/// The host that an isolated component is for itself.
+/// Name of the host of an isolated component.
 std::string isolated_host(const std::string& component);
 
-/// Starts nodes on this machine for the isolated components of the architecture, and, if wanted,
-/// for all other hosts that it names; the options say where they are. Null if none is needed.
-/// Throws std::invalid_argument, if a component is to be isolated on another machine, and
-/// std::runtime_error.
+/// Starts nodes on this machine for the isolated components of the architecture and, if
+/// `for_all_hosts`, for all other hosts that it names; adds their addresses to `options`. Null if
+/// none is needed. Throws std::invalid_argument if a component is to be isolated on another
+/// machine, and std::runtime_error if a node does not start.
 std::unique_ptr<LocalNodes> start_local_nodes(ArchitectureDescription& architecture,
                                               bool for_all_hosts,
                                               const std::vector<std::string>& plugins,

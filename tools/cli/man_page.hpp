@@ -6,7 +6,7 @@
 
 namespace castor::cli {
 
-/// What stands at the foot of every manual page.
+/// Version and date in the footer of every manual page.
 struct Edition {
   std::string version;
   /// As in 2026-11-22.

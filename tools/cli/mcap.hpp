@@ -10,8 +10,8 @@
 
 namespace castor::cli {
 
-/// Writes a recording in the MCAP format (https://mcap.dev/spec), which Foxglove and Lichtblick
-/// open: messages as JSON, in chunks that are not compressed, with an index and statistics. Throws
+/// Writes a recording in the MCAP format (https://mcap.dev/spec) for Foxglove and Lichtblick:
+/// messages as JSON, in uncompressed chunks, with an index and statistics. Throws
 /// std::runtime_error if the file cannot be written.
 class McapWriter {
 public:
@@ -20,14 +20,14 @@ public:
 
   explicit McapWriter(const std::filesystem::path& file);
 
-  /// `schema` is in the language of JSON Schema.
+  /// @param schema as JSON Schema
   Id add_schema(const std::string& name, const std::string& schema);
   Id add_channel(Id schema, const std::string& topic,
                  const std::map<std::string, std::string>& metadata);
-  /// `time` is counted from 1970.
+  /// @param time since 1970
   void add_message(Id channel, std::uint32_t sequence, Time time, const std::string& json);
 
-  /// Without it the file is not whole.
+  /// Writes the index; without it the file is incomplete.
   void close();
 
 private:

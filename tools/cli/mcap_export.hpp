@@ -15,12 +15,12 @@
 
 namespace castor::cli {
 
-/// What is said of a change in the messages of a recording, with the value as JSON text.
+/// Message of a recording about a change, as JSON, with the value.
 std::string message_of(const std::string& subarchitecture, const JournalRecord& x);
 
-/// Writes recorded changes and values into an MCAP file: for each type of a subarchitecture and of
-/// a stand-alone component a topic of JSON messages, and beside it what of it Foxglove can show.
-/// Throws std::runtime_error if the file cannot be written.
+/// Writes recorded changes and values into an MCAP file: a topic of JSON messages for each type of
+/// a subarchitecture or of a stand-alone component, and further topics for the parts that Foxglove
+/// can display. Throws std::runtime_error if the file cannot be written.
 class McapExport {
 public:
   explicit McapExport(const std::filesystem::path& file) : writer_(file) {}
@@ -28,13 +28,13 @@ public:
   void add(const std::string& subarchitecture, const JournalRecord& x);
   void add(const std::string& provider, const RecordedPush& x);
 
-  /// Without it the file is not whole.
+  /// Writes the index; without it the file is incomplete.
   void close() { writer_.close(); }
 
 private:
   using Id = McapWriter::Id;
 
-  /// The channel of a topic, and its next number.
+  /// Channel of a topic, and the number of its messages so far.
   struct Channel {
     Id id = 0;
     std::uint32_t messages = 0;
@@ -48,7 +48,7 @@ private:
 
   McapWriter writer_;
   FoxgloveView view_;
-  /// By their names and a distinction of those of one name.
+  /// By name, with a suffix to distinguish schemas of one name.
   std::map<std::string, Id> schemas_;
   /// By topic and schema.
   std::map<std::pair<std::string, Id>, Channel> channels_;

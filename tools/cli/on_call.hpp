@@ -8,7 +8,7 @@
 
 namespace castor::cli {
 
-/// If the user calls for the command, `f` does it; returns the exit status.
+/// Sets `chosen` to a call of `f` if the user calls the command; `f` returns the exit status.
 template <class Arguments, class F>
 void on_call(CLI::App& command, Action& chosen, const std::shared_ptr<Arguments>& arguments, F f) {
   command.callback([&chosen, arguments, f] { chosen = [arguments, f] { return f(*arguments); }; });

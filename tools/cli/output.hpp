@@ -11,14 +11,14 @@
 
 namespace castor::cli {
 
-/// To standard error.
+/// Prints diagnostics to standard error.
 void print(const std::vector<Diagnostic>& problems);
 
-/// A file to be written anew. Throws std::runtime_error.
+/// Creates or truncates a file. Throws std::runtime_error.
 std::ofstream create(const std::filesystem::path& file);
 
-/// Standard output for JSON lines alone: for as long as it lives, what anybody else prints there
-/// goes to standard error, in processes that are started meanwhile, too.
+/// Reserves standard output for JSON lines: during its lifetime all other output to it goes to
+/// standard error, also in processes started meanwhile.
 class JsonOutput {
 public:
   /// Throws std::runtime_error if standard output is closed.
@@ -27,7 +27,8 @@ public:
   JsonOutput& operator=(const JsonOutput&) = delete;
   ~JsonOutput();
 
-  /// One line, at once; bytes that are no UTF-8 are replaced. May be called by any thread.
+  /// Prints one line and flushes it; bytes that are not UTF-8 are replaced. May be called from any
+  /// thread.
   void print(const nlohmann::ordered_json& x);
 
 private:
@@ -35,9 +36,9 @@ private:
   int output_;
 };
 
-/// The exit status of a command that wants to end with `status`, once all that it has printed is
-/// out: 1, and the reason on standard error, if it could not be printed. That nobody reads on is no
-/// failure.
+/// Flushes the output of a command and returns its exit status: `status`, or 1 with the reason on
+/// standard error if the output could not be written. A reader that has closed the pipe is not an
+/// error.
 int finish_output(int status);
 
 } // namespace castor::cli

@@ -17,19 +17,19 @@
 
 namespace castor::cli {
 
-/// What a process has of memory, files and threads now; nothing if there is none.
+/// Memory, open files and threads of a process now; nothing if there is no such process.
 std::optional<faults::ResourceSample> sample_of(pid_t process);
 
-/// Looks at processes twice a second, on a thread of its own.
+/// Samples processes twice a second, on a thread of its own.
 class ResourceWatch {
 public:
-  /// `processes` says which there are now, by name; called on the watch's thread.
+  /// @param processes returns the current processes by name; called on the sampling thread
   explicit ResourceWatch(std::function<std::map<std::string, pid_t>()> processes);
   ResourceWatch(const ResourceWatch&) = delete;
   ResourceWatch& operator=(const ResourceWatch&) = delete;
   ~ResourceWatch();
 
-  /// What was seen, a series for each process; those of one name are told apart by their ids.
+  /// Stops sampling. Returns a series for each process; processes of one name differ in their ids.
   std::vector<faults::ProcessResources> stop();
 
 private:

@@ -11,8 +11,8 @@
 namespace castor::cli {
 
 /// Progress of a long task as the last line of the terminal, redrawn ten times a second while the
-/// task goes on. Nothing at all if the output is no terminal. The line is erased at the end, also
-/// when Ctrl-C ends the process. Whoever prints something meanwhile makes a ProgressPause.
+/// task runs. No effect if the output is not a terminal. The line is erased at the end, also when
+/// Ctrl-C ends the process. Other output needs a ProgressPause meanwhile.
 ///
 ///     Progress progress{"export"};
 ///     for (...)
@@ -20,21 +20,21 @@ namespace castor::cli {
 ///         progress.update(i, changes.size(), fmt::format("{} changes", i));
 class Progress {
 public:
-  /// One that is made while another one lives is shown in its place.
+  /// Replaces another object's line while both exist.
   explicit Progress(std::string task, int output = STDERR_FILENO);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Whether an update would be seen: for loops that have better things to do than to make texts.
+  /// Whether an update would be displayed: lets loops skip the formatting.
   bool due() const { return due_.load(std::memory_order_relaxed); }
 
-  /// `total` is nothing if nobody knows it. May be called by any thread.
+  /// `total` is nothing if unknown. May be called from any thread.
   void update(double done, std::optional<double> total, std::string text = {});
-  /// For what has no numbers.
+  /// Update for a task without numbers.
   void update(std::string text);
 
-  /// Whether something is drawn there: a terminal that can erase a line.
+  /// Whether progress is drawn on that descriptor: a terminal that can erase a line.
   static bool is_shown_on(int output);
 
 private:
@@ -44,8 +44,8 @@ private:
   std::atomic<bool> due_{false};
 };
 
-/// Keeps progress off the terminal for its lifetime, so that what is printed stands on lines of its
-/// own. Costs next to nothing where no progress is shown.
+/// Hides progress for its lifetime, so that output starts on a new line. Cheap if no progress is
+/// shown.
 class ProgressPause {
 public:
   ProgressPause();

@@ -8,24 +8,25 @@
 
 namespace castor::cli {
 
-/// A file that `castor new` makes, with {{name}}, {{library}} and {{Class}} in its text.
+/// Template of a file that `castor new` makes, with the placeholders {{name}}, {{library}} and
+/// {{Class}}.
 struct TemplateFile {
-  /// What it is a part of: "component", "subarchitecture" or "robot".
+  /// Kind of project: "component", "subarchitecture" or "robot".
   std::string_view kind;
-  /// Below the new folder; NAME in it stands for the name.
+  /// Relative to the new folder; NAME in it is replaced by the project's name.
   std::string_view path;
   std::string_view text;
 };
 
-/// All of them; from tools/cli/templates.
+/// All templates, from tools/cli/templates.
 std::span<const TemplateFile> template_files();
 
-/// The kinds that there are templates of.
+/// Kinds of projects.
 std::vector<std::string_view> template_kinds();
 
-/// What a new project and the things in it are called.
+/// Names of a new project and of its parts.
 struct ProjectName {
-  /// "door-watcher": the folder, the .cast file, and what components are called.
+  /// "door-watcher": the folder, the .cast file, and components.
   std::string name;
   /// "door_watcher": CMake targets.
   std::string library;
@@ -33,8 +34,7 @@ struct ProjectName {
   std::string class_name;
 };
 
-/// The names that follow from the one that the user has chosen; says what is wrong with it if it
-/// cannot be one.
+/// The names derived from the user's choice, or the reason why it is not allowed.
 struct ProjectNameResult {
   std::optional<ProjectName> name;
   std::string problem;
@@ -47,7 +47,7 @@ struct ProjectFile {
   std::string text;
 };
 
-/// The files of a new project; none if there are no templates of that kind.
+/// The files of a new project; empty for an unknown kind.
 std::vector<ProjectFile> project_files(std::string_view kind, const ProjectName& name);
 
 /// The component classes that the files register.

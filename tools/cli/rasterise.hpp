@@ -8,7 +8,8 @@
 
 namespace castor::cli {
 
-/// A picture, made smaller to fit, as a PNG in a data URI. Nothing if it has no pixels.
+/// A picture, scaled down to fit into width and height (pixels), as a PNG in a data URI. Nothing if
+/// it has no pixels.
 std::optional<timeline::EmbeddedPicture> embedded(const timeline::PictureView& x, double width,
                                                   double height);
 

@@ -15,12 +15,12 @@ class App;
 
 namespace castor::cli {
 
-/// How commands that take a .cast file take it.
+/// Arguments of commands that read a .cast file.
 struct ArchitectureArguments {
   std::string file;
   /// name=value
   std::vector<std::string> variables;
-  /// Those that a command sets of itself: the file need not have them.
+  /// Variables set by the command itself; the file may lack them.
   std::map<std::string, std::string> offered{};
 };
 
@@ -30,17 +30,17 @@ void add_architecture_arguments(CLI::App& command, ArchitectureArguments& argume
 /// Adds --set alone.
 void add_set_option(CLI::App& command, ArchitectureArguments& arguments);
 
-/// Of --set. Throws std::runtime_error if one is set twice.
+/// The variables of --set. Throws std::runtime_error if one is set twice.
 std::map<std::string, std::string> variables_of(const ArchitectureArguments& arguments);
 
-/// Reads the file and prints every finding to standard error: with errors, also what is wrong with
-/// classes and options of the lines that were understood. Nothing if there were errors.
+/// Reads the file and prints every finding to standard error, including errors in classes and
+/// options of the lines that could be parsed. Nothing if there are errors.
 std::optional<ArchitectureDescription> read_architecture(const ArchitectureArguments& arguments);
 
 /// Reads the file, and prints nothing.
 cast::ParseResult parse_architecture(const ArchitectureArguments& arguments);
 
-/// All that is wrong with it, and whether it was meant for `castor add`.
+/// All findings about the file, including whether it was meant for `castor add`.
 std::vector<Diagnostic> findings_in(cast::ParseResult& parsed,
                                     const ArchitectureArguments& arguments, Classes classes);
 

@@ -9,13 +9,13 @@
 
 namespace castor::cli {
 
-/// The possible targets of faults in a system whose hosts are nodes of these names.
+/// The possible targets of faults in a system; its hosts are nodes of the same names.
 faults::FaultTargets targets_in(const ArchitectureDescription& architecture);
 
-/// Prints what of a plan cannot be brought about; whether that is nothing.
+/// Prints the faults of a plan that cannot be injected; true if there are none.
 bool is_possible(const faults::FaultPlan& plan, const faults::FaultTargets& targets);
 
-/// Reads a fault plan and prints whatever is wrong with it; nothing if it cannot be brought about.
+/// Reads a fault plan and prints all findings about it; nothing if there are errors.
 std::optional<faults::FaultPlan> read_plan(const std::string& file,
                                            const faults::FaultTargets& targets);
 

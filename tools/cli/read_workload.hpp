@@ -11,23 +11,23 @@
 
 namespace castor::cli {
 
-/// What a command is told in place of a file, in order to do without a workload.
+/// Value of --workload in place of a file, for no workload.
 inline constexpr const char* no_workload = "none";
 
-/// A workload that fits a system.
+/// A workload that was checked against a system.
 struct CheckedWorkload {
   faults::Workload workload;
   faults::WorkloadPlaces places;
-  /// What the cameras see, if there is one scene, and where it stands.
+  /// The scene that all cameras show, if there is exactly one, and its file.
   std::optional<faults::SceneText> scene;
   std::filesystem::path scene_file;
 };
 
-/// The file that `given` says, or else the one beside the `.cast` file; empty if there is none.
-/// Files that are installed with the command are found as `.cast` files are.
+/// The file `given`, or otherwise the one beside the `.cast` file; empty if there is none. Files
+/// installed with the command are found in the same way as `.cast` files.
 std::string workload_beside(const std::string& given, const std::string& system_file);
 
-/// Reads a workload and prints whatever is wrong with it; nothing if it cannot be done.
+/// Reads a workload and prints all findings about it; nothing if there are errors.
 std::optional<CheckedWorkload> read_workload(const std::string& file,
                                              const ArchitectureDescription& architecture);
 

@@ -19,12 +19,12 @@ class App;
 
 namespace castor::cli {
 
-/// What a command line says of journals and recordings.
+/// Command-line arguments for journals and recordings.
 struct RecordArguments {
   std::filesystem::path folder;
-  /// MB that the recorded pushes and pulls may take; nothing for the default.
+  /// Limit of the recorded pushes and pulls in MB; nothing for the default.
   std::optional<std::uint64_t> limit;
-  /// full, batched or off, for all working memories; empty for what the file says.
+  /// full, batched or off, for all working memories; empty for the modes in the file.
   std::string journal;
   std::string journal_folder;
 };
@@ -32,43 +32,44 @@ struct RecordArguments {
 /// Adds --record, --record-limit, --journal and --journal-dir to a command.
 void add_record_arguments(CLI::App& command, RecordArguments& arguments);
 
-/// Gives every working memory the journal that the command line asks for.
+/// Gives every working memory the journal chosen on the command line.
 void apply_journal_arguments(const RecordArguments& arguments,
                              ArchitectureDescription& architecture);
 
-/// A recording that has been made.
+/// A finished recording.
 struct FinishedRecording {
   std::filesystem::path folder;
   RecordingContents contents;
-  /// MB that recorded pushes and pulls may take.
+  /// Limit of the recorded pushes and pulls in MB.
   std::uint64_t limit = 0;
-  /// Whether something was recorded on other machines, too.
+  /// Whether other machines have recorded something, too.
   bool has_other_machines = false;
-  /// A command line.
+  /// Command line that replays it.
   std::string replay;
 };
 
-/// What was recorded and how it is replayed, on lines of their own.
+/// Summary of the recording and its replay command, as separate lines.
 std::string in_words(const FinishedRecording& x);
 nlohmann::ordered_json to_json(const FinishedRecording& x);
 
-/// A recording that is being made.
+/// A recording in progress.
 class RunRecording {
 public:
-  /// Prepares the folder and sets the system up. Throws std::runtime_error if the folder cannot be
-  /// written or holds something else, and if a working memory has a journal of its own.
+  /// Prepares the folder and the options of the system. Throws std::runtime_error if the folder
+  /// cannot be written or is not empty, and if a working memory has a journal of its own.
   RunRecording(const RecordArguments& arguments, const ArchitectureArguments& read_from,
                const std::string& until_quiet, ArchitectureDescription& architecture,
                SystemOptions& options, bool nodes_are_local);
 
-  /// To be called when the system is no more; the recording is replayed with these plug-ins.
+  /// To be called after the system is destroyed.
+  /// @param plugins for the replay command
   FinishedRecording finish(const std::vector<std::string>& plugins);
 
 private:
   RecordingFolder folder_;
   RunFacts facts_;
   std::uint64_t limit_;
-  /// Whether something was recorded on other machines, too.
+  /// Whether other machines record something, too.
   bool has_other_machines_ = false;
 };
 

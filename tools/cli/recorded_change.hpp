@@ -7,7 +7,7 @@
 
 namespace castor::cli {
 
-/// The event that told of a recorded change; its time counts from `begin`.
+/// The event of a recorded change; its time is relative to `begin`.
 inline ChangeEvent event_of(const JournalRecord& x, const std::string& subarchitecture,
                             UnixTime begin) {
   ChangeEvent result;

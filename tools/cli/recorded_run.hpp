@@ -15,22 +15,22 @@
 
 namespace castor::cli {
 
-/// What a recording says of the run that it was made of.
+/// Facts about the run of a recording.
 struct RunFacts {
-  /// The .cast file, as it was named.
+  /// The .cast file, as named on the command line.
   std::string file;
   std::map<std::string, std::string> variables;
   std::string version;
   UnixTime begin{0};
-  /// Nothing if the run did not come to an end in order.
+  /// Nothing if the run was not stopped in order.
   std::optional<UnixTime> end;
   /// --until-quiet of the run; may be empty.
   std::string until_quiet;
 };
 
-/// The folder that `castor run --record` writes: the journals of all working memories, what
-/// stand-alone components handed out, the system as a .cast file without variables (system.cast),
-/// and RunFacts (recording.json).
+/// The folder that `castor run --record` writes: the journals of all working memories, the values
+/// pushed and returned by stand-alone components, the system as a .cast file without variables
+/// (system.cast), and RunFacts (recording.json).
 class RecordingFolder {
 public:
   explicit RecordingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -50,29 +50,29 @@ private:
   std::filesystem::path folder_;
 };
 
-/// What a stand-alone component handed out. Times are in seconds since 1970.
+/// Summary of the values of a stand-alone component. Times are in seconds since 1970.
 nlohmann::ordered_json to_json(const PushLogSummary& x);
 
-/// The files of a folder whose names end so, sorted. Throws std::runtime_error.
+/// The files of a folder with this extension, sorted. Throws std::runtime_error.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                             const std::string& extension);
 
-/// What files of a recording hold, and who it comes from.
+/// Contents of the files of a recording, by component.
 struct RecordingContents {
   std::uint64_t entries = 0;
   std::uint64_t changes = 0;
   std::uint64_t bytes = 0;
   UnixTime first{0};
   UnixTime last{0};
-  /// By subarchitecture: how many changes each component made.
+  /// By subarchitecture: number of changes by each component.
   std::map<std::string, std::map<std::string, std::uint64_t>> changes_by;
   std::vector<PushLogSummary> pushes;
 
-  /// Of a component, wherever it wrote.
+  /// Number of changes by a component in all subarchitectures.
   std::uint64_t changes_of(const std::string& component) const;
 };
 
-/// Reads all of it. Throws JournalError.
+/// Reads all files. Throws JournalError.
 RecordingContents contents_of(const std::vector<std::filesystem::path>& journals,
                               const std::vector<std::filesystem::path>& pushes);
 

@@ -7,10 +7,10 @@
 
 namespace castor::cli {
 
-/// What is left on every working memory, by type, and what every component did.
+/// Number of entries left on every working memory, by type, and activity of every component.
 std::string report(const SystemSummary& summary);
 
-/// Whether a component has failed, or did not stop when it was told to.
+/// Whether a component has failed, or did not stop when it had to.
 bool has_failed(const SystemSummary& summary);
 
 /// Every entry of every working memory as JSON; long byte fields are left out.

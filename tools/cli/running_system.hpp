@@ -19,31 +19,32 @@ struct RunningSystem {
   std::filesystem::path socket;
 };
 
-/// The sockets of this user's systems, with those that killed processes have left behind.
+/// The sockets of this user's systems, including stale sockets of killed processes.
 std::vector<std::filesystem::path> sockets();
 
-/// How many of them have been left behind.
+/// Number of stale sockets.
 std::size_t stale_sockets();
 
-/// What killed processes have left behind is removed.
+/// The running systems of this user. Removes stale sockets.
 std::vector<RunningSystem> running_systems();
 
-/// The one whose name begins with `wanted`, or the only one. Throws std::runtime_error, which says
-/// how to choose.
+/// The system whose name begins with `wanted`, or the only one. Throws std::runtime_error with the
+/// possible names.
 RunningSystem choose_system(const std::string& wanted);
 
-/// Asks the system for something, and calls `hear` with every object of the answer, until there is
-/// no more. Throws std::runtime_error if the system refuses or ends.
+/// Sends a request, and calls `hear` with every object of the answer until its end. Throws
+/// std::runtime_error if the system refuses or ends.
 void ask(const RunningSystem& system, const Json& request,
          const std::function<void(const Json&)>& hear);
 
-/// The same, and says more meanwhile: `more` is called several times a second, and what it returns
-/// is sent.
+/// The same, with further messages during the answer: `more` is called several times a second, and
+/// the objects that it returns are sent.
 void ask(const RunningSystem& system, const Json& request,
          const std::function<void(const Json&)>& hear,
          const std::function<std::vector<Json>()>& more);
 
-/// The answer, where there is one object. Throws std::runtime_error also if there is none.
+/// The answer, for requests with one object as the answer. Throws std::runtime_error also if there
+/// is none.
 Json ask_for_one(const RunningSystem& system, const Json& request);
 
 /// All objects of the answer.

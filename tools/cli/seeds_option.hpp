@@ -7,7 +7,7 @@
 
 namespace castor::cli {
 
-/// Of an option that takes seeds: what is wrong with it, or nothing.
+/// For CLI11's `check` of an option for seeds: an error message, or empty if the text is valid.
 inline std::string check_seeds(const std::string& text) {
   try {
     simulation::parse_seeds(text);

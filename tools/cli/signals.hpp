@@ -5,35 +5,36 @@
 #include <list>
 #include <optional>
 
-/// How this process is asked to end, and how it ends when some of its threads do not.
+/// Requests to end this process, and its end by force if threads block.
 namespace castor::cli {
 
-/// Requests to end: Ctrl-C, SIGTERM, SIGHUP, an output that nobody reads any more and, if wanted,
-/// the end of standard input. The first one is a question to be asked instead of an interruption.
-/// After the second Ctrl-C or SIGTERM a thread of its own ends the process at once, whatever all
-/// others do: status 128 + the signal's number. From the first object on, until the process ends.
+/// Requests to end: Ctrl-C, SIGTERM, SIGHUP, an output closed by its reader and, if
+/// `end_with_input`, the end of standard input. The first one is only counted (`count`), to be
+/// polled. After the second Ctrl-C or SIGTERM a separate thread ends the process at once, whatever
+/// other threads do: status 128 + the signal's number. In effect from the first object on until the
+/// process ends.
 class Signals {
 public:
   struct Options {
     bool end_with_input = false;
-    /// So long after the first request the process ends by force, with status 1; nothing for never.
+    /// Time after the first request after which the process ends by force, with status 1; nothing
+    /// for never.
     std::optional<std::chrono::milliseconds> patience = {};
   };
 
-  /// Throws std::runtime_error if there may be no further thread.
+  /// Throws std::runtime_error if no further thread can be created.
   Signals() : Signals(Options{}) {}
   explicit Signals(const Options& options);
 
   /// 0 until the process is asked to end.
   int count() const;
 
-  /// Whether it was asked to end because nobody reads its output.
+  /// Whether it was asked to end because the reader has closed its output.
   bool has_output_ended() const;
 };
 
-/// From `begin` to the end of its life, what a process does has a time limit: destructors of
-/// components and libraries may block, too. Beyond that, the process ends by force. Does nothing
-/// without `Signals`.
+/// A time limit from `begin` to `end` or destruction, after which the process ends by force:
+/// destructors of components and libraries may block, too. No effect without `Signals`.
 class TimeLimit {
 public:
   TimeLimit() = default;
@@ -45,14 +46,14 @@ public:
   void end();
 };
 
-/// For what is left to do when a system has stopped.
+/// Limit for the destruction of a stopped system.
 inline constexpr std::chrono::seconds destruction_limit{5};
 
-/// The same, if what was recorded and still waits to be written is written then.
+/// The same, if pending recordings are written meanwhile.
 inline constexpr std::chrono::seconds recording_limit{60};
 
-/// Something to be done if the process ends by force, for as long as the object lives: kill a
-/// child, restore the terminal. Called by another thread; must not wait for anything.
+/// A function to call if the process ends by force during the object's lifetime: to kill a child,
+/// to restore the terminal. Called by another thread; must not block.
 class AtForcedEnd {
 public:
   explicit AtForcedEnd(std::function<void()> f);
@@ -64,11 +65,11 @@ private:
   std::list<std::function<void()>>::iterator position_;
 };
 
-/// A standard output or error that nobody reads is the end of a short command, as usual, and a
-/// request to end where there are `Signals`. Other broken pipes are errors of whoever writes.
+/// A closed standard output or error ends the process, as usual, or is a request to end if there
+/// are `Signals`. Other broken pipes are errors of the writing function.
 void end_with_output();
 
-/// The descriptor that standard output has been moved to meanwhile; -1 for none.
+/// Sets the descriptor that standard output was temporarily moved to; -1 for none.
 void set_moved_output(int descriptor);
 
 } // namespace castor::cli

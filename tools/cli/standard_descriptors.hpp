@@ -8,9 +8,9 @@
 
 namespace castor::cli {
 
-/// Gives the process /dev/null for what it was started without of standard input, output and error
-/// (`castor run FILE >&- 2>&- <&-`). Otherwise the next file or connection that is opened takes
-/// that number, and what is printed goes there. To be called first.
+/// Opens /dev/null for each of standard input, output and error that is closed (`castor run FILE
+/// >&- 2>&- <&-`). Otherwise the next file or connection gets that descriptor, and output goes
+/// there. To be called first.
 inline void open_standard_descriptors() {
   for (int x : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     // The lowest free number is the one that is missing, since those below are open.

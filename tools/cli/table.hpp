@@ -5,18 +5,18 @@
 
 namespace castor::cli {
 
-/// Text in columns as wide as what stands in them.
+/// Text in columns as wide as their widest cells.
 class Table {
 public:
-  /// A heading that begins with '>' is that of a column of numbers, which stand at its right.
+  /// A heading that begins with '>' makes its column right-aligned, for numbers.
   explicit Table(std::vector<std::string> headings);
 
   void add(std::vector<std::string> row);
 
-  /// A line of its own below the last row, indented.
+  /// Adds an indented line below the last row.
   void remark(std::string text);
 
-  /// It has nothing but headings.
+  /// Whether there are no rows below the headings.
   bool empty() const { return rows_.size() <= 1; }
 
   /// Every line ends with a line break.

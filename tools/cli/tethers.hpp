@@ -6,24 +6,25 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-/// What binding's unions are made of, and what entries of other subarchitectures belong to: tethers
-/// followed in both directions. Entries are as the answers to `wm` have them, with values.
+/// Tethers followed in both directions: from binding's unions to the entries of other
+/// subarchitectures, and back. Entries are answers to `wm`, with values.
 namespace castor::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// Whether a working memory with entries of this type is that of a binding subarchitecture.
+/// Whether entries of this type occur only on the working memory of a binding subarchitecture.
 bool is_of_binding(const std::string& type);
 
 std::vector<Json> unions_among(const std::vector<Json>& entries);
 
-/// Where tethers of these proxies lead: "vision/SceneObject".
+/// Subarchitectures and types of the entries that these proxies are tethered to:
+/// "vision/SceneObject".
 std::set<std::string> tethered_types(const std::vector<Json>& entries);
 
-/// The subarchitectures that tethers of these proxies lead to.
+/// Subarchitectures of the entries that these proxies are tethered to.
 std::set<std::string> tethered_subarchitectures(const std::vector<Json>& entries);
 
-/// A tree for each root that has to do with binding. A root is an entry; what hangs on it is found
+/// A tree for each root that is related to binding. A root is an entry; its children are found
 /// among `entries`:
 ///
 /// - a union has "proxies", each with the "data" that it is tethered to,
@@ -35,7 +36,7 @@ std::set<std::string> tethered_subarchitectures(const std::vector<Json>& entries
 /// Data that is not among the entries is marked "gone".
 std::vector<Json> follow_tethers(const std::vector<Json>& roots, const std::vector<Json>& entries);
 
-/// The same, as people want to read it.
+/// The trees as readable text.
 std::string tethers_as_text(const std::vector<Json>& trees);
 
 } // namespace castor::cli

@@ -12,14 +12,14 @@ namespace castor::cli {
 /// One line of the timeline: time, subarchitecture, operation, type, id, component, version.
 std::string timeline_line(const ChangeEvent& event, bool coloured);
 
-/// Of an event as a running system tells it.
+/// The same for an event in the JSON form of running systems.
 std::string timeline_line(const nlohmann::ordered_json& event, bool coloured);
 
-/// The same columns: time, subarchitecture, what became of the task, its name, id, component, and
-/// the reason or the outcome.
+/// The same columns: time, subarchitecture, change of the task, its name, id, component, and the
+/// reason or the outcome.
 std::string timeline_line(const TaskEvent& event, bool coloured);
 
-/// What the columns are.
+/// Headings of the columns.
 std::string timeline_head(bool coloured);
 
 } // namespace castor::cli

@@ -9,11 +9,11 @@
 
 namespace castor::cli {
 
-/// What a user may call a file of a timeline: empty if it can be written, otherwise what is wrong
-/// with it, as command lines have it.
+/// For CLI11's `check` of a timeline's file name: empty if the file can be written, otherwise an
+/// error message.
 std::string check_timeline_file(const std::string& name);
 
-/// Follows what happens in the working memories of a system, and draws it.
+/// Records the changes on the working memories of a system, and draws them.
 class TimelineFiles {
 public:
   explicit TimelineFiles(timeline::StageOptions options) : stages_(options) {}
@@ -21,10 +21,11 @@ public:
   /// To be called before the system is made.
   void watch(SystemOptions& options);
 
-  /// To be called before the system starts: what journals have brought back.
+  /// Adds entries restored from journals. To be called before the system starts.
   void look_at_beginning(System& system);
 
-  /// To be called before the system is stopped: what happens from now on is its end.
+  /// To be called before the system is stopped: later changes belong to the shutdown and are not
+  /// drawn.
   void end(System& system);
 
   /// To be called once the system has stopped. Throws std::runtime_error.

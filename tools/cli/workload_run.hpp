@@ -23,8 +23,8 @@
 
 namespace castor::cli {
 
-/// Does to a running system what a workload says, as an operator from outside, and notices what
-/// comes of it. What cannot be done now, since somebody is down, is done as soon as it can.
+/// Performs the actions of a workload on a running system, as an operator from outside, and records
+/// their results. Actions that fail because a component is down are retried.
 ///
 ///     WorkloadRun work{workload, seed, duration};
 ///     work.prepare(architecture);
@@ -41,40 +41,41 @@ class WorkloadRun {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Throws std::runtime_error if there is no folder for its files, and std::length_error if there
-  /// is too much to do.
+  /// Throws std::runtime_error if no folder for its files can be made, and std::length_error if the
+  /// workload has too many actions.
   WorkloadRun(const CheckedWorkload& workload, std::uint64_t seed, Timestamp duration);
   WorkloadRun(const WorkloadRun&) = delete;
   WorkloadRun& operator=(const WorkloadRun&) = delete;
   ~WorkloadRun();
 
-  /// Lets cameras look at a copy of their scene, which can be changed.
+  /// Makes cameras show a copy of their scene, which can be changed.
   void prepare(ArchitectureDescription& architecture);
 
-  /// To be called before the system is made, after all else that is called when something is up.
+  /// To be called before the system is made, after all other handlers of `on_up` are set.
   void watch(SystemOptions& options);
 
-  /// The system has started: times count from now.
+  /// To be called when the system has started: times are relative to now.
   void begin();
 
-  /// Nothing new is begun. Waits until what was begun is done, though not for ever.
+  /// Begins no further actions. Waits, for a limited time, until those begun are done.
   void finish_actions();
 
-  /// To be called at rest, before the system stops. What became of it.
+  /// To be called when the system has settled, before it stops. Returns the results.
   faults::WorkloadRecord end();
 
-  /// What became of the sentences; once it has ended.
+  /// The sentences and their answers; to be called after `end`.
   const std::vector<faults::Sentence>& sentences() const { return sentences_.all(); }
 
 private:
-  /// Something that is to be done now.
+  /// An action that is due.
   struct Task {
     faults::Action action;
     std::size_t statement = 0;
-    /// Of a sentence: its place among them. Of others: which of the statement's it is.
+    /// For a sentence: its index among the sentences. Otherwise its number among the actions of its
+    /// statement.
     std::size_t number = 0;
     bool was_tried = false;
-    /// Was done before, and maybe lost.
+    /// A repetition of an action that may have been lost.
     bool again = false;
   };
 
@@ -82,9 +83,9 @@ private:
 
   void act();
   void take_due();
-  /// Tries what is to be done; what cannot be done stays.
+  /// Tries all due actions; keeps those that fail.
   void try_tasks();
-  /// Throws std::runtime_error if it cannot be done now.
+  /// Throws std::runtime_error if it is not possible now.
   void carry_out(const Task& task);
   void say(const faults::Say& x, const Task& task);
   void write(const faults::WriteEntry& x, const Task& task);
