@@ -12,22 +12,23 @@ class SystemSimulation;
 
 struct CampaignOptions {
   Seeds seeds;
-  /// Each simulates systems of its own.
+  /// Number of threads; each simulates different systems.
   unsigned threads = 1;
-  /// It ends after so many violations; at least 1.
+  /// Number of violations after which the campaign ends; at least 1.
   std::size_t most_violations = 1;
-  /// Asked some ten times a second, by the thread that called `run_campaign`. Systems that are
-  /// under way then come to their end, which takes some tenths of a second.
+  /// Polled about ten times a second, by the thread that called `run_campaign`. If true, the
+  /// running simulations are still completed, which takes some tenths of a second.
   std::function<bool()> interrupted = [] { return false; };
-  /// Told as often, by the same thread: all that is done so far, without gaps.
+  /// Called as often, by the same thread, with the results of all seeds up to the first unfinished
+  /// one.
   std::function<void(const CampaignReport&)> progress = [](const CampaignReport&) {};
 };
 
-/// What is wrong with a system that violates something, with as few of its faults as it takes.
+/// The violation of a failed simulation, with a minimal set of its faults.
 Violation violation_of(SystemSimulation& simulation, const SystemResult& result);
 
-/// Simulates one system for every seed that `before` has not done, and adds what came of them. The
-/// same seeds give the same report, but for the time it took, however many threads there are.
+/// Simulates one system for every seed that is not done in `before`, and adds the results. The same
+/// seeds give the same report, except for the elapsed time, with any number of threads.
 CampaignReport run_campaign(CampaignReport before, const CampaignOptions& options);
 
 } // namespace castor::simulation

@@ -12,30 +12,31 @@ namespace castor::simulation {
 
 struct SystemResult;
 
-/// A system that did not keep what Castor promises.
+/// A simulated system that violated a promise of Castor.
 struct Violation {
   std::uint64_t seed = 0;
-  /// What is wrong, in lines.
+  /// Findings, as lines of text.
   std::string text;
-  /// How many faults the seed has.
+  /// Number of faults of the seed.
   std::size_t faults = 0;
-  /// As few of them as it takes, as a fault plan; empty if it takes none.
+  /// A minimal set of faults that causes the violation, as a fault plan; empty if it occurs without
+  /// faults.
   std::string plan;
-  /// Shows the run once more.
+  /// Command line that repeats the run.
   std::string command;
 };
 
-/// What came of the systems of consecutive seeds.
+/// Results of the systems of consecutive seeds.
 struct CampaignReport {
-  /// What is asked for.
+  /// Seeds of the campaign.
   Seeds seeds;
-  /// So many of them are done, from the first on.
+  /// Number of seeds done, from the first on.
   std::uint64_t done = 0;
-  /// Systems whose history the checker could not decide on.
+  /// Number of systems whose history the checker could not decide.
   std::uint64_t undecided = 0;
   /// Operations of clients on working memories.
   std::uint64_t operations = 0;
-  /// Scheduling decisions: messages that were handled, or time that passed.
+  /// Number of scheduling decisions: to handle a message, or to let time pass.
   std::uint64_t steps = 0;
   Happenings happened = Happenings::everything();
   std::vector<Violation> violations;
@@ -47,19 +48,19 @@ struct CampaignReport {
     return elapsed.count() > 0 ? double(done) / elapsed.count() : 0;
   }
 
-  /// Counts a system that was simulated; its violation, if there is one, is added by the caller.
+  /// Counts a simulated system; the caller adds its violation, if there is one.
   void add(const SystemResult& x);
-  /// Adds what came of the next seeds.
+  /// Adds the results of the next seeds.
   void append(CampaignReport next);
 };
 
 /// Lines of text for a terminal.
 std::string to_text(const CampaignReport& x);
 
-/// The report as JSON, which `from_json` reads back: it is the state file, too.
+/// The report as JSON for `from_json`; also the format of the state file.
 std::string to_json(const CampaignReport& x);
 
-/// Throws std::invalid_argument, which says what is wrong with the text.
+/// Throws std::invalid_argument with the error in the text.
 CampaignReport from_json(const std::string& text);
 
 } // namespace castor::simulation

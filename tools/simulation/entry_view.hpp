@@ -8,21 +8,21 @@
 
 namespace castor::linearizability {
 
-/// What a simulated client believes of an entry.
+/// A simulated client's knowledge of an entry.
 struct EntryView {
   std::optional<Version> seen;
   bool present = false;
-  /// In hand, and obtained so often.
+  /// Token of its current lease, 0 for none, and how often the lease was obtained.
   Token token = 0;
   std::size_t times = 0;
-  /// A lock was never answered: it may have obtained the lease once more than it knows.
+  /// A lock was never answered: the lease may have been obtained once more than `times`.
   bool unsure = false;
-  /// Of leases it had.
+  /// Tokens of former leases.
   std::vector<Token> old_tokens;
-  /// Of these, those that were given back.
+  /// Those of them that were unlocked.
   std::vector<Token> returned_tokens;
 
-  /// Its lease is not in hand any more.
+  /// The client no longer holds its lease.
   void lose_lease() {
     if (token != 0)
       old_tokens.push_back(token);

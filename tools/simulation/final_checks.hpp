@@ -14,9 +14,9 @@
 
 namespace castor::simulation {
 
-/// What has to hold of a simulated system once all faults are over and it is whole again: nothing
-/// is left of the dead, of calls and of tasks, and everybody was told of all changes. What does not
-/// is a finding of the world.
+/// Checks of a simulated system after all faults are over and everything is up again: nothing is
+/// left of ended components, of calls and of tasks, and all components have received all events.
+/// Failed checks are added to the world's findings.
 class FinalChecks {
 public:
   FinalChecks(TestingSystem& stage, SimulationSchedule& schedule, SystemWorld& world,
@@ -25,10 +25,10 @@ public:
     : stage_(stage), schedule_(schedule), world_(world), machines_(machines),
       architecture_(architecture), lease_(lease) {}
 
-  /// Throws std::runtime_error if what has happened cannot be.
+  /// Throws std::runtime_error if a check cannot be made.
   void run();
 
-  /// Once it has run.
+  /// To be called after `run`.
   const JournalCounts& journal_counts() const { return journal_counts_; }
 
 private:

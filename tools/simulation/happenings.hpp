@@ -9,12 +9,12 @@
 
 namespace castor::simulation {
 
-/// How often what happened in simulated systems, by group: "faults" has "crash" 12 times.
+/// Counts of occurrences in simulated systems, by group: "faults" has "crash" 12 times.
 class Happenings {
 public:
   using Counts = std::map<std::string, std::uint64_t, std::less<>>;
 
-  /// Nothing, with a zero for everything that can happen.
+  /// Zero for every occurrence that is possible.
   static Happenings everything();
 
   void add(std::string_view group, std::string_view what, std::uint64_t times = 1);
@@ -24,7 +24,7 @@ public:
   std::uint64_t sum(std::string_view group) const;
   const std::map<std::string, Counts, std::less<>>& groups() const { return groups_; }
 
-  /// What can happen and has not, as "group: what".
+  /// Possible occurrences with count zero, as "group: what".
   std::vector<std::string> never() const;
 
   friend bool operator==(const Happenings&, const Happenings&) = default;

@@ -6,17 +6,17 @@
 
 namespace castor::simulation {
 
-/// Changes that somebody was told of, of working memories with journals.
+/// Counts of changes that components received events of, on working memories with journals.
 struct JournalCounts {
   std::uint64_t found = 0;
-  /// Not in the journal, as may be.
+  /// Not in the journal, within the bounds of its mode.
   std::uint64_t lost = 0;
-  /// Of the lost ones, those after which another would have been one too many.
+  /// Changes lost when the bound on lost changes was reached exactly.
   std::uint64_t lost_at_bound = 0;
 };
 
-/// Nobody was told of a change that is not in the journal, but for those that `batched` may lose:
-/// any other is a finding.
+/// Checks that every change of which a component received an event is in the journal, except for
+/// those that `batched` may lose. Violations are added to the world's findings.
 JournalCounts check_journals(SystemWorld& world, const SimulatedMachines& machines);
 
 } // namespace castor::simulation

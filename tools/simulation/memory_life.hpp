@@ -12,21 +12,21 @@
 
 namespace castor::simulation {
 
-/// A working memory in one of its lives.
+/// A working memory in one incarnation.
 struct MemoryLife {
   std::uint64_t incarnation = 1;
   Life process = 0;
   WorkingMemoryActor actor;
-  /// How often its journal was opened by then; 0 without one.
+  /// Number of the journal's session; 0 without a journal.
   std::uint64_t session = 0;
-  /// With a journal: the number of the first change of this life, and what it began with.
+  /// With a journal: the number of the first change of this incarnation, and its initial contents.
   std::uint64_t first_sequence = 0;
   std::shared_ptr<const StoreImage> image;
-  /// Whether it began without changes that its predecessor has acknowledged, as far as it knows.
+  /// Whether it knows that it may lack changes acknowledged by its predecessor.
   bool may_lack_changes = false;
   std::uint64_t journal_incarnation = 0;
   JournalOptions journal;
-  /// Whether nothing has kept the journal from being written in time.
+  /// Whether the journal was written without delays by faults.
   bool is_written_in_time = true;
   linearizability::Tick begin = 0;
   linearizability::Tick end = linearizability::never;
@@ -35,7 +35,7 @@ struct MemoryLife {
   bool alive() const { return end == linearizability::never; }
 };
 
-/// The life of a working memory in which it made a change; the end if in none of these.
+/// The incarnation of a working memory that made a change; the end if none of these.
 std::vector<MemoryLife>::const_iterator life_of(const ChangeEvent& event,
                                                 const std::vector<MemoryLife>& lives);
 

@@ -13,33 +13,33 @@ namespace castor::linearizability {
 
 struct SimulationResult {
   History history;
-  /// What the checker said of it.
+  /// Verdict of the checker.
   Verdict verdict;
-  /// What else is wrong: answers that never came, leases that nobody gave back, changes told in
-  /// the wrong order.
+  /// Other errors: missing answers, leases that were never released, events in the wrong order.
   std::vector<std::string> findings;
 
   bool ok() const { return verdict.ok() && findings.empty(); }
 
-  /// Not so if the checker could not decide.
+  /// Whether an error was found; false if the checker could not decide.
   bool is_wrong() const { return verdict.kind == Verdict::Kind::violation || !findings.empty(); }
 };
 
-/// Lines of text: what is wrong.
+/// Lines of text: all errors.
 std::string to_string(const SimulationResult& x);
 
-/// Two or three working memories and four to eight clients on CAF's test coordinator. Who runs
-/// next, when time passes and what the clients do follows from a seed.
+/// Two or three working memories and four to eight clients on CAF's test coordinator. A seed
+/// determines which actor runs next, when time passes and what the clients do.
 ///
 /// The clients operate on one to four entries at random, several operations at a time, through
-/// their own or another working memory; they wait, give up waiting, die and come back, let leases
-/// run out, show old tokens and guess versions. What they see is checked when all has come to rest.
+/// their own or another working memory; they wait, give up waiting, end and restart, let leases
+/// expire, and show old tokens and guessed versions. The results are checked after all activity has
+/// ended.
 class Simulation {
 public:
   Simulation();
   ~Simulation();
 
-  /// One history, checked.
+  /// Simulates and checks one history.
   SimulationResult run(std::uint64_t seed);
 
 private:

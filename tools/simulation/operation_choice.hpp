@@ -22,8 +22,8 @@ struct Temper {
   bool mortal = false;
 };
 
-/// What a simulated client does next to an entry, and what it claims to know: drawn from the
-/// world's random numbers, after what it believes of the entry.
+/// Chooses a simulated client's next operation on an entry, with its version and token: drawn from
+/// the world's random numbers, based on the client's knowledge of the entry.
 class OperationChoice {
 public:
   OperationChoice(SimulatedWorld& world, Temper temper) : world_(world), temper_(temper) {}

@@ -12,58 +12,59 @@
 
 namespace castor::linearizability {
 
-/// From one client, through one working memory, to one working memory: first come, first served.
+/// Route of a client's messages, through working memory `via` to working memory `owner`. Messages
+/// on one route stay in order.
 struct Route {
   std::size_t via = 0;
   std::size_t owner = 0;
   bool operator==(const Route&) const = default;
 };
 
-/// An operation that was not answered yet.
+/// An operation without an answer so far.
 struct Outstanding {
-  /// Rises with every message of the client.
+  /// Number of the client's message, increasing.
   std::uint64_t number = 0;
   Route route;
   std::vector<Recorder::Index> records;
   WaitNumber wait = 0;
-  /// The message by which it was given up; 0 if it was not.
+  /// Number of the message that gave it up; 0 if it was not given up.
   std::uint64_t given_up_by = 0;
   Tick given_up_at = never;
 };
 
-/// The operations of a simulated client that were not answered yet, and what answers to others say
-/// of them.
+/// The unanswered operations of a simulated client, and conclusions about them from answers to
+/// other operations.
 class OutstandingOperations {
 public:
   using Index = Recorder::Index;
 
   explicit OutstandingOperations(SimulatedWorld& world) : world_(world) {}
 
-  /// One more; returns its number.
+  /// Adds an operation; returns its number.
   std::uint64_t add(Route route, std::vector<Index> records, WaitNumber wait);
 
   std::size_t size() const { return operations_.size(); }
-  /// Whether an answer is waited for.
+  /// Whether an operation is unanswered and not given up.
   bool is_awaited() const;
   /// Whether one of them is about the entry.
   bool concern(std::uint32_t entry) const;
 
-  /// One that was answered. Of messages that take one route, the answer to a later one says that
-  /// the earlier have arrived, if that one has.
+  /// Removes and returns an answered operation. If it has arrived, so have all earlier messages on
+  /// its route.
   Outstanding take(std::uint64_t number, bool arrived);
 
-  /// One that will not be answered; returns its records.
+  /// Removes an operation that will not be answered; returns its records.
   std::vector<Index> drop(std::uint64_t number);
 
-  /// One whose wait may be given up; null if there is none.
+  /// An operation whose wait may be given up; null if there is none.
   Outstanding* find_to_give_up(const std::vector<EntryView>& views);
-  /// The next message gives it up.
+  /// Marks it as given up by the next message.
   void give_up(Outstanding& x);
 
-  /// The lease was granted to one that was given up.
+  /// A lease was granted to an operation that had been given up.
   void grant_unwanted(const Outstanding& x, std::uint32_t entry, Token token);
 
-  /// Nothing more will come: what was not given up, `client` was never answered.
+  /// No more answers will come: an operation that was not given up is a finding about `client`.
   void settle(const std::string& client);
 
 private:

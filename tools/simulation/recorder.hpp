@@ -10,13 +10,13 @@
 
 namespace castor::linearizability {
 
-/// Writes down what the clients of one simulation do and see, and works out what is known of the
+/// Records the operations and results of the clients of one simulation, and computes bounds for the
 /// ends of their leases.
 class Recorder {
 public:
   using Index = std::size_t;
 
-  /// How long a lease lasts without a renewal.
+  /// @param lease_duration of a lease without a renewal
   explicit Recorder(Timestamp lease_duration) : lease_duration_(lease_duration) {}
 
   Tick tick() { return ++tick_; }
@@ -28,12 +28,13 @@ public:
   // -- operations
 
   Index invoked(OperationRecord x);
-  /// One that is known only now to concern this entry.
+  /// An operation at time `at` of which only now is known that it is on this entry.
   Index invoked(OperationRecord x, Tick at);
   void returned(Index x, const Result& result);
-  /// The working memory is known to have it by now.
+  /// The working memory has received it by now.
   void known_to_have_arrived(Index x);
-  /// It was refused as a whole, for a reason that lies elsewhere.
+  /// It was refused for a reason that has nothing to do with this entry, such as another write of
+  /// its batch.
   void did_not_happen(Index x);
 
   const OperationRecord& operator[](Index x) const { return operations_[x].record; }
@@ -42,35 +43,36 @@ public:
 
   // -- leases
 
-  /// A lock was granted; again, if its holder had it already.
+  /// A lock was granted, perhaps a nested one.
   void obtained(Index lock);
-  /// A renewal is on its way.
+  /// A renewal was sent.
   void renewing(std::uint32_t entry, Token token);
-  /// It succeeded; it was sent at that time.
+  /// A renewal sent at this time succeeded.
   void renewed(std::uint32_t entry, Token token, Timestamp sent);
   void not_renewed(std::uint32_t entry, Token token);
-  /// From that moment on the lease may be given up, not by an unlocking.
+  /// From this time on the lease may end, other than by an unlock.
   void may_end(std::uint32_t entry, Token token, Tick from);
-  /// The lease is over by now.
+  /// The lease has ended by now.
   void has_ended(std::uint32_t entry, Token token);
-  /// The client's leases may end from now on; what it waits for is never answered.
+  /// The client has ended: its leases may end from now on, and its waiting operations are never
+  /// answered.
   void died(Client client);
-  /// The same of a client that others may take for dead, and that lives.
+  /// Other processes may consider this running client ended: its leases may end from now on.
   void may_be_lost(Client client);
-  /// Every working memory has heard of every death.
+  /// Every working memory knows by now of the end of every client.
   void deaths_are_known();
 
-  /// A working memory ended and another took its place, which need not know what has happened to
-  /// the entry, between these moments. It begins with that.
+  /// Between these times a working memory ended and was replaced by one that may lack changes of
+  /// the entry. `begin` is the entry's state in the replacement.
   void lost(std::uint32_t entry, Tick from, Tick to, const Result& begin);
 
-  /// A working memory ended and another took its place, which has its entries, but not its leases:
-  /// those with tokens below that ended between these moments.
+  /// Between these times a working memory ended and was replaced by one that has its entries, but
+  /// not its leases: those with tokens below `below` have ended.
   void leases_lost(std::uint32_t entry, Token below, Tick from, Tick to);
-  /// The clock by which the entry's leases end jumps forward, or back.
+  /// The clock of the entry's leases jumped forward or back.
   void clock_jumped(std::uint32_t entry, Timestamp by);
 
-  /// All that happened; to be called when nothing is under way any more.
+  /// The whole history; to be called when no operation is under way any more.
   History finish();
 
 private:
@@ -82,9 +84,9 @@ private:
 
   struct Lease {
     Client holder = 0;
-    /// When its lock was invoked.
+    /// Time at which its lock was invoked.
     Tick invoked = 0;
-    /// When it runs out if it is not renewed once more: not before the one, not after the other.
+    /// Bounds for the time at which it expires without a further renewal.
     Timestamp lasts_until{0};
     Timestamp over_by{0};
     std::size_t renewals_under_way = 0;
@@ -92,7 +94,7 @@ private:
     Tick ended_by = never;
   };
 
-  /// The first moment that was not before that time.
+  /// The first tick at or after this time.
   Tick first_tick_at(Timestamp time) const;
   OperationRecord lapse_of(std::uint32_t entry, Token token, const Lease& lease);
 
@@ -116,7 +118,7 @@ private:
   std::map<std::pair<std::uint32_t, Token>, Lease> leases_;
   std::map<Client, Tick> deaths_;
   std::map<Client, Tick> may_be_lost_;
-  /// Of working memories that kept their entries.
+  /// Restarts of working memories that kept their entries.
   std::vector<Restart> restarts_;
   std::vector<Jump> jumps_;
 };

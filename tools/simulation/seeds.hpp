@@ -17,7 +17,7 @@ struct Seeds {
   friend bool operator==(const Seeds&, const Seeds&) = default;
 };
 
-/// Reads FROM..TO, or one number. Throws std::invalid_argument, which says what is wrong.
+/// Parses FROM..TO, or one number. Throws std::invalid_argument with the error.
 inline Seeds parse_seeds(std::string_view text) {
   auto number = [&](std::string_view digits) {
     std::uint64_t result = 0;

@@ -7,7 +7,7 @@
 
 namespace castor::linearizability {
 
-/// What the entries hold.
+/// Content of the entries.
 struct Stamp {
   std::int64_t number = 0;
 };

@@ -8,18 +8,18 @@
 
 namespace castor::simulation {
 
-/// What differs between simulated architectures.
+/// Parameters of simulated architectures.
 struct ArchitectureVariant {
   std::chrono::milliseconds lease{300};
-  /// One of the three supervision strategies that there are.
+  /// Supervision strategy, 0 to 2.
   std::size_t strategy = 0;
-  /// Whether a few restarts already take the whole subarchitecture along.
+  /// Whether a few restarts already escalate to the whole subarchitecture.
   bool escalates = false;
-  /// Whether some components may run elsewhere when their node is lost.
+  /// Whether some components fail over when their node is lost.
   bool moves = false;
   /// One to three.
   std::size_t machines = 3;
-  /// Of the working memories.
+  /// Journal mode of the working memories.
   JournalMode journals = JournalMode::off;
 
   auto operator<=>(const ArchitectureVariant&) const = default;

@@ -19,7 +19,7 @@
 
 namespace castor::simulation {
 
-/// What a simulated call asks, and what it gets.
+/// Request and reply of a simulated call.
 struct Question {
   std::int64_t number = 0;
 };
@@ -30,28 +30,28 @@ struct Reply {
 };
 CASTOR_REFLECT(Reply, number)
 
-/// To the component itself, when time is over for a call.
+/// To the component itself: the timeout of a call is over.
 struct CallTimeout {
   std::string id;
 };
 
-/// What all simulated calls of a system share.
+/// State shared by all simulated calls of a system.
 struct CallLedger {
   /// Calls that components may still make.
   std::size_t calls_left = 0;
   std::int64_t last_question = 0;
-  /// Which calls were taken, by the number of the life of the working memory that says so: a call
-  /// is taken once in each.
+  /// Calls that were accepted by a server, with the number of the working memory's incarnation:
+  /// each may be accepted once in each incarnation.
   std::set<std::pair<std::string, std::uint64_t>> taken;
   Happenings happened;
-  /// What is wrong.
+  /// Adds a finding.
   std::function<void(std::string)> find;
-  /// What happened, as a part of what the same seed gives again.
+  /// Adds an occurrence to the digest, which is the same for the same seed.
   std::function<void(const std::string&)> note;
 };
 
-/// The calls over working memory of one simulated component: writes the entries that
-/// castor::Calls writes, and deletes those that it deletes, without waiting anywhere.
+/// The calls over working memory of one simulated component: writes and deletes the same entries as
+/// castor::Calls, without blocking.
 class SimulatedCalls {
 public:
   struct Parts {
@@ -66,33 +66,34 @@ public:
   SimulatedCalls(Parts parts, NeighboursPtr neighbours)
     : parts_(std::move(parts)), neighbours_(std::move(neighbours)) {}
 
-  /// Registers its filters; `done` once all are registered, or one could not be.
+  /// Registers its filters; calls `done` when all are registered or one has failed.
   void begin(const std::function<void(bool)>& done);
 
-  /// Others have come or gone.
+  /// The set of neighbours has changed.
   void meet(NeighboursPtr neighbours);
 
-  /// Calls whoever serves in a subarchitecture; `answered` says whether there was a reply.
+  /// Makes a call to a subarchitecture; `answered` gets whether there was a reply.
   void call(const std::string& subarchitecture, Answered answered);
 
-  /// An event that one of its filters wants.
+  /// Handles an event that matches one of its filters.
   void take(const ChangeNotice& x);
 
-  /// Time is over for a call.
+  /// Handles the timeout of a call.
   void time_out(const std::string& id);
 
 private:
   struct Open {
     std::string subarchitecture;
     std::int64_t question = 0;
-    /// The server is done with it.
+    /// The server has finished it.
     bool is_done = false;
     Answered answered;
   };
 
   Address here(const std::string& id) const { return {parts_.client->subarchitecture, id}; }
   WriteRequest write(Operation operation, Address address, Value value = {}) const;
-  /// Sends to the own working memory; `then` gets the outcome, or null if none came in time.
+  /// Sends a request to its own working memory; `then` gets the outcome, or null if none came in
+  /// time.
   template <class T, class Request, class F>
   void ask(const Request& request, F then);
 

@@ -25,12 +25,12 @@ struct SimulatedClientParts {
   /// Index of its working memory.
   std::size_t home = 0;
   Temper temper;
-  /// What it remembers of its former life.
+  /// Its views of entries from its former incarnation.
   std::vector<EntryView> views;
 };
 
-/// A component, as working memories see it: sends operations, several at a time, keeps the versions
-/// it has seen and the tokens in hand. What it does next follows from the world's random numbers.
+/// A client of working memories: sends operations, several at a time, and keeps the versions it has
+/// seen and its current tokens. Its next operation is drawn from the world's random numbers.
 class SimulatedClient : public caf::event_based_actor {
 public:
   SimulatedClient(caf::actor_config& config, SimulatedClientParts parts);
@@ -39,28 +39,28 @@ public:
 
   static void spawn(caf::actor_system& system, SimulatedClientParts parts);
 
-  /// Nothing more will come: it settles what it has not been answered.
+  /// No more answers will come: settles the client's unanswered operations.
   static void let_rest(const caf::actor& client);
 
 protected:
   caf::behavior make_behavior() override;
 
-  /// The way to a working memory, by index; null if there is none now.
+  /// Actor of a working memory, by index; null if it cannot be reached now.
   virtual WorkingMemoryActor way_to(std::size_t working_memory) const {
     return world_.working_memories[working_memory].actor;
   }
-  /// How long it waits for an answer. For ever means that there has to be one.
+  /// Time limit for an answer. Infinite means that an answer must come.
   virtual caf::duration deadline() const { return caf::infinite; }
-  /// Before its next operations.
+  /// Pause before its next operations.
   virtual Timestamp pause() { return Timestamp{0}; }
 
   SimulatedWorld& world() { return world_; }
   const SimulatedClientParts& parts() const { return parts_; }
   Client number() const { return number_; }
 
-  /// Begins to operate, or goes on.
+  /// Begins or continues to operate.
   void go_on();
-  /// Whatever it sends from now on does not count.
+  /// Records nothing that it does from now on.
   void end_of_life();
 
 private:
@@ -82,7 +82,7 @@ private:
   Patience patience(WaitNumber number);
   Route route_to(std::uint32_t entry);
 
-  /// Sends an operation; `answered` gets the answer and the operation as it was outstanding.
+  /// Sends an operation; `answered` gets the outstanding operation and its answer.
   template <class Reply, class Request, class F>
   void ask(Route route, const Request& request, std::vector<Index> records, WaitNumber wait,
            F answered);
@@ -95,7 +95,7 @@ private:
   void renew();
   void renewal_answered(const std::vector<std::pair<std::uint32_t, Token>>& renewed, Timestamp sent,
                         const RenewReply& answer);
-  /// Whether it may hold a lease of the entry of which it does not know.
+  /// Whether it may hold a lease of the entry without knowing.
   bool may_hold_unawares(std::uint32_t entry) const;
   void give_up_something();
 
@@ -111,7 +111,7 @@ private:
   OperationChoice choice_;
   OutstandingOperations outstanding_;
   WaitNumber last_wait_ = 0;
-  /// Whether it will go on without an answer.
+  /// Whether its next step is already scheduled.
   bool stepping_ = false;
 };
 

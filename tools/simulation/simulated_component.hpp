@@ -23,56 +23,55 @@ namespace castor::simulation {
 
 class SimulatedComponent;
 
-/// What a component was told in one of its lives.
+/// The events that a component received in one incarnation.
 struct Told {
   std::string component;
   std::uint64_t incarnation = 1;
   Life process = 0;
   std::vector<ChangeEventPtr> events;
-  /// When it was told of each.
+  /// Time at which it received each.
   std::vector<Timestamp> times;
-  /// The component still is there.
+  /// The component is still running.
   bool alive = true;
 };
 
-/// What all in one simulated system share, besides what its clients do.
+/// State shared by all actors of one simulated system.
 struct SystemWorld : linearizability::SimulatedWorld {
   using SimulatedWorld::SimulatedWorld;
 
-  /// Something has happened: the same seed gives the same of these.
+  /// Adds an occurrence to the digest, which is the same for the same seed.
   void note(std::uint64_t x) { digest = (digest ^ x) * 0x100000001b3; }
   void note(const std::string& x) {
     for (auto c : x)
       note(static_cast<unsigned char>(c));
   }
 
-  /// An actor of the system that ends with an exception that nothing catches is a finding.
+  /// Adds a finding if this actor ends with an uncaught exception.
   void expect_no_exception(const caf::actor& x, const std::string& what);
 
   std::uint64_t digest = 0xcbf29ce484222325;
   /// The longest pause of a client between operations.
   std::chrono::milliseconds longest_pause{50};
-  /// Those that are there now.
+  /// Running components by name.
   std::map<std::string, SimulatedComponent*> components;
   std::vector<std::shared_ptr<Told>> told;
-  /// Which process an actor is of.
+  /// Process of each actor.
   std::map<const caf::resumable*, Life> owners;
   bool over = false;
   TaskLedger tasks;
-  /// Tasks that components may still propose.
+  /// Number of tasks that components may still propose.
   std::size_t tasks_left = 0;
   TaskSchedule::Rules task_rules;
   CallLedger calls;
   /// Whether components serve calls.
   bool serves_calls = false;
-  /// By how much clocks of working memories were put back, in all.
+  /// Total time by which clocks of working memories were put back.
   Timestamp clocks_behind{0};
-  /// Runs what is to be done in a process, until nothing is.
+  /// Runs all ready actors of a process until there are none.
   std::function<void(Life)> run_jobs_of;
 };
 
-/// To a component: calls whoever serves in that subarchitecture. It answers whether there was a
-/// reply.
+/// To a component: makes a call to that subarchitecture. It answers whether there was a reply.
 struct MakeCall {
   std::string subarchitecture;
 };
@@ -82,9 +81,9 @@ struct TaskDone {
   TaskId id;
 };
 
-/// A component of a simulated system: goes through its phases of life as its supervisor says, hears
-/// of every change, and operates on working memories if it is no task manager. In place of the
-/// actor that has a thread of its own, which would not be deterministic.
+/// A component of a simulated system: follows the phase commands of its supervisor, receives every
+/// event, and operates on working memories unless it is a task manager. It replaces the actor with
+/// a thread of its own, which would not be deterministic.
 class SimulatedComponent : public linearizability::SimulatedClient {
 public:
   SimulatedComponent(caf::actor_config& config, SystemWorld& world,
@@ -140,7 +139,7 @@ private:
   WorkingMemoryActor home_;
   caf::actor phase_controller_;
   std::optional<SimulatedTaskManager> manager_;
-  /// Proposed, and not over.
+  /// Tasks that were proposed and are not over.
   std::map<TaskId, TaskProposal> tasks_;
   std::uint64_t last_task_ = 0;
   std::optional<SimulatedCalls> calls_;

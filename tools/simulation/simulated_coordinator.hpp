@@ -13,11 +13,10 @@
 
 namespace castor::simulation {
 
-/// The coordinator of a simulated system, with the product's supervisor, and the agent of its own
-/// part.
+/// The coordinator of a simulated system, with the product's supervisor and part agent.
 class SimulatedCoordinator {
 public:
-  /// What is made known of components, on the simulation's thread.
+  /// Callbacks for components that go down and come up, called on the simulation's thread.
   struct Reports {
     std::function<void(const ComponentDown&)> on_down;
     std::function<void(const ComponentUp&)> on_up;
@@ -28,18 +27,18 @@ public:
   SimulatedCoordinator(const SimulatedCoordinator&) = delete;
   SimulatedCoordinator& operator=(const SimulatedCoordinator&) = delete;
 
-  /// Deploys an architecture on all machines, and starts its components. `epoch` is when the system
-  /// began.
+  /// Deploys an architecture on all machines, and starts its components. `epoch` is the time at
+  /// which the system began.
   void start(const ArchitectureDescription& architecture, Reports reports,
              caf::actor_clock::time_point epoch);
 
   bool has_started() const { return started_; }
-  /// Why the system has ended, if it has.
+  /// Reason of the system's end; nothing while it runs.
   const std::optional<std::string>& ended() const { return ended_; }
 
-  /// Ends its actors, once they run.
+  /// Tells its actors to end, which they do when they are run.
   void end();
-  /// After that: nobody here can be named any more.
+  /// To be called after `end`: closes the mesh, so that its actors cannot be addressed any more.
   void close();
 
 private:

@@ -12,15 +12,14 @@
 
 namespace castor::simulation {
 
-/// The disk of a simulated machine. The journals on it outlive the processes of the machine: what
-/// was appended stays, what was only handed to the writer is gone with its process.
+/// The disk of a simulated machine. The journals on it outlive the processes of the machine:
+/// appended changes are kept, changes still queued in the writer are lost with its process.
 ///
-/// As in castor::open_journal, a journal of which acknowledged changes may be missing is that of
-/// another incarnation when it is opened again: one that was not `full`, and not closed in order.
+/// As in castor::open_journal, a journal that may lack acknowledged changes (not `full`, and not
+/// closed in order) gets a new incarnation when it is opened again.
 class SimulatedDisk {
 public:
-  /// As castor::open_journal: takes up what the journal holds, and takes it away from whoever
-  /// writes it.
+  /// As castor::open_journal: reads the journal, and revokes it from its current writer.
   OpenedJournal open(const std::string& subarchitecture, const JournalOptions& options,
                      UnixTime now);
 
@@ -30,9 +29,9 @@ public:
 private:
   struct File {
     std::vector<JournalRecord> records;
-    /// The incarnation of each time it was opened.
+    /// Incarnation of each session.
     std::vector<std::uint64_t> sessions;
-    /// Whether whoever opened it last has closed it, or has had nothing to lose.
+    /// Whether the last session was closed in order, or had nothing to lose.
     bool is_complete = true;
 
     std::uint64_t session() const { return sessions.size(); }
@@ -44,12 +43,12 @@ private:
   std::map<std::string, std::shared_ptr<File>> files_;
 };
 
-/// To a journal's writer: the working memory that it writes for is known by now.
+/// To a journal's writer: its parts, now that its working memory exists.
 struct BeginJournal {
   std::shared_ptr<JournalWriterParts> parts;
 };
 
-/// castor::journal_writer, made before the working memory that it is for.
+/// castor::journal_writer, spawned before its working memory exists.
 caf::behavior simulated_journal_writer(caf::event_based_actor* self);
 
 } // namespace castor::simulation

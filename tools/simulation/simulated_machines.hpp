@@ -23,14 +23,13 @@
 
 namespace castor::simulation {
 
-/// The machines of a simulated system, the processes on them, and the faults that can be injected
-/// into those.
+/// The machines of a simulated system, their processes, and fault injection into these.
 class SimulatedMachines {
 public:
   using Machine = std::size_t;
   using Clock = std::chrono::steady_clock;
 
-  /// `count` machines: the coordinator's and nodes'.
+  /// @param count number of machines: the coordinator's and those of the nodes
   SimulatedMachines(caf::actor_system& system, SystemWorld& world, std::size_t count);
   SimulatedMachines(const SimulatedMachines&) = delete;
   SimulatedMachines& operator=(const SimulatedMachines&) = delete;
@@ -41,22 +40,22 @@ public:
   std::size_t count() const { return count_; }
   SimulatedNetwork& network() { return network_; }
 
-  /// How actors and links of the process of a machine are made.
+  /// Factories for the actors and links of a machine's process.
   PartSpawn spawn(Machine x);
   LinkSpawn spawn_link(Machine x);
 
-  /// A node's process begins; any earlier one is gone.
+  /// Starts a node's process in place of any earlier one.
   void start_node(Machine x);
   bool is_there(Machine x) const { return processes_[x].there; }
 
   // -- injected faults
 
   void inject(const faults::Fault& x, std::uint64_t seed);
-  /// Brings back what is due.
+  /// Restarts and resumes the processes that are due.
   void catch_up();
-  /// Everything works from now on, as far as it depends on machines.
+  /// Ends all faults of machines and processes.
   void heal();
-  /// When the next process is to be back or to go on.
+  /// Time at which the next process has to restart or resume.
   Clock::time_point next_event() const;
 
   bool may_run(const caf::resumable* x) const;
@@ -66,17 +65,17 @@ public:
 
   /// By subarchitecture.
   const std::map<std::string, std::vector<MemoryLife>>& memories() const { return memories_; }
-  /// Whether these processes have given each other up, or one of them has.
+  /// Whether one of these processes considers the other lost.
   bool have_lost(Life a, Life b) const {
     return lost_.count({a, b}) > 0 || lost_.count({b, a}) > 0;
   }
-  /// Whether anything befell processes or what is between them.
+  /// Whether a fault has affected processes or their links.
   bool are_processes_affected() const { return processes_affected_; }
 
   /// The disk of the machine that a process runs on.
   const SimulatedDisk& disk_of(Life x) const { return disks_[machine_of(x)]; }
 
-  /// The end of all processes.
+  /// Ends all processes.
   void end();
 
 private:
@@ -102,19 +101,20 @@ private:
   Clock::time_point now() const { return system_.clock().now(); }
   Machine machine(std::string_view name) const;
   Machine machine_of(Life x) const;
-  /// The actor is of that process from now on; what it is called in findings.
+  /// Assigns an actor to a process.
+  /// @param what name of the actor in findings
   void own(const caf::actor& x, Life life, const std::string& what);
   WorkingMemoryActor spawn_working_memory(WorkingMemoryOptions options, Life life);
   caf::actor spawn_component(const ShellParts& parts, Life life);
   void hear(Life life, const caf::actor& link, const LinkNews& news);
-  /// From now on the process takes the other for lost, with all that is in it.
+  /// From now on the process considers the other one lost, with all its actors.
   void give_up(Life life, Life other);
 
   caf::actor spawn_journal_writer(Life life);
-  /// Null if the working memory is not there.
+  /// Null if the working memory is not running.
   WorkingMemoryActor memory(const std::string& subarchitecture) const;
   void jump_clock(const faults::JumpClock& x);
-  /// Journals are late from now on: that of a working memory, or all of a process.
+  /// Delays writes to the journal from now on.
   void slow_journal(const faults::SlowJournal& x);
   void stop(Machine x, Clock::duration duration);
 
@@ -134,14 +134,14 @@ private:
   std::vector<Machine> machine_of_life_;
   std::vector<Link> links_;
   std::array<SimulatedDisk, machine_names.size()> disks_;
-  /// With the processes that they are of.
+  /// Writers with their processes.
   std::vector<std::pair<caf::actor, Life>> journal_writers_;
   std::vector<Silence> silences_;
   std::map<Machine, Clock::time_point> returns_;
   std::map<Life, Clock::time_point> frozen_;
   std::map<const caf::resumable*, Clock::time_point> hanging_;
   std::map<std::string, std::vector<MemoryLife>> memories_;
-  /// Of links, the processes with which they had a connection.
+  /// By link: the process with which it had a connection.
   std::map<caf::actor, Life> peers_;
   std::set<std::pair<Life, Life>> lost_;
   bool processes_affected_ = false;

@@ -16,11 +16,11 @@
 
 namespace castor::simulation {
 
-/// Counts the processes that there have been, on whatever machine.
+/// Number of a process, unique among all processes on all machines.
 using Life = std::size_t;
 
-/// What lies between simulated processes: carries what their links say, in order, cut anywhere and
-/// as late as its random numbers have it. Runs on one thread, under CAF's test coordinator.
+/// The network between simulated processes: carries the bytes of their links in order, split
+/// anywhere and delayed at random. Runs on one thread, under CAF's test coordinator.
 class SimulatedNetwork {
 public:
   using Connection = std::int64_t;
@@ -29,25 +29,26 @@ public:
   SimulatedNetwork(caf::actor_system& system, std::mt19937_64& random)
     : system_(system), random_(random) {}
 
-  /// Is told of links that are closed for good, by the process that they are in.
+  /// Sets a callback for links that their own process has closed for good.
   void set_on_close(std::function<void(const caf::actor&)> x) { on_close_ = std::move(x); }
 
-  /// What is said arrives at once, but for so much of it, in percent.
+  /// Delays this percentage of the messages, by up to `longest`; the others arrive at once.
   void set_delays(unsigned percent, std::chrono::milliseconds longest) {
     delayed_ = percent;
     longest_ = longest;
   }
 
-  /// Takes connections for a process; the actor that does.
+  /// Accepts connections for a process; returns the listening actor.
   caf::actor listen(std::uint16_t port, Life life, Route route);
 
-  /// The end of a link, in a process.
+  /// Spawns one end of a link in a process.
   caf::actor spawn_link(Life life, LinkParts parts);
 
-  /// A process is no more: whoever has a connection with it is told so, or is not.
+  /// Ends a process.
+  /// @param silently whether its peers are not notified
   void end(Life life, bool silently);
 
-  /// The process with which a link had a connection last, if it had one.
+  /// The process with which a link was connected last, if any.
   std::optional<Life> peer_of(const caf::actor& link) const;
 
   // -- for links and listeners
@@ -55,7 +56,7 @@ public:
   void dial(const caf::actor& from, Life life, std::uint16_t port);
   void say(const caf::actor& from, Connection x, std::vector<char> words);
   void close(const caf::actor& from, Connection x);
-  /// The connection is not the listener's any more.
+  /// Passes a connection from the listener to an actor.
   void hand_over(Connection x, const caf::actor& to);
   void link_closed(const caf::actor& link) { on_close_(link); }
 
@@ -63,7 +64,7 @@ private:
   struct End {
     caf::actor actor;
     Life life = 0;
-    /// When the last of what it was sent arrives.
+    /// Arrival time of the last message sent to it.
     std::chrono::steady_clock::time_point due;
   };
 
@@ -76,7 +77,7 @@ private:
   std::chrono::milliseconds latency();
   template <class T>
   void send(End& to, T message);
-  /// The side that is not that actor's; null if the connection is closed.
+  /// The other end of an actor's connection; null if it is closed.
   End* other_end(const caf::actor& from, Connection x);
 
   caf::actor_system& system_;

@@ -17,7 +17,7 @@
 
 namespace castor::simulation {
 
-/// A component in one of its lives, and the process that it is in.
+/// A component in one incarnation, and its process.
 struct ComponentLife {
   std::string component;
   std::uint64_t incarnation = 1;
@@ -26,11 +26,11 @@ struct ComponentLife {
   friend bool operator==(const ComponentLife&, const ComponentLife&) = default;
 };
 
-/// What simulated components know of their tasks, which task managers are judged by.
+/// The simulated components' tasks and their states, to check the decisions of task managers.
 class TaskLedger {
 public:
-  /// `have_lost`: whether two processes have given each other up, so that one may take the other's
-  /// components for dead.
+  /// Whether one of two processes considers the other lost, so that it may consider the other's
+  /// components ended.
   using HaveLost = std::function<bool(std::size_t, std::size_t)>;
 
   void set_have_lost(HaveLost x) { have_lost_ = std::move(x); }
@@ -43,10 +43,10 @@ public:
 
   // -- by task managers
   void received(const TaskId& id, const ComponentLife& manager);
-  /// What is wrong with the decision; empty if nothing is.
+  /// Checks a decision; returns an error message, empty if it is correct.
   std::string decided(const TaskDecided& x, const ComponentLife& manager, double budget);
 
-  /// What is wrong once nothing happens any more: tasks that could be under way and are not.
+  /// Errors after all activity has ended: tasks that could be adopted and are not.
   std::vector<std::string> overlooked(const std::vector<ComponentLife>& managers,
                                       double budget) const;
 
@@ -61,7 +61,7 @@ private:
     bool proposer_lives = true;
     State state = State::proposed;
     TaskOutcome outcome = TaskOutcome::success;
-    /// Who has it, in the life in which it does; none if nobody has received it.
+    /// The task manager that has received it, in its incarnation; empty if none has.
     ComponentLife manager;
     bool is_received = false;
   };
@@ -73,7 +73,7 @@ private:
   Happenings happened_;
 };
 
-/// What castor::TaskManager and the shell around it do with the decisions of a TaskSchedule.
+/// Carries out the decisions of a TaskSchedule, as castor::TaskManager and its shell do.
 class SimulatedTaskManager {
 public:
   using Tell = std::function<void(const caf::actor& proposer, const TaskDecided&)>;
@@ -87,7 +87,7 @@ public:
   /// A component has ended.
   void abandoned(const caf::actor_addr& proposer);
 
-  /// What its adopted tasks cost.
+  /// Total cost of the adopted tasks.
   double used() const { return schedule_.used(); }
 
 private:
@@ -95,7 +95,7 @@ private:
 
   TaskSchedule schedule_;
   const Tell tell_;
-  /// Of tasks that are not over.
+  /// Proposers of the tasks that are not over.
   std::map<TaskId, caf::actor> proposers_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace castor::linearizability {
 
-/// What everybody in one simulation shares. All of it runs on one thread.
+/// State shared by all actors of one simulation, which runs on one thread.
 struct SimulatedWorld {
   struct WorkingMemory {
     std::string subarchitecture;
@@ -19,9 +19,9 @@ struct SimulatedWorld {
   };
   struct SimulatedEntry {
     Address address;
-    /// Whose it is.
+    /// Index of its working memory.
     std::size_t owner = 0;
-    /// The last that anybody was told.
+    /// The last token returned to a client.
     Token last_token = 0;
   };
 
@@ -36,18 +36,18 @@ struct SimulatedWorld {
   Recorder recorder;
   std::vector<WorkingMemory> working_memories;
   std::vector<SimulatedEntry> entries;
-  /// Operations that the clients may still begin.
+  /// Number of operations that the clients may still begin.
   std::size_t operations_left = 0;
   std::int64_t stamps = 0;
   Client last_client = 0;
-  /// Components by number.
+  /// Clients by number.
   std::vector<ClientPtr> identities{nullptr};
   std::vector<caf::actor> alive;
-  /// Those of whom not every working memory need have heard that they died.
+  /// Ended clients whose end may be unknown to some working memory.
   std::vector<ClientPtr> dead;
-  /// Writes that were made in one.
+  /// Records of the writes of each batch.
   std::vector<std::vector<Recorder::Index>> batches;
-  /// What is wrong, other than what the checker finds.
+  /// Errors other than those found by the checker.
   std::vector<std::string> findings;
 };
 

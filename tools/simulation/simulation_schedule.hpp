@@ -11,31 +11,32 @@
 
 namespace castor::simulation {
 
-/// Who runs next in a simulated system, when time passes, and when faults are injected. What is
-/// left open is drawn from the world's random numbers.
+/// Scheduler of a simulated system: chooses the next actor to run, lets time pass, and injects
+/// faults. Choices are drawn from the world's random numbers.
 class SimulationSchedule {
 public:
-  /// Time counts from now. Of what is injected, `seed` draws what the faults leave open.
+  /// Time counts from now.
+  /// @param seed for random choices of faults
   SimulationSchedule(TestingSystem& stage, SystemWorld& world, SimulatedMachines& machines,
                      std::uint64_t seed);
 
   Timestamp time() const;
   caf::actor_clock::time_point begin() const { return begin_; }
 
-  /// Injects a fault at that time.
+  /// Schedules a fault at this time.
   void add_fault(Timestamp at, faults::Fault fault);
 
-  /// Runs who is ready, in any order, until then. Throws std::runtime_error if the system does not
-  /// come to rest.
+  /// Runs ready actors, in random order, until this time. Throws std::runtime_error if the system
+  /// does not come to rest.
   void advance(Timestamp until);
 
-  /// The same; true as soon as it is enough when nobody is ready.
+  /// The same; returns true as soon as `enough` holds while no actor is ready.
   bool advance_until(Timestamp until, const std::function<bool()>& enough);
 
-  /// Runs who is ready in a process.
+  /// Runs the ready actors of a process.
   void run_jobs_of(Life x);
 
-  /// How many messages were worked off, or how often time passed.
+  /// Number of steps: messages handled, or times that time passed.
   std::size_t steps() const { return steps_; }
 
 private:

@@ -14,32 +14,32 @@
 
 namespace castor::simulation {
 
-/// Of the machines of a simulated system; the first is the coordinator's.
+/// Names of the machines of a simulated system; the first is the coordinator's.
 inline constexpr std::array<std::string_view, 3> machine_names{faults::coordinator, "node1",
                                                                "node2"};
 
-/// No fault begins after that.
+/// Time after which no fault begins.
 inline constexpr std::chrono::milliseconds time_of_faults{1500};
-/// How long the links of a simulated system wait for a process to be back.
+/// Time that the links of a simulated system wait for a lost process.
 inline constexpr std::chrono::milliseconds link_patience{1500};
 
-/// How many machines a simulated system has: one, two or three.
+/// Number of machines of a simulated system: one, two or three.
 std::size_t machine_count(std::uint64_t seed);
 
-/// Which journals the working memories of a simulated system keep: one system in five has `full`
-/// ones, one in five `batched` ones, and the others have none.
+/// Journal mode of the working memories of a simulated system: `full` for one system in five,
+/// `batched` for one in five, none for the others.
 JournalMode journal_mode(std::uint64_t seed);
 
-/// What of a plan cannot be injected into the system of that seed, or not in a simulation: it takes
-/// one fault at a time, `at` given times, of known targets, for as long as the plan says.
+/// Errors in a plan for the simulated system of that seed. A simulation supports only statements
+/// `at TIME` with one fault, a named target, and a duration if the fault lasts.
 std::vector<Diagnostic> check_simulated(const faults::FaultPlan& plan, std::uint64_t seed);
 
-/// What is injected into a simulated system: up to six faults, at given times, which follow from
-/// the seed. Every component, working memory and node may end; what keeps processes apart is much
-/// shorter than the patience of links, or much longer.
+/// The faults of a simulated system: up to six, at fixed times, determined by the seed. Any
+/// component, working memory and node may end. Partitions are either much shorter or much longer
+/// than `link_patience`.
 faults::FaultPlan system_faults(std::uint64_t seed);
 
-/// How long a process that is killed at that time is not there.
+/// Time from the kill of a process to its restart.
 std::chrono::milliseconds time_until_return(std::uint64_t seed, Timestamp killed);
 
 } // namespace castor::simulation

@@ -13,36 +13,36 @@ namespace castor::simulation {
 
 struct SystemResult : linearizability::SimulationResult {
   std::uint64_t seed = 0;
-  /// What was injected.
+  /// The injected faults.
   faults::FaultPlan faults;
-  /// Stands for all that happened: that of the same seed and faults is the same.
+  /// Digest of all that happened; equal for equal seeds and faults.
   std::uint64_t digest = 0;
-  /// How many messages were worked off, or how often time passed.
+  /// Number of steps: messages handled, or times that time passed.
   std::size_t steps = 0;
-  /// How often something went down.
+  /// Number of times that a target went down.
   std::size_t failures = 0;
-  /// How often something came back.
+  /// Number of times that a target came back.
   std::size_t returns = 0;
-  /// How often a working memory lost what it held.
+  /// Number of times that a working memory lost its entries.
   std::size_t losses = 0;
-  /// Operations of clients.
+  /// Number of clients' operations.
   std::size_t operations = 0;
   Happenings happened;
 };
 
 /// A whole system on CAF's test coordinator: a coordinator and two nodes, three subarchitectures
 /// with two components each, with the supervisor, agents, working memories, meshes, link ends and
-/// wire format of the product, over simulated connections. Who runs next, when time passes, what
-/// the components do and what fails follows from a seed.
+/// wire format of the product, over simulated connections. A seed determines which actor runs next,
+/// when time passes, what the components do, and the faults.
 ///
-/// When all faults are over the system has to be whole again within some time. What its components
-/// saw is checked then, and that nothing is left of those who died.
+/// After the last fault, everything must be up again within a time limit. Then the components'
+/// operations and events are checked, and that nothing is left of ended components.
 class SystemSimulation {
 public:
   SystemSimulation();
   ~SystemSimulation();
 
-  /// One run, checked. With the faults of the seed, or with these.
+  /// Simulates and checks one run, with the faults of the seed or with these.
   SystemResult run(std::uint64_t seed, const std::optional<faults::FaultPlan>& faults = {});
 
 private:
@@ -50,7 +50,7 @@ private:
   std::unique_ptr<Stage> stage_;
 };
 
-/// As few of the faults of a seed that violates something as it takes.
+/// A minimal set of the faults of a seed that still causes a violation.
 faults::FaultPlan minimised(SystemSimulation& simulation, std::uint64_t seed,
                             const faults::FaultPlan& faults);
 

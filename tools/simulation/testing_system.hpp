@@ -12,8 +12,8 @@
 
 namespace castor::simulation {
 
-/// An actor system on CAF's test coordinator: nothing runs but when the test says so, and time
-/// passes only there.
+/// An actor system on CAF's test coordinator: actors run and time passes only under control of the
+/// test.
 class TestingSystem {
 private:
   struct Config : caf::actor_system_config {
@@ -23,13 +23,13 @@ private:
   Config config_;
 
 public:
-  /// Lets one of those run that are ready.
+  /// Runs one of the ready actors, by index.
   void run_one(std::size_t job) {
     std::swap(scheduler.jobs.front(), scheduler.jobs[job]);
     scheduler.run_once();
   }
 
-  /// Lets everybody run until there is an answer.
+  /// Runs all actors until there is an answer.
   template <class Reply, class Actor, class Request>
   caf::expected<Reply> answer_of(const Actor& to, const Request& request) {
     caf::expected<Reply> result{caf::error{}};
