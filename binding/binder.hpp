@@ -11,19 +11,19 @@
 
 namespace castor::binding {
 
-/// The union of these proxies, by binding order whatever order they are given in. Ports of the
-/// members' relations are in `context`.
+/// The union of these proxies, in binding order. Ports of the members' relations are in `context`.
+/// \param members in any order
 /// \pre there is at least one.
 BindingUnion make_union(std::span<const ProxyRef> members, const RelationContext& context);
 
-/// The proxy with what its union makes of it.
+/// The proxy with the fields that the binder sets from its union.
 BindingProxy bound(BindingProxy proxy, const std::string& union_id, const BindingUnion& in);
 
-/// What the binder is to write, all at once.
+/// The binder's writes, to be made in one batch.
 struct BindingPlan {
-  /// New ones, and those with other members or other content.
+  /// New and changed unions.
   std::map<std::string, BindingUnion> unions;
-  /// They have no one left.
+  /// Unions without members.
   std::set<std::string> deleted_unions;
   /// Proxies whose union is another one, or has other members.
   std::map<std::string, BindingProxy> proxies;
@@ -31,8 +31,8 @@ struct BindingPlan {
   bool empty() const { return unions.empty() && deleted_unions.empty() && proxies.empty(); }
 };
 
-/// Puts each proxy where it is wanted. Who is not judged stays where it is, and so does who is
-/// wanted in a union that does not exist: another judgement will come.
+/// Moves each proxy into its best union. A proxy stays where it is if it has not been judged, or if
+/// its best union does not exist: another judgement will follow.
 ///
 /// \param best the best union of each proxy that has been judged; empty for one of its own.
 /// \param leaving proxies that are to be deleted.

@@ -12,13 +12,14 @@
 
 namespace castor::binding {
 
-/// What a binding monitor is made of: says in binding's words what a subarchitecture knows. Derive
-/// from it in the folder of the modality; it needs `ACCESS <that subarchitecture> WRITES binding`.
+/// Base class of binding monitors, which represent a subarchitecture's knowledge as binding
+/// proxies. Derive from it in the folder of the modality; it needs `ACCESS <that subarchitecture>
+/// WRITES binding`.
 ///
-/// A monitor says what its proxies are to be, with `tell` and `withdraw`, and then `publish`es that
-/// in one step: nobody sees half a relation. Meanwhile it holds a lease of the binder's status, so
-/// it does not come in the way of the binder or of other monitors. As long as there is no binder,
-/// everything is kept until there is one; a system without binding is none the worse for it.
+/// A monitor sets and deletes its proxies with `tell` and `withdraw`, and then writes all of them
+/// in one batch with `publish`, so no relation is ever incomplete. The write is made under a lease
+/// of the binder's status, to avoid conflicts with the binder and other monitors. While there is no
+/// binder, the proxies are kept and published later; in a system without binding nothing happens.
 class BindingMonitor : public UnmanagedComponent {
 protected:
   void start() override {
@@ -28,7 +29,7 @@ protected:
     });
   }
 
-  /// The same as `on_change`, for what happens in binding; nothing in a system without it.
+  /// As `on_change`, for changes in the binding subarchitecture; no effect in a system without it.
   void on_binding_change(ChangeFilter filter, ChangeCallback callback) {
     try {
       on_change(std::move(filter).in(binding_), std::move(callback));
@@ -37,8 +38,8 @@ protected:
     }
   }
 
-  /// The proxy is to be like this; what binding writes into it does not count. Others can say that
-  /// they mean this very thing, by its id.
+  /// Sets a proxy, to be written by `publish`; fields that binding writes are ignored. Other
+  /// proxies can refer to a basic one by its id (`existing_proxy_id`).
   void tell(const std::string& id, BindingProxy proxy) {
     proxy.source = subarchitecture();
     if (proxy.type == ProxyType::basic)
@@ -48,10 +49,11 @@ protected:
     wanted_[id] = std::move(proxy);
   }
 
-  /// The proxy is to go.
+  /// Deletes a proxy at the next `publish`.
   void withdraw(const std::string& id) { wanted_[id] = std::nullopt; }
 
-  /// Writes what has been told since. What cannot be written now is written later.
+  /// Writes all proxies set or deleted since the last call. If there is no binder yet, they are
+  /// written once there is one.
   void publish() {
     while (is_running() && !wanted_.empty()) {
       try {
@@ -75,7 +77,8 @@ protected:
     }
   }
 
-  /// Own proxies on working memory, such as those of a predecessor, by their ids.
+  /// This subarchitecture's proxies on working memory by id, including those of an earlier
+  /// incarnation.
   std::map<std::string, EntryOf<BindingProxy>> own_proxies() {
     std::map<std::string, EntryOf<BindingProxy>> result;
     try {
@@ -91,7 +94,7 @@ protected:
   const std::string& binding() const { return binding_.get(); }
 
 private:
-  /// There is a new binder, perhaps because binding's working memory is a new, empty one.
+  /// Publishes everything again for a new binder, whose working memory may be new and empty.
   void tell_again() {
     for (auto& [id, proxy] : told_)
       wanted_.try_emplace(id, proxy);
@@ -119,7 +122,7 @@ private:
       write(batch);
   }
 
-  /// The proxy as it stands there; null if it does not.
+  /// The proxy on binding's working memory; null if it does not exist.
   std::shared_ptr<const BindingProxy> known(const std::string& id) {
     try {
       return read<BindingProxy>({binding_, id}).object;
@@ -144,7 +147,7 @@ private:
 
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
-  /// What is still to be written; nothing for what is to go.
+  /// Proxies still to be written, by id; nothing for one to be deleted.
   std::map<std::string, std::optional<BindingProxy>> wanted_;
   std::map<std::string, BindingProxy> told_;
 };

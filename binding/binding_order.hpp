@@ -9,10 +9,9 @@
 
 namespace castor::binding {
 
-/// The order in which proxies are bound, whatever the order in which they came: relations after
-/// what they relate, then by precedence, then by id. Each proxy looks only at those before it. So
-/// what becomes of it follows from what became of them, and of all of them together from who they
-/// are.
+/// The order in which proxies are bound, independent of the order of their arrival: relations after
+/// what they relate, then by precedence, then by id. A proxy is judged only by those before it, so
+/// the result depends only on the set of proxies.
 struct BindingRank {
   bool relation = false;
   std::int32_t precedence = 0;
@@ -25,7 +24,7 @@ inline BindingRank rank_of(const std::string& id, const BindingProxy& proxy) {
   return {proxy.type == ProxyType::relation, proxy.precedence, id};
 }
 
-/// The same order, of proxies where they are.
+/// The same order, without copies of the ids.
 inline bool precedes(const std::string& id, const BindingProxy& proxy, const std::string& other_id,
                      const BindingProxy& other) {
   const bool relates = proxy.type == ProxyType::relation;
@@ -34,7 +33,7 @@ inline bool precedes(const std::string& id, const BindingProxy& proxy, const std
          std::tie(other_relates, other.precedence, other_id);
 }
 
-/// The id of the union whose first member this is.
+/// Id of the union with this first member.
 inline std::string union_id_of(const std::string& first_member) {
   return "union of " + first_member;
 }

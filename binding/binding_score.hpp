@@ -6,8 +6,8 @@
 
 namespace castor::binding {
 
-/// The score of being a union of one's own. It is sticky by as much that what says nothing for or
-/// against does not bind.
+/// The score of NIL, a union of its own. Its `sticky` of 1 prevents binding to a union without
+/// evidence for or against it.
 inline BindingScore nil_score() {
   BindingScore result;
   result.comparable = true;
@@ -15,9 +15,9 @@ inline BindingScore nil_score() {
   return result;
 }
 
-/// A better score is greater: comparable before all, then without a mismatch of features, without
-/// one of relations, with more matches, with more matches of relations, stickier. Salience does not
-/// count: it only orders equals.
+/// A better score is greater. Criteria in this order: comparable, no mismatch of features, no
+/// mismatch of relations, more matches, more matches of relations, stickier. Salience is ignored:
+/// it only orders equal scores.
 std::strong_ordering compare(const BindingScore& a, const BindingScore& b);
 
 inline bool beats(const BindingScore& a, const BindingScore& b) {

@@ -10,19 +10,18 @@
 
 namespace castor::binding {
 
-/// A proxy by its id. Whoever keeps it keeps both.
+/// A proxy and its id. Does not own them.
 struct ProxyRef {
   const std::string* id = nullptr;
   const BindingProxy* proxy = nullptr;
 };
 
-/// Whether the one is bound before the other.
+/// Whether `a` is bound before `b`.
 inline bool precedes(const ProxyRef& a, const ProxyRef& b) {
   return precedes(*a.id, *a.proxy, *b.id, *b.proxy);
 }
 
-/// What the scorer has to know of a proxy's relations: what is on working memory besides the proxy
-/// and the union in question.
+/// The relations that the scorer needs besides the proxy and the union to be scored.
 class RelationContext {
 public:
   virtual ~RelationContext() = default;
@@ -30,10 +29,10 @@ public:
   /// The proxy of that id; nullptr if it is not (or not yet) there.
   virtual const BindingProxy* proxy(const std::string& id) const = 0;
 
-  /// The relations that lead to a proxy.
+  /// The ports of relations that lead to a proxy.
   virtual std::span<const Port> in_ports(const std::string& id) const = 0;
 
-  /// Those that are bound together with the proxy, itself included.
+  /// The proxies in the same union, itself included.
   virtual std::vector<ProxyRef> bound_with(const std::string& id) const = 0;
 };
 
@@ -42,17 +41,17 @@ class BindingScorer {
 public:
   explicit BindingScorer(const FeatureComparator& comparator) : comparator_(comparator) {}
 
-  /// How well the proxy fits to the members of a union.
+  /// Score of a proxy with the members of a union.
   ///
-  /// \param members in any order. Those that do not come before the proxy in binding order are left
-  ///        out; if no one is left, the union is not comparable.
+  /// \param members in any order. Those not before the proxy in binding order are ignored; if none
+  ///        is left, the union is not comparable.
   BindingScore score(const ProxyRef& proxy, std::span<const ProxyRef> members,
                      const RelationContext& context) const;
 
-  /// The part of the score that features and types make up.
+  /// The part of the score that depends on features and types.
   BindingScore feature_score(const ProxyRef& proxy, std::span<const ProxyRef> members) const;
 
-  /// What others should be asked before that score is certain.
+  /// Comparisons to request from other subarchitectures before the score is certain.
   std::vector<FeatureComparison> open_comparisons(const BindingProxy& proxy,
                                                   const BindingProxy& member) const;
 

@@ -12,8 +12,8 @@
 
 namespace castor::binding {
 
-/// The proxies and unions of the binding working memory, as a component has seen them last. Both
-/// come and go one by one, so a union may name members that are not known yet, or are gone.
+/// The proxies and unions of the binding working memory, as last seen by a component. They change
+/// one by one, so a union may name members that are not known yet, or were deleted.
 class BindingView final : public RelationContext {
 public:
   void set(const std::string& id, std::shared_ptr<const BindingProxy> proxy);
@@ -31,11 +31,11 @@ public:
   /// \pre there is such a proxy.
   ProxyRef ref(const std::string& id) const;
 
-  /// Those of these proxies that are known.
+  /// The known ones of these proxies.
   std::vector<ProxyRef> refs(std::span<const std::string> ids) const;
 
-  /// What is asked of the surroundings of others makes a difference to this proxy: it is a relation
-  /// or has some.
+  /// Whether the proxy is a relation or an end of one, so that its score depends on other proxies'
+  /// unions.
   bool has_ports(const std::string& id) const;
 
   const BindingProxy* proxy(const std::string& id) const override;
@@ -47,7 +47,8 @@ private:
 
   std::map<std::string, std::shared_ptr<const BindingProxy>> proxies_;
   std::map<std::string, std::shared_ptr<const BindingUnion>> unions_;
-  /// By the proxy that they lead to; ordered by the relation, whatever came first.
+  /// By the proxy that they lead to; ordered by the relation's id, independent of the order of
+  /// arrival.
   std::map<std::string, std::vector<Port>> in_ports_;
 };
 

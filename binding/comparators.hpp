@@ -11,41 +11,40 @@
 namespace castor::binding {
 
 struct ComparatorOptions {
-  /// Up to here two locations are the same, from there on they are not, metres. In between, nobody
-  /// knows: sources differ in precision.
+  /// Metres. Locations at most `same_place` apart are the same, those at least `other_place` apart
+  /// are not. In between it is unknown: sources differ in precision.
   double same_place = 0.05;
   double other_place = 0.10;
-  /// The concept of every object that is nothing in particular.
+  /// The most general concept of objects.
   std::string top_concept = "thing";
-  /// Concepts and what they are a kind of. Whoever is not here is a kind of the top concept; an
-  /// empty text stands for nothing above, as for a room.
+  /// Concepts and their superconcepts. A concept that is not listed is a kind of the top concept;
+  /// an empty text means no superconcept, as for a room.
   std::map<std::string, std::string> is_a = {
     {"location", ""}, {"place", ""}, {"room", ""}, {"area", ""}, {"person", ""}};
-  /// Shapes that one thing may be called by, as seen from this side or that: nobody knows whether
-  /// they agree.
+  /// Shapes that one thing may show from different sides: whether they agree is unknown.
   std::set<std::pair<std::string, std::string>> alike = {
     {"cube", "square"},      {"cube", "rectangle"}, {"cylinder", "circle"},
     {"square", "rectangle"}, {"sphere", "circle"},  {"cylinder", "rectangle"}};
 };
 
-/// Whether two features of these kinds say something about each other at all, besides that they may
-/// exclude each other.
+/// Whether agreeing features of these kinds are evidence for binding, not only able to exclude each
+/// other.
 bool is_evidence(FeatureKind a, FeatureKind b);
 
-/// Whether features of these kinds may be anything but unknown to each other.
+/// Whether the comparison of features of these kinds can have a result other than unknown.
 bool may_compare(FeatureKind a, FeatureKind b);
 
-/// Whether both may be true of one thing: yes, if one says what the other says; no, if they exclude
-/// each other. The order does not matter.
+/// Whether both can be true of one thing: yes if they agree, no if they exclude each other.
+/// Symmetric.
 ///
-/// Words are compared as such; "unknown" and empty ones are no statement. A concept is what it is a
-/// kind of. Of shapes that look alike, nobody knows. Of time frames, ids of sources, groups and
-/// singulars, different ones exclude each other and equal ones prove nothing. What is not red
-/// excludes what is red, and includes what is blue.
+/// Words are compared as text; "unknown" and empty ones make no statement. A concept agrees with
+/// its superconcepts. For shapes that look alike the result is unknown. Temporal frames, source
+/// ids, groups and singulars only exclude: different ones do, equal ones are no evidence. "Not red"
+/// excludes red, and agrees with blue.
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
 
-/// Whether `a` is a concept that `b` is only a kind of: what is known to be a thing may be a ball,
-/// but need not be one.
+/// Whether `a` is a proper superconcept of `b`: what is known to be a thing may be a ball, but need
+/// not be one.
 bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
 
 } // namespace castor::binding

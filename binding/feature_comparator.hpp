@@ -13,44 +13,46 @@
 
 namespace castor::binding {
 
-/// Compares features, by the internal comparators and by the answers of subarchitectures that are
-/// competent for their kinds. What has been answered once is known from then on; what two proxies
-/// have to do with each other therefore follows from them and the answers alone.
+/// Compares features with the internal comparators and the answers of subarchitectures that are
+/// competent for their kinds. Answers are remembered, so the comparison of two proxies depends only
+/// on their features and the answers.
 class FeatureComparator {
 public:
   explicit FeatureComparator(ComparatorOptions options = {});
 
   void add(FeatureComparisonCompetence competence);
-  /// Its answers no longer count where nobody else is competent.
+  /// Removes a subarchitecture's competences. Its answers no longer count for kinds without another
+  /// competent one.
   void remove(const std::string& subarchitecture);
 
-  /// Remembers an answer. One that says unknown changes nothing, but nobody is asked again.
+  /// Remembers an answer. The answer unknown changes no comparison, but prevents further requests.
   void answer(const Feature& a, const Feature& b, Truth equivalent);
 
-  /// What is known now.
+  /// Result from all current knowledge.
   Truth compare(const Feature& a, const Feature& b) const;
 
-  /// Whether what is known says all that is described, and not only nothing against it.
+  /// Whether the known feature implies the described one, beyond not contradicting it.
   bool confirms(const Feature& known, const Feature& described) const;
 
-  /// Who has to be asked before more is known; nullptr if nobody has.
+  /// The competent subarchitecture to ask; nullptr if none is needed.
   const FeatureComparisonCompetence* competent_for(const Feature& a, const Feature& b) const;
 
-  /// Whether the kinds say something about each other, internally or to anybody competent.
+  /// Whether agreeing features of these kinds are evidence, by the internal comparators or a
+  /// competent subarchitecture.
   bool is_evidence(FeatureKind a, FeatureKind b) const {
     return (evidence_[static_cast<std::size_t>(a)] & bit(b)) != 0;
   }
 
-  /// The kinds that are evidence beside one of `kinds`.
+  /// The kinds that are evidence together with one of `kinds`.
   KindSet evidence_beside(KindSet kinds) const;
 
-  /// Whether features of these kinds may be anything but unknown to each other.
+  /// Whether the comparison of features of these kinds can have a result other than unknown.
   bool may_compare(FeatureKind a, FeatureKind b) const {
     return (comparable_[static_cast<std::size_t>(a)] & bit(b)) != 0;
   }
 
 private:
-  /// Regardless of the order.
+  /// Unordered pair of features, as text.
   struct Pair {
     std::string low;
     std::string high;
@@ -65,7 +67,8 @@ private:
   ComparatorOptions options_;
   std::vector<FeatureComparisonCompetence> competences_;
   std::map<Pair, Truth> answers_;
-  /// For each kind, those that are evidence beside it, and those that it can be compared with.
+  /// For each kind: the kinds that are evidence together with it, and those that it can be compared
+  /// with.
   std::array<KindSet, feature_kinds> evidence_{};
   std::array<KindSet, feature_kinds> comparable_{};
 };

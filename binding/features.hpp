@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-/// How features are taken apart.
+/// Access to features and their kinds.
 namespace castor::binding {
 
 /// The first feature of that kind, if there is one.

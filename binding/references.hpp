@@ -11,14 +11,14 @@
 
 namespace castor::binding {
 
-/// All relations between unions whose proxies are bound; each once, ordered.
+/// All relations between unions, from their bound relation proxies; distinct and sorted.
 std::vector<UnionRelation> relations_between(const std::map<std::string, BindingUnion>& unions);
 
-/// All ways to understand a description, the most certain first, then by the ids of the unions; at
-/// most `limit`. Features that a union does not have may be true of it, those that it denies are
-/// not. What is described by one of its proxies (`existing_proxy_id`) is that very union. A
-/// relation holds only if a relation proxy says so: spatial relations are computed for all that is
-/// seen.
+/// All readings of a description, the most certain first, then by the ids of the unions; at most
+/// `limit`. A feature that a union lacks may be true of it; one that it denies is not. A thing
+/// described by a proxy (`existing_proxy_id`) is the union of that proxy. A relation holds only if
+/// there is a relation proxy for it: spatial relations are computed for everything that is
+/// perceived.
 ///
 /// \throws std::out_of_range if a relation is about a thing that is not described.
 std::vector<Referents> find_referents(const Description& description,
@@ -26,7 +26,7 @@ std::vector<Referents> find_referents(const Description& description,
                                       const FeatureComparator& comparator,
                                       std::size_t limit = 1000);
 
-/// The unions that the first thing of a description may be, each with its most certain reading.
+/// The possible unions of the first thing of a description, each with its most certain reading.
 std::vector<Referents> distinct_referents(std::span<const Referents> all);
 
 } // namespace castor::binding

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-/// Entry types of the binding working memory: what subarchitectures say of the things that they
-/// know about, and what binding makes of it. docs/binding.md has the whole picture.
+/// Entry types of the binding working memory: proxies, the subarchitectures' descriptions of
+/// things, and unions, proxies of one thing bound together. See docs/binding.md.
 namespace castor::binding {
 
 enum class FeatureKind {
@@ -22,7 +22,7 @@ enum class FeatureKind {
   shape,
   size,
   material,
-  /// Where it is: x, y, z in `numbers`, metres.
+  /// Position: x, y, z in `numbers`, metres.
   location,
   /// The subarchitecture that it comes from.
   source_id,
@@ -35,7 +35,7 @@ enum class FeatureKind {
   existing_proxy_id,
   /// Microseconds since the system began, in `numbers`.
   creation_time,
-  /// While it was pointed at: begin, and end if it is over; microseconds, in `numbers`.
+  /// Interval in which it was pointed at: begin, and end if it is over; microseconds, in `numbers`.
   salience,
   /// "perceived", "desired", ...
   temporal_frame,
@@ -46,8 +46,8 @@ enum class FeatureKind {
   debug_string,
 };
 
-/// What can be said of a thing, in words that all subarchitectures know. Immutable: a proxy changes
-/// by having other features.
+/// A statement about a thing, in terms shared by all subarchitectures. Immutable: a changed proxy
+/// has other features.
 struct Feature {
   FeatureKind kind = FeatureKind::debug_string;
   std::string text;
@@ -80,7 +80,7 @@ inline Feature not_from(std::string subarchitecture) {
   return negation_of(feature(FeatureKind::other_source_id, std::move(subarchitecture)));
 }
 
-/// The tether to what the proxy stands for.
+/// The tether to the entry that the proxy stands for.
 inline Feature tether_to(AnyEntryPointer data) {
   return {FeatureKind::source_data, {}, {}, std::move(data), false};
 }
@@ -90,7 +90,7 @@ inline Feature created_at(std::int64_t time) {
   return {FeatureKind::creation_time, {}, {static_cast<double>(time)}, {}, false};
 }
 
-/// Still salient if there is no end.
+/// Microseconds. Still salient if there is no end.
 inline Feature salient_from(std::int64_t begin, std::optional<std::int64_t> end = std::nullopt) {
   Feature result{FeatureKind::salience, {}, {static_cast<double>(begin)}, {}, false};
   if (end)
@@ -104,19 +104,19 @@ enum class ProxyType { basic, group, relation };
 inline constexpr const char* perceived_frame = "perceived";
 inline constexpr const char* desired_frame = "desired";
 
-/// The label of the relation from a location to what is there.
+/// Label of the relation from a location to the thing at it.
 inline constexpr const char* position_label = "pos";
 
-/// The names of a relation's two ends: `from` is left of `to`.
+/// Labels of a relation's two ports: `from` is left of `to`.
 inline constexpr const char* from_port = "from";
 inline constexpr const char* to_port = "to";
 
-/// One end of a relation. In the relation's proxy (out-port) it says to whom it leads; the same
-/// record stands among the in-ports of that one's union.
+/// One end of a relation. An out-port of the relation's proxy leads to another proxy; the same
+/// record is an in-port of that proxy's union.
 struct Port {
-  /// The end's name, such as "from" and "to".
+  /// Name of the end, such as "from" and "to".
   std::string label;
-  /// Who is there.
+  /// The proxy that the port leads to.
   std::string proxy;
   /// The proxy of the relation.
   std::string owner;
@@ -126,21 +126,21 @@ struct Port {
 
 enum class ProxyState { fresh, updated, reprocessed, bound };
 
-/// What one subarchitecture says of one thing. The entry's id is the proxy's.
+/// One subarchitecture's description of one thing. The entry's id is the proxy's.
 struct BindingProxy {
   ProxyType type = ProxyType::basic;
-  /// The subarchitecture that it comes from.
+  /// Subarchitecture that it comes from.
   std::string source;
-  /// Proxies with a lower precedence are bound first, whenever they came: perception before what
-  /// refers to it.
+  /// Proxies with a lower precedence are bound first, independent of their arrival: perception
+  /// before references to it.
   std::int32_t precedence = 0;
   std::vector<Feature> features;
-  /// Of a relation.
+  /// Ends of a relation.
   std::vector<Port> out_ports;
-  /// Stands for something that need not exist.
+  /// The thing need not exist.
   bool hypothetical = false;
   ProxyState state = ProxyState::fresh;
-  /// What the binder made of it; empty before.
+  /// Union of the proxy, set by the binder; empty before.
   std::string union_id;
   /// All members of that union, itself included.
   std::vector<std::string> proxy_ids;
@@ -148,14 +148,14 @@ struct BindingProxy {
   std::uint32_t binding_count = 0;
 };
 
-/// One thing: all that is said of it. The entry's id follows from its first member's.
+/// All descriptions of one thing. The entry's id is derived from its first member's.
 struct BindingUnion {
   ProxyType type = ProxyType::basic;
-  /// In the order of binding.
+  /// In binding order.
   std::vector<std::string> proxy_ids;
   /// The subarchitectures of the members, in the same order.
   std::vector<std::string> sources;
-  /// Those of all members: what several say stands there several times.
+  /// Features of all members, with repetitions.
   std::vector<Feature> features;
   std::vector<Port> out_ports;
   std::vector<Port> in_ports;
@@ -164,7 +164,7 @@ struct BindingUnion {
   friend bool operator==(const BindingUnion&, const BindingUnion&) = default;
 };
 
-/// How well a proxy fits into a union, or to stay alone.
+/// How well a proxy fits into a union, or stays alone (NIL).
 struct BindingScore {
   bool comparable = false;
   bool mismatch = false;
@@ -172,13 +172,13 @@ struct BindingScore {
   bool relation_mismatch = false;
   std::uint32_t relation_matches = 0;
   std::uint32_t sticky = 0;
-  /// Microseconds between what is salient here and there; 0 where they overlap.
+  /// Microseconds between the salience intervals of proxy and union; 0 if they overlap.
   double salience_gap = 1e13;
 
   friend bool operator==(const BindingScore&, const BindingScore&) = default;
 };
 
-/// An empty union id is for NIL: a union of its own.
+/// Score of a proxy with a union. An empty union id stands for NIL, a union of its own.
 struct ProxyUnionScore {
   std::string proxy;
   std::string union_id;
@@ -187,7 +187,7 @@ struct ProxyUnionScore {
   friend bool operator==(const ProxyUnionScore&, const ProxyUnionScore&) = default;
 };
 
-/// From the scorer to the judge: how well a proxy fits into NIL, and into every union that its
+/// From the scorer to the judge: the scores of a proxy with NIL and with every union that its
 /// features do not rule out.
 struct ProxyUnionScores {
   std::string proxy;
@@ -196,8 +196,7 @@ struct ProxyUnionScores {
   friend bool operator==(const ProxyUnionScores&, const ProxyUnionScores&) = default;
 };
 
-/// From the judge: the unions that fit equally well and better than all others, the one to take
-/// first. Empty for NIL.
+/// From the judge: the unions with the best score, the preferred one first. Empty for NIL.
 struct BestUnionsForProxy {
   std::string proxy;
   std::vector<std::string> unions;
@@ -208,10 +207,10 @@ struct BestUnionsForProxy {
 /// The id of the one BinderStatus.
 inline constexpr const char* binder_status = "binder-status";
 
-/// Whoever changes proxies or unions holds a lease of this entry meanwhile: monitors, and the
-/// binder.
+/// Status of the binder. Monitors and the binder hold a lease of this entry while they change
+/// proxies or unions.
 struct BinderStatus {
-  /// Every proxy is in the best of its unions, as far as that is known.
+  /// Whether every proxy is in the best of its unions, according to the current judgements.
   bool stable = true;
   std::uint64_t proxies = 0;
   std::uint64_t unions = 0;
@@ -219,11 +218,11 @@ struct BinderStatus {
   friend bool operator==(const BinderStatus&, const BinderStatus&) = default;
 };
 
-/// Whether two features speak of the same thing.
+/// Whether two features can be true of one thing.
 enum class Truth { unknown, yes, no };
 
-/// A question that a competent subarchitecture is to answer, and the answer; a request of calls,
-/// too.
+/// A comparison requested from a competent subarchitecture, and its answer. Also used as the
+/// request of calls.
 struct FeatureComparison {
   Feature proxy_feature;
   Feature union_feature;
@@ -231,17 +230,17 @@ struct FeatureComparison {
   bool answered = false;
 };
 
-/// What becomes of an internal comparator's answer where there is an external one.
+/// How far an internal comparator's answer is trusted if there is an external comparator.
 enum class Trust {
-  /// Nobody else is asked.
+  /// The external comparator is not asked.
   completely,
-  /// It counts until the other has answered.
+  /// The internal answer counts until the external one arrives.
   until_validated,
-  /// It never counts.
+  /// The internal answer is ignored.
   not_at_all,
 };
 
-/// A subarchitecture says that it can compare these kinds of features.
+/// Declares that a subarchitecture can compare these kinds of features.
 struct FeatureComparisonCompetence {
   std::string subarchitecture;
   FeatureKind proxy_kind = FeatureKind::concept_name;
@@ -255,34 +254,34 @@ struct FeatureComparisonCompetence {
 struct Ambiguity {
   std::string proxy;
   std::vector<std::string> unions;
-  /// What some of the unions say of themselves and the proxy does not.
+  /// Kinds of features that some of the unions have and the proxy lacks.
   std::vector<FeatureKind> missing_in_proxy;
-  /// What the proxy says and some of the unions do not.
+  /// Kinds of features that the proxy has and some of the unions lack.
   std::vector<FeatureKind> missing_in_unions;
 
   friend bool operator==(const Ambiguity&, const Ambiguity&) = default;
 };
 
-/// From a monitor: this proxy is to be deleted.
+/// From a monitor: a request to delete this proxy.
 struct BindingProxyDeletionTask {
   std::string proxy;
 };
 
-/// A tombstone: the proxy is gone, and what leads to it may be cleared away.
+/// A tombstone of a deleted proxy, so that references to it can be removed.
 struct DeletedBindingProxy {
   std::string proxy;
   std::string source;
   std::string union_id;
 };
 
-/// What somebody says of a thing that is meant to be known already.
+/// Description of a thing that is assumed to be known already.
 struct DescribedThing {
   std::vector<Feature> features;
 
   friend bool operator==(const DescribedThing&, const DescribedThing&) = default;
 };
 
-/// Two described things, by their numbers: `from` is `label` of `to`.
+/// Relation between two described things, by their indices: `from` is `label` of `to`.
 struct DescribedRelation {
   std::string label;
   std::uint32_t from = 0;
@@ -291,8 +290,8 @@ struct DescribedRelation {
   friend bool operator==(const DescribedRelation&, const DescribedRelation&) = default;
 };
 
-/// "the red thing left of the ball": two things, one relation. The first thing is the one that is
-/// asked for.
+/// "the red thing left of the ball": two things, one relation. The first thing is the one to be
+/// found.
 struct Description {
   std::vector<DescribedThing> things;
   std::vector<DescribedRelation> relations;
@@ -300,17 +299,18 @@ struct Description {
   friend bool operator==(const Description&, const Description&) = default;
 };
 
-/// Which unions a description may be about.
+/// One reading of a description: the unions that it may refer to.
 struct Referents {
-  /// One for each described thing, none twice.
+  /// One for each described thing, all different.
   std::vector<std::string> unions;
-  /// How many of the features described are neither confirmed nor denied; 0 if it is certain.
+  /// Number of described features that are neither confirmed nor denied; 0 if the reading is
+  /// certain.
   std::uint32_t unknown = 0;
 
   friend bool operator==(const Referents&, const Referents&) = default;
 };
 
-/// A relation between two unions, as some relation proxy says.
+/// A relation between two unions, from a relation proxy.
 struct UnionRelation {
   std::string label;
   std::string from;
@@ -319,29 +319,30 @@ struct UnionRelation {
   friend auto operator<=>(const UnionRelation&, const UnionRelation&) = default;
 };
 
-/// A call: which unions may each description be about? Only what is perceived counts.
+/// Request of a call: the unions that each description may refer to. Only perceived things are
+/// considered.
 struct ReferenceRequest {
   std::vector<Description> descriptions;
 };
 
-/// What is known of a union.
+/// A union and its features.
 struct KnownUnion {
   std::string id;
-  /// Of its members, the one that everybody can keep hold of it by.
+  /// The member by which to refer to the union in the long term.
   std::string proxy;
   std::vector<Feature> features;
 };
 
-/// Of one description.
+/// Readings of one description.
 struct DescriptionReferents {
   std::vector<Referents> readings;
 };
 
 struct ReferenceReply {
-  /// For each description the unions that it may be about, the most certain first, each with the
+  /// For each description the unions that it may refer to, the most certain first, each with the
   /// most certain of its readings. No relation or feature of them is denied.
   std::vector<DescriptionReferents> referents;
-  /// Everything that is perceived, and how it lies to each other.
+  /// All perceived things, and the relations between them.
   std::vector<KnownUnion> unions;
   std::vector<UnionRelation> relations;
 };

@@ -12,16 +12,17 @@
 
 namespace castor::binding {
 
-/// Followed by the proxy, the ids of the entries that say how well it fits, and where best.
+/// Prefixes of the entry ids of a proxy's scores and of its best unions, followed by the proxy's
+/// id.
 inline constexpr std::string_view scores_prefix = "scores of ";
 inline constexpr std::string_view best_prefix = "best unions for ";
 
-/// What the components of the binding subarchitecture have in common: each sees the proxies and the
-/// unions, and works whenever something has changed, on all that has changed since. So one that is
-/// started again catches up by itself.
+/// Base class of the components of the binding subarchitecture: observes the proxies and the
+/// unions, and processes all changes since its last turn. A restarted component therefore catches
+/// up by itself.
 class BindingComponent : public UnmanagedComponent {
 protected:
-  /// Ids of what has come, changed or gone.
+  /// Ids of added, changed and deleted proxies and unions.
   struct Changes {
     std::set<std::string> proxies;
     std::set<std::string> unions;
@@ -30,18 +31,18 @@ protected:
   void start() override;
   void run() override;
 
-  /// Does what there is to do. Everything is in `changes` the first time.
+  /// Processes changes. The first call gets all proxies and unions.
   virtual void work(const Changes& changes) = 0;
 
   const BindingView& view() const { return view_; }
 
-  /// For what the component itself has just written.
+  /// For updates with the component's own writes.
   BindingView& view() { return view_; }
 
-  /// Looks at all that has changed since this was last called.
+  /// Updates the view and returns the changes since the last call.
   Changes catch_up();
 
-  /// Puts an entry into the own working memory, if it is to say something else than it does.
+  /// Adds or overwrites an entry of the own working memory, unless it has this value already.
   template <class T>
   void put(const std::string& id, T x) {
     try {
@@ -53,7 +54,7 @@ protected:
     UnmanagedComponent::put(here(id), std::move(x));
   }
 
-  /// Deletes an entry of the own working memory, if it is there.
+  /// Deletes an entry of the own working memory, if it exists.
   void drop(const std::string& id);
 
 private:
