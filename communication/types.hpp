@@ -7,18 +7,17 @@
 #include <string>
 #include <vector>
 
-/// Entry types of the communication working memory: what was said, what it may mean, and what is to
-/// be said.
+/// Entry types of the communication working memory: utterances, their meanings, and replies.
 namespace castor::communication {
 
-/// One hypothesis of what was heard: words as written, separated by blanks.
+/// One hypothesis of a heard utterance: words as written, separated by blanks.
 struct PhonString {
   std::string word_sequence;
   /// In words.
   std::int32_t length = 0;
   /// In [0, 1].
   double confidence = 1;
-  /// The place among the hypotheses of one utterance, from 0 for the likeliest.
+  /// Rank among the hypotheses of one utterance, from 0 for the likeliest.
   std::int32_t rank = 0;
   /// How many utterances came before it.
   std::int32_t turn = 0;
@@ -40,13 +39,13 @@ struct NominalRelation {
   friend bool operator==(const NominalRelation&, const NominalRelation&) = default;
 };
 
-/// Something that a logical form speaks of: @name:sort(proposition ^ <Feature>value ^ <Relation>b).
+/// A node of a logical form: @name:sort(proposition ^ <Feature>value ^ <Relation>b).
 struct Nominal {
-  /// After the word that brings it: w3 for the third.
+  /// Derived from the word that introduces it: w3 for the third.
   std::string name;
-  /// What kind of thing it is: thing, colour, region, action...
+  /// Kind of the nominal: thing, colour, region, action...
   std::string sort;
-  /// What is said of it, mostly a word's citation form; empty if nothing.
+  /// Its predicate, mostly a word's citation form; empty if there is none.
   std::string proposition;
   std::vector<NominalFeature> features;
   std::vector<NominalRelation> relations;
@@ -58,7 +57,7 @@ struct Nominal {
 struct LogicalForm {
   std::string root;
   std::vector<Nominal> nominals;
-  /// The higher the likelier; comparable among the readings of one utterance.
+  /// Higher is likelier; comparable among the readings of one utterance.
   double preference = 0;
 
   friend bool operator==(const LogicalForm&, const LogicalForm&) = default;
@@ -72,7 +71,7 @@ struct Reading {
   friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-/// A sort, a proposition or a root, in these readings.
+/// A sort, a proposition or a root, and the readings that have it.
 struct PackedValue {
   std::string value;
   std::vector<std::int32_t> readings;
@@ -80,7 +79,7 @@ struct PackedValue {
   friend bool operator==(const PackedValue&, const PackedValue&) = default;
 };
 
-/// <name>value, in these readings.
+/// <name>value, and the readings that have it.
 struct PackedFeature {
   std::string name;
   std::string value;
@@ -89,7 +88,7 @@ struct PackedFeature {
   friend bool operator==(const PackedFeature&, const PackedFeature&) = default;
 };
 
-/// <mode>(dependent), in these readings.
+/// <mode>(dependent), and the readings that have it.
 struct PackedRelation {
   std::string mode;
   std::string dependent;
@@ -98,7 +97,7 @@ struct PackedRelation {
   friend bool operator==(const PackedRelation&, const PackedRelation&) = default;
 };
 
-/// A nominal with all that any reading says of it.
+/// A nominal with its properties in all readings.
 struct PackedNominal {
   std::string name;
   std::vector<PackedValue> sorts;
@@ -111,13 +110,13 @@ struct PackedNominal {
 
 /// A part of an utterance that was not understood.
 struct Unparsable {
-  /// From this word, counted from 0, so many.
+  /// First word, counted from 0, and number of words.
   std::int32_t first_word = 0;
   std::int32_t words = 0;
   std::string text;
-  /// What is wrong with it, for people to read.
+  /// Readable description of the error.
   std::string reason;
-  /// What may have been meant, the likeliest first.
+  /// Suggested replacements, the likeliest first.
   std::vector<std::string> suggestions;
 
   friend bool operator==(const Unparsable&, const Unparsable&) = default;
@@ -128,25 +127,24 @@ enum class InterpretationState {
   unfinished,
   /// All words have been heard.
   finished,
-  /// Finished, and readings have been removed by what else is known.
+  /// Finished, and readings without support have been removed.
   pruned
 };
 
-/// All readings of an utterance in one form, overwritten after each word. What is common to
-/// readings is there once; every alternative carries the readings that it belongs to, so pruning is
-/// removing readings.
+/// All readings of an utterance in one form, overwritten after each word. Parts common to readings
+/// are stored once; every alternative lists its readings, so pruning means removing readings.
 struct PackedLogicalForm {
   EntryPointer<PhonString> utterance;
-  /// Its words.
+  /// Words of the utterance.
   std::string text;
   /// How many utterances came before it.
   std::int32_t turn = 0;
-  /// So many words of it have been heard.
+  /// Number of words heard so far.
   std::int32_t string_position = 0;
   InterpretationState state = InterpretationState::unfinished;
   /// The likeliest first; empty if nothing was understood.
   std::vector<Reading> readings;
-  /// What the readings are about; several of one reading are fragments that nothing connects.
+  /// Roots of the readings; several roots of one reading are unconnected fragments.
   std::vector<PackedValue> roots;
   std::vector<PackedNominal> nominals;
   std::vector<Unparsable> unparsable;
@@ -154,8 +152,8 @@ struct PackedLogicalForm {
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
 
-/// What other knowledge says of one relation of a packed logical form, as of the attachment of
-/// "near the box" to something that is seen near a box, or not.
+/// Support by other knowledge for or against one relation of a packed logical form, such as the
+/// attachment of "near the box" to a thing that is, or is not, seen near a box.
 struct InterpretationSupport {
   std::string head;
   std::string mode;
@@ -165,12 +163,13 @@ struct InterpretationSupport {
   friend bool operator==(const InterpretationSupport&, const InterpretationSupport&) = default;
 };
 
-/// There is a component that says which readings the rest of the system supports. Goes with it.
+/// Announces a component that reports which readings are supported by the rest of the system.
+/// Deleted when the component ends.
 struct ContextSource {
   std::string component;
 };
 
-/// What such a component says of a finished form that has several readings.
+/// Report of such a component about a finished form that has several readings.
 struct ContextInfo {
   EntryPointer<PackedLogicalForm> form;
   std::vector<InterpretationSupport> supports;
@@ -188,38 +187,38 @@ enum class DialogueMoveType {
   reject
 };
 
-/// What somebody does by saying a logical form.
+/// The speech act of an utterance.
 struct DialogueMove {
   DialogueMoveType type = DialogueMoveType::none;
   LogicalForm content;
   /// How many utterances came before it.
   std::int32_t turn = 0;
-  /// What to say of what was not understood; else empty.
+  /// Explanation for the speaker of the part not understood; otherwise empty.
   std::string problem;
   EntryPointer<PhonString> utterance;
 };
 
-/// Something that a dialogue move speaks of, and that may be spoken of again.
+/// A thing mentioned in a dialogue move, which later moves can refer to.
 struct DiscourseReferent {
-  /// The nominal that brought it up.
+  /// Nominal that introduced it.
   std::string nominal;
   std::string proposition;
   bool is_plural = false;
-  /// What it may be: proxies of what is perceived, one if it is certain.
+  /// Proxies of the perceived things that it may be; one if it is certain.
   std::vector<std::string> proxies;
 
   friend bool operator==(const DiscourseReferent&, const DiscourseReferent&) = default;
 };
 
-/// What a dialogue move speaks of. It is there when everything said before is known to binding.
+/// Things mentioned in a dialogue move. Added when binding has processed everything said before.
 struct MoveReferents {
   EntryPointer<DialogueMove> move;
   std::int32_t turn = 0;
-  /// The one that the move is about first.
+  /// The subject of the move first.
   std::vector<DiscourseReferent> referents;
 };
 
-/// How a turn of a dialogue is connected with one before it.
+/// Relation of a turn of a dialogue to an earlier one.
 enum class RhetoricalRelation {
   /// Something new.
   narration,
@@ -238,28 +237,27 @@ struct DialogueTurn {
   AnyEntryPointer contribution;
   DialogueMoveType type = DialogueMoveType::none;
   RhetoricalRelation relation = RhetoricalRelation::narration;
-  /// The contribution that it is connected with; null for something new.
+  /// The contribution that it is related to; null for something new.
   AnyEntryPointer to;
 
   friend bool operator==(const DialogueTurn&, const DialogueTurn&) = default;
 };
 
-/// One entry: who said what, and in reply to what.
+/// All turns of the dialogue; there is one such entry.
 struct DialogueStructure {
   std::vector<DialogueTurn> turns;
 };
 
-/// What is to be said: a logical form for the realiser.
+/// A logical form to be said, for the realiser.
 struct ContentPlanningGoal {
   LogicalForm content;
-  /// The dialogue move that this is a reply to, and the utterance of that; null for what is said
-  /// unasked.
+  /// The dialogue move that this replies to, and its utterance; null for an unprompted utterance.
   EntryPointer<DialogueMove> reply_to;
   EntryPointer<PhonString> utterance;
   RhetoricalRelation relation = RhetoricalRelation::narration;
 };
 
-/// What is said, or was.
+/// A sentence that is, or was, said by the robot.
 struct SpokenOutputItem {
   std::string text;
   /// As in ContentPlanningGoal.

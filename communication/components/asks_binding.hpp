@@ -13,11 +13,11 @@
 
 namespace castor::communication {
 
-/// A component, made of `Base`, that asks binding what descriptions may be about.
+/// A component derived from `Base` that can ask binding for the referents of descriptions.
 template <class Base>
 class AsksBinding : public Base {
 protected:
-  /// Nothing if there is no binding, or no answer in time.
+  /// Calls binding. Nothing if there is no binding, or no answer in time.
   std::optional<binding::ReferenceReply> ask(const std::string& binding_subarchitecture,
                                              std::vector<binding::Description> descriptions) {
     try {
@@ -38,7 +38,8 @@ protected:
     return std::nullopt;
   }
 
-  /// What `f` makes of what is known of the scene, asking binding for all that it asks for.
+  /// Returns `f(scene)`, repeated until binding has answered all questions that `f` adds to the
+  /// scene.
   template <class F>
   auto with_scene(const std::string& binding_subarchitecture, F f) {
     SceneKnowledge scene;

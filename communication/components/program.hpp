@@ -7,7 +7,7 @@
 
 namespace castor::communication {
 
-/// A program of the system's, such as a speech recogniser, while it runs. Ends with this object.
+/// A running external program, such as a speech recogniser. The destructor ends it.
 class Program {
 public:
   /// @param command as a shell understands it; its input is empty
@@ -18,13 +18,13 @@ public:
   Program& operator=(const Program&) = delete;
   ~Program();
 
-  /// What it prints can be read here.
+  /// Descriptor to read its standard output from.
   int output() const { return output_; }
 
-  /// Whether it has ended, and how is known from now on.
+  /// Whether it has ended; if so, `status` is set.
   bool has_ended() { return process_->has_ended(); }
 
-  /// 0 for well; the shell's 127 for a program that is not there. \pre it has ended
+  /// Exit status; the shell's 127 for a program that does not exist. \pre it has ended
   int status() const { return process_->status(); }
 
 private:

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-/// Logical forms of what robots often say, for the realiser. Forms are made of forms:
+/// Constructors of logical forms for frequent utterances of robots. Forms are composed of forms:
 ///
 ///     with_marker("no", ascribe(pronoun("it"), colour))              "No, it is red."
 ///     ascribe(square, colour)                                        "The square is blue."
@@ -24,37 +24,37 @@ LogicalForm pronoun(const std::string& word);
 /// "Red": @p:colour(red).
 LogicalForm property(const std::string& sort, const std::string& value);
 
-/// What is in a relation to something, as said of it: @r:region(left ^ <Anchor>(...)).
+/// The region in a relation to an anchor: @r:region(left ^ <Anchor>(...)).
 LogicalForm region(const std::string& relation, const LogicalForm& anchor);
 
-/// A thing of a kind, such as the ball, with its definite article.
+/// "The ball".
 LogicalForm definite(const std::string& noun);
 
-/// A ball.
+/// "A ball".
 LogicalForm indefinite(const std::string& noun);
 
-/// So many balls; "no balls" for 0.
+/// "Two balls"; "no balls" for 0.
 LogicalForm counted(std::size_t count, LogicalForm thing);
 
 /// "No ball".
 LogicalForm none_of(LogicalForm thing);
 
-/// The same thing, with a property or a region: definite("ball") <Colour> red.
+/// Adds a property or a region to a thing: definite("ball") <Colour> red.
 LogicalForm with(LogicalForm thing, const std::string& mode, const LogicalForm& dependent);
 
-/// `what` is `scope`, or is not.
+/// "`what` is `scope`", or "is not".
 LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_so = true);
 
-/// There is `what`.
+/// "There is `what`."
 LogicalForm exists(const LogicalForm& what);
 
 /// "No, ...".
 LogicalForm with_marker(const std::string& word, LogicalForm form);
 
-/// Which of the things that `what` describes does the other mean?
+/// "Which `what` do you mean?"
 LogicalForm which(LogicalForm what);
 
-/// What a form says of one of its nominals: that and all it leads to.
+/// The part of a form about one of its nominals: that nominal and all that it leads to.
 LogicalForm part_of(const LogicalForm& form, const std::string& nominal);
 
 /// "I do not see a ball."

@@ -4,8 +4,8 @@
 
 namespace castor::communication {
 
-/// What is done by saying this, as its mood and its kind have it: "can you see the ball" asks, even
-/// if it means to request. Nothing for what is no sentence, such as "the red ball".
+/// The dialogue move of a logical form, by its mood and kind: "can you see the ball" is a question,
+/// even if meant as a request. `none` for fragments such as "the red ball".
 DialogueMoveType dialogue_move_type(const LogicalForm& form);
 
 } // namespace castor::communication

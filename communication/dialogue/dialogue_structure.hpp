@@ -6,8 +6,9 @@
 
 namespace castor::communication {
 
-/// How what a human does is connected with what was said before: who is asked which ball is meant
-/// clarifies what was asked before, and who says "yes" or "no" accepts or rejects what was said.
+/// Finds the earlier turn to which a human's turn is related, and the relation: a reply to "which
+/// ball do you mean?" clarifies the earlier question, "yes" and "no" accept or reject the last
+/// statement.
 ///
 /// \returns the turn with `relation` and `to`
 DialogueTurn connected(DialogueTurn turn, std::span<const DialogueTurn> before);

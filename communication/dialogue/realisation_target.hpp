@@ -9,13 +9,13 @@
 
 namespace castor::communication {
 
-/// An index of a word that is to be said: a nominal of the target, counted from 0, or, if negative,
-/// one that is still free.
+/// An index of a word in realisation: a nominal of the target, counted from 0, or, if negative, a
+/// free variable.
 using TargetIndex = int;
 
-/// A way to use a lexical entry for a part of the target.
+/// One possible use of a lexical entry for a part of the target.
 struct EntryUse {
-  /// Which of the target's predications it says, by bit.
+  /// Bit set of the target's predications that it covers.
   std::uint64_t coverage = 0;
   std::vector<TargetIndex> indices;
   /// The words to say.
@@ -27,20 +27,20 @@ class RealisationTarget {
 public:
   RealisationTarget(const LogicalForm& form, const Lexicon& lexicon);
 
-  /// False if the form says something that no word says, or too much.
+  /// False if the form has a symbol that no word expresses, or too many predications.
   bool is_sayable() const { return is_sayable_; }
 
   std::uint64_t all() const;
 
-  /// The predications that a nominal takes part in.
+  /// Bit set of the predications that a nominal occurs in.
   std::uint64_t about(TargetIndex nominal) const {
     return about_[static_cast<std::size_t>(nominal)];
   }
 
   TargetIndex root() const { return root_; }
 
-  /// All ways in which an entry says a part of the target; one, of no coverage, for words that say
-  /// nothing.
+  /// All uses of an entry for a part of the target; for words without meaning one use of no
+  /// coverage.
   std::vector<EntryUse> uses(const LexicalEntry& entry) const;
 
 private:

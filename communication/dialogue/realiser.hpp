@@ -11,19 +11,19 @@
 namespace castor::communication {
 
 struct RealiserLimits {
-  /// Of partial sentences; after so many it gives up.
+  /// Limit of partial sentences, after which the realiser gives up.
   std::size_t edges = 20000;
 };
 
-/// Says logical forms: chart realisation with the lexicon and the combinators that the parser
-/// understands by. Of words that mean the same, the one that comes first in the lexicon is said; of
-/// sentences, the shortest. Not for several threads at once.
+/// Converts logical forms to sentences: chart realisation with the parser's lexicon and
+/// combinators. Of synonyms the first one in the lexicon is chosen, of sentences the shortest. Not
+/// thread-safe.
 class Realiser {
 public:
   explicit Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits = {});
 
-  /// A sentence that means just this, such as "The square is blue."; nothing if the lexicon has no
-  /// words for it. Forms of more than 64 predications are not said.
+  /// A sentence with exactly this meaning, such as "The square is blue."; nothing if the lexicon
+  /// has no words for it or the form has more than 64 predications.
   std::optional<std::string> realise(const LogicalForm& form);
 
 private:

@@ -7,9 +7,9 @@
 
 namespace castor::communication {
 
-/// The proxy of what a pronoun stands for: of all that was spoken of, what is most salient and what
-/// the pronoun may be about, "they" only about several. Salient is what was spoken of last; within
-/// one move, what it was about first. Empty if there is nothing.
+/// The proxy of a pronoun's referent: the most salient referent in the history that the pronoun can
+/// stand for ("they" only for several). The most recent move is the most salient; within a move,
+/// its first referent. Empty if there is none.
 ///
 /// \param history in any order
 std::string antecedent_of(const Nominal& pronoun, std::span<const MoveReferents> history);

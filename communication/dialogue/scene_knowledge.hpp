@@ -11,38 +11,38 @@
 
 namespace castor::communication {
 
-/// The unions that something described may be.
+/// The possible unions of a description.
 struct Candidates {
-  /// All that is said of them is known.
+  /// Unions of which the whole description is known to be true.
   std::vector<std::string> certain;
-  /// Nothing that is said of them is denied; the certain ones are among them.
+  /// Unions that contradict nothing in the description; includes the certain ones.
   std::vector<std::string> possible;
 
-  /// The certain ones, or those that may be if there are none.
+  /// The certain ones, or the possible ones if there are none.
   const std::vector<std::string>& best() const& { return certain.empty() ? possible : certain; }
   std::vector<std::string> best() && { return std::move(certain.empty() ? possible : certain); }
 };
 
-/// How a thing lies to another, by its union.
+/// Spatial relation of a thing to a landmark (a union id).
 struct SpatialFact {
   std::string relation;
   std::string landmark;
-  /// Between the two, metres; negative if that is not known.
+  /// Distance in metres; negative if unknown.
   double distance = -1;
 };
 
-/// What binding has said of the scene. It remembers what it was asked for and did not know, so
-/// that somebody can ask binding and try again:
+/// Cache of binding's answers about the scene. It collects the questions that it could not answer,
+/// so that the caller can ask binding and try again:
 ///
 ///     for (auto answer = respond(...); !scene.open_questions().empty(); answer = respond(...))
 ///       scene.learn(open_questions, call<ReferenceRequest, ReferenceReply>(...));
 class SceneKnowledge {
 public:
-  /// None, if binding has still to be asked.
+  /// Empty, with an open question added, if binding has still to be asked.
   Candidates candidates(const LogicalForm& form, const PhraseMeaning& meaning,
                         const Antecedents& antecedents = {});
 
-  /// What was asked for and is not known.
+  /// Descriptions asked for and not known yet.
   const std::vector<binding::Description>& open_questions() const { return open_questions_; }
 
   /// \pre the reply has as many referents as were asked for
@@ -51,13 +51,13 @@ public:
   /// The unions of things, not of places and relations; empty before anything was learned.
   const std::vector<std::string>& things() const { return things_; }
 
-  /// The proxy to keep hold of a union by.
+  /// The proxy by which to refer to a union in the long term.
   std::string proxy_of(const std::string& union_id) const;
 
-  /// The words that are known, those that were perceived first.
+  /// The known words of a kind, perceived ones first.
   std::vector<std::string> words(const std::string& union_id, binding::FeatureKind kind) const;
 
-  /// How a thing lies to others, the nearest of them first.
+  /// Spatial relations of a thing to others, the nearest first.
   std::vector<SpatialFact> spatial_facts(const std::string& union_id) const;
 
 private:
@@ -70,8 +70,8 @@ private:
   std::vector<std::string> things_;
 };
 
-/// The antecedents, and what is meant by each landmark of which there is only one: in "left of the
-/// box behind the ball" the ball, and then the box.
+/// The antecedents, and the referent of each unambiguous landmark: in "left of the box behind the
+/// ball" the ball, and then the box.
 Antecedents with_landmarks(const LogicalForm& form, Antecedents antecedents, SceneKnowledge& scene);
 
 } // namespace castor::communication

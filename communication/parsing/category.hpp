@@ -11,11 +11,11 @@
 
 namespace castor::communication {
 
-/// So many features an atomic category can have; each is declared in the lexicon.
+/// Maximum number of features of an atomic category; each is declared in the lexicon.
 inline constexpr std::size_t max_features = 4;
 
-/// The value of a feature: 0 if anything will do, a symbol if positive, a variable if negative.
-/// Variables of one number within one category have one value.
+/// The value of a feature: 0 for any value, a symbol if positive, a variable if negative. Variables
+/// with the same number within one category have the same value.
 using FeatureValue = std::int32_t;
 
 struct AtomicCategory {
@@ -27,9 +27,9 @@ struct AtomicCategory {
 
 enum class SlashDirection : std::uint8_t { forward, backward };
 
-/// What may be done with an argument besides application.
+/// Combinators allowed for an argument besides application.
 enum class SlashMode : std::uint8_t {
-  /// Nothing: `/*`.
+  /// None: `/*`.
   application,
   /// Harmonic composition: `/`.
   composition,
@@ -39,15 +39,15 @@ enum class SlashMode : std::uint8_t {
 
 struct Argument;
 
-/// A category of combinatory categorial grammar: an atomic result and what has to be found for it,
-/// the outermost argument last: (s\np)/np is s with the arguments \np and /np.
+/// A category of combinatory categorial grammar: an atomic result and its arguments, the outermost
+/// last: (s\np)/np is s with the arguments \np and /np.
 struct Category {
   AtomicCategory result;
   std::vector<Argument> arguments;
 
   friend bool operator==(const Category&, const Category&) = default;
 
-  /// How many atomic categories it is made of; each has an index in the semantics.
+  /// Number of its atomic categories; each has an index in the semantics.
   std::size_t atoms() const;
 };
 
@@ -62,10 +62,10 @@ struct Argument {
 /// The category without its outermost argument.
 Category without_last_argument(const Category& category, std::size_t count = 1);
 
-/// What the variables of features stand for.
+/// Values of feature variables.
 class FeatureSubstitution {
 public:
-  /// Makes both equal; false if they cannot be. The variables of the two are distinct.
+  /// Unifies two categories; false if that is impossible. \pre their variables are distinct
   bool unify(const Category& a, const Category& b);
 
   Category apply(const Category& category) const;
@@ -83,12 +83,12 @@ Category with_variables_apart(const Category& category, FeatureValue offset);
 /// The same category with variables numbered in order, from 1.
 Category with_canonical_variables(const Category& category);
 
-/// As the lexicon's file has it: (s[dcl]\np[?1])/np.
+/// In the syntax of lexicon files: (s[dcl]\np[?1])/np.
 std::string to_string(const Category& category, const SymbolTable& symbols);
 
 using CategoryId = std::uint32_t;
 
-/// Categories that are equal up to the names of their variables have one number.
+/// Numbers of categories. Categories equal up to renaming of variables have the same number.
 class CategoryTable {
 public:
   CategoryId intern(const Category& category);

@@ -18,9 +18,9 @@ struct FeatureDeclarations {
   };
   std::vector<Feature> features;
 
-  /// The place of a feature; the number of features if there is none of that name.
+  /// Index of a feature; the number of features if there is none of that name.
   std::size_t find(std::string_view name) const;
-  /// The place of the feature that has this value; the number of features if none has.
+  /// Index of the feature with this value; the number of features if none has it.
   std::size_t find_value(std::string_view value) const;
 };
 
@@ -33,7 +33,7 @@ struct IndexedCategory {
   std::map<std::string, FeatureValue> feature_variables;
 };
 
-/// What is wrong with the text of a category.
+/// A syntax error in a category.
 class CategoryError : public std::runtime_error {
 public:
   CategoryError(const std::string& message, const std::string& remedy, std::size_t offset)
@@ -50,7 +50,7 @@ private:
   std::size_t offset_;
 };
 
-/// Reads a category as in (s[dcl]<e>\np[?number]<x>)/np<y>.
+/// Parses a category such as (s[dcl]<e>\np[?number]<x>)/np<y>.
 /// \throws CategoryError
 IndexedCategory parse_category(std::string_view text, const FeatureDeclarations& declarations,
                                SymbolTable& symbols);

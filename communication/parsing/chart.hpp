@@ -11,25 +11,24 @@
 
 namespace castor::communication {
 
-/// What bounds the cost of parsing: an utterance of n words makes at most n (n + 1) / 2 *
+/// Limits of the cost of parsing: an utterance of n words makes at most n (n + 1) / 2 *
 /// edges_per_span edges, of meanings_per_edge meanings each.
 struct ChartLimits {
-  /// Further words of an utterance are not looked at.
+  /// Further words of an utterance are ignored.
   std::size_t words = 48;
   /// Of more edges over the same words, the preferred ones are kept.
   std::size_t edges_per_span = 40;
   /// Of more meanings of one category over the same words, the preferred ones are kept.
   std::size_t meanings_per_edge = 16;
-  /// What any word weighs as one that says nothing; if there is no such weight, only fillers say
-  /// nothing.
+  /// Weight of skipping a word; if there is none, only fillers can be skipped.
   std::optional<double> skipping_weight;
 };
 
-/// A category that some neighbouring words make, with all that they may mean as one.
+/// A category derived from adjacent words, with all its meanings.
 struct Edge {
   CategoryId category = 0;
   Combinator combinator = Combinator::lexical;
-  /// The preferred first; never empty.
+  /// The preferred one first; never empty.
   std::vector<Meaning> meanings;
 };
 
@@ -44,9 +43,9 @@ struct CombinatoryGrammar {
   Combinators combinators;
 };
 
-/// All that the words of an utterance make, packed: derivations that differ only in what they mean
-/// share an edge. Words are added one by one, so that there is a chart of each beginning of the
-/// utterance. Of derivations that mean the same for sure, only the normal form is made (Eisner
+/// All derivations of the words of an utterance, packed: derivations that differ only in their
+/// meaning share an edge. Words are added one by one, so that there is a chart of each beginning of
+/// the utterance. Of derivations that mean the same for sure, only the normal form is made (Eisner
 /// 1996; Hockenmaier and Bisk 2010).
 class Chart {
 public:
@@ -57,13 +56,13 @@ public:
 
   const std::vector<std::string>& words() const { return words_; }
 
-  /// What words [begin, end) make, the preferred first.
+  /// Edges over the words [begin, end), the preferred first.
   const std::vector<Edge>& edges(std::size_t begin, std::size_t end) const;
 
-  /// How many edges there are.
+  /// Number of edges.
   std::size_t size() const;
 
-  /// The text of a symbol: of the lexicon's or of a quoted word's.
+  /// Text of a symbol of the lexicon or of a quoted word.
   std::string text(Symbol symbol) const;
 
 private:
@@ -86,7 +85,7 @@ private:
   std::vector<std::string> words_;
   /// By end, then by begin.
   std::vector<std::vector<Cell>> cells_;
-  /// What quoted words are, with symbols beyond the lexicon's.
+  /// Quoted words; their symbols follow those of the lexicon.
   std::vector<std::string> quotations_;
 };
 

@@ -22,15 +22,15 @@ enum class Combinator : std::uint8_t {
 bool is_forward(Combinator combinator);
 bool is_composition(Combinator combinator);
 
-/// How two neighbours make one.
+/// A way to combine two adjacent categories into one.
 struct Combination {
   Combinator combinator;
   CategoryId result;
-  /// Of the function's indices so many are those of its result; the others are those of the
-  /// argument, and meet the first of the argument's indices.
+  /// Number of the function's indices that belong to its result; the others belong to its argument,
+  /// and are unified with the first of the argument's indices.
   std::uint16_t result_atoms;
-  /// The function modifies the argument, a noun or the like: what it makes is of the argument's
-  /// category again. "That is" before "left of the box" modifies nothing.
+  /// The function modifies its argument, such as a noun: the result has the argument's category.
+  /// "That is" before "left of the box" modifies nothing.
   bool modifies = false;
 };
 
@@ -42,11 +42,10 @@ public:
     // nop
   }
 
-  /// All that `left` and its right neighbour can make.
+  /// All combinations of `left` with its right neighbour.
   const std::vector<Combination>& combine(CategoryId left, CategoryId right);
 
-  /// The category of something that finds a function to be the argument of: x becomes
-  /// `result`/(`result`\x).
+  /// The type-raised category: x becomes `result`/(`result`\x).
   CategoryId raised(CategoryId category, const AtomicCategory& result);
 
 private:

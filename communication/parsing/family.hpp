@@ -9,7 +9,7 @@
 
 namespace castor::communication {
 
-/// One line of a lexical family: what each of its words may be.
+/// One line of a lexical family: a category and meaning of each of its words.
 struct FamilyEntry {
   IndexedCategory category;
   /// Its nominals are the variables; `*` is the word's predicate.
@@ -31,12 +31,12 @@ struct FamilyWord {
   std::vector<std::string> features;
 };
 
-/// Adds the entries of a word to a lexicon. Of `word`'s features, those are heeded that a category
-/// has a variable for.
+/// Adds the entries of a word to a lexicon. A feature of `word` applies to categories with a
+/// variable for it.
 void add_word(const Family& family, const FamilyWord& word, const FeatureDeclarations& declarations,
               Lexicon& lexicon);
 
-/// The plural by rule: boxes, cherries, balls.
+/// The regular plural: boxes, cherries, balls.
 std::string plural_of(const std::string& singular);
 
 } // namespace castor::communication

@@ -16,7 +16,7 @@
 /// name, in parentheses: <Patient>(w5).
 namespace castor::communication {
 
-/// What is wrong with the text of a logical form.
+/// A syntax error in a logical form.
 class HybridLogicError : public std::runtime_error {
 public:
   HybridLogicError(const std::string& message, std::size_t offset);
@@ -28,22 +28,22 @@ private:
   std::size_t offset_;
 };
 
-/// Reads one or more formulas, separated by `&`; the first says what the root is.
+/// Parses one or more formulas, separated by `&`; the first determines the root.
 /// \throws HybridLogicError
 LogicalForm parse_logical_form(std::string_view text);
 
-/// The form from its root on; what the root does not lead to follows after `&`.
+/// The form from its root on; nominals not reachable from the root follow after `&`.
 std::string to_string(const LogicalForm& form);
 
 const Nominal* find_nominal(const LogicalForm& form, std::string_view name);
 
-/// What the first relation `mode` of a nominal leads to; null if there is none.
+/// The dependent of a nominal's first relation `mode`; null if there is none.
 const Nominal* dependent(const LogicalForm& form, const Nominal& nominal, std::string_view mode);
 
 /// The value of a nominal's feature; empty if it does not have it.
 std::string_view feature(const Nominal& nominal, std::string_view name);
 
-/// Whether both say the same, whatever their nominals are called.
+/// Whether both are equal up to renaming of nominals.
 bool equivalent(const LogicalForm& a, const LogicalForm& b);
 
 } // namespace castor::communication

@@ -13,37 +13,36 @@
 
 namespace castor::communication {
 
-/// What a word or phrase may be: a category, and what it says.
+/// One use of a word or phrase: a category and a meaning.
 struct LexicalEntry {
   /// As words, separated by blanks.
   std::string phrase;
   std::string family;
   std::string predicate;
   CategoryId category = 0;
-  /// The numbers of nominals are those of the entry's variables; 0 is what the predicate is said
-  /// of.
+  /// Nominals are numbered as the entry's variables; 0 is the subject of the predicate.
   std::vector<Predication> predications;
   /// The variables of the category's atoms, in its order.
   std::vector<std::uint8_t> indices;
-  /// Whether there is a predicate that variable 0 is described by.
+  /// Whether variable 0 has a predicate.
   bool anchored = false;
   double weight = 0;
 };
 
-/// A category that may also look for the function that wants it.
+/// A rule of type raising for a category.
 struct RaisingRule {
   Category category;
   AtomicCategory result;
 };
 
-/// What people call something of a category: "a place" for pp[loc].
+/// Readable name of a category: "a place" for pp[loc].
 struct CategoryName {
   Category category;
   std::string name;
 };
 
-/// Words and what they may be, and which categories utterances are. Read from a file by
-/// read_lexicon().
+/// Words with their categories and meanings, and the root categories of utterances. Read from a
+/// file by read_lexicon().
 class Lexicon {
 public:
   SymbolTable& symbols() { return symbols_; }
@@ -55,7 +54,7 @@ public:
   void add_root(Category category) { roots_.push_back(std::move(category)); }
   void add_name(CategoryName name) { names_.push_back(std::move(name)); }
   void add_raising(RaisingRule rule) { raising_.push_back(std::move(rule)); }
-  /// A word that may stand anywhere, and says nothing.
+  /// Adds a word that may stand anywhere and has no meaning.
   void add_filler(std::string word, double weight) { fillers_[std::move(word)] = weight; }
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
@@ -67,15 +66,15 @@ public:
   /// The weight of a word as a filler; null if it is none.
   const double* filler(const std::string& word) const;
 
-  /// Whether the word is known, be it as part of a phrase.
+  /// Whether the word is known, at least as part of a phrase.
   bool knows(const std::string& word) const;
 
-  /// The known words that `word` was probably meant to be, the nearest first; no more than `most`.
-  /// Of words that are equally near, those with more of its letters come first, so that one that
-  /// was left out is likelier than one that was mistaken.
+  /// Spelling suggestions for `word`, the nearest first; at most `most`. Of equally near words,
+  /// those that contain more of its letters come first: a missing letter is more likely than a
+  /// wrong one.
   std::vector<std::string> suggestions(std::string_view word, std::size_t most = 3) const;
 
-  /// What people call something of a category; the category itself if it has no name.
+  /// Readable name of a category; its text if it has no name.
   std::string name_of(const Category& category) const;
 
   /// In words.
@@ -90,7 +89,7 @@ private:
   std::vector<LexicalEntry> entries_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
   std::unordered_map<std::string, double> fillers_;
-  /// How many entries each word is part of.
+  /// Number of entries that each word is part of.
   std::unordered_map<std::string, std::uint32_t> words_;
   std::size_t longest_phrase_ = 1;
   std::vector<Category> roots_;
@@ -98,7 +97,7 @@ private:
   std::vector<CategoryName> names_;
 };
 
-/// What all quoted words are found under.
+/// Phrase under which all quoted words are found.
 inline constexpr std::string_view quoted_word = "''";
 
 bool is_quoted(std::string_view word);

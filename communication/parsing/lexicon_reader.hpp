@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// The lexicon's language. `#` begins a comment. What a line is says its first word; lines that
-/// belong to it are indented.
+/// The language of lexicon files. `#` begins a comment. The first word of a line determines its
+/// kind; lines that belong to it are indented.
 ///
 ///     feature number sg pl          # a feature of categories, and its values
 ///     root s[dcl] np                # what an utterance may be
@@ -34,11 +34,11 @@
 /// composition; the letters in <> tie them to the meaning, which is hybrid logic as in
 /// hybrid_logic.hpp. `*` stands for the word's predicate and `?number` for the value of a feature.
 /// A meaning may go on in further lines that begin with `:`, `^` or `&`. A number in braces is a
-/// weight: the higher, the more is the entry preferred. A blank within a word is written `_`; the
-/// word '' stands for whatever is said in quotes.
+/// weight: entries with a higher weight are preferred. A blank within a word is written `_`; the
+/// word '' stands for any text in quotes.
 namespace castor::communication {
 
-/// What came of reading a lexicon.
+/// Result of reading a lexicon.
 struct LexiconText {
   /// Null if there are problems.
   std::shared_ptr<const Lexicon> lexicon;
@@ -46,8 +46,9 @@ struct LexiconText {
   std::vector<Diagnostic> problems;
 };
 
-/// Reads `text`, the contents of the file that is called `file_name` in problems; finds all of its
-/// problems at once.
+/// Reads a lexicon and reports all of its problems at once.
+/// @param text contents of the file
+/// @param file_name used in problems
 LexiconText read_lexicon(std::string_view text, const std::string& file_name);
 
 } // namespace castor::communication

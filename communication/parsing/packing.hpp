@@ -8,22 +8,22 @@
 
 namespace castor::communication {
 
-/// One reading of an utterance: a form of all of it, or one of each fragment.
+/// One reading of an utterance: one form for all of it, or one for each fragment.
 using ReadingForms = std::vector<LogicalForm>;
 
-/// Readings in one form, numbered from 0; the other fields are the caller's.
+/// Packs readings into one form, numbered from 0; the caller sets the other fields.
 PackedLogicalForm pack(std::span<const ReadingForms> readings);
 
-/// What one reading says, by fragments; empty if the form does not have it.
+/// Forms of one reading, by fragments; empty if there is no such reading.
 ReadingForms unpack(const PackedLogicalForm& packed, std::int32_t reading);
 
-/// Removes readings, and all that belongs to no other reading.
+/// Removes readings, and all parts that belong to no other reading.
 void remove_readings(PackedLogicalForm& packed, std::span<const std::int32_t> readings);
 
-/// Removes the readings that have a relation which other knowledge does not support, unless that
-/// are all: then the form stays as it is. A finished form that has been pruned says so. The next
-/// word of an utterance makes a new form, but its nominals keep their names: what is known of them
-/// can be applied again.
+/// Removes the readings with a relation that is not supported, unless these are all readings: then
+/// the form is unchanged. Sets the state of a finished form to `pruned`. The next word of an
+/// utterance makes a new form in which nominals keep their names, so the same supports can be
+/// applied again.
 /// \returns whether readings were removed
 bool prune(PackedLogicalForm& packed, std::span<const InterpretationSupport> supports);
 

@@ -14,15 +14,15 @@ namespace castor::communication {
 
 struct ParserOptions {
   ChartLimits chart;
-  /// Of more readings of an utterance, the preferred ones are kept.
+  /// Maximum number of readings; the preferred ones are kept.
   std::size_t readings = 16;
 };
 
 class IncrementalParse;
 
 /// A parser of the language that a lexicon describes: combinatory categorial grammar with
-/// hybrid-logic dependency semantics. It becomes faster as it learns how categories combine, so one
-/// parser should parse many utterances; not for several threads at once.
+/// hybrid-logic dependency semantics. It caches combinations of categories, so reuse one parser for
+/// many utterances. Not thread-safe.
 class Parser {
 public:
   explicit Parser(std::shared_ptr<const Lexicon> lexicon, ParserOptions options = {});
@@ -33,8 +33,8 @@ public:
   /// The packed readings of a whole utterance.
   PackedLogicalForm parse(std::string_view utterance);
 
-  /// The readings of a whole utterance that is understood from beginning to end, the preferred
-  /// first; empty if it is not.
+  /// The complete readings of a whole utterance, without fragments, the preferred first; empty if
+  /// there are none.
   std::vector<LogicalForm> readings(std::string_view utterance);
 
   CombinatoryGrammar& grammar() { return grammar_; }
@@ -49,27 +49,27 @@ private:
   std::map<CategoryId, bool> roots_;
 };
 
-/// An utterance that is parsed while it is heard.
+/// Incremental parse of an utterance, word by word.
 class IncrementalParse {
 public:
   explicit IncrementalParse(Parser& parser);
   IncrementalParse(Parser& parser, const ChartLimits& limits);
 
-  /// Hears another word; as words_of() makes them.
+  /// Adds the next word, in the form returned by words_of().
   void add(std::string word);
 
-  /// Says that there are no more words.
+  /// Marks the end of the utterance.
   void finish() { is_finished_ = true; }
 
-  /// What has been understood so far. Before the end, an analysis that lacks something is as good
-  /// as a complete one. What no analysis spans is understood in fragments, as few as possible; at
-  /// the end, `unparsable` tells where it broke. Nothing is guessed at.
+  /// The readings so far. Before the end, incomplete analyses count as much as complete ones. If no
+  /// analysis spans all words, the form consists of fragments, as few as possible; at the end,
+  /// `unparsable` has the places between them. Nothing is guessed.
   PackedLogicalForm form() const;
 
   const Chart& chart() const { return chart_; }
 
-  /// The meanings of all words together, of root categories only once finished; the preferred
-  /// first.
+  /// The meanings of all words together, the preferred first; once finished, only those of root
+  /// categories.
   std::vector<const Meaning*> meanings() const;
 
 private:

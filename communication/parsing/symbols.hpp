@@ -8,10 +8,10 @@
 
 namespace castor::communication {
 
-/// A name that stands for a text: of a category, a sort, a proposition... 0 stands for none.
+/// Number of an interned text: a category, a sort, a proposition... 0 for none.
 using Symbol = std::uint32_t;
 
-/// Texts and the numbers that stand for them.
+/// Interned texts and their numbers.
 class SymbolTable {
 public:
   SymbolTable();

@@ -8,11 +8,10 @@ namespace castor::communication {
 
 /// The words of an utterance as the lexicon knows them: in lower case and without punctuation;
 /// "what's" is two words, "what" and "'s", "don't" is "do" and "n't"; what stands in quotes is one
-/// word that keeps them: 'zorg'. Bytes that are no letters of ASCII count as letters.
+/// word that keeps them: 'zorg'. Bytes outside of ASCII count as letters.
 std::vector<std::string> words_of(std::string_view utterance);
 
-/// The sentences of a longer text, which are parsed one by one: they end with ".", "!" or "?"
-/// before a blank or at the end.
+/// Splits a text into sentences, which end with ".", "!" or "?" before a blank or at the end.
 std::vector<std::string> sentences_of(std::string_view text);
 
 } // namespace castor::communication
