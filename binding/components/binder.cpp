@@ -123,8 +123,8 @@ class Binder final : public BindingComponent {
     told_ = x;
   }
 
-  Option<std::chrono::milliseconds> tombstones_{
-    this, "tombstones", 60s, "how long it is remembered that a proxy was deleted"};
+  Option<std::chrono::milliseconds> tombstones_{this, "tombstones", 60s,
+                                                "how long tombstones of deleted proxies are kept"};
 
   /// The first of the best unions of each proxy; empty for one of its own.
   std::map<std::string, std::string> best_;

@@ -146,9 +146,9 @@ class BindingScorer final : public BindingComponent {
   }
 
   Option<double> same_place_{this, "same-place", ComparatorOptions{}.same_place,
-                             "up to here two locations are the same, metres"};
+                             "locations at most this far apart are the same, metres"};
   Option<double> other_place_{this, "other-place", ComparatorOptions{}.other_place,
-                              "from here on they are not, metres"};
+                              "locations at least this far apart are different, metres"};
 
   FeatureComparator comparator_;
   binding::BindingScorer scorer_{comparator_};

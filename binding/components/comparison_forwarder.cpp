@@ -48,7 +48,7 @@ class ComparisonForwarder final : public UnmanagedComponent {
   Option<std::chrono::milliseconds> patience_{this, "patience", 2s, "how long an answer may take"};
 };
 
-CASTOR_COMPONENT(ComparisonForwarder, "has features compared by other subarchitectures")
+CASTOR_COMPONENT(ComparisonForwarder, "asks other subarchitectures to compare features")
 
 } // namespace
 

@@ -166,7 +166,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
                                     "how many moves back something may be referred to"};
   Option<std::chrono::milliseconds> patience_{
     this, "patience", std::chrono::seconds{2},
-    "how long what is said next waits for binding to know of what was said before"};
+    "how long an utterance waits until binding has processed the earlier ones"};
 
   std::set<std::string> moves_;
   std::vector<MoveReferents> history_;

@@ -73,7 +73,7 @@ class DialogueHistorian final : public UnmanagedComponent {
   DialogueStructure dialogue_;
 };
 
-CASTOR_COMPONENT(DialogueHistorian, "keeps who said what, and in reply to what")
+CASTOR_COMPONENT(DialogueHistorian, "records who said what, and in reply to what")
 
 } // namespace
 

@@ -101,7 +101,7 @@ class ReferenceBinder final : public AsksBinding<UnmanagedComponent> {
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 };
 
-CASTOR_COMPONENT(ReferenceBinder, "asks binding which readings of what is said the scene supports")
+CASTOR_COMPONENT(ReferenceBinder, "asks binding which readings of an utterance the scene supports")
 
 } // namespace
 

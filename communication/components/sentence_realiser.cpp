@@ -38,7 +38,7 @@ class SentenceRealiser final : public UnmanagedComponent {
   Realiser realiser_{english_lexicon()};
 };
 
-CASTOR_COMPONENT(SentenceRealiser, "puts what is to be said into words")
+CASTOR_COMPONENT(SentenceRealiser, "turns logical forms into sentences")
 
 } // namespace
 

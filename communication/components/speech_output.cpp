@@ -58,7 +58,7 @@ class SpeechOutput final : public UnmanagedComponent {
   std::deque<Address> to_say_;
 };
 
-CASTOR_COMPONENT(SpeechOutput, "prints what is said, and says it aloud")
+CASTOR_COMPONENT(SpeechOutput, "prints the robot's sentences, and speaks them")
 
 } // namespace
 

@@ -119,7 +119,7 @@ class UtteranceParser final : public UnmanagedComponent {
                                   "how many readings of an utterance are kept"};
   Option<std::chrono::milliseconds> patience_{
     this, "patience", std::chrono::seconds{5},
-    "how long to wait for those who know which readings are supported"};
+    "how long to wait for reports on which readings are supported"};
 
   std::optional<Parser> parser_;
   std::deque<Address> utterances_;

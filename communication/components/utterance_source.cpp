@@ -153,7 +153,7 @@ class UtteranceSource final : public UnmanagedComponent {
   }
 
   Option<std::string> text_{this, "text", "", "sentences that are said when the system begins"};
-  Option<std::string> file_{this, "file", "", "a file of more of them"};
+  Option<std::string> file_{this, "file", "", "a file of further sentences"};
   Option<bool> typed_{this, "typed", false, "listen to what is typed, or piped into the process"};
   Option<std::string> program_{
     this, "program", "",
@@ -163,11 +163,12 @@ class UtteranceSource final : public UnmanagedComponent {
 
   Option<std::chrono::milliseconds> settled_{
     this, "settled", 0ms,
-    "wait before the first until something was bound and then nothing for so long; 0: do not wait"};
+    "before the first sentence, wait until binding has bound something and then been idle for so "
+    "long; 0: do not wait"};
   Option<std::chrono::milliseconds> patience_{this, "patience", 20s,
-                                              "how long to wait for that at most"};
+                                              "the longest wait for binding to be idle"};
   Option<std::chrono::milliseconds> turn_{
-    this, "turn", 0ms, "wait so long for an answer before the next sentence is said"};
+    this, "turn", 0ms, "how long to wait for an answer before the next sentence"};
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
   int said_ = 0;

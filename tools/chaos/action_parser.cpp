@@ -197,7 +197,7 @@ private:
     result.x = length(move_remedy);
     result.y = length(move_remedy);
     if (next_ && next_->is("over"))
-      fail("a thing is moved at once", "remove what follows the place");
+      fail("a thing is moved instantly", "remove what follows the place");
     out.push_back(std::move(result));
   }
 

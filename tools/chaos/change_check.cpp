@@ -69,7 +69,7 @@ private:
         continue;
       auto event = events.find({x.address.id, x.operation, x.component, x.version});
       if (event == events.end()) {
-        faults_.push_back("nobody was told of the " + describe(x));
+        faults_.push_back("no event for the " + describe(x));
         continue;
       }
       event_of_[i] = event->second;
@@ -98,8 +98,8 @@ private:
       if (!x)
         continue;
       if (latest && x->returned < latest->invoked)
-        faults_.push_back("told after the " + describe(*latest) + ", but made before: the " +
-                          describe(*x));
+        faults_.push_back("event after that of the " + describe(*latest) +
+                          ", but written before it: the " + describe(*x));
       if (!latest || x->invoked > latest->invoked)
         latest = x;
     }
@@ -109,7 +109,7 @@ private:
     for (std::size_t i = 1; i < writes_.size(); ++i)
       if (writes_[i].batch != 0 && writes_[i].batch == writes_[i - 1].batch && event_of_[i] &&
           event_of_[i - 1] && *event_of_[i] != *event_of_[i - 1] + 1)
-        faults_.push_back("something came between two writes of one batch, the " +
+        faults_.push_back("another change came between two writes of one batch, the " +
                           describe(writes_[i - 1]) + " and the " + describe(writes_[i]));
   }
 

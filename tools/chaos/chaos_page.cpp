@@ -12,7 +12,6 @@ namespace castor::faults {
 
 namespace {
 
-
 constexpr std::string_view styles = R"(
 :root { color-scheme: light dark; --back: #fff; --text: #1c2430; --quiet: #66707d; --edge: #d9dee5;
   --good: #1a7f4b; --bad: #c62f2f; --fault: #d97706; --lasting: #f2c38a; --down: #e79a9a;
@@ -153,7 +152,7 @@ std::string timeline(const ChaosRun& run) {
     legend_item("<path d=\"M9 2l-5 9h10z\" class=\"fault undone\"/>",
                 "armed only, or not injected") +
     legend_item("<rect y=\"4\" width=\"18\" height=\"5\" class=\"lasting\"/>",
-                "as long as it lasts") +
+                "duration of a fault") +
     legend_item("<rect width=\"18\" height=\"12\" class=\"down\"/>", "down") +
     legend_item("<rect width=\"18\" height=\"12\" class=\"forever\"/>", "down, never back") +
     legend_item("<line x1=\"9\" y1=\"0\" x2=\"9\" y2=\"12\" class=\"up\"/>", "back") +
@@ -241,9 +240,10 @@ std::string outage_list(const ChaosRun& run) {
 }
 
 std::string plan(const ChaosRun& run) {
-  return run.plan.empty() ? std::string{}
-                          : heading("The plan, with nothing left to draw") + "<details><summary>" +
-                              "show</summary><pre>" + escaped(run.plan) + "</pre></details>\n";
+  return run.plan.empty()
+           ? std::string{}
+           : heading("The plan, with all random choices made") + "<details><summary>" +
+               "show</summary><pre>" + escaped(run.plan) + "</pre></details>\n";
 }
 
 } // namespace

@@ -84,8 +84,8 @@ std::string ChaosRun::vacuous() const {
   constexpr std::size_t enough_moments = 10;
   if (activity && activity->moments >= enough_moments &&
       2 * activity->busy_moments < activity->moments)
-    return fmt::format("nothing was going on in {} of {} moments",
-                       activity->moments - activity->busy_moments, activity->moments);
+    return fmt::format("idle in {} of {} samples", activity->moments - activity->busy_moments,
+                       activity->moments);
   return {};
 }
 
@@ -105,7 +105,7 @@ std::string_view to_string(FaultState x) {
     case FaultState::happened:
       return "happened";
     case FaultState::never:
-      return "never came to it";
+      return "never triggered";
     case FaultState::not_injected:
       return "not injected";
   }
@@ -133,8 +133,7 @@ std::string outage_summary(const ChaosRun& run) {
 }
 
 std::string activity_summary(const Activity& x) {
-  return fmt::format("{:.1f} callbacks and {:.1f} operations a second, something in {} of {} "
-                     "moments",
+  return fmt::format("{:.1f} callbacks and {:.1f} operations a second, active in {} of {} samples",
                      x.rate(x.callbacks), x.rate(x.operations), x.busy_moments, x.moments);
 }
 

@@ -27,10 +27,10 @@ std::string verdict_of(const ChaosRun& run);
 /// "14 outages: component 11, working memory 3".
 std::string outage_summary(const ChaosRun& run);
 
-/// "11.2 callbacks and 30.1 operations a second, something in 58 of 60 moments".
+/// "11.2 callbacks and 30.1 operations a second, active in 58 of 60 samples".
 std::string activity_summary(const Activity& x);
 
-/// "17 of 20 faults happened, 2 never came to it, 1 not injected".
+/// "17 of 20 faults happened, 2 never triggered, 1 not injected".
 std::string fault_summary(const ChaosRun& run);
 
 /// "41 back, 1 given up, 0 neither; half within 120ms, 99 % within 800ms, all within 910ms".

@@ -25,7 +25,7 @@ enum class FaultState : std::uint8_t {
   not_injected,
 };
 
-/// "armed", "happened", "never came to it", "not injected".
+/// "armed", "happened", "never triggered", "not injected".
 std::string_view to_string(FaultState x);
 
 /// A fault that was scheduled, whether or not it could be injected.

@@ -194,7 +194,7 @@ void Injector::conclude() {
     record.state = FaultState::never;
     record.outcome = missed_[i];
     log_runtime(LogLevel::info, "faults",
-                "never came to it: " + record.fault + ": " + record.outcome);
+                "never triggered: " + record.fault + ": " + record.outcome);
   }
 }
 

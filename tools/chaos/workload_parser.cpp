@@ -64,7 +64,7 @@ private:
   template <class T>
   static void set(std::optional<T>& member, T value) {
     if (member)
-      throw StatementError("this is said twice", "remove one of the lines");
+      throw StatementError("this is given twice", "remove one of the lines");
     member = std::move(value);
   }
 

@@ -11,7 +11,6 @@ namespace castor::faults {
 
 namespace {
 
-
 constexpr std::string_view scene_prefix = "scene:";
 
 /// How many names are listed where none of them was meant.
@@ -58,7 +57,7 @@ public:
     where_ = {};
     line_.clear();
     if (workload_.answer_within && !speaks)
-      report("answers are expected, and nothing is said",
+      report("answers are expected, but no sentence is said",
              R"(add a line such as every 4s say "Where is the ball?")");
     if (workload_.same)
       look(*workload_.same);
@@ -68,7 +67,7 @@ public:
 private:
   void look(const Say&) {
     if (places_.listening.empty())
-      report("nobody listens: no subarchitecture has an UtteranceParser",
+      report("no subarchitecture has an UtteranceParser to listen",
              "remove the sentences, or add the communication subarchitecture of "
              "configs/playmate.cast");
   }

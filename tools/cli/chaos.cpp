@@ -194,7 +194,7 @@ private:
   // -- the limit of supervision
 
   /// Whether the supervisors bear so many failures a minute.
-  bool bears(double failures_per_minute) {
+  bool survives(double failures_per_minute) {
     auto options = random_options();
     options.interval = interval_of(failures_per_minute);
     options.within_restart_limits = false;
@@ -208,7 +208,7 @@ private:
       std::ranges::find_if(run.outages, [](auto& x) { return !x.up && x.escalated.has_value(); });
     auto survival = std::ranges::find(run.violations, "survival", &faults::Violation::check);
     auto result = given_up == run.outages.end() && survival == run.violations.end();
-    auto why = result ? std::string{"borne"}
+    auto why = result ? std::string{"survived"}
                : survival != run.violations.end()
                  ? survival->text
                  : given_up->target + " was given up: " + given_up->reason;
@@ -217,7 +217,7 @@ private:
     if (arguments_.json)
       json_->print({{"failures_per_minute", failures_per_minute},
                     {"outages", failures},
-                    {"borne", result},
+                    {"survived", result},
                     {"reason", result ? "" : why}});
     else
       fmt::print("{:6.1f} failures a minute, {:3} outages: {}\n", failures_per_minute, failures,
@@ -226,31 +226,33 @@ private:
     return result;
   }
 
-  /// Bisects between a rate that is borne and one that is not.
+  /// Bisects between a rate that is survived and one that is not.
   int find_limit() {
     constexpr double lowest = 1;
     constexpr double highest = 3840;
     constexpr double close_enough = 1.2;
-    double borne = 0;
+    double survived = 0;
     double too_much = 0;
     for (double rate = arguments_.rate.value_or(15); signals_.count() == 0;) {
-      (bears(rate) ? borne : too_much) = rate;
-      if (too_much == 0 ? borne >= highest : too_much <= lowest)
+      (survives(rate) ? survived : too_much) = rate;
+      if (too_much == 0 ? survived >= highest : too_much <= lowest)
         break;
-      if (borne > 0 && too_much > 0 && too_much < close_enough * borne)
+      if (survived > 0 && too_much > 0 && too_much < close_enough * survived)
         break;
-      rate = too_much == 0 ? 2 * borne : borne == 0 ? too_much / 2 : std::sqrt(borne * too_much);
+      rate = too_much == 0   ? 2 * survived
+             : survived == 0 ? too_much / 2
+                             : std::sqrt(survived * too_much);
     }
     progress_.reset();
     if (signals_.count() > 0)
       return a_component_failed;
     if (!arguments_.json)
       fmt::print("\n{}: {}\n", arguments_.architecture.file,
-                 too_much == 0 ? fmt::format("{:.1f} failures a minute are borne", borne)
-                 : borne == 0
+                 too_much == 0 ? fmt::format("{:.1f} failures a minute are survived", survived)
+                 : survived == 0
                    ? fmt::format("{:.1f} failures a minute are too many", too_much)
-                   : fmt::format("{:.1f} failures a minute are borne, {:.1f} are too many", borne,
-                                 too_much));
+                   : fmt::format("{:.1f} failures a minute are survived, {:.1f} are too many",
+                                 survived, too_much));
     return success;
   }
 

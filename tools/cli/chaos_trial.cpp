@@ -376,10 +376,10 @@ private:
     for (auto& x : summary.components)
       if (x.state == ComponentState::failed)
         down += x.identity.full_name() + " is down: " + x.failure + '\n';
-    check("everybody runs in the end", down.empty(),
+    check("all components run in the end", down.empty(),
           fmt::format("{} components", summary.components.size()));
     if (!down.empty())
-      violation("everybody runs in the end", down);
+      violation("all components run in the end", down);
   }
 
   static bool clocks_jump(const faults::FaultPlan& plan) {

@@ -77,7 +77,8 @@ void add_completion(CLI::App& app, Action& chosen) {
   command->callback(
     [&app, &chosen, shell] { chosen = [&app, shell] { return print_script(app, *shell); }; });
 
-  auto* values = app.add_subcommand(completion_values, "for the scripts: what systems run, have");
+  auto* values = app.add_subcommand(completion_values,
+                                    "for the scripts: names of running systems and of their parts");
   values->group("");
   auto kind = std::make_shared<std::string>();
   values->add_option("KIND", *kind)->required()->check(CLI::IsMember({"systems", "places"}));

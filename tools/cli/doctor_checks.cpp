@@ -74,7 +74,7 @@ Finding check_configs(const Machine& x) {
 
 Finding check_port(const Machine& x) {
   if (!x.port_problem.empty())
-    return warning("port", fmt::format("port {} cannot be listened at: {}", x.port, x.port_problem),
+    return warning("port", fmt::format("cannot listen at port {}: {}", x.port, x.port_problem),
                    "if that is no node of yours, start nodes with --listen ADDRESS:0 or another "
                    "port");
   return ok("port", fmt::format("{} is free for `castor node`", x.port));
@@ -129,7 +129,7 @@ Finding check_open_files(const Machine& x) {
 
 Finding check_core_dumps(const Machine& x) {
   if (x.core_bytes && *x.core_bytes == 0)
-    return warning("core dumps", "a component that crashes leaves none to look into",
+    return warning("core dumps", "a component that crashes leaves no core dump",
                    "ulimit -c unlimited");
   return ok("core dumps", x.core_bytes ? "at most " + amount(*x.core_bytes) : "no limit");
 }

@@ -75,7 +75,7 @@ int finish_output(int status) {
   int why = lost_output != 0 ? lost_output.load() : errno;
   if ((!failed && lost_output == 0) || why == EPIPE)
     return status;
-  std::fprintf(stderr, "castor: what it printed is not complete: %s\n",
+  std::fprintf(stderr, "castor: the output is incomplete: %s\n",
                why != 0 ? std::strerror(why) : "standard output cannot be written");
   return status != 0 ? status : 1;
 }

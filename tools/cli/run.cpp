@@ -283,7 +283,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
   if (reason == EndReason::interrupted)
     log_runtime(LogLevel::info, signals.has_output_ended()
                                   ? "nobody reads the output any more: stopping"
-                                  : "interrupted: stopping (once more to leave at once)");
+                                  : "interrupted: stopping (interrupt again to end at once)");
   if (auto ended = system->ended()) {
     status = ended->first;
     why_ended = ended->second;

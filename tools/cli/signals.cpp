@@ -128,11 +128,11 @@ std::atomic<int> status_of_alarm{1};
     for (auto& f : x.at_forced_end)
       f();
   }
-  std::string text = "castor: left at once";
+  std::string text = "castor: ended by force";
   std::string who;
   for (auto& x : components_in_own_code())
     who += (who.empty() ? "" : ", ") + x;
-  text += who.empty() ? "\n" : "; did not come back: " + who + "\n";
+  text += who.empty() ? "\n" : "; still running: " + who + "\n";
   const ProgressPause pause;
   [[maybe_unused]] auto written = write(STDERR_FILENO, text.data(), text.size());
   leave_process(status);
@@ -238,7 +238,7 @@ Signals::Signals(const Options& options) {
     }}.detach();
   } catch (const std::system_error& e) {
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    throw std::runtime_error(std::string{"there may be no further thread ("} + e.code().message() +
+    throw std::runtime_error(std::string{"cannot create another thread ("} + e.code().message() +
                              "): raise `ulimit -u`, or the limit of the container");
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);

@@ -53,7 +53,7 @@ void FinalChecks::check_the_dead() {
     if (auto status = ask<Outcome<LockStatus>>(owner_of(entry), LockQuery{entry.address});
         status && status->holder &&
         std::ranges::count(world_.dead, *status->holder, [](auto& x) { return *x; }) > 0)
-      world_.find(to_string(*status->holder) + " is dead and holds a lease of " +
+      world_.find(to_string(*status->holder) + " has ended and holds a lease of " +
                   to_string(entry.address));
 }
 
@@ -86,7 +86,7 @@ void FinalChecks::check_nothing_left(const std::string& name, const std::string&
   query.type = type;
   auto entries = ask<Outcome<std::vector<EntryPtr>>>(memory, QueryRequest{query, {}});
   if (!entries || !entries->empty())
-    world_.find("of calls that are over there is a " + type + " left in " + name +
+    world_.find("left of finished calls: a " + type + " left in " + name +
                 (entries ? ": " + to_string(entries->front()->address) : ""));
 }
 
@@ -97,8 +97,8 @@ void FinalChecks::check_tasks() {
     if (auto* manager = component->task_manager()) {
       managers.push_back(component->life());
       if (manager->used() > 0)
-        world_.find(name + " takes tasks for adopted that cost " + std::to_string(manager->used()) +
-                    ", and all are over");
+        world_.find(name + " regards tasks as adopted that cost " +
+                    std::to_string(manager->used()) + ", and all are over");
     }
   for (auto& x : world_.tasks.overlooked(managers, world_.task_rules.budget))
     world_.find(x);
@@ -157,7 +157,7 @@ void FinalChecks::check_told(const Told& told) {
     auto& lives = machines_.memories().at(event->address.subarchitecture);
     auto memory = life_of(*event, lives);
     if (memory == lives.end())
-      throw std::runtime_error{"nobody has made this change: " + to_string(*event)};
+      throw std::runtime_error{"no working memory made this change: " + to_string(*event)};
     auto life = memory->incarnation;
     if (machines_.have_lost(told.process, memory->process))
       continue;
@@ -182,11 +182,11 @@ void FinalChecks::check_health() {
     if (entry->address.id == sentinel)
       continue;
     if (!up)
-      world_.find("at the end " + entry->address.id + " is not said to be back");
+      world_.find("at the end " + entry->address.id + " is not reported as up");
     else if (auto i = world_.components.find(up->component);
              i != world_.components.end() &&
              i->second->record().identity().incarnation != up->incarnation)
-      world_.find(up->component + " is said to be back in another life than it lives");
+      world_.find(up->component + " is reported as up in another incarnation than its own");
   }
 }
 

@@ -155,7 +155,7 @@ private:
       auto status =
         ask<Outcome<LockStatus>>(world.working_memories[entry.owner], LockQuery{entry.address});
       if (status && std::ranges::count(world.dead, status->holder) > 0)
-        world.find(to_string(*status->holder) + " is dead and holds a lease of " +
+        world.find(to_string(*status->holder) + " has ended and holds a lease of " +
                    to_string(entry.address));
     }
     world.dead.clear();

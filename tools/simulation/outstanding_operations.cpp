@@ -92,7 +92,7 @@ void OutstandingOperations::grant_unwanted(const Outstanding& x, std::uint32_t e
 void OutstandingOperations::settle(const std::string& client) {
   for (auto& x : operations_) {
     if (x.given_up_by == 0)
-      world_.find(client + " was never answered its message " + std::to_string(x.number));
+      world_.find(client + " got no answer to its message " + std::to_string(x.number));
     else
       for (auto record : x.records)
         world_.recorder.returned(record, {Status::timed_out});

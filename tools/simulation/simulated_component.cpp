@@ -183,10 +183,10 @@ void SimulatedComponent::register_filter() {
         calls_.emplace(SimulatedCalls::Parts{this, &system_world_.calls, home_, record_client()},
                        neighbours_);
         calls_->begin([this](bool registered) {
-          registered ? started() : fail("its filters were not taken note of");
+          registered ? started() : fail("its filters were not registered");
         });
       },
-      [this](const caf::error&) { fail("its filter was not taken note of"); });
+      [this](const caf::error&) { fail("its filter was not registered"); });
 }
 
 void SimulatedComponent::started() {

@@ -148,8 +148,7 @@ private:
     if (!world_.findings.empty())
       return;
     auto why = why_not_whole();
-    world_.find("it is not whole again: " +
-                (why.empty() ? "components fail again and again" : why));
+    world_.find("it has not recovered: " + (why.empty() ? "components fail again and again" : why));
   }
 
   /// Empty if all of the system is there.
@@ -169,7 +168,7 @@ private:
       }
     }
     if (!down_.empty())
-      return down_.begin()->first + " is not known to be back";
+      return down_.begin()->first + " is not reported as up";
     return {};
   }
 
@@ -189,7 +188,7 @@ private:
     world_.note(x.component);
     auto since = down_.extract(x.component);
     if (!since)
-      world_.find(x.component + " is said to be back and was not down");
+      world_.find(x.component + " is reported as up and was not down");
     else if (!machines_.are_processes_affected() &&
              schedule_.time() - since.mapped() > most_downtime)
       world_.find(x.component + " was not there for " +
@@ -210,9 +209,9 @@ private:
           happened.add("journals", x.session == 1 ? "opened" : "opened again");
           happened.add("journals", "entry recovered", x.image->entries.size());
         }
-    happened.add("journals", "change that was told found in the journal", journals.found);
-    happened.add("journals", "change that was told lost, as it may be", journals.lost);
-    happened.add("journals", "as many changes lost as may be", journals.lost_at_bound);
+    happened.add("journals", "change with an event found in the journal", journals.found);
+    happened.add("journals", "change with an event lost, within the bound", journals.lost);
+    happened.add("journals", "lost changes reached the bound", journals.lost_at_bound);
     happened.add(world_.tasks.happened());
     happened.add(world_.calls.happened);
     for (auto& x : result_.history) {

@@ -84,7 +84,7 @@ TEST(ChaosReport, ThePageShowsAllThereIs) {
   for (auto part :
        {"robot.cast", "1 violation", "castor chaos robot.cast --seed 7 --duration 20s",
         "two holders\nat once", "crash segmentor", "not injected", "it was down already",
-        "never came to it", "2 of 4 faults happened, 1 never came to it, 1 not injected",
+        "never triggered", "2 of 4 faults happened, 1 never triggered, 1 not injected",
         "node1 is out of reach", "1203 operations", "undecided", "at 2s crash segmentor", "5120",
         "2 back, 1 given up, 1 neither", "memory in MB", "file descriptors", "threads"})
     EXPECT_THAT(page, HasSubstr(part));
@@ -154,7 +154,7 @@ TEST(ChaosReport, JsonSaysTheSame) {
 TEST(ChaosReport, TheTerminalIsToldInShort) {
   EXPECT_EQ(to_text(small_run()),
             "robot.cast: 1 violation (4 outages: component 4; seed 7, 20 s)\n"
-            "  faults: 2 of 4 faults happened, 1 never came to it, 1 not injected\n"
+            "  faults: 2 of 4 faults happened, 1 never triggered, 1 not injected\n"
             "  ok         linearizability              1203 operations on 12 entries\n"
             "  VIOLATED   leases                       40 leases\n"
             "  undecided  journal                      no working memory has one\n"

@@ -287,7 +287,7 @@ TEST_F(JudgementOfEvents, IsGoodIfAllWereToldOfOnce) {
 TEST_F(JudgementOfEvents, SeesWhatWasNotTold) {
   auto result = judge({told(1, Operation::add, 0)});
   EXPECT_EQ(result.verdict, Kind::violation);
-  EXPECT_THAT(result.report, HasSubstr("nobody was told of the OVERWRITE"));
+  EXPECT_THAT(result.report, HasSubstr("no event for the OVERWRITE"));
 }
 
 TEST_F(JudgementOfEvents, SeesWhatWasToldTwice) {

@@ -53,7 +53,7 @@ TEST(Workload, HasASeedOfItsOwnOrThatOfTheFaults) {
   auto x = workload_of("seed 7\nevery 1s say \"Hello.\"\n");
   EXPECT_EQ(x.seed, 7U);
   EXPECT_EQ(workload_of(to_string(x)), x);
-  EXPECT_THAT(flaws_of("seed 7\nseed 8\n"), HasSubstr("this is said twice"));
+  EXPECT_THAT(flaws_of("seed 7\nseed 8\n"), HasSubstr("this is given twice"));
   EXPECT_THAT(flaws_of("seed x\n"), HasSubstr("the seed is not one whole number"));
 }
 
@@ -115,7 +115,7 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
               HasSubstr("more than 64"));
   EXPECT_THAT(flaws_of("at 1s move red ball 0 0"), HasSubstr("'to' is missing at the end"));
   EXPECT_THAT(flaws_of("at 1s move red ball to 0 1e3"), HasSubstr("'1e3' is not a length"));
-  EXPECT_THAT(flaws_of("at 1s move red ball to 0 0 over 1s"), HasSubstr("is moved at once"));
+  EXPECT_THAT(flaws_of("at 1s move red ball to 0 0 over 1s"), HasSubstr("is moved instantly"));
   EXPECT_THAT(flaws_of("at 1s add red ball"), HasSubstr("'at' is missing"));
   EXPECT_THAT(flaws_of("at 1s remove"), HasSubstr("which thing is missing"));
   EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));

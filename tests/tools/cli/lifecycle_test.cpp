@@ -122,7 +122,7 @@ TEST_P(BlockedIn, ASecondSignalEndsTheProcessAtOnce) {
     castor.send_signal(second);
     EXPECT_EQ(castor.wait(), 128 + second) << castor.errors();
     EXPECT_LT(Clock::now() - begin, 2s);
-    EXPECT_THAT(castor.errors(), HasSubstr("left at once; did not come back: a.blocker in "));
+    EXPECT_THAT(castor.errors(), HasSubstr("ended by force; still running: a.blocker in "));
   }
 }
 

@@ -67,7 +67,7 @@ TEST_F(ChangeCheck, FindsVersionsThatDoNotFollow) {
 
 TEST_F(ChangeCheck, FindsWhatNobodyWasToldAndWhatNobodyDid) {
   writes.back().component = "d";
-  EXPECT_THAT(faults(), ElementsAre(HasSubstr("nobody was told of the ADD a/x v2 by d"),
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("no event for the ADD a/x v2 by d"),
                                     HasSubstr("nobody made this change")));
   writes.back().component = "c";
   // Who died before the answer may have made it.
