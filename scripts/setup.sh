@@ -1,4 +1,4 @@
-# Sourced by the other scripts: makes sure that everything needed to build is installed.
+# Sourced by the other scripts: installs everything needed to build.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,18 +14,18 @@ packages=(
 )
 test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
-  # Shells that complete castor's command lines, and what formats its manual pages.
+  # Shells that complete castor's command lines, and the formatter of its manual pages.
   fish groff-base zsh
 )
 
-# What builds and checks Debian packages.
+# Tools to build and check Debian packages.
 package_packages=(debootstrap dpkg-dev fakeroot file lintian man-db)
 
 # install_missing PACKAGE...
 install_missing() {
   local missing=()
   local installed
-  # dpkg-query fails if it does not know one of them; what it knows it prints all the same.
+  # dpkg-query fails if it does not know one of them, but still prints the others.
   installed=$({ dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null || true; } |
     sed -n 's/^ii *//p')
   local package
@@ -51,14 +51,14 @@ install_missing() {
 # Shows how far a build is and how long it has taken.
 export NINJA_STATUS="[%f/%t, %es] "
 
-# progress TEXT: shows what is going on as the last line of the terminal, if there is one; without TEXT,
-# erases that.
+# progress TEXT: shows the text as the last line of the terminal, if there is one; without TEXT,
+# erases it.
 progress() {
   [ -t 2 ] && [ "${TERM:-dumb}" != dumb ] || return 0
   printf '\r%.*s\e[K' "$((${COLUMNS:-80} - 1))" "${1:-}" >&2
 }
 
-# quietly COMMAND...: shows what it says only if it fails.
+# quietly COMMAND...: shows its output only if it fails.
 quietly() {
   local output
   output=$("$@" 2>&1) || {
@@ -72,8 +72,8 @@ configure() {
   quietly cmake --preset "$@"
 }
 
-# Builds what users run, as scripts/test does, so that neither compiles again what the other has. Keeps
-# the configuration of a build folder that is there.
+# Builds the programs for users, in the same way as scripts/test, so that neither recompiles the
+# other's files. Keeps the configuration of an existing build folder.
 build_product() {
   install_missing "${packages[@]}"
   if [ ! -f build/release/build.ninja ]; then
