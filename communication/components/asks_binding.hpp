@@ -47,14 +47,14 @@ protected:
     while (!scene.open_questions().empty()) {
       auto asked = scene.open_questions();
       auto reply = ask(binding_subarchitecture, asked);
-      scene.learn(asked, reply ? std::move(*reply) : nobody_knows(asked.size()));
+      scene.learn(asked, reply ? std::move(*reply) : unknown_reply(asked.size()));
       result = f(scene);
     }
     return result;
   }
 
 private:
-  static binding::ReferenceReply nobody_knows(std::size_t questions) {
+  static binding::ReferenceReply unknown_reply(std::size_t questions) {
     binding::ReferenceReply reply;
     reply.referents.resize(questions);
     return reply;

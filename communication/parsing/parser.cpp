@@ -61,8 +61,8 @@ IncrementalParse::IncrementalParse(Parser& parser, const ChartLimits& limits)
 }
 
 void IncrementalParse::add(std::string word) {
-  if (!unheard_.empty() || !chart_.add(word))
-    unheard_.push_back(std::move(word));
+  if (!ignored_words_.empty() || !chart_.add(word))
+    ignored_words_.push_back(std::move(word));
 }
 
 std::vector<const Meaning*> IncrementalParse::meanings() const {
@@ -95,7 +95,7 @@ PackedLogicalForm IncrementalParse::form() const {
   for (const auto* meaning : meanings())
     readings.push_back({form_of(*meaning)});
   std::vector<Unparsable> unparsable;
-  if (readings.empty() || !unheard_.empty()) {
+  if (readings.empty() || !ignored_words_.empty()) {
     const auto parts = fragments();
     if (readings.empty())
       readings = readings_of(parts);
@@ -202,10 +202,10 @@ std::vector<Unparsable> IncrementalParse::diagnose(const std::vector<Fragment>& 
   for (std::size_t i = 0; i < words; ++i)
     if (!parser_.lexicon().knows(chart_.words()[i]))
       problems.push_back(unknown_word(i));
-  if (!unheard_.empty())
+  if (!ignored_words_.empty())
     problems.push_back({static_cast<std::int32_t>(words),
-                        static_cast<std::int32_t>(unheard_.size()),
-                        unheard_.front(),
+                        static_cast<std::int32_t>(ignored_words_.size()),
+                        ignored_words_.front(),
                         "utterances have at most " + std::to_string(words) + " words",
                         {}});
   if (!problems.empty() || !is_finished_)

@@ -92,7 +92,7 @@ private:
   Parser& parser_;
   Chart chart_;
   /// Words beyond the limit.
-  std::vector<std::string> unheard_;
+  std::vector<std::string> ignored_words_;
   bool is_finished_ = false;
 };
 

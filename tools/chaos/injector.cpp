@@ -6,8 +6,8 @@
 #include "castor/actors/system/fault_port.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/log.hpp"
+#include "castor/tools/chaos/connection_flood.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
-#include "castor/tools/chaos/strangers.hpp"
 #include "castor/wm/journal/journal.hpp"
 
 #include <unistd.h>
@@ -321,9 +321,9 @@ Injector::Outcome Injector::apply(const Flood& x) {
   if (!number || *number == 0)
     return {false, not_there("process " + x.process.name)};
   auto& process = roster->processes[*number];
-  auto strangers = std::make_shared<Strangers>(Endpoint{process.host, process.port}, x.rate);
-  when_over(x.duration, [strangers, name = x.process.name] {
-    auto counts = strangers->stop();
+  auto flood = std::make_shared<ConnectionFlood>(Endpoint{process.host, process.port}, x.rate);
+  when_over(x.duration, [flood, name = x.process.name] {
+    auto counts = flood->stop();
     log_runtime(LogLevel::info, "faults",
                 "flood " + name + " is over: " + std::to_string(counts.connected) +
                   " connections, and " + std::to_string(counts.failed) + " that could not be made");

@@ -67,7 +67,7 @@ class Chaos {
 public:
   Chaos(const Arguments& arguments, std::vector<std::string> plugins) : arguments_(arguments) {
     setup_.plugins = std::move(plugins);
-    setup_.question = {{arguments.same.begin(), arguments.same.end()},
+    setup_.compared = {{arguments.same.begin(), arguments.same.end()},
                        {arguments.but_for.begin(), arguments.but_for.end()}};
     setup_.duration = duration(arguments.duration).value();
     setup_.settle = duration(arguments.settle).value();
@@ -98,7 +98,7 @@ public:
         ? arguments_.seed.value_or(given.seed.value_or(new_incarnation() % 1'000'000))
         : simulation::parse_seeds(arguments_.seeds).from;
     progress_.emplace("chaos");
-    if (!setup_.question.types.empty() || !has_plan()) {
+    if (!setup_.compared.types.empty() || !has_plan()) {
       log_runtime(LogLevel::info, "first without faults, to see what it does and how it ends then");
       faultless_ = run_without_faults(setup_, first_seed, signals_, *progress_);
       if (signals_.count() > 0)
@@ -171,7 +171,7 @@ private:
     std::map<int, std::size_t> counts;
     for (auto seed = seeds.from; seed <= seeds.to && signals_.count() == 0; ++seed) {
       // Other actions are drawn, from which another state follows.
-      if (!setup_.question.types.empty() && setup_.workload_seed(seed) != faultless_.workload_seed)
+      if (!setup_.compared.types.empty() && setup_.workload_seed(seed) != faultless_.workload_seed)
         faultless_ = run_without_faults(setup_, seed, signals_, *progress_);
       auto report = arguments_.report.empty() ? std::filesystem::path{}
                                               : arguments_.report / std::to_string(seed);
@@ -276,8 +276,8 @@ private:
       return false;
     log_runtime(LogLevel::info, "workload: " + file);
     if (auto& same = setup_.workload->workload.same) {
-      setup_.question.types.insert(same->types.begin(), same->types.end());
-      setup_.question.ignored.insert(same->but_for.begin(), same->but_for.end());
+      setup_.compared.types.insert(same->types.begin(), same->types.end());
+      setup_.compared.ignored.insert(same->but_for.begin(), same->but_for.end());
     }
     return true;
   }

@@ -98,7 +98,7 @@ public:
       if (work)
         work->begin();
       // What a workload does and what comes of it takes its time.
-      auto whole = work && !setup_.question.types.empty();
+      auto whole = work && !setup_.compared.types.empty();
       wait_and_measure(system,
                        whole ? setup_.duration
                              : std::min<std::chrono::milliseconds>(setup_.duration, rehearsal),
@@ -271,7 +271,7 @@ private:
                 is_any_down()
                   ? "the system did not come to rest, since not everything is back"
                   : "the system did not come to rest within " + faults::rounded(rest_limit));
-    return state_of(system, setup_.question);
+    return state_of(system, setup_.compared);
   }
 
   /// As System::wait, with a look at what components do, about once a second.
@@ -328,12 +328,12 @@ private:
   }
 
   void compare(const std::vector<std::string>& wanted, const std::vector<std::string>& got) {
-    if (setup_.question.types.empty())
+    if (setup_.compared.types.empty())
       return;
     auto text = difference(wanted, got);
     check("state as without faults", text.empty(),
           fmt::format("{} entries of the types {}", wanted.size(),
-                      list_of(setup_.question.types, setup_.question.types.size())));
+                      list_of(setup_.compared.types, setup_.compared.types.size())));
     if (!text.empty())
       violation("state as without faults", text);
   }

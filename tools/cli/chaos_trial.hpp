@@ -29,7 +29,7 @@ struct ChaosSetup {
   faults::FaultTargets targets;
   std::optional<CheckedWorkload> workload;
   /// Entries whose final state must be the same as without faults.
-  StateQuestion question;
+  ComparedEntries compared;
   std::chrono::milliseconds duration{0};
   /// The system has settled when nothing has changed for this long.
   std::chrono::milliseconds settle{0};

@@ -34,14 +34,14 @@ std::string shortened(const std::string& line) {
 
 } // namespace
 
-std::vector<std::string> state_of(System& system, const StateQuestion& question) {
+std::vector<std::string> state_of(System& system, const ComparedEntries& compared) {
   std::vector<std::string> result;
   for (auto& name : system.subarchitectures())
     for (auto& entry : system.entries(name)) {
-      if (question.types.count(entry->type_name()) == 0)
+      if (compared.types.count(entry->type_name()) == 0)
         continue;
       auto content = Json::parse(to_json(entry->value));
-      leave_out(content, question.ignored);
+      leave_out(content, compared.ignored);
       result.push_back(name + ' ' + entry->type_name() + ' ' + content.dump());
     }
   std::sort(result.begin(), result.end());

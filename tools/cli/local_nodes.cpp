@@ -185,13 +185,13 @@ void LocalNodes::watch() {
       restart(host);
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (ends[i].revents != 0) {
-        take_leave(hosts[i]);
+        handle_exit(hosts[i]);
         restart(hosts[i]);
       }
   }
 }
 
-void LocalNodes::take_leave(const std::string& host) {
+void LocalNodes::handle_exit(const std::string& host) {
   std::lock_guard guard{mutex_};
   auto& x = processes_.at(host);
   auto status = end_child(std::exchange(x.id, -1));

@@ -75,7 +75,7 @@ private:
   void start(Process& x) const;
   void watch();
   /// Handles the end of a host's process.
-  void take_leave(const std::string& host);
+  void handle_exit(const std::string& host);
   /// Starts a new process for a host.
   void restart(const std::string& host);
 

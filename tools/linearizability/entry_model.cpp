@@ -43,13 +43,13 @@ std::optional<Result> EntryModel::answer(const EntryState& state, OperationIndex
     case OperationKind::exists:
       return Result{state.present() ? Status::ok : Status::does_not_exist};
     case OperationKind::version:
-      if (state.presence == EntryState::Presence::unheard_of)
+      if (state.presence == EntryState::Presence::never_existed)
         return Result{Status::never_existed};
       return Result{Status::ok, state.version};
     case OperationKind::add:
       if (state.present())
         return Result{Status::already_exists};
-      return Result{Status::ok, state.presence == EntryState::Presence::unheard_of
+      return Result{Status::ok, state.presence == EntryState::Presence::never_existed
                                   ? state.version
                                   : state.version + 1};
     case OperationKind::lapse:
@@ -224,7 +224,7 @@ void EntryModel::lose(EntryState& state, const OperationRecord& loss,
   state = {};
   state.presence = begin.status == Status::ok               ? present
                    : begin.status == Status::does_not_exist ? deleted
-                                                            : unheard_of;
+                                                            : never_existed;
   state.version = begin.version;
   state.content = begin.content;
   state.last_token = begin.token;

@@ -15,11 +15,11 @@ using OperationIndex = std::uint32_t;
 
 /// State of an entry between two operations.
 struct EntryState {
-  enum class Presence : std::uint8_t { unheard_of, present, deleted };
+  enum class Presence : std::uint8_t { never_existed, present, deleted };
 
   static constexpr std::size_t max_waiting = 32;
 
-  Presence presence = Presence::unheard_of;
+  Presence presence = Presence::never_existed;
   /// Whether the lease's token was returned to its client: the operation that obtained it may be
   /// pending.
   bool token_known = false;

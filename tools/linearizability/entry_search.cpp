@@ -204,7 +204,7 @@ bool EntrySearch::any_success_to_come(F&& f) const {
 /// with another content.
 bool EntrySearch::passes_by(const EntryState& state) const {
   // After a loss the version is the one that an addition gets.
-  auto written = state.presence != EntryState::Presence::unheard_of;
+  auto written = state.presence != EntryState::Presence::never_existed;
   return any_success_to_come([&](auto& x) {
     switch (x.kind) {
       case OperationKind::add:

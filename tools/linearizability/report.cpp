@@ -12,7 +12,7 @@ std::string indented(const std::string& line) {
 }
 
 std::string describe(const EntryState& x) {
-  std::string result = x.presence == EntryState::Presence::unheard_of ? "never existed"
+  std::string result = x.presence == EntryState::Presence::never_existed ? "never existed"
                        : x.present() ? "version " + std::to_string(x.version) + ", content " +
                                          std::to_string(x.content)
                                      : "deleted at version " + std::to_string(x.version);

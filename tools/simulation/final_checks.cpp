@@ -31,7 +31,7 @@ void FinalChecks::run() {
   auto quiet_since = schedule_.time() + long_time;
   schedule_.advance(quiet_since);
   world_.recorder.deaths_are_known();
-  check_the_dead();
+  check_ended_clients();
   check_calls();
   check_tasks();
   leave_sentinels();
@@ -48,7 +48,7 @@ void FinalChecks::run() {
   journal_counts_ = check_journals(world_, machines_);
 }
 
-void FinalChecks::check_the_dead() {
+void FinalChecks::check_ended_clients() {
   for (auto& entry : world_.entries)
     if (auto status = ask<Outcome<LockStatus>>(owner_of(entry), LockQuery{entry.address});
         status && status->holder &&

@@ -32,7 +32,7 @@ public:
   const JournalCounts& journal_counts() const { return journal_counts_; }
 
 private:
-  void check_the_dead();
+  void check_ended_clients();
   void check_calls();
   void check_nothing_left(const std::string& name, const std::string& type,
                           const WorkingMemoryActor& memory);

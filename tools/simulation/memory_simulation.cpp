@@ -119,7 +119,7 @@ private:
       parts.world = world_;
       parts.component = "c" + std::to_string(i);
       parts.home = world.pick(working_memories);
-      parts.temper = {world.chance(25), world.chance(40), world.chance(50), world.chance(40),
+      parts.traits = {world.chance(25), world.chance(40), world.chance(50), world.chance(40),
                       world.chance(30)};
       SimulatedClient::spawn(system, std::move(parts));
     }
@@ -133,7 +133,7 @@ private:
     auto hurry = 1 + world.pick(5);
     for (std::size_t steps = 0; steps < most_steps; ++steps) {
       if (jobs.empty()) {
-        check_the_dead();
+        check_ended_clients();
         if (!let_time_pass_until_something_happens())
           return;
       }
@@ -146,7 +146,7 @@ private:
   }
 
   /// Every working memory has heard of every death by now.
-  void check_the_dead() {
+  void check_ended_clients() {
     auto& world = *world_;
     if (world.dead.empty())
       return;

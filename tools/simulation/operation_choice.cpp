@@ -21,13 +21,13 @@ OperationKind OperationChoice::kind(const EntryView& view) const {
 }
 
 std::optional<Version> OperationChoice::version_to_show(const EntryView& view) const {
-  if (temper_.forges && world_.chance(20))
+  if (traits_.shows_wrong_tokens && world_.chance(20))
     return world_.chance(20) ? std::nullopt : std::optional{view.seen.value_or(0) + world_.pick(3)};
   return view.seen;
 }
 
 Token OperationChoice::token_to_show(const EntryView& view, std::uint32_t entry) const {
-  if (!temper_.forges || !world_.chance(25))
+  if (!traits_.shows_wrong_tokens || !world_.chance(25))
     return view.token;
   // Somebody else's, perhaps.
   if (world_.chance(30))

@@ -8,25 +8,25 @@
 
 namespace castor::linearizability {
 
-/// How a client behaves, other than well.
-struct Temper {
+/// Misbehaviour of a simulated client.
+struct ClientTraits {
   /// Goes through any working memory, not only its own.
-  bool roams = false;
+  bool uses_any_memory = false;
   /// Never renews its leases.
-  bool negligent = false;
+  bool never_renews = false;
   /// Gives up waiting.
-  bool impatient = false;
+  bool gives_up_waits = false;
   /// Shows old tokens and guessed versions.
-  bool forges = false;
-  /// Dies in the middle.
-  bool mortal = false;
+  bool shows_wrong_tokens = false;
+  /// Ends at random.
+  bool may_end = false;
 };
 
 /// Chooses a simulated client's next operation on an entry, with its version and token: drawn from
 /// the world's random numbers, based on the client's knowledge of the entry.
 class OperationChoice {
 public:
-  OperationChoice(SimulatedWorld& world, Temper temper) : world_(world), temper_(temper) {}
+  OperationChoice(SimulatedWorld& world, ClientTraits traits) : world_(world), traits_(traits) {}
 
   OperationKind kind(const EntryView& view) const;
   std::optional<Version> version_to_show(const EntryView& view) const;
@@ -34,7 +34,7 @@ public:
 
 private:
   SimulatedWorld& world_;
-  Temper temper_;
+  ClientTraits traits_;
 };
 
 } // namespace castor::linearizability

@@ -21,7 +21,7 @@ SimulatedClient::SimulatedClient(caf::actor_config& config, SimulatedClientParts
     number_(++world_.last_client),
     identity_(std::make_shared<const castor::Client>(castor::Client{
       parts_.component, world_.working_memories[parts_.home].subarchitecture, parts_.incarnation})),
-    views_(std::move(parts_.views)), choice_(world_, parts_.temper), outstanding_(world_) {
+    views_(std::move(parts_.views)), choice_(world_, parts_.traits), outstanding_(world_) {
   world_.identities.push_back(identity_);
   views_.resize(world_.entries.size());
 }
@@ -48,13 +48,13 @@ caf::behavior SimulatedClient::make_behavior() {
 
 void SimulatedClient::step() {
   stepping_ = false;
-  if (parts_.temper.mortal && world_.chance(6)) {
+  if (parts_.traits.may_end && world_.chance(6)) {
     die();
     return;
   }
-  if (parts_.temper.impatient && world_.chance(30))
+  if (parts_.traits.gives_up_waits && world_.chance(30))
     give_up_something();
-  if (!parts_.temper.negligent && world_.chance(60))
+  if (!parts_.traits.never_renews && world_.chance(60))
     renew();
   for (auto operations = world_.chance(70) ? 1 : 1 + world_.pick(4);
        operations > 0 && world_.operations_left > 0; --operations)
@@ -96,7 +96,7 @@ void SimulatedClient::die() {
   std::erase(world_.alive, caf::actor_cast<caf::actor>(this));
   auto successor = parts_;
   ++successor.incarnation;
-  if (parts_.temper.forges)
+  if (parts_.traits.shows_wrong_tokens)
     for (auto& view : successor.views = views_)
       view.lose_lease();
   if (world_.chance(70))
@@ -111,7 +111,8 @@ void SimulatedClient::rest() {
 // -- operations
 
 Route SimulatedClient::route_to(std::uint32_t entry) {
-  auto via = parts_.temper.roams ? world_.pick(world_.working_memories.size()) : parts_.home;
+  auto via =
+    parts_.traits.uses_any_memory ? world_.pick(world_.working_memories.size()) : parts_.home;
   return {via, world_.entries[entry].owner};
 }
 
@@ -249,7 +250,8 @@ void SimulatedClient::write_several() {
   }
   if (records.empty())
     return;
-  auto via = parts_.temper.roams ? world_.pick(world_.working_memories.size()) : parts_.home;
+  auto via =
+    parts_.traits.uses_any_memory ? world_.pick(world_.working_memories.size()) : parts_.home;
   world_.batches.push_back(records);
   ask<std::vector<Version>>(
     {via, owner}, batch, records, 0,
@@ -268,7 +270,8 @@ void SimulatedClient::write_several() {
 
 void SimulatedClient::read_all() {
   auto owner = world_.entries[world_.pick(world_.entries.size())].owner;
-  auto via = parts_.temper.roams ? world_.pick(world_.working_memories.size()) : parts_.home;
+  auto via =
+    parts_.traits.uses_any_memory ? world_.pick(world_.working_memories.size()) : parts_.home;
   auto number = ++last_wait_;
   auto invoked = world_.recorder.tick();
   TypeQuery query{world_.working_memories[owner].subarchitecture, type_name<Stamp>()};

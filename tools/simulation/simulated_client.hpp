@@ -24,7 +24,7 @@ struct SimulatedClientParts {
   std::uint64_t incarnation = 1;
   /// Index of its working memory.
   std::size_t home = 0;
-  Temper temper;
+  ClientTraits traits;
   /// Its views of entries from its former incarnation.
   std::vector<EntryView> views;
 };

@@ -89,7 +89,7 @@ bool SimulatedClient::may_hold_unawares(std::uint32_t entry) const {
 
 void SimulatedClient::give_up_something() {
   // What comes through another working memory may overtake.
-  if (parts_.temper.roams)
+  if (parts_.traits.uses_any_memory)
     return;
   auto* x = outstanding_.find_to_give_up(views_);
   if (!x)

@@ -152,7 +152,7 @@ caf::actor SimulatedMachines::spawn_component(const ShellParts& parts, Life life
   auto home = std::ranges::find(world_.working_memories, identity.subarchitecture,
                                 &SystemWorld::WorkingMemory::subarchitecture);
   client.home = std::size_t(home - world_.working_memories.begin());
-  client.temper = {false, world_.chance(40), false, world_.chance(30), false};
+  client.traits = {false, world_.chance(40), false, world_.chance(30), false};
   auto operates = !identity.name.ends_with("_tm");
   auto result =
     system_.spawn<SimulatedComponent>(world_, std::move(client), parts.record, operates, life);

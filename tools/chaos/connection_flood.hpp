@@ -13,12 +13,12 @@ namespace castor::faults {
 
 /// A flood of connections to a listening process that send nothing, an invalid greeting, or an
 /// incomplete one. They are made on a thread of their own.
-class Strangers {
+class ConnectionFlood {
 public:
-  Strangers(Endpoint to, Rate rate);
-  Strangers(const Strangers&) = delete;
-  Strangers& operator=(const Strangers&) = delete;
-  ~Strangers();
+  ConnectionFlood(Endpoint to, Rate rate);
+  ConnectionFlood(const ConnectionFlood&) = delete;
+  ConnectionFlood& operator=(const ConnectionFlood&) = delete;
+  ~ConnectionFlood();
 
   struct Counts {
     std::uint64_t connected = 0;

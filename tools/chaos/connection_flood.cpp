@@ -1,4 +1,4 @@
-#include "castor/tools/chaos/strangers.hpp"
+#include "castor/tools/chaos/connection_flood.hpp"
 
 #include "castor/actors/link/handshake.hpp"
 
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t most_connections = 64;
 constexpr std::chrono::milliseconds patience{100};
 
-/// What strangers say, one after the other; half of them nothing.
+/// Data sent by the connections, one after the other; half of them send nothing.
 const std::array<std::string, 4>& words() {
   static const auto result = [] {
     std::vector<char> greeting;
@@ -38,16 +38,16 @@ const std::array<std::string, 4>& words() {
 
 } // namespace
 
-Strangers::Strangers(Endpoint to, Rate rate)
+ConnectionFlood::ConnectionFlood(Endpoint to, Rate rate)
   : to_(std::move(to)), interval_(std::chrono::nanoseconds{std::chrono::seconds{1000}} /
                                   std::max<std::uint32_t>(rate.per_thousand_seconds, 1)),
     thread_([this] { work(); }) {}
 
-Strangers::~Strangers() {
+ConnectionFlood::~ConnectionFlood() {
   stop();
 }
 
-Strangers::Counts Strangers::stop() {
+ConnectionFlood::Counts ConnectionFlood::stop() {
   {
     std::lock_guard guard{mutex_};
     over_ = true;
@@ -58,7 +58,7 @@ Strangers::Counts Strangers::stop() {
   return counts_;
 }
 
-void Strangers::work() {
+void ConnectionFlood::work() {
   std::deque<int> sockets;
   auto leave = [&] {
     close(sockets.front());
