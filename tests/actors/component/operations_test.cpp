@@ -192,7 +192,7 @@ TEST_F(Operations, AWriteThatCountsOnAFailedOneFailsToo) {
     auto second = self.overwrite_async(address, Note{4, "mine"});
     EXPECT_NE(message_of<ConsistencyException>([&] { first.get(); }).find("seen version 0"),
               std::string::npos);
-    EXPECT_NE(message_of<ConsistencyException>([&] { second.get(); }).find("counted on"),
+    EXPECT_NE(message_of<ConsistencyException>([&] { second.get(); }).find("this one depends on"),
               std::string::npos);
     EXPECT_NE(message_of<ConsistencyException>([&] {
                 self.overwrite(address, Note{5, "mine"});

@@ -180,7 +180,7 @@ TEST(LinkSession, RefusesWhatCannotBe) {
   // A message of two pieces that take 2^64 bytes and some, and one of very many pieces.
   EXPECT_THAT(problem(x, "\x1a\0\0\0\0\1\0\0\0\1\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xff"
                          "\xff\0\0\0\0\0\0\0"sv),
-              HasSubstr("than can be counted"));
+              HasSubstr("the size of a message overflows"));
   EXPECT_THAT(problem(x, "\x0a\0\0\0\0\1\0\0\0\1\xff\xff\xff\xff"sv), HasSubstr("pieces"));
 }
 

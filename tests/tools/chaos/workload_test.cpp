@@ -120,7 +120,7 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
   EXPECT_THAT(flaws_of("at 1s remove"), HasSubstr("which thing is missing"));
   EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));
   EXPECT_THAT(flaws_of("expect answer within 1s\nexpect answer within 2s"),
-              AllOf(HasSubstr("test.workload:2"), HasSubstr("said twice")));
+              AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
   EXPECT_THAT(flaws_of("same A for b"), HasSubstr("do not know what to do with 'for'"));
 }
 
@@ -174,13 +174,13 @@ TEST(Workload, WhatTheSystemDoesNotHaveIsFound) {
                     HasSubstr("ACCESS operator WRITES closed")));
   EXPECT_THAT(misfits_of("at 1s write Nota {} to talk"), HasSubstr("there is no type Nota"));
   EXPECT_THAT(misfits_of("at 1s move red sphre to 0 0"), HasSubstr("did you mean 'red sphere'?"));
-  EXPECT_THAT(misfits_of("expect answer within 1s"), HasSubstr("nothing is said"));
+  EXPECT_THAT(misfits_of("expect answer within 1s"), HasSubstr("no sentence is said"));
   EXPECT_THAT(misfits_of("\nsame Nota"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
   constexpr const char* silent = "HOST localhost\nSUBARCHITECTURE a\n"
                                  "CPP WM SubarchitectureWorkingMemory\n"
                                  "CPP TM AlwaysPositiveTaskManager\nCPP UM b B\n";
-  EXPECT_THAT(misfits_of("at 1s say \"a\"", silent), HasSubstr("nobody listens"));
+  EXPECT_THAT(misfits_of("at 1s say \"a\"", silent), HasSubstr("no subarchitecture has an UtteranceParser"));
   EXPECT_THAT(misfits_of("at 1s add mug at 0 0", silent), HasSubstr("no camera sees a scene"));
 }
 

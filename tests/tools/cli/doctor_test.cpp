@@ -117,7 +117,7 @@ TEST(DoctorChecks, LimitsThatAreTooLowAreNamed) {
   x.open_files = 512;
   expect(check_open_files(x), Verdict::warning, "at most 512", "ulimit -n");
   x.core_bytes = 0;
-  expect(check_core_dumps(x), Verdict::warning, "leaves none", "ulimit -c");
+  expect(check_core_dumps(x), Verdict::warning, "leaves no core dump", "ulimit -c");
   x.locked_bytes = 8192;
   expect(check_locked_memory(x), Verdict::warning, "8 KB", "ulimit -l");
 }

@@ -77,7 +77,7 @@ TEST_F(ChangeCheck, FindsWhatNobodyWasToldAndWhatNobodyDid) {
 
 TEST_F(ChangeCheck, FindsAnOrderThatCannotHaveBeen) {
   writes[1].invoked = 6;
-  EXPECT_THAT(faults(), ElementsAre(HasSubstr("but made before: the DELETE")));
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("but written before it: the DELETE")));
 }
 
 TEST_F(ChangeCheck, FindsWhatComesBetweenTheWritesOfABatch) {

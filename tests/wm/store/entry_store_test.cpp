@@ -297,7 +297,7 @@ TEST_F(EntryStoreRules, AddsNoEntryThatIsToBeTheOnlyOneOfItsIdAfterAnother) {
   EXPECT_EQ(refused(only).kind, FailureKind::already_exists);
   write(request(Operation::remove, "0:1"));
   EXPECT_EQ(refused(only).kind, FailureKind::already_exists);
-  EXPECT_THAT(refused(only).message, HasSubstr("there was one before"));
+  EXPECT_THAT(refused(only).message, HasSubstr("its id was used before"));
 }
 
 TEST_F(EntryStoreRules, SaysWhyThereIsNothingToRead) {
