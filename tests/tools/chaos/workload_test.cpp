@@ -180,7 +180,8 @@ TEST(Workload, WhatTheSystemDoesNotHaveIsFound) {
   constexpr const char* silent = "HOST localhost\nSUBARCHITECTURE a\n"
                                  "CPP WM SubarchitectureWorkingMemory\n"
                                  "CPP TM AlwaysPositiveTaskManager\nCPP UM b B\n";
-  EXPECT_THAT(misfits_of("at 1s say \"a\"", silent), HasSubstr("no subarchitecture has an UtteranceParser"));
+  EXPECT_THAT(misfits_of("at 1s say \"a\"", silent),
+              HasSubstr("no subarchitecture has an UtteranceParser"));
   EXPECT_THAT(misfits_of("at 1s add mug at 0 0", silent), HasSubstr("no camera sees a scene"));
 }
 

@@ -440,8 +440,9 @@ TEST_F(Chaos, AFlawedWorkloadIsRefusedWithItsPlace) {
                        ask({"check", file, "--workload", flawed})}) {
     EXPECT_NE(answer.status, 0);
     EXPECT_THAT(answer.errors,
-                AllOf(HasSubstr("w.workload:1: error: no subarchitecture has an UtteranceParser"), HasSubstr("w.workload:2"),
-                      HasSubstr("Oder"), HasSubstr("w.workload:3"), HasSubstr("dsh")));
+                AllOf(HasSubstr("w.workload:1: error: no subarchitecture has an UtteranceParser"),
+                      HasSubstr("w.workload:2"), HasSubstr("Oder"), HasSubstr("w.workload:3"),
+                      HasSubstr("dsh")));
   }
   EXPECT_FALSE(std::filesystem::exists(report()));
 }
