@@ -4,6 +4,7 @@
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/values/reflect.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ enum class FeatureKind {
   material,
   /// Position: x, y, z in `numbers`, metres.
   location,
+  /// How large it is: width, depth, height in `numbers`, metres.
+  extent,
   /// The subarchitecture that it comes from.
   source_id,
   /// Negated: not to be bound to anything from that subarchitecture.
@@ -64,6 +67,12 @@ inline Feature feature(FeatureKind kind, std::string text) {
   return {kind, std::move(text), {}, {}, false};
 }
 
+/// A word that is not certain: its confidence in [0, 1] is in `numbers`, to one decimal place, so
+/// that it seldom changes.
+inline Feature uncertain_feature(FeatureKind kind, std::string text, double confidence) {
+  return {kind, std::move(text), {std::round(confidence * 10) / 10}, {}, false};
+}
+
 /// "red" of "not red", and the other way round.
 inline Feature negation_of(Feature x) {
   x.negated = !x.negated;
@@ -73,6 +82,11 @@ inline Feature negation_of(Feature x) {
 /// Metres.
 inline Feature location_at(double x, double y, double z) {
   return {FeatureKind::location, {}, {x, y, z}, {}, false};
+}
+
+/// Metres.
+inline Feature extent_of(double width, double depth, double height) {
+  return {FeatureKind::extent, {}, {width, depth, height}, {}, false};
 }
 
 /// Not to be bound to anything from that subarchitecture.
@@ -348,7 +362,7 @@ struct ReferenceReply {
 };
 
 CASTOR_REFLECT_ENUM(FeatureKind, concept_name, name, relation_label, colour, shape, size, material,
-                    location, source_id, other_source_id, source_data, this_proxy_id,
+                    location, extent, source_id, other_source_id, source_data, this_proxy_id,
                     existing_proxy_id, creation_time, salience, temporal_frame, group, singular,
                     area_id, person_id, debug_string)
 CASTOR_REFLECT(Feature, kind, text, numbers, data, negated)

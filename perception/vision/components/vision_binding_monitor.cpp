@@ -62,6 +62,9 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     add_word(thing, FeatureKind::colour, object.colour);
     add_word(thing, FeatureKind::shape, object.shape);
     add_word(thing, FeatureKind::size, object.size);
+    // Those who ask for sizes want to compare them.
+    if (auto& size = place.size; is_told(object.size) && size.x > 0)
+      thing.features.push_back(binding::extent_of(size.x, size.y, size.z));
     auto location = from_here();
     auto& centre = place.centroid;
     location.features.push_back(binding::tether_to(data));
@@ -125,9 +128,16 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     return result;
   }
 
+  bool is_told(const Hypothesis& word) const {
+    return word.confidence >= certain_ && word.value != "unknown";
+  }
+
   void add_word(BindingProxy& to, FeatureKind kind, const Hypothesis& word) const {
-    if (word.confidence >= certain_ && word.value != "unknown")
-      to.features.push_back(feature(kind, word.value));
+    if (!is_told(word))
+      return;
+    to.features.push_back(word.confidence < sure_
+                            ? binding::uncertain_feature(kind, word.value, word.confidence)
+                            : feature(kind, word.value));
   }
 
   static bool has_moved(const ObjectBox& before, const ObjectBox& now) {
@@ -142,6 +152,9 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
 
   Option<double> certain_{this, "certain", 0.5,
                           "least confidence of a colour, a shape or a size that is added"};
+
+  Option<double> sure_{this, "sure", 0.8,
+                       "below this confidence, a colour, a shape or a size is told as uncertain"};
 
   /// Where each was when that was last told.
   std::map<std::string, ObjectBox> objects_;
