@@ -8,7 +8,7 @@ namespace castor::communication {
 namespace {
 
 /// Deeper nesting than any category has.
-constexpr int max_depth = 20;
+constexpr int max_category_depth = 20;
 
 class CategoryReader {
 public:
@@ -56,7 +56,7 @@ private:
   }
 
   Category read_category(int depth) {
-    if (depth > max_depth)
+    if (depth > max_category_depth)
       fail("this category is nested too deeply", "Leave out some parentheses.");
     auto category = read_primary(depth);
     for (;;) {

@@ -94,9 +94,21 @@ void Chart::fill(std::size_t begin, std::size_t end) {
   prune(found);
 }
 
-const double* Chart::filler_weight(std::size_t position) const {
-  const auto* weight = grammar_.lexicon.filler(words_[position]);
-  return weight != nullptr || !limits_.skipping_weight ? weight : &*limits_.skipping_weight;
+/// What the word weighs as one that says nothing, by itself or as a part of such a phrase.
+std::optional<double> Chart::filler_weight(std::size_t position) const {
+  const auto longest = std::min(grammar_.lexicon.longest_filler(), words_.size());
+  for (std::size_t length = 1; length <= longest; ++length)
+    for (auto begin = position + 1 - std::min(position + 1, length);
+         begin <= position && begin + length <= words_.size(); ++begin) {
+      if (begin + length <= position)
+        continue;
+      std::string phrase = words_[begin];
+      for (auto i = begin + 1; i < begin + length; ++i)
+        phrase += ' ' + words_[i];
+      if (const auto* weight = grammar_.lexicon.filler(phrase))
+        return *weight;
+    }
+  return limits_.skipping_weight;
 }
 
 /// Fillers belong to the phrase before them, at the beginning of an utterance to the one after.
@@ -104,16 +116,16 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
   double before = 0;
   for (std::size_t first = begin; first < end && first - begin <= max_fillers; ++first) {
     if (first > begin) {
-      const auto* weight = begin == 0 ? filler_weight(first - 1) : nullptr;
-      if (weight == nullptr)
+      const auto weight = begin == 0 ? filler_weight(first - 1) : std::nullopt;
+      if (!weight)
         return;
       before += *weight;
     }
     double after = 0;
     for (std::size_t last = end; last > first && end - last <= max_fillers; --last) {
       if (last < end) {
-        const auto* weight = filler_weight(last);
-        if (weight == nullptr)
+        const auto weight = filler_weight(last);
+        if (!weight)
           break;
         after += *weight;
       }

@@ -70,7 +70,7 @@ private:
 
   Cell& cell(std::size_t begin, std::size_t end);
   void fill(std::size_t begin, std::size_t end);
-  const double* filler_weight(std::size_t position) const;
+  std::optional<double> filler_weight(std::size_t position) const;
   void add_phrases(std::size_t begin, std::size_t end, Cell& found);
   void add_combinations(const Cell& left, const Cell& right, Cell& found);
   void combine(const Edge& left, const Edge& right, const Combination& how, Cell& found);

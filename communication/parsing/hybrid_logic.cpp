@@ -275,4 +275,12 @@ bool equivalent(const LogicalForm& a, const LogicalForm& b) {
          correspondence.size() == a.nominals.size();
 }
 
+bool is_negated(const Nominal& nominal) {
+  return feature(nominal, "Polarity") == "neg";
+}
+
+bool is_plural(const Nominal& nominal) {
+  return feature(nominal, "Number") == "pl";
+}
+
 } // namespace castor::communication

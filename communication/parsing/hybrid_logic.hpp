@@ -43,6 +43,12 @@ const Nominal* dependent(const LogicalForm& form, const Nominal& nominal, std::s
 /// The value of a nominal's feature; empty if it does not have it.
 std::string_view feature(const Nominal& nominal, std::string_view name);
 
+/// <Polarity>neg.
+bool is_negated(const Nominal& nominal);
+
+/// <Number>pl.
+bool is_plural(const Nominal& nominal);
+
 /// Whether both are equal up to renaming of nominals.
 bool equivalent(const LogicalForm& a, const LogicalForm& b);
 

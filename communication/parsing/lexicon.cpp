@@ -39,6 +39,15 @@ void Lexicon::add(LexicalEntry entry) {
   entries_.push_back(std::move(entry));
 }
 
+void Lexicon::add_filler(const std::string& phrase, double weight) {
+  fillers_[phrase] = weight;
+  std::istringstream in(phrase);
+  std::size_t length = 0;
+  for (std::string word; in >> word; ++length)
+    ++words_[word];
+  longest_filler_ = std::max(longest_filler_, length);
+}
+
 std::span<const std::uint32_t> Lexicon::find(const std::string& phrase) const {
   const auto known = phrases_.find(is_quoted(phrase) ? std::string(quoted_word) : phrase);
   if (known == phrases_.end())
@@ -46,8 +55,8 @@ std::span<const std::uint32_t> Lexicon::find(const std::string& phrase) const {
   return known->second;
 }
 
-const double* Lexicon::filler(const std::string& word) const {
-  const auto known = fillers_.find(word);
+const double* Lexicon::filler(const std::string& phrase) const {
+  const auto known = fillers_.find(phrase);
   return known == fillers_.end() ? nullptr : &known->second;
 }
 
@@ -59,8 +68,7 @@ std::string Lexicon::name_of(const Category& category) const {
 }
 
 bool Lexicon::knows(const std::string& word) const {
-  return words_.contains(word) || fillers_.contains(word) ||
-         (is_quoted(word) && phrases_.contains(std::string(quoted_word)));
+  return words_.contains(word) || (is_quoted(word) && phrases_.contains(std::string(quoted_word)));
 }
 
 std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t most) const {

@@ -54,8 +54,8 @@ public:
   void add_root(Category category) { roots_.push_back(std::move(category)); }
   void add_name(CategoryName name) { names_.push_back(std::move(name)); }
   void add_raising(RaisingRule rule) { raising_.push_back(std::move(rule)); }
-  /// Adds a word that may stand anywhere and has no meaning.
-  void add_filler(std::string word, double weight) { fillers_[std::move(word)] = weight; }
+  /// Adds a word or phrase that may stand anywhere and has no meaning.
+  void add_filler(const std::string& phrase, double weight);
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
   std::span<const LexicalEntry> entries() const { return entries_; }
@@ -64,7 +64,10 @@ public:
   std::span<const std::uint32_t> find(const std::string& phrase) const;
 
   /// The weight of a word as a filler; null if it is none.
-  const double* filler(const std::string& word) const;
+  const double* filler(const std::string& phrase) const;
+
+  /// In words.
+  std::size_t longest_filler() const { return longest_filler_; }
 
   /// Whether the word is known, at least as part of a phrase.
   bool knows(const std::string& word) const;
@@ -89,6 +92,7 @@ private:
   std::vector<LexicalEntry> entries_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
   std::unordered_map<std::string, double> fillers_;
+  std::size_t longest_filler_ = 0;
   /// Number of entries that each word is part of.
   std::unordered_map<std::string, std::uint32_t> words_;
   std::size_t longest_phrase_ = 1;

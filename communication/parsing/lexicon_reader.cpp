@@ -234,6 +234,7 @@ private:
   void read_fillers(const std::vector<Piece>& pieces) {
     for (auto piece : pieces) {
       const double weight = take_weight(piece);
+      std::ranges::replace(piece.text, '_', ' ');
       lexicon_->add_filler(piece.text, weight);
     }
   }

@@ -15,7 +15,7 @@
 ///     root s[dcl] np                # what an utterance may be
 ///     raise np over s[dcl]          # np may also be s[dcl]/(s[dcl]\np)
 ///     call n[sg] a noun             # how to speak of what is missing
-///     filler please                 # words that may stand anywhere and say nothing
+///     filler please at_all          # words that may stand anywhere and say nothing
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

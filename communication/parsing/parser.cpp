@@ -61,6 +61,9 @@ IncrementalParse::IncrementalParse(Parser& parser, const ChartLimits& limits)
 }
 
 void IncrementalParse::add(std::string word) {
+  // Pauses matter only where the lexicon says so.
+  if (word == "," && !parser_.lexicon().knows(word))
+    return;
   if (!ignored_words_.empty() || !chart_.add(word))
     ignored_words_.push_back(std::move(word));
 }

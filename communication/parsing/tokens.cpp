@@ -1,5 +1,7 @@
 #include "castor/communication/parsing/tokens.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace castor::communication {
@@ -20,8 +22,29 @@ bool ends_with(const std::string& word, std::string_view end) {
   return word.size() > end.size() && std::string_view(word).ends_with(end);
 }
 
+/// Contractions as people type them in a hurry, and what they stand for.
+constexpr std::array<std::array<std::string_view, 3>, 14> hasty{{{"isnt", "is", "n't"},
+                                                                 {"arent", "are", "n't"},
+                                                                 {"doesnt", "does", "n't"},
+                                                                 {"dont", "do", "n't"},
+                                                                 {"didnt", "did", "n't"},
+                                                                 {"cant", "can", "n't"},
+                                                                 {"whats", "what", "'s"},
+                                                                 {"wheres", "where", "'s"},
+                                                                 {"theres", "there", "'s"},
+                                                                 {"thats", "that", "'s"},
+                                                                 {"whos", "who", "'s"},
+                                                                 {"im", "i", "'m"},
+                                                                 {"theyre", "they", "'re"},
+                                                                 {"youre", "you", "'re"}}};
+
 void append_word(std::string word, std::vector<std::string>& words) {
-  if (word == "cannot" || word == "can't") {
+  const auto contraction =
+    std::find_if(hasty.begin(), hasty.end(), [&word](auto& x) { return x.front() == word; });
+  if (contraction != hasty.end()) {
+    words.emplace_back((*contraction)[1]);
+    words.emplace_back((*contraction)[2]);
+  } else if (word == "cannot" || word == "can't") {
     words.insert(words.end(), {"can", word == "cannot" ? "not" : "n't"});
   } else if (ends_with(word, "n't")) {
     words.insert(words.end(), {word.substr(0, word.size() - 3), "n't"});
@@ -30,6 +53,13 @@ void append_word(std::string word, std::vector<std::string>& words) {
   } else {
     words.push_back(std::move(word));
   }
+}
+
+/// A comma, a dash or the like between words.
+bool is_pause(std::string_view text, std::size_t i) {
+  if (text[i] == ',' || text[i] == ';' || text[i] == ':')
+    return true;
+  return text[i] == '-' && i > 0 && text[i - 1] == ' ';
 }
 
 /// Where the quotation that begins at `begin` ends; `begin` itself if none does. Its mark stands
@@ -65,9 +95,11 @@ std::vector<std::string> words_of(std::string_view utterance) {
       word += lower(utterance[i++]);
     if (!word.empty())
       append_word(std::move(word), words);
-    else
-      ++i;
+    else if (is_pause(utterance, i++) && !words.empty() && words.back() != ",")
+      words.emplace_back(",");
   }
+  if (!words.empty() && words.back() == ",")
+    words.pop_back();
   return words;
 }
 

@@ -7,16 +7,21 @@ using castor::communication::words_of;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(Words, AreInLowerCaseAndWithoutPunctuation) {
+TEST(Words, AreInLowerCaseAndPunctuatedByPausesOnly) {
   EXPECT_THAT(words_of("Put the cup,  near the BOX!"),
-              ElementsAre("put", "the", "cup", "near", "the", "box"));
+              ElementsAre("put", "the", "cup", ",", "near", "the", "box"));
   EXPECT_THAT(words_of(" ... ?! "), IsEmpty());
 }
 
 TEST(Words, AreSplitWhereTwoAreWrittenAsOne) {
   EXPECT_THAT(words_of("What's it? Don't. It isn't; I cannot, can't."),
-              ElementsAre("what", "'s", "it", "do", "n't", "it", "is", "n't", "i", "can", "not",
-                          "can", "n't"));
+              ElementsAre("what", "'s", "it", "do", "n't", "it", "is", "n't", ",", "i", "can",
+                          "not", ",", "can", "n't"));
+}
+
+TEST(Words, MayLackTheirApostrophe) {
+  EXPECT_THAT(words_of("theres a ball isnt it"),
+              ElementsAre("there", "'s", "a", "ball", "is", "n't", "it"));
 }
 
 TEST(Words, InQuotesStayTogether) {

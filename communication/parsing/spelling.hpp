@@ -1,0 +1,19 @@
+#pragma once
+
+#include "castor/communication/parsing/lexicon.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// Replaces words that the lexicon does not know by the known word of which they are a letter off:
+/// one is missing, doubled, or two are in the wrong order; in words of five letters and more, one
+/// may be another. Nothing is replaced if one of the unknown words is not like any known one.
+///
+/// \returns what was replaced
+std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words,
+                                                 const Lexicon& lexicon);
+
+} // namespace castor::communication
