@@ -122,6 +122,14 @@ struct Unparsable {
   friend bool operator==(const Unparsable&, const Unparsable&) = default;
 };
 
+/// A word that is not known, and the one that it was taken for.
+struct SpellingCorrection {
+  std::string word;
+  std::string meant;
+
+  friend bool operator==(const SpellingCorrection&, const SpellingCorrection&) = default;
+};
+
 enum class InterpretationState {
   /// More words may come; the forms are partial ones.
   unfinished,
@@ -148,6 +156,7 @@ struct PackedLogicalForm {
   std::vector<PackedValue> roots;
   std::vector<PackedNominal> nominals;
   std::vector<Unparsable> unparsable;
+  std::vector<SpellingCorrection> corrections;
 
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
@@ -184,13 +193,19 @@ enum class DialogueMoveType {
   opening,
   closing,
   accept,
-  reject
+  reject,
+  /// About the robot itself: thanks, "who are you?", "what can you do?".
+  small_talk
 };
 
 /// The speech act of an utterance.
 struct DialogueMove {
   DialogueMoveType type = DialogueMoveType::none;
   LogicalForm content;
+  /// Other readings, the likelier first: one of them is meant if the content makes no sense.
+  std::vector<LogicalForm> alternatives;
+  /// Words that were taken for others.
+  std::vector<SpellingCorrection> corrections;
   /// How many utterances came before it.
   std::int32_t turn = 0;
   /// Explanation for the speaker of the part not understood; otherwise empty.
@@ -210,10 +225,23 @@ struct DiscourseReferent {
   friend bool operator==(const DiscourseReferent&, const DiscourseReferent&) = default;
 };
 
+/// What a phrase of a dialogue move stands for by what was said before.
+struct PronounReferents {
+  std::string nominal;
+  /// Proxies of what is perceived.
+  std::vector<std::string> proxies;
+
+  friend bool operator==(const PronounReferents&, const PronounReferents&) = default;
+};
+
 /// Things mentioned in a dialogue move. Added when binding has processed everything said before.
 struct MoveReferents {
   EntryPointer<DialogueMove> move;
   std::int32_t turn = 0;
+  /// Nothing that was spoken of before can be referred to after a move that was not.
+  bool understood = true;
+  /// What pronouns of the move stand for, and phrases such as "the others".
+  std::vector<PronounReferents> pronouns;
   /// The subject of the move first.
   std::vector<DiscourseReferent> referents;
 };
@@ -251,7 +279,10 @@ struct DialogueStructure {
 /// A logical form to be said, for the realiser.
 struct ContentPlanningGoal {
   LogicalForm content;
-  /// The dialogue move that this replies to, and its utterance; null for an unprompted utterance.
+  /// Said if there are no words for the content; without nominals for nothing.
+  LogicalForm simpler;
+  /// The dialogue move that this is a reply to, and the utterance of that; null for what is said
+  /// unasked.
   EntryPointer<DialogueMove> reply_to;
   EntryPointer<PhonString> utterance;
   RhetoricalRelation relation = RhetoricalRelation::narration;
@@ -264,7 +295,13 @@ struct SpokenOutputItem {
   EntryPointer<DialogueMove> reply_to;
   EntryPointer<PhonString> utterance;
   RhetoricalRelation relation = RhetoricalRelation::narration;
+  bool spoken = false;
 };
+
+/// The id of the item for a content planning goal.
+inline std::string spoken_id(const Address& goal) {
+  return "words for " + goal.id;
+}
 
 CASTOR_REFLECT(PhonString, word_sequence, length, confidence, rank, turn)
 CASTOR_REFLECT(NominalFeature, name, value)
@@ -277,22 +314,24 @@ CASTOR_REFLECT(PackedFeature, name, value, readings)
 CASTOR_REFLECT(PackedRelation, mode, dependent, readings)
 CASTOR_REFLECT(PackedNominal, name, sorts, propositions, features, relations)
 CASTOR_REFLECT(Unparsable, first_word, words, text, reason, suggestions)
+CASTOR_REFLECT(SpellingCorrection, word, meant)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
 CASTOR_REFLECT(PackedLogicalForm, utterance, text, turn, string_position, state, readings, roots,
-               nominals, unparsable)
+               nominals, unparsable, corrections)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
-                    opening, closing, accept, reject)
+                    opening, closing, accept, reject, small_talk)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
-CASTOR_REFLECT(DialogueMove, type, content, turn, problem, utterance)
+CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
-CASTOR_REFLECT(MoveReferents, move, turn, referents)
+CASTOR_REFLECT(PronounReferents, nominal, proxies)
+CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)
 CASTOR_REFLECT(DialogueStructure, turns)
-CASTOR_REFLECT(ContentPlanningGoal, content, reply_to, utterance, relation)
-CASTOR_REFLECT(SpokenOutputItem, text, reply_to, utterance, relation)
+CASTOR_REFLECT(ContentPlanningGoal, content, simpler, reply_to, utterance, relation)
+CASTOR_REFLECT(SpokenOutputItem, text, reply_to, utterance, relation, spoken)
 
 } // namespace castor::communication

@@ -1,7 +1,10 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/communication/components/asks_binding.hpp"
+#include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/types.hpp"
@@ -65,10 +68,10 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   void look(const std::string& id, const DialogueMove& move) {
     auto address = here("referents of " + id);
     const bool is_known = exists(address);
-    auto antecedents = is_known ? Antecedents{} : antecedents_in(move.content);
-    auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, move, antecedents);
-    if (move.type == DialogueMoveType::assertion) {
-      tell_of(id, move, referents);
+    auto meant = move;
+    auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
+    if (meant.type == DialogueMoveType::assertion) {
+      tell_of(id, meant, referents);
       publish();
       wait_until_bound(proxy_id(id));
     }
@@ -82,41 +85,39 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   // -- what is spoken of
 
-  Antecedents antecedents_in(const LogicalForm& form) const {
-    Antecedents result;
-    for (const auto* thing : things_spoken_of(form))
-      if (is_pronoun(*thing))
-        if (auto proxy = antecedent_of(*thing, history_); !proxy.empty())
-          result.emplace(thing->name, proxy);
-    return result;
-  }
-
-  MoveReferents referents_of(const std::string& id, const DialogueMove& move,
-                             const Antecedents& antecedents) {
-    return with_scene(binding(), [&](SceneKnowledge& scene) {
-      MoveReferents result{{here(id)}, move.turn, {}};
-      auto known = with_landmarks(move.content, antecedents, scene);
-      for (const auto* thing : things_spoken_of(move.content)) {
-        DiscourseReferent referent{
-          thing->name, thing->proposition, feature(*thing, "Number") == "pl", {}};
-        auto meaning = describe(move.content, *thing, known);
-        if (auto found = known.find(thing->name); found != known.end())
-          referent.proxies = {found->second};
-        else if (meaning.not_understood.empty())
-          for (auto& x : scene.candidates(move.content, meaning, known).best())
-            referent.proxies.push_back(scene.proxy_of(x));
-        result.referents.push_back(std::move(referent));
-      }
-      return result;
+  /// Of the reading that makes sense, which `move` becomes.
+  MoveReferents referents_of(const std::string& id, DialogueMove& move) {
+    const auto antecedents = antecedents_in(move, history_);
+    const auto reading = with_scene(
+      binding(), [&](SceneKnowledge& scene) { return respond(move, antecedents, scene).reading; });
+    MoveReferents result{{here(id)}, move.turn, move.problem.empty(), to_entry(antecedents), {}};
+    move = reading_of(std::move(move), reading);
+    result.referents = with_scene(binding(), [&](SceneKnowledge& scene) {
+      return communication::referents_of(move, antecedents, scene);
     });
+    return result;
   }
 
   // -- what is asserted
 
+  /// What disagrees with what is perceived is not told.
+  bool is_contradicted(const DialogueMove& move, const Nominal& root,
+                       const Antecedents& antecedents) {
+    return with_scene(binding(), [&](SceneKnowledge& scene) {
+             Evaluation evaluation{move.content, antecedents, scene};
+             try {
+               return judge_assertion(root, move.content, evaluation);
+             } catch (const Uninterpretable&) {
+               return Truth::unknown;
+             }
+           }) == Truth::no;
+  }
+
   void tell_of(const std::string& id, const DialogueMove& move, const MoveReferents& referents) {
     const auto& form = move.content;
     const auto* root = find_nominal(form, form.root);
-    if (root == nullptr || (root->sort == "existence" && feature(*root, "Polarity") == "neg"))
+    if (root == nullptr || (root->sort == "existence" && feature(*root, "Polarity") == "neg") ||
+        is_contradicted(move, *root, from_entry(referents.pronouns)))
       return;
     const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
     const auto* scope = dependent(form, *root, "Cop-Scope");

@@ -1,9 +1,11 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/communication/components/asks_binding.hpp"
-#include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/question_context.hpp"
+#include "castor/communication/dialogue/respond.hpp"
+#include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/types.hpp"
 
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,26 +35,21 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
 
   /// All sentences at once, so nothing is said twice.
   void reply(const MoveReferents& referents, const DialogueMove& move) {
-    auto antecedents = pronouns_of(referents);
-    auto meant = move;
-    if (unclear_ && move.type == DialogueMoveType::none && move.problem.empty()) {
-      meant = clarified(unclear_->move, unclear_->nominal, move.content);
-      antecedents.insert(unclear_->antecedents.begin(), unclear_->antecedents.end());
-    }
-    auto response = with_scene(
-      binding_.get(), [&](SceneKnowledge& scene) { return respond(meant, antecedents, scene); });
-    unclear_.reset();
-    if (!response.asked_about.empty())
-      unclear_ = Unclear{std::move(meant), response.asked_about, std::move(antecedents)};
+    auto meant = questions_.complete(move, from_entry(referents.pronouns));
+    auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
+      return respond(meant.move, meant.antecedents, scene);
+    });
+    questions_.note(meant, response);
     WriteBatch batch;
-    for (auto& content : response.contents)
-      batch.add(reply_id(referents.move, batch.items().size()),
-                ContentPlanningGoal{content, referents.move, move.utterance, response.relation});
-    if (!response.text.empty())
-      batch.add(reply_id(referents.move, batch.items().size()),
-                SpokenOutputItem{response.text, referents.move, move.utterance, response.relation});
-    if (!batch.items().empty())
-      write(batch);
+    for (auto& text : {said_back(move), response.text})
+      if (!text.empty())
+        batch.add(reply_id(referents.move, batch.items().size()),
+                  SpokenOutputItem{text, referents.move, move.utterance, response.relation});
+    for (auto& [content, simpler] : response.sentences)
+      batch.add(
+        reply_id(referents.move, batch.items().size()),
+        ContentPlanningGoal{content, simpler, referents.move, move.utterance, response.relation});
+    write(batch);
   }
 
   /// Follows from the move, so that no move is replied to twice.
@@ -61,25 +58,9 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
                 (sentence == 0 ? std::string{} : ", " + std::to_string(sentence + 1)));
   }
 
-  /// What was found for "it" and the like.
-  static Antecedents pronouns_of(const MoveReferents& referents) {
-    Antecedents result;
-    for (auto& x : referents.referents)
-      if (x.proxies.size() == 1 && is_pronoun({x.nominal, "thing", x.proposition, {}, {}}))
-        result.emplace(x.nominal, x.proxies.front());
-    return result;
-  }
-
-  /// What the other was asked back about.
-  struct Unclear {
-    DialogueMove move;
-    std::string nominal;
-    Antecedents antecedents;
-  };
-
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
-  std::optional<Unclear> unclear_;
+  QuestionContext questions_;
 };
 
 CASTOR_COMPONENT(ContentPlanner, "decides what to say in reply")

@@ -40,24 +40,12 @@ class DialogueInterpreter final : public UnmanagedComponent {
     DialogueMove move;
     move.turn = form.turn;
     move.utterance = form.utterance;
+    move.corrections = form.corrections;
     if (!form.unparsable.empty() || form.readings.empty())
       move.problem = problem_of(form);
-    else if (auto said = unpack(form, form.readings.front().id); said.size() == 1) {
-      move.type = dialogue_move_type(said.front());
-      move.content = std::move(said.front());
-    }
+    else
+      take_readings(form, move);
     add(here("move of " + address.id), std::move(move));
-  }
-
-  static std::string problem_of(const PackedLogicalForm& form) {
-    std::string text = "I do not understand that";
-    if (!form.unparsable.empty()) {
-      auto& problem = form.unparsable.front();
-      text += ": " + problem.reason;
-      if (!problem.suggestions.empty())
-        text += "; do you mean '" + problem.suggestions.front() + "'?";
-    }
-    return text.ends_with('?') ? text : text + '.';
   }
 };
 

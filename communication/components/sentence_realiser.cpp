@@ -23,11 +23,15 @@ class SentenceRealiser final : public UnmanagedComponent {
   void realise(const Address& address) {
     try {
       auto goal = read<ContentPlanningGoal>(address);
-      if (auto text = realiser_.realise(goal->content))
-        add(here("words for " + address.id),
-            SpokenOutputItem{*text, goal->reply_to, goal->utterance, goal->relation});
-      else
+      auto text = realiser_.realise(goal->content);
+      if (!text) {
         warning("there are no words for {}", address.id);
+        if (!goal->simpler.nominals.empty())
+          text = realiser_.realise(goal->simpler);
+      }
+      add(here(spoken_id(address)),
+          SpokenOutputItem{text.value_or("I have no words for my answer."), goal->reply_to,
+                           goal->utterance, goal->relation});
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     } catch (const AlreadyExistsOnWM&) {

@@ -32,11 +32,14 @@ class SpeechOutput final : public UnmanagedComponent {
 
   void say(const Address& address) {
     try {
-      auto text = read<SpokenOutputItem>(address)->text;
+      auto item = *read<SpokenOutputItem>(address);
+      const auto& text = item.text;
       std::printf("%s: %s\n", speaker_->c_str(), text.c_str());
       std::fflush(stdout);
       if (!voice_->empty())
         speak(text);
+      item.spoken = true;
+      overwrite(address, std::move(item));
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     }

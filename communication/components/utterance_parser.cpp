@@ -2,6 +2,7 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/parser.hpp"
+#include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -77,12 +78,16 @@ class UtteranceParser final : public UnmanagedComponent {
   PackedLogicalForm parse(const Address& address) {
     auto utterance = read<PhonString>(address);
     IncrementalParse parse{*parser_};
-    for (auto& word : words_of(utterance->word_sequence)) {
+    auto words = words_of(utterance->word_sequence);
+    const auto corrections = correct_spelling(words, parser_->lexicon());
+    for (auto& word : words) {
       parse.add(word);
       tell(address, parse.form(), *utterance);
     }
     parse.finish();
-    return tell(address, parse.form(), *utterance);
+    auto form = parse.form();
+    form.corrections = corrections;
+    return tell(address, std::move(form), *utterance);
   }
 
   PackedLogicalForm tell(const Address& address, PackedLogicalForm form,

@@ -29,7 +29,7 @@ using namespace std::chrono_literals;
 /// Where utterances come from: the command line, a file, or whatever is typed or piped in.
 class UtteranceSource final : public UnmanagedComponent {
   void start() override {
-    on_change(added<SpokenOutputItem>(), [this](const ChangeEvent& event) {
+    on_change(changed<SpokenOutputItem>(), [this](const ChangeEvent& event) {
       try {
         answered_.insert(read<SpokenOutputItem>(event.address)->utterance);
       } catch (const DoesNotExistOnWM& e) {
@@ -58,10 +58,40 @@ class UtteranceSource final : public UnmanagedComponent {
       hear();
     else if (typed_) {
       if (isatty(STDIN_FILENO) != 0)
-        std::puts("Type sentences, such as: where is the ball? Ctrl-D ends the conversation, "
-                  "Ctrl-C the system.");
+        std::puts("Type sentences, such as: where is the ball? Ctrl-D ends the conversation.");
       listen(STDIN_FILENO);
+      if (is_running() && await_all_replies())
+        end_system(0, "there is no more input");
     }
+  }
+
+  /// Until everything was replied to and the replies were spoken; false if the component is stopped
+  /// before.
+  bool await_all_replies() {
+    const auto deadline = now() + patience_.get();
+    while (is_running() && !is_everything_spoken()) {
+      if (now() >= deadline) {
+        warning("not everything was replied to within {} s",
+                std::chrono::duration_cast<std::chrono::seconds>(patience_.get()).count());
+        return true;
+      }
+      wait_for_changes(deadline - now());
+    }
+    return is_running();
+  }
+
+  bool is_everything_spoken() {
+    std::set<EntryPointer<PhonString>> answered;
+    for (auto& x : read_all<ContentPlanningGoal>())
+      if (!exists(here(spoken_id(x.address))))
+        return false;
+    for (auto& x : read_all<SpokenOutputItem>()) {
+      if (!x->spoken)
+        return false;
+      answered.insert(x->utterance);
+    }
+    return std::ranges::all_of(read_all<PhonString>(),
+                               [&](auto& x) { return answered.contains({x.address}); });
   }
 
   /// What a speech recogniser hears, line by line.
@@ -125,13 +155,15 @@ class UtteranceSource final : public UnmanagedComponent {
   }
 
   void say(std::string_view text) {
-    for (auto& sentence : sentences_of(text)) {
+    auto sentences = sentences_of(text);
+    // "?" deserves a reply, too.
+    if (sentences.empty() && text.find_first_not_of(" \t\r") != text.npos)
+      sentences.emplace_back(text);
+    for (auto& sentence : sentences) {
       PhonString utterance;
       utterance.length = static_cast<std::int32_t>(words_of(sentence).size());
       utterance.word_sequence = sentence;
       utterance.turn = said_;
-      if (utterance.length == 0)
-        continue;
       // One that is started again does not repeat itself.
       auto address = here("utterance " + std::to_string(++said_));
       try {

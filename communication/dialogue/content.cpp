@@ -44,9 +44,14 @@ LogicalForm without_determiner(LogicalForm form) {
   return part_of(form, form.root);
 }
 
+/// Described by a place at most.
+bool without_attributes(const LogicalForm& thing) {
+  const auto* root = find_nominal(thing, thing.root);
+  return std::ranges::all_of(root->relations, [](auto& x) { return x.mode == "Location"; });
+}
+
 LogicalForm perception(const std::string& verb) {
   auto form = single("perception", verb);
-  root_of(form).features.push_back({"Mood", "ind"});
   attach(form, "Actor", single("person", "i"));
   return form;
 }
@@ -98,6 +103,13 @@ LogicalForm counted(std::size_t count, LogicalForm thing) {
   return form;
 }
 
+LogicalForm at_least(LogicalForm counted_things) {
+  for (auto& nominal : counted_things.nominals)
+    if (nominal.sort == "number")
+      nominal.features.push_back({"Bound", "at_least"});
+  return counted_things;
+}
+
 LogicalForm none_of(LogicalForm thing) {
   auto form = without_determiner(std::move(thing));
   root_of(form).features.push_back({"Number", "sg"});
@@ -112,7 +124,6 @@ LogicalForm with(LogicalForm thing, const std::string& mode, const LogicalForm& 
 
 LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_so) {
   auto form = single("ascription", "be");
-  root_of(form).features.push_back({"Mood", "ind"});
   if (!is_so)
     root_of(form).features.push_back({"Polarity", "neg"});
   attach(form, "Cop-Restr", what);
@@ -122,13 +133,17 @@ LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_s
 
 LogicalForm exists(const LogicalForm& what) {
   auto form = single("existence", "be");
-  root_of(form).features.push_back({"Mood", "ind"});
   attach(form, "Subject", what);
   return form;
 }
 
 LogicalForm with_marker(const std::string& word, LogicalForm form) {
   attach(form, "Marker", marker(word));
+  return form;
+}
+
+LogicalForm unsure(LogicalForm form) {
+  root_of(form).features.push_back({"Certainty", "low"});
   return form;
 }
 
@@ -166,7 +181,9 @@ LogicalForm part_of(const LogicalForm& form, const std::string& nominal) {
 LogicalForm i_do_not_see(const LogicalForm& what) {
   auto thing = without_determiner(what);
   root_of(thing).features.push_back({"Number", "sg"});
-  root_of(thing).features.push_back({"Delimitation", "existential"});
+  // "I do not see anything left of the box."
+  const bool is_anything = root_of(thing).proposition == "thing" && without_attributes(thing);
+  root_of(thing).features.push_back({"Delimitation", is_anything ? "any" : "existential"});
   auto form = perception("see");
   root_of(form).features.push_back({"Polarity", "neg"});
   attach(form, "Patient", thing);
@@ -197,7 +214,7 @@ LogicalForm closing(const std::string& word) {
 
 LogicalForm unknown_word(const std::string& word) {
   auto form = single("perception", "know");
-  root_of(form).features = {{"Mood", "ind"}, {"Polarity", "neg"}};
+  root_of(form).features = {{"Polarity", "neg"}};
   attach(form, "Actor", single("person", "i"));
   attach(form, "Patient", with(definite("word"), "Name", single("name", word)));
   return form;

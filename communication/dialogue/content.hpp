@@ -36,6 +36,9 @@ LogicalForm indefinite(const std::string& noun);
 /// "Two balls"; "no balls" for 0.
 LogicalForm counted(std::size_t count, LogicalForm thing);
 
+/// "At least two balls", of what is counted.
+LogicalForm at_least(LogicalForm counted_things);
+
 /// "No ball".
 LogicalForm none_of(LogicalForm thing);
 
@@ -50,6 +53,9 @@ LogicalForm exists(const LogicalForm& what);
 
 /// "No, ...".
 LogicalForm with_marker(const std::string& word, LogicalForm form);
+
+/// "I think ..."
+LogicalForm unsure(LogicalForm form);
 
 /// "Which `what` do you mean?"
 LogicalForm which(LogicalForm what);

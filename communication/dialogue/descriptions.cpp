@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <map>
 #include <set>
-#include <string_view>
+#include <utility>
 
 namespace castor::communication {
 
@@ -17,49 +17,38 @@ using binding::FeatureKind;
 
 constexpr std::array pronouns{"it", "this", "that", "they", "these", "those"};
 
-/// Nouns that say nothing but that there is something.
-const std::set<std::string, std::less<>>& general_nouns() {
-  static const std::set<std::string, std::less<>> nouns{"thing", "object", "item", "one", "what"};
-  return nouns;
-}
+constexpr std::array general_nouns{"thing", "object", "item", "one", "what"};
+
+using Words = std::array<std::string_view, 2>;
 
 /// Nouns that say how something looks, and the shapes that vision has words for.
-const std::map<std::string, std::string, std::less<>>& shapes_of_nouns() {
-  static const std::map<std::string, std::string, std::less<>> shapes{
-    {"ball", "sphere"},   {"sphere", "sphere"},       {"cube", "cube"},
-    {"box", "cube"},      {"block", "cube"},          {"cylinder", "cylinder"},
-    {"square", "square"}, {"triangle", "triangle"},   {"circle", "circle"},
-    {"disc", "circle"},   {"rectangle", "rectangle"}, {"pyramid", "pyramid"},
-    {"prism", "prism"}};
-  return shapes;
-}
+constexpr std::array shapes_of_nouns{
+  Words{"ball", "sphere"},   Words{"sphere", "sphere"},       Words{"cube", "cube"},
+  Words{"box", "cube"},      Words{"block", "cube"},          Words{"cylinder", "cylinder"},
+  Words{"square", "square"}, Words{"triangle", "triangle"},   Words{"circle", "circle"},
+  Words{"disc", "circle"},   Words{"rectangle", "rectangle"}, Words{"pyramid", "pyramid"},
+  Words{"prism", "prism"}};
 
-/// Adjectives of shape.
-const std::map<std::string, std::string, std::less<>>& shapes_of_adjectives() {
-  static const std::map<std::string, std::string, std::less<>> shapes{{"square", "square"},
-                                                                      {"cubical", "cube"},
-                                                                      {"rectangular", "rectangle"},
-                                                                      {"triangular", "triangle"}};
-  return shapes;
-}
+constexpr std::array shapes_of_adjectives{Words{"square", "square"}, Words{"cubical", "cube"},
+                                          Words{"rectangular", "rectangle"},
+                                          Words{"triangular", "triangle"}};
 
-const std::map<std::string, std::string, std::less<>>& relations_of_words() {
-  static const std::map<std::string, std::string, std::less<>> relations{
-    {"near", "near"},   {"next_to", "near"}, {"left", "left"},
-    {"right", "right"}, {"front", "front"},  {"back", "back"}};
-  return relations;
-}
+constexpr std::array relations_of_words{Words{"near", "near"},   Words{"next_to", "near"},
+                                        Words{"left", "left"},   Words{"right", "right"},
+                                        Words{"front", "front"}, Words{"back", "back"}};
 
-/// Where everything is that the robot sees.
-bool is_the_table(const Nominal& nominal) {
-  return nominal.proposition == "table";
+template <std::size_t N>
+std::optional<std::string> find_word(const std::array<Words, N>& words, std::string_view word) {
+  for (auto& [from, to] : words)
+    if (from == word)
+      return std::string{to};
+  return std::nullopt;
 }
 
 /// Makes one description, thing after thing.
 class Describer {
 public:
-  Describer(const LogicalForm& form, const Antecedents& antecedents)
-    : form_(form), antecedents_(antecedents) {}
+  explicit Describer(const LogicalForm& form) : form_(form) {}
 
   /// What is described by the nominal, and its number.
   std::uint32_t thing(const Nominal& nominal) {
@@ -77,8 +66,8 @@ public:
       conjoin(number, scope);
     else if (scope.sort == "region")
       locate(number, scope);
-    else if (scope.sort == "comparison")
-      compare(scope);
+    else if (scope.sort == "comparison" || scope.sort == "selection" || is_negated(scope))
+      result_.not_understood.push_back(scope.proposition);
     else if (scope.sort == "thing" || scope.sort == "entity") {
       call(number, scope);
       modify(number, scope);
@@ -98,10 +87,6 @@ private:
 
   void fill(std::uint32_t number, const Nominal& nominal) {
     numbers_.emplace(nominal.name, number);
-    if (auto known = antecedents_.find(nominal.name); known != antecedents_.end()) {
-      say(number, feature(FeatureKind::existing_proxy_id, known->second));
-      return;
-    }
     say(number, feature(FeatureKind::concept_name, "thing"));
     call(number, nominal);
     modify(number, nominal);
@@ -122,9 +107,9 @@ private:
     auto& noun = nominal.proposition;
     if (is_pronoun(nominal))
       return;
-    if (auto shape = shapes_of_nouns().find(noun); shape != shapes_of_nouns().end())
-      say(number, feature(FeatureKind::shape, shape->second));
-    else if (!general_nouns().contains(noun))
+    if (auto shape = shape_of_noun(noun))
+      say(number, feature(FeatureKind::shape, *shape));
+    else if (!is_general_noun(noun))
       say(number, feature(FeatureKind::concept_name, noun));
   }
 
@@ -163,23 +148,12 @@ private:
     auto kind = kind_of_quality(x.sort);
     auto word = x.proposition;
     if (kind == FeatureKind::shape) {
-      auto known = shapes_of_adjectives().find(word);
-      word = known == shapes_of_adjectives().end() ? "" : known->second;
+      word = shape_of_adjective(word).value_or("");
     }
     if (kind && !word.empty())
       say(number, feature(*kind, word));
     else if (x.proposition != "other")
       result_.not_understood.push_back(x.proposition);
-  }
-
-  void compare(const Nominal& scope) {
-    const auto* quality = dependent(form_, scope, "Quality");
-    const auto* than = dependent(form_, scope, "Than");
-    auto kind = quality == nullptr ? std::nullopt : kind_of_quality(quality->proposition);
-    if (scope.proposition == "same" && than != nullptr && kind)
-      result_.shared.push_back({*kind, than->name});
-    else
-      result_.not_understood.push_back(scope.proposition);
   }
 
   /// Objects are related by the places where they are.
@@ -196,17 +170,17 @@ private:
   }
 
   void locate(std::uint32_t number, const Nominal& region, const Nominal& anchor) {
-    auto relation = relations_of_words().find(region.proposition);
+    auto relation = relation_of_word(region.proposition);
     if (is_the_table(anchor) && (region.proposition == "on" || region.proposition == "at"))
       return;
-    if (relation == relations_of_words().end() || is_the_table(anchor)) {
+    if (!relation || is_the_table(anchor)) {
       result_.not_understood.push_back(region.proposition);
       return;
     }
     auto place = place_of(number);
     auto other = numbers_.find(anchor.name);
     auto other_place = other == numbers_.end() ? new_thing() : place_of(other->second);
-    relate(relation->second, place, other_place);
+    relate(*relation, place, other_place);
     if (other == numbers_.end()) {
       auto landmark = new_thing();
       places_.emplace(landmark, other_place);
@@ -226,7 +200,6 @@ private:
   }
 
   const LogicalForm& form_;
-  const Antecedents& antecedents_;
   std::map<std::string, std::uint32_t> numbers_;
   std::map<std::uint32_t, std::uint32_t> places_;
   PhraseMeaning result_;
@@ -268,6 +241,31 @@ private:
 
 } // namespace
 
+bool is_general_noun(std::string_view noun) {
+  return std::ranges::find(general_nouns, noun) != general_nouns.end();
+}
+
+std::optional<std::string> shape_of_noun(std::string_view noun) {
+  return find_word(shapes_of_nouns, noun);
+}
+
+std::optional<std::string> shape_of_adjective(std::string_view adjective) {
+  return find_word(shapes_of_adjectives, adjective);
+}
+
+std::optional<std::string> relation_of_word(std::string_view word) {
+  return find_word(relations_of_words, word);
+}
+
+bool is_spatial_relation(std::string_view relation) {
+  return std::ranges::any_of(relations_of_words,
+                             [relation](auto& x) { return x.back() == relation; });
+}
+
+bool is_the_table(const Nominal& nominal) {
+  return nominal.proposition == "table";
+}
+
 bool is_pronoun(const Nominal& nominal) {
   return nominal.sort == "thing" &&
          std::find(pronouns.begin(), pronouns.end(), nominal.proposition) != pronouns.end();
@@ -290,16 +288,8 @@ std::optional<FeatureKind> kind_of_quality(const std::string& name) {
   return found == kinds.end() ? std::nullopt : std::optional{found->second};
 }
 
-PhraseMeaning describe(const LogicalForm& form, const Nominal& phrase,
-                       const Antecedents& antecedents) {
-  Describer describer{form, antecedents};
-  describer.thing(phrase);
-  return std::move(describer).result();
-}
-
-PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope,
-                          const Antecedents& antecedents) {
-  Describer describer{form, antecedents};
+PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope) {
+  Describer describer{form};
   describer.ascribe(describer.thing(phrase), scope);
   return std::move(describer).result();
 }

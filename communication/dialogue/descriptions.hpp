@@ -3,42 +3,27 @@
 #include "castor/binding/types.hpp"
 #include "castor/communication/types.hpp"
 
-#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Translates noun phrases into binding's terms: the features of the thing described, and its
 /// relations to other things.
 namespace castor::communication {
 
-/// Proxies of known referents, such as those of pronouns, by the names of their nominals.
-using Antecedents = std::map<std::string, std::string>;
-
-/// "The same colour as the ball": a quality that the thing described shares with another.
-struct SharedQuality {
-  binding::FeatureKind kind = binding::FeatureKind::colour;
-  /// The name of the other's nominal.
-  std::string with;
-
-  friend bool operator==(const SharedQuality&, const SharedQuality&) = default;
-};
-
-/// Meaning of a noun phrase. The first thing of the description is the phrase's own.
+/// What a noun phrase says of the first of the things described.
 struct PhraseMeaning {
   binding::Description description;
-  std::vector<SharedQuality> shared;
-  /// Words without an equivalent in binding's terms, such as "old".
+  /// Words that say nothing in binding's terms, such as "old".
   std::vector<std::string> not_understood;
 };
 
-/// \pre the nominal is one of the form, of a thing.
-PhraseMeaning describe(const LogicalForm& form, const Nominal& phrase,
-                       const Antecedents& antecedents = {});
-
-/// The phrase with the predicate `scope` added: a property, a region, a kind of thing or several of
-/// them ("red", "left of the ball", "a cube").
-PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope,
-                          const Antecedents& antecedents = {});
+/// The phrase, and that what it describes is as `scope` says: a property, a region, a kind of thing
+/// or several of them ("red", "left of the ball", "a cube").
+///
+/// \pre the phrase is a nominal of the form, of a thing
+PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope);
 
 /// The features in `scope` alone.
 std::vector<binding::Feature> features_of(const LogicalForm& form, const Nominal& scope);
@@ -56,8 +41,26 @@ bool is_deictic(const Nominal& nominal);
 /// has none.
 std::optional<binding::FeatureKind> kind_of_quality(const std::string& name);
 
-/// All perceivable things mentioned in a form, from its root on: subjects first. Without predicate
-/// nouns, as "a ball" in "this is a ball".
+/// "Thing", "object" and other nouns that say nothing but that there is something.
+bool is_general_noun(std::string_view noun);
+
+/// Binding's word for the shape that a noun ("ball") or an adjective ("triangular") stands for;
+/// nothing for others.
+std::optional<std::string> shape_of_noun(std::string_view noun);
+std::optional<std::string> shape_of_adjective(std::string_view adjective);
+
+/// Binding's word for a spatial relation ("next_to" is "near"); nothing for others.
+std::optional<std::string> relation_of_word(std::string_view word);
+
+/// Whether binding has such relations wherever two things have places.
+bool is_spatial_relation(std::string_view relation);
+
+/// Where everything is that the robot sees.
+bool is_the_table(const Nominal& nominal);
+
+/// All things that a form speaks of and that might be perceived, from its root on: those that are
+/// told something about first, others after them. Without those that are only said to be something,
+/// as in "this is a ball".
 std::vector<const Nominal*> things_spoken_of(const LogicalForm& form);
 
 } // namespace castor::communication

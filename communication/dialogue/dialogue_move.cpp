@@ -1,8 +1,28 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/packing.hpp"
+
+#include <utility>
 
 namespace castor::communication {
+
+namespace {
+
+/// Readings beyond the first few are hardly ever meant.
+constexpr std::size_t max_alternatives = 5;
+
+/// Not a phrase: somebody does something or something is so.
+bool is_clause(const LogicalForm& form, const Nominal& x) {
+  if (x.sort == "conjunction") {
+    const auto* first = dependent(form, x, "First");
+    return first != nullptr && is_clause(form, *first);
+  }
+  return x.sort == "ascription" || x.sort == "existence" || x.sort == "perception" ||
+         x.sort == "action";
+}
+
+} // namespace
 
 DialogueMoveType dialogue_move_type(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
@@ -12,19 +32,56 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form) {
     return DialogueMoveType::opening;
   if (root->sort == "closing")
     return DialogueMoveType::closing;
+  if (root->sort == "small-talk")
+    return DialogueMoveType::small_talk;
   if (root->sort == "marker") {
     if (root->proposition == "yes" || root->proposition == "ok")
       return DialogueMoveType::accept;
     return root->proposition == "no" ? DialogueMoveType::reject : DialogueMoveType::none;
   }
-  if (dependent(form, *root, "Wh-Restr") != nullptr)
+  // "The number of triangles?"
+  const bool is_owned_quality =
+    root->sort == "quality" && dependent(form, *root, "Owner") != nullptr;
+  if (is_owned_quality || dependent(form, *root, "Wh-Restr") != nullptr)
     return DialogueMoveType::question_w;
   const auto mood = feature(*root, "Mood");
   if (mood == "int")
     return DialogueMoveType::question_yn;
   if (mood == "imp")
     return DialogueMoveType::action_directive;
-  return mood == "ind" ? DialogueMoveType::assertion : DialogueMoveType::none;
+  const bool is_statement = mood == "ind" || (mood.empty() && is_clause(form, *root));
+  return is_statement ? DialogueMoveType::assertion : DialogueMoveType::none;
+}
+
+void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
+  for (auto& reading : form.readings) {
+    auto said = unpack(form, reading.id);
+    if (said.size() != 1)
+      continue;
+    if (move.content.nominals.empty()) {
+      move.type = dialogue_move_type(said.front());
+      move.content = std::move(said.front());
+    } else if (move.alternatives.size() < max_alternatives)
+      move.alternatives.push_back(std::move(said.front()));
+  }
+}
+
+std::string said_back(const DialogueMove& move) {
+  std::string result;
+  for (auto& x : move.corrections)
+    result += (result.empty() ? "I take '" : ", '") + x.word + "' for '" + x.meant + "'";
+  return result.empty() ? result : result + '.';
+}
+
+std::string problem_of(const PackedLogicalForm& form) {
+  std::string text = "I do not understand that";
+  if (!form.unparsable.empty()) {
+    auto& problem = form.unparsable.front();
+    text += ": " + problem.reason;
+    if (!problem.suggestions.empty())
+      text += "; do you mean '" + problem.suggestions.front() + "'?";
+  }
+  return text.ends_with('?') ? text : text + '.';
 }
 
 } // namespace castor::communication

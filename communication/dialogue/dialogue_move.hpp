@@ -2,10 +2,21 @@
 
 #include "castor/communication/types.hpp"
 
+#include <string>
+
 namespace castor::communication {
 
 /// The dialogue move of a logical form, by its mood and kind: "can you see the ball" is a question,
 /// even if meant as a request. `none` for fragments such as "the red ball".
 DialogueMoveType dialogue_move_type(const LogicalForm& form);
+
+/// Gives a move the readings of an utterance that is understood, the likeliest as its content.
+void take_readings(const PackedLogicalForm& form, DialogueMove& move);
+
+/// "I take 'squre' for 'square'.", if words of the utterance were taken for others; else empty.
+std::string said_back(const DialogueMove& move);
+
+/// What to say of an utterance that is not understood, for people to read.
+std::string problem_of(const PackedLogicalForm& form);
 
 } // namespace castor::communication

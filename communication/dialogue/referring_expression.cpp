@@ -51,7 +51,7 @@ LogicalForm indefinite_description(const SceneKnowledge& scene, const std::strin
   return result;
 }
 
-LogicalForm referring_expression(const SceneKnowledge& scene, const std::string& union_id) {
+LogicalForm referring_expression(SceneKnowledge& scene, const std::string& union_id) {
   auto noun = noun_of(scene, union_id);
   auto others = scene.things();
   std::erase(others, union_id);

@@ -1,24 +1,144 @@
 #include "castor/communication/dialogue/salience.hpp"
 
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
 
 namespace castor::communication {
 
-std::string antecedent_of(const Nominal& pronoun, std::span<const MoveReferents> history) {
-  const bool is_plural = feature(pronoun, "Number") == "pl";
-  const MoveReferents* latest = nullptr;
-  const DiscourseReferent* result = nullptr;
-  for (auto& move : history) {
-    if (latest != nullptr && move.turn <= latest->turn)
-      continue;
-    for (auto& referent : move.referents)
-      if (referent.proxies.size() == 1 && referent.is_plural == is_plural) {
-        latest = &move;
-        result = &referent;
-        break;
-      }
+namespace {
+
+using Proxies = std::vector<std::string>;
+
+bool is_about_others(const LogicalForm& form, const Nominal& x) {
+  return std::ranges::any_of(x.relations, [&form](auto& relation) {
+    const auto* property = find_nominal(form, relation.dependent);
+    return relation.mode == "Property" && property != nullptr && property->proposition == "other";
+  });
+}
+
+/// Moves from the last one back to one that was not understood.
+std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history) {
+  std::vector<const MoveReferents*> result;
+  for (auto& move : history)
+    result.push_back(&move);
+  std::ranges::stable_sort(result, std::ranges::greater{}, &MoveReferents::turn);
+  auto end = std::ranges::find(result, false, &MoveReferents::understood);
+  result.erase(end, result.end());
+  return result;
+}
+
+/// The last thing or things that were spoken of.
+Proxies latest(const std::vector<const MoveReferents*>& moves, bool several) {
+  for (const auto* move : moves) {
+    for (auto& referent : move->referents)
+      if (several ? referent.proxies.size() > 1 || (referent.is_plural && !referent.proxies.empty())
+                  : referent.proxies.size() == 1 && !referent.is_plural)
+        return referent.proxies;
+    // "The ball" and "the cube" are "they".
+    Proxies together;
+    for (auto& referent : move->referents)
+      if (several && referent.proxies.size() == 1)
+        together.push_back(referent.proxies.front());
+    if (together.size() > 1)
+      return together;
   }
-  return result == nullptr ? std::string{} : result->proxies.front();
+  return {};
+}
+
+/// The last several things that one was chosen from.
+Proxies set_with(const std::vector<const MoveReferents*>& moves, const std::string& proxy) {
+  for (const auto* move : moves)
+    for (auto& referent : move->referents)
+      if (referent.proxies.size() > 1 &&
+          std::ranges::find(referent.proxies, proxy) != referent.proxies.end())
+        return referent.proxies;
+  return {};
+}
+
+Proxies latest_of_any_number(const std::vector<const MoveReferents*>& moves) {
+  for (const auto* move : moves)
+    for (auto& referent : move->referents)
+      if (!referent.proxies.empty())
+        return referent.proxies;
+  return {};
+}
+
+Antecedents antecedents_in(const LogicalForm& form,
+                           const std::vector<const MoveReferents*>& moves) {
+  Antecedents result;
+  for (auto& x : form.nominals) {
+    Proxies found;
+    if (x.sort == "thing" && is_about_others(form, x)) {
+      found = latest_of_any_number(moves);
+      if (auto all = found.size() == 1 ? set_with(moves, found.front()) : Proxies{}; !all.empty())
+        result.emplace(x.name + std::string{chosen_from}, std::move(all));
+    } else if (is_pronoun(x))
+      found = latest(moves, is_plural(x));
+    if (!found.empty())
+      result.emplace(x.name, std::move(found));
+  }
+  return result;
+}
+
+} // namespace
+
+Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history) {
+  const auto moves = recent(history);
+  auto result = antecedents_in(move.content, moves);
+  for (auto& alternative : move.alternatives)
+    result.merge(antecedents_in(alternative, moves));
+  return result;
+}
+
+std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
+                                            const Antecedents& antecedents, SceneKnowledge& scene) {
+  std::vector<DiscourseReferent> result;
+  auto& form = move.content;
+  Evaluation evaluation{form, antecedents, scene};
+  auto add = [&](const Nominal& phrase, const std::vector<std::string>& things, bool plural) {
+    DiscourseReferent referent{phrase.name, phrase.proposition, plural, {}};
+    for (auto& id : things)
+      referent.proxies.push_back(scene.proxy_of(id));
+    result.push_back(std::move(referent));
+  };
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
+  if (asked != nullptr && (asked->sort == "thing" || asked->sort == "entity"))
+    try {
+      auto things = evaluation.answers(*root, *asked).best();
+      add(*asked, things, things.size() > 1);
+    } catch (const Uninterpretable&) {
+      asked = nullptr;
+    }
+  for (const auto* thing : things_spoken_of(form)) {
+    if (thing == asked)
+      continue;
+    try {
+      add(*thing,
+          is_definite(*thing) ? evaluation.meant(*thing) : evaluation.described(*thing).best(),
+          is_plural(*thing));
+    } catch (const Uninterpretable&) {
+      add(*thing, {}, is_plural(*thing));
+    }
+  }
+  return result;
+}
+
+std::vector<PronounReferents> to_entry(const Antecedents& antecedents) {
+  std::vector<PronounReferents> result;
+  for (auto& [nominal, proxies] : antecedents)
+    result.push_back({nominal, proxies});
+  return result;
+}
+
+Antecedents from_entry(const std::vector<PronounReferents>& pronouns) {
+  Antecedents result;
+  for (auto& x : pronouns)
+    result.emplace(x.nominal, x.proxies);
+  return result;
 }
 
 } // namespace castor::communication

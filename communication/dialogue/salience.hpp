@@ -1,17 +1,26 @@
 #pragma once
 
+#include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
 #include <span>
-#include <string>
 
 namespace castor::communication {
 
-/// The proxy of a pronoun's referent: the most salient referent in the history that the pronoun can
-/// stand for ("they" only for several). The most recent move is the most salient; within a move,
-/// its first referent. Empty if there is none.
+/// What the pronouns of a move, in any of its readings, stand for by what was said before, and
+/// phrases with "other", which are about other things than those spoken of last. Nothing is found
+/// before a move that was not understood.
 ///
-/// \param history in any order
-std::string antecedent_of(const Nominal& pronoun, std::span<const MoveReferents> history);
+/// \param history referents of the moves before, in any order
+Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history);
+
+/// What a move speaks of, by what is known of the scene: the answer to a question first. Counts
+/// only if `scene` has no open questions afterwards.
+std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
+                                            const Antecedents& antecedents, SceneKnowledge& scene);
+
+/// For the entry of a move's referents, and back.
+std::vector<PronounReferents> to_entry(const Antecedents& antecedents);
+Antecedents from_entry(const std::vector<PronounReferents>& pronouns);
 
 } // namespace castor::communication

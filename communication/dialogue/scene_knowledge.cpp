@@ -1,116 +1,60 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 
-#include "castor/communication/parsing/hybrid_logic.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <set>
 #include <utility>
 
 namespace castor::communication {
 
 namespace {
 
+using binding::Feature;
 using binding::FeatureKind;
 
-std::optional<std::vector<double>> location_of(const binding::KnownUnion* x) {
-  if (x == nullptr)
-    return std::nullopt;
-  for (auto& feature : x->features)
-    if (feature.kind == FeatureKind::location && feature.numbers.size() == 3)
-      return feature.numbers;
+constexpr std::size_t axes = 3;
+
+std::optional<std::vector<double>> numbers_of(const binding::KnownUnion* x, FeatureKind kind) {
+  if (x != nullptr)
+    for (auto& feature : x->features)
+      if (feature.kind == kind && !feature.negated && feature.numbers.size() == axes)
+        return feature.numbers;
   return std::nullopt;
 }
 
-bool share_a_word(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
-}
-
-/// Finds landmarks, those first that others are described by.
-class LandmarkFinder {
-public:
-  LandmarkFinder(const LogicalForm& form, Antecedents antecedents, SceneKnowledge& scene)
-    : form_(form), antecedents_(std::move(antecedents)), scene_(scene) {}
-
-  void visit(const std::string& name, bool is_landmark) {
-    const auto* nominal = find_nominal(form_, name);
-    if (nominal == nullptr || !seen_.insert(name).second)
-      return;
-    for (auto& [mode, dependent] : nominal->relations)
-      visit(dependent, mode == "Anchor" || mode == "Than");
-    if (is_landmark && nominal->sort == "thing" && is_definite(*nominal) &&
-        feature(*nominal, "Number") != "pl" && !antecedents_.contains(name))
-      look_for(*nominal);
-  }
-
-  Antecedents result() && { return std::move(antecedents_); }
-
-private:
-  void look_for(const Nominal& landmark) {
-    auto meaning = describe(form_, landmark, antecedents_);
-    if (!meaning.not_understood.empty())
-      return;
-    auto found = scene_.candidates(form_, meaning, antecedents_).best();
-    if (found.size() == 1)
-      antecedents_.emplace(landmark.name, scene_.proxy_of(found.front()));
-  }
-
-  const LogicalForm& form_;
-  Antecedents antecedents_;
-  SceneKnowledge& scene_;
-  std::set<std::string> seen_;
-};
-
 } // namespace
 
-Antecedents with_landmarks(const LogicalForm& form, Antecedents antecedents,
-                           SceneKnowledge& scene) {
-  LandmarkFinder finder{form, std::move(antecedents), scene};
-  finder.visit(form.root, false);
-  return std::move(finder).result();
-}
-
-Candidates SceneKnowledge::candidates(const LogicalForm& form, const PhraseMeaning& meaning,
-                                      const Antecedents& antecedents) {
-  Candidates result;
-  const auto* referents = referents_of(meaning.description);
-  if (referents == nullptr)
-    return result;
-  for (auto& x : *referents) {
-    // A place may be anything, as far as anybody says.
-    if (std::find(things_.begin(), things_.end(), x.unions.front()) == things_.end())
-      continue;
-    result.possible.push_back(x.unions.front());
-    if (x.unknown == 0)
-      result.certain.push_back(x.unions.front());
-  }
-  for (auto& [kind, name] : meaning.shared) {
-    const auto* other = find_nominal(form, name);
-    if (other == nullptr)
-      continue;
-    auto others = candidates(form, describe(form, *other, antecedents), antecedents).best();
-    const auto differs = [&, wanted = kind](const std::string& id) {
-      return std::none_of(others.begin(), others.end(), [&](auto& one) {
-        return one != id && share_a_word(words(id, wanted), words(one, wanted));
-      });
-    };
-    std::erase_if(result.certain, differs);
-    std::erase_if(result.possible, differs);
-  }
-  return result;
-}
-
-const std::vector<binding::Referents>*
-SceneKnowledge::referents_of(const binding::Description& description) {
+Truth SceneKnowledge::has(const std::string& id, const Feature& x) {
+  const binding::Description description{{{{x}}}, {}};
   for (auto& [asked, referents] : known_)
-    if (asked == description)
-      return &referents;
+    if (asked == description) {
+      for (auto& found : referents)
+        if (found.unions.front() == id)
+          return found.unknown == 0 ? Truth::yes : Truth::unknown;
+      return Truth::no;
+    }
+  ask(description);
+  return Truth::unknown;
+}
+
+void SceneKnowledge::ask(const binding::Description& description) {
   if (std::find(open_questions_.begin(), open_questions_.end(), description) ==
       open_questions_.end())
     open_questions_.push_back(description);
-  return nullptr;
+}
+
+Truth SceneKnowledge::is_related(const std::string& relation, const std::string& from,
+                                 const std::string& to) {
+  return has_learned_ ? truth_of(relations_.contains({relation, from, to})) : Truth::unknown;
+}
+
+bool SceneKnowledge::knows_relation(const std::string& relation) const {
+  return relation_names_.contains(relation);
+}
+
+const std::vector<std::string>& SceneKnowledge::things() {
+  if (!has_learned_)
+    ask({{{{feature(FeatureKind::concept_name, "thing")}}}, {}});
+  return things_;
 }
 
 void SceneKnowledge::learn(std::span<const binding::Description> asked,
@@ -119,10 +63,30 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
     known_.emplace_back(asked[i], std::move(reply.referents[i].readings));
   open_questions_.clear();
   scene_ = std::move(reply);
+  has_learned_ = true;
   things_.clear();
   for (auto& x : scene_.unions)
     if (!words(x.id, FeatureKind::concept_name).empty())
       things_.push_back(x.id);
+  locations_.clear();
+  std::map<std::string, std::string> thing_at;
+  for (auto& x : scene_.relations)
+    if (x.label == binding::position_label) {
+      locations_[x.to].push_back(x.from);
+      thing_at.emplace(x.from, x.to);
+    }
+  // Things are related by the places where they are, or themselves.
+  relations_.clear();
+  relation_names_.clear();
+  auto thing = [&thing_at](const std::string& id) {
+    auto at = thing_at.find(id);
+    return at == thing_at.end() ? id : at->second;
+  };
+  for (auto& x : scene_.relations)
+    if (x.label != binding::position_label) {
+      relations_.insert({x.label, thing(x.from), thing(x.to)});
+      relation_names_.insert(x.label);
+    }
 }
 
 const binding::KnownUnion* SceneKnowledge::find(const std::string& union_id) const {
@@ -150,26 +114,38 @@ std::vector<std::string> SceneKnowledge::words(const std::string& union_id,
   return result;
 }
 
+bool SceneKnowledge::is_sure(const std::string& union_id, FeatureKind kind) const {
+  const auto* x = find(union_id);
+  return x == nullptr || std::ranges::none_of(x->features, [kind](auto& feature) {
+           return feature.kind == kind && !feature.negated && !feature.numbers.empty();
+         });
+}
+
+std::optional<Place> SceneKnowledge::place(const std::string& union_id) const {
+  auto at = locations_.find(union_id);
+  if (at == locations_.end())
+    return std::nullopt;
+  for (auto& location : at->second)
+    if (auto numbers = numbers_of(find(location), FeatureKind::location))
+      return Place{(*numbers)[0], (*numbers)[1]};
+  return std::nullopt;
+}
+
+std::optional<double> SceneKnowledge::extent(const std::string& union_id) const {
+  auto numbers = numbers_of(find(union_id), FeatureKind::extent);
+  return numbers ? std::optional{std::ranges::max(*numbers)} : std::nullopt;
+}
+
 std::vector<SpatialFact> SceneKnowledge::spatial_facts(const std::string& union_id) const {
-  std::map<std::string, std::string> thing_at;
-  std::vector<std::string> places;
-  for (auto& x : scene_.relations)
-    if (x.label == binding::position_label) {
-      thing_at.emplace(x.from, x.to);
-      if (x.to == union_id)
-        places.push_back(x.from);
-    }
   std::vector<SpatialFact> result;
-  for (auto& x : scene_.relations) {
-    auto landmark = thing_at.find(x.to);
-    if (x.label == binding::position_label || landmark == thing_at.end() ||
-        std::find(places.begin(), places.end(), x.from) == places.end())
+  for (auto& x : relations_) {
+    if (x.from != union_id)
       continue;
-    SpatialFact fact{x.label, landmark->second};
-    auto here = location_of(find(x.from));
-    auto there = location_of(find(x.to));
+    SpatialFact fact{x.label, x.to};
+    auto here = place(x.from);
+    auto there = place(x.to);
     if (here && there)
-      fact.distance = std::hypot((*here)[0] - (*there)[0], (*here)[1] - (*there)[1]);
+      fact.distance = std::hypot(here->x - there->x, here->y - there->y);
     result.push_back(std::move(fact));
   }
   std::stable_sort(result.begin(), result.end(),

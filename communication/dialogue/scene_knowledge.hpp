@@ -1,26 +1,29 @@
 #pragma once
 
 #include "castor/binding/types.hpp"
-#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/truth.hpp"
+#include "castor/communication/types.hpp"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace castor::communication {
 
-/// The possible unions of a description.
-struct Candidates {
-  /// Unions of which the whole description is known to be true.
-  std::vector<std::string> certain;
-  /// Unions that contradict nothing in the description; includes the certain ones.
-  std::vector<std::string> possible;
+/// Proxies of what is known to be meant, such as by a pronoun, by the names of their nominals.
+using Antecedents = std::map<std::string, std::vector<std::string>>;
 
-  /// The certain ones, or the possible ones if there are none.
-  const std::vector<std::string>& best() const& { return certain.empty() ? possible : certain; }
-  std::vector<std::string> best() && { return std::move(certain.empty() ? possible : certain); }
+/// After the name of a nominal such as "the other one": what that was chosen from.
+inline constexpr std::string_view chosen_from = "/of";
+
+/// Position of a thing on the table, metres: x to the right, y away from the viewer.
+struct Place {
+  double x = 0;
+  double y = 0;
 };
 
 /// Spatial relation of a thing to a landmark (a union id).
@@ -36,11 +39,18 @@ struct SpatialFact {
 ///
 ///     for (auto answer = respond(...); !scene.open_questions().empty(); answer = respond(...))
 ///       scene.learn(open_questions, call<ReferenceRequest, ReferenceReply>(...));
+///
+/// What is not known yet is `Truth::unknown`.
 class SceneKnowledge {
 public:
-  /// Empty, with an open question added, if binding has still to be asked.
-  Candidates candidates(const LogicalForm& form, const PhraseMeaning& meaning,
-                        const Antecedents& antecedents = {});
+  /// Whether a feature is true of a thing, by binding's comparison of features.
+  Truth has(const std::string& id, const binding::Feature& x);
+
+  /// Whether a thing is so related to another.
+  Truth is_related(const std::string& relation, const std::string& from, const std::string& to);
+
+  /// Whether there are relations of that name at all.
+  bool knows_relation(const std::string& relation) const;
 
   /// Descriptions asked for and not known yet.
   const std::vector<binding::Description>& open_questions() const { return open_questions_; }
@@ -48,8 +58,9 @@ public:
   /// \pre the reply has as many referents as were asked for
   void learn(std::span<const binding::Description> asked, binding::ReferenceReply reply);
 
-  /// The unions of things, not of places and relations; empty before anything was learned.
-  const std::vector<std::string>& things() const { return things_; }
+  /// The unions of things, not of places and relations; empty before anything was learned, which
+  /// is an open question then.
+  const std::vector<std::string>& things();
 
   /// The proxy by which to refer to a union in the long term.
   std::string proxy_of(const std::string& union_id) const;
@@ -57,21 +68,31 @@ public:
   /// The known words of a kind, perceived ones first.
   std::vector<std::string> words(const std::string& union_id, binding::FeatureKind kind) const;
 
-  /// Spatial relations of a thing to others, the nearest first.
+  /// Whether nobody who says one of these words is unsure of it.
+  bool is_sure(const std::string& union_id, binding::FeatureKind kind) const;
+
+  std::optional<Place> place(const std::string& union_id) const;
+
+  /// The largest of a thing's dimensions, metres.
+  std::optional<double> extent(const std::string& union_id) const;
+
+  /// How a thing lies to others, the nearest of them first.
   std::vector<SpatialFact> spatial_facts(const std::string& union_id) const;
 
 private:
   const binding::KnownUnion* find(const std::string& union_id) const;
-  const std::vector<binding::Referents>* referents_of(const binding::Description& description);
+  void ask(const binding::Description& description);
 
+  bool has_learned_ = false;
   std::vector<std::pair<binding::Description, std::vector<binding::Referents>>> known_;
   std::vector<binding::Description> open_questions_;
   binding::ReferenceReply scene_;
   std::vector<std::string> things_;
+  /// The locations of each thing.
+  std::map<std::string, std::vector<std::string>> locations_;
+  /// Between things.
+  std::set<binding::UnionRelation> relations_;
+  std::set<std::string> relation_names_;
 };
-
-/// The antecedents, and the referent of each unambiguous landmark: in "left of the box behind the
-/// ball" the ball, and then the box.
-Antecedents with_landmarks(const LogicalForm& form, Antecedents antecedents, SceneKnowledge& scene);
 
 } // namespace castor::communication

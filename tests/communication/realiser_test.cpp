@@ -67,7 +67,7 @@ std::string description(int depth, int& names) {
 } // namespace
 
 TEST(Realiser, Answers) {
-  const std::string be = "@e:ascription(be ^ <Mood>ind ^ ";
+  const std::string be = "@e:ascription(be ^ ";
   EXPECT_EQ(say(be + it + " ^ <Cop-Scope>(c:colour ^ blue))"), "It is blue.");
   EXPECT_EQ(say(be + "<Cop-Restr>" + the("s", "square") + " ^ <Cop-Scope>(c:colour ^ blue))"),
             "The square is blue.");
@@ -78,7 +78,7 @@ TEST(Realiser, Answers) {
   EXPECT_EQ(say(be + "<Cop-Restr>" + the("b", "box") + " ^ <Cop-Scope>(r:region ^ left ^ <Anchor>" +
                 the("c", "ball") + "))"),
             "The box is to the left of the ball.");
-  EXPECT_EQ(say("@e:existence(be ^ <Mood>ind ^ <Subject>(t:thing ^ thing ^ <Number>pl ^ "
+  EXPECT_EQ(say("@e:existence(be ^ <Subject>(t:thing ^ thing ^ <Number>pl ^ "
                 "<Quantity>(q:number ^ two) ^ <Colour>(c:colour ^ red)))"),
             "There are two red things.");
   EXPECT_EQ(say("@m:marker(yes)"), "Yes.");
@@ -94,7 +94,7 @@ TEST(Realiser, AsksBack) {
 }
 
 TEST(Realiser, QuotesWordsThatAreNotKnown) {
-  EXPECT_EQ(say("@e:perception(know ^ <Mood>ind ^ <Polarity>neg ^ <Actor>(i:person ^ i) ^ "
+  EXPECT_EQ(say("@e:perception(know ^ <Polarity>neg ^ <Actor>(i:person ^ i) ^ "
                 "<Patient>(w:thing ^ word ^ <Number>sg ^ <Delimitation>unique ^ <Name>(n:name ^ "
                 "zorg)))"),
             "I do not know the word 'zorg'.");
@@ -114,7 +114,7 @@ TEST(Realiser, WritesArticlesAndPronounsAsPeopleDo) {
 
 TEST(Realiser, SaysNothingRatherThanSomethingElse) {
   EXPECT_EQ(say("@t:thing(zorg ^ <Number>sg)"), "nothing");
-  EXPECT_EQ(say("@e:ascription(be ^ <Mood>ind ^ " + it + ")"), "nothing");
+  EXPECT_EQ(say("@e:ascription(be ^ " + it + ")"), "nothing");
   EXPECT_EQ(say("@t:thing(ball ^ <Number>sg ^ <Delimitation>unique ^ <Owner>(o:person ^ you))"),
             "nothing");
   EXPECT_EQ(realiser().realise({}), std::nullopt);
@@ -125,7 +125,7 @@ RC_GTEST_PROP(Realiser, IsUnderstood, ()) {
   const auto subject = description(1, names);
   const bool asks = *rc::gen::arbitrary<bool>();
   const auto form = parse_logical_form(
-    std::string("@e:ascription(be ^ <Mood>") + (asks ? "int" : "ind") + " ^ <Cop-Restr>" + subject +
+    std::string("@e:ascription(be ^ ") + (asks ? "<Mood>int ^ " : "") + "<Cop-Restr>" + subject +
     " ^ <Cop-Scope>(p:region ^ " + one_of<std::string>({"left", "back", "near"}) + " ^ <Anchor>" +
     description(0, names) + "))");
   const auto sentence = realiser().realise(form);

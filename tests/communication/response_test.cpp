@@ -1,8 +1,9 @@
 // What is answered to what is said of a table, in words.
-#include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/dialogue/respond.hpp"
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/realiser.hpp"
 #include "castor/communication/dialogue/referring_expression.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -66,21 +67,26 @@ protected:
     return reply_to(move_of(text), antecedents);
   }
 
-  std::string reply_to(const DialogueMove& move, const Antecedents& antecedents = {}) {
+  std::string reply_to(const DialogueMove& said, const Antecedents& known = {}) {
+    const auto [move, antecedents] = context.complete(said, known);
     static Realiser realiser{english_lexicon()};
     auto response =
       table.known_to([&](SceneKnowledge& scene) { return respond(move, antecedents, scene); });
     relation = response.relation;
-    asked_about = response.asked_about;
+    context.note({move, antecedents}, response);
     auto result = response.text;
-    for (auto& content : response.contents)
-      result += (result.empty() ? "" : " ") + realiser.realise(content).value_or("<no words>");
+    for (auto& [content, simpler] : response.sentences) {
+      auto words = realiser.realise(content);
+      if (!words && !simpler.nominals.empty())
+        words = realiser.realise(simpler);
+      result += (result.empty() ? "" : " ") + words.value_or("<no words>");
+    }
     return result;
   }
 
   TableScene table;
   RhetoricalRelation relation = RhetoricalRelation::narration;
-  std::string asked_about;
+  QuestionContext context;
 };
 
 TEST_F(Responses, TellWhatSomethingIsLike) {
@@ -104,7 +110,8 @@ TEST_F(Responses, FollowSeveralRelations) {
             "There is one box behind the thing to the left of the large box.");
   EXPECT_EQ(say("How many things are there behind the ball?"),
             "There is one thing behind the ball.");
-  EXPECT_EQ(say("Is there a box behind the thing left of the small box?"), "No.");
+  EXPECT_EQ(say("Is there a box behind the thing left of the small box?"),
+            "I do not see anything to the left of the small box.");
 }
 
 TEST_F(Responses, SayWhereSomethingIs) {
@@ -129,15 +136,20 @@ TEST_F(Responses, SayYesAndNo) {
 }
 
 TEST_F(Responses, Count) {
-  EXPECT_EQ(say("How many boxes are there?"), "There are two boxes.");
+  // The grey thing may be one, too.
+  EXPECT_EQ(say("How many boxes are there?"), "There are at least two boxes.");
+  EXPECT_EQ(say("How many blue boxes are there?"), "There are two blue boxes.");
   EXPECT_EQ(say("How many things are behind the ball?"), "There is one thing behind the ball.");
   EXPECT_EQ(say("How many green things do you see?"), "There are no green things.");
   EXPECT_EQ(say("What is the number of blue cubes?"), "There are two blue cubes.");
-  EXPECT_EQ(say("Are there more cubes than balls?"), "Yes.");
-  EXPECT_EQ(say("Are there fewer cubes than balls?"), "No.");
-  EXPECT_EQ(say("Are there two cubes?"), "Yes.");
-  EXPECT_EQ(say("Are there three cubes?"), "No.");
-  EXPECT_EQ(say("Is the number of balls greater than the number of cubes?"), "No.");
+  EXPECT_EQ(say("Are there more blue things than red things?"), "Yes.");
+  EXPECT_EQ(say("Are there fewer blue things than red things?"), "No.");
+  EXPECT_EQ(say("Are there more cubes than balls?"), "I do not know.");
+  EXPECT_EQ(say("Are there two blue cubes?"), "Yes.");
+  EXPECT_EQ(say("Are there at least two cubes?"), "Yes.");
+  EXPECT_EQ(say("Are there two cubes?"), "I do not know.");
+  EXPECT_EQ(say("Are there four cubes?"), "No.");
+  EXPECT_EQ(say("Is the number of red things greater than the number of blue things?"), "No.");
 }
 
 TEST_F(Responses, CompareThings) {
@@ -166,8 +178,39 @@ TEST_F(Responses, DoNotGuess) {
   EXPECT_EQ(relation, RhetoricalRelation::clarification_question);
   EXPECT_EQ(say("Where is the green ball?"), "I do not see a green ball.");
   EXPECT_EQ(say("Is the old box blue?"), "I do not know what 'old' means here.");
+  context = {};
   EXPECT_EQ(say("The red ball."), "What about it?");
-  EXPECT_EQ(say("What is on the left?"), "I do not know what 'left' means here.");
+  EXPECT_EQ(say("What is at the edge of the table?"), "I do not know.");
+}
+
+TEST_F(Responses, SayHowSureTheyAre) {
+  table.put("lump",
+            {feature(FeatureKind::colour, "yellow"),
+             binding::uncertain_feature(FeatureKind::shape, "pyramid", 0.62)},
+            -0.5, 0.5);
+  EXPECT_EQ(say("What shape is the yellow thing?"), "I think it is a pyramid.");
+  EXPECT_EQ(say("What is the yellow thing?"), "I think it is a yellow pyramid.");
+  EXPECT_EQ(say("Is the yellow thing a pyramid?"), "I think it is a pyramid.");
+  EXPECT_EQ(say("What colour is the pyramid?"), "It is yellow.");
+}
+
+TEST_F(Responses, NeitherGuessNorDropNegation) {
+  EXPECT_EQ(say("Is anything red?"), "Yes.");
+  EXPECT_EQ(say("Is a cube red?"), "No.");
+  EXPECT_EQ(say("Is a ball red?"), "Yes.");
+  EXPECT_EQ(say("Is anything behind the ball?"), "Yes.");
+  EXPECT_EQ(say("Which things are not blue?"), "There is a small red ball. There is a grey thing.");
+  EXPECT_EQ(say("How many things are not blue?"), "There are two things.");
+  EXPECT_EQ(say("How many red and blue things are there?"), "There are three red and blue things.");
+  EXPECT_EQ(say("The ball is not red."), "No, it is red.");
+  EXPECT_EQ(say("The ball is not green."), "Ok.");
+  EXPECT_EQ(say("There are two blue things."), "Ok.");
+  EXPECT_EQ(say("There are three blue things."), "No, there are two blue things.");
+  EXPECT_EQ(say("The ball is right of the large box."),
+            "No, it is not to the right of the large box.");
+  EXPECT_EQ(say("Who are you?"),
+            "I am a robot that sees what lies on the table and talks about it.");
+  EXPECT_EQ(say("Thanks."), "You are welcome.");
 }
 
 TEST_F(Responses, TakeAssertionsAsTheyAre) {
@@ -181,27 +224,22 @@ TEST_F(Responses, TakeAssertionsAsTheyAre) {
 }
 
 TEST_F(Responses, KnowWhatPronounsStandFor) {
-  EXPECT_EQ(say("What colour is it?", {{"w4", "ball"}}), "It is red.");
-  EXPECT_EQ(say("Is it left of the large box?", {{"w2", "ball"}}), "Yes.");
-  EXPECT_EQ(say("What is left of it?", {{"w5", "box"}}), "There is a small red ball.");
+  EXPECT_EQ(say("What colour is it?", {{"w4", {"ball"}}}), "It is red.");
+  EXPECT_EQ(say("Is it left of the large box?", {{"w2", {"ball"}}}), "Yes.");
+  EXPECT_EQ(say("What is left of it?", {{"w5", {"box"}}}), "There is a small red ball.");
   EXPECT_EQ(say("What colour is it?"), "Which thing do you mean?");
 }
 
 TEST_F(Responses, UnderstandWhatClarifiesThem) {
-  const auto question = move_of("What size is the box?");
-  ASSERT_EQ(reply_to(question), "Which box do you mean?");
   auto reply = [&](const std::string& text) {
-    return reply_to(clarified(question, asked_about, move_of(text).content));
+    context = {};
+    EXPECT_EQ(say("What size is the box?"), "Which box do you mean?");
+    return say(text);
   };
-  const auto asked = asked_about;
   EXPECT_EQ(reply("The large one."), "It is large.");
-  asked_about = asked;
   EXPECT_EQ(reply("The one behind the ball."), "It is small.");
-  asked_about = asked;
   EXPECT_EQ(reply("The ball."), "It is small.");
-  asked_about = asked;
   EXPECT_EQ(reply("The blue one."), "Which blue box do you mean?");
-  asked_about = asked;
   EXPECT_EQ(reply("The red one."), "I do not see a red box.");
 }
 
@@ -217,7 +255,7 @@ TEST_F(Responses, NameThingsSoThatTheyAreNotMistaken) {
   static Realiser realiser{english_lexicon()};
   auto name = [&](const std::string& id) {
     auto scene = table.known_to([&](SceneKnowledge& x) {
-      x.candidates({}, {{{{}}, {}}, {}, {}});
+      x.things();
       return x;
     });
     for (auto& thing : scene.things())
@@ -233,24 +271,52 @@ TEST_F(Responses, NameThingsSoThatTheyAreNotMistaken) {
 
 // -- what pronouns stand for
 
-const Nominal it{"w1", "thing", "it", {{"Number", "sg"}}, {}};
-const Nominal they{"w1", "thing", "they", {{"Number", "pl"}}, {}};
+Antecedents antecedents(const std::string& text, const std::vector<MoveReferents>& history) {
+  return antecedents_in(move_of(text), history);
+}
+
+MoveReferents spoken_of(std::int32_t turn, std::vector<DiscourseReferent> referents) {
+  return {{}, turn, true, {}, std::move(referents)};
+}
 
 TEST(Salience, IsHighestForWhatWasSpokenOfLast) {
-  std::vector<MoveReferents> history{{{}, 2, {{"w3", "box", false, {"box"}}}},
-                                     {{}, 1, {{"w3", "ball", false, {"ball"}}}}};
-  EXPECT_EQ(antecedent_of(it, history), "box");
-  history.push_back({{}, 3, {{"w2", "cube", false, {"one", "other"}}}});
-  EXPECT_EQ(antecedent_of(it, history), "box");
-  history.push_back({{}, 4, {{"w2", "ball", false, {"ball"}}, {"w3", "box", false, {"box"}}}});
-  EXPECT_EQ(antecedent_of(it, history), "ball");
+  const std::string question = "What colour is it?";
+  std::vector<MoveReferents> history{spoken_of(2, {{"w3", "box", false, {"box"}}}),
+                                     spoken_of(1, {{"w3", "ball", false, {"ball"}}})};
+  EXPECT_EQ(antecedents(question, history), (Antecedents{{"w4", {"box"}}}));
+  history.push_back(spoken_of(3, {{"w2", "cube", false, {"one", "other"}}}));
+  EXPECT_EQ(antecedents(question, history), (Antecedents{{"w4", {"box"}}}));
+  history.push_back(spoken_of(4, {{"w2", "ball", false, {"ball"}}, {"w3", "box", false, {"box"}}}));
+  EXPECT_EQ(antecedents(question, history), (Antecedents{{"w4", {"ball"}}}));
 }
 
 TEST(Salience, IsOfOneOrOfSeveral) {
-  const std::vector<MoveReferents> history{{{}, 1, {{"w3", "ball", true, {"balls"}}}}};
-  EXPECT_EQ(antecedent_of(it, history), "");
-  EXPECT_EQ(antecedent_of(they, history), "balls");
-  EXPECT_EQ(antecedent_of(it, {}), "");
+  const std::vector<MoveReferents> history{spoken_of(1, {{"w3", "ball", true, {"balls"}}})};
+  EXPECT_EQ(antecedents("What colour is it?", history), Antecedents{});
+  EXPECT_EQ(antecedents("What colour are they?", history), (Antecedents{{"w4", {"balls"}}}));
+  EXPECT_EQ(antecedents("What colour is it?", {}), Antecedents{});
+  // Two things are "they" together.
+  EXPECT_EQ(antecedents("What colour are they?", {spoken_of(1, {{"w2", "ball", false, {"ball"}},
+                                                                {"w5", "box", false, {"box"}}})}),
+            (Antecedents{{"w4", {"ball", "box"}}}));
+}
+
+TEST(Salience, DoesNotReachBeyondWhatWasNotUnderstood) {
+  auto lost = spoken_of(2, {});
+  lost.understood = false;
+  EXPECT_EQ(
+    antecedents("What colour is it?", {spoken_of(1, {{"w3", "ball", false, {"ball"}}}), lost}),
+    Antecedents{});
+}
+
+TEST(Salience, TellsOthersFromThoseSpokenOf) {
+  const std::vector<MoveReferents> history{
+    spoken_of(1, {{"w2", "ball", true, {"one", "other", "third"}}}),
+    spoken_of(2, {{"w1", "one", false, {"other"}}})};
+  auto found = antecedents("What colour is the other one?", history);
+  EXPECT_EQ(found["w6"], (std::vector<std::string>{"other"}));
+  EXPECT_EQ(found["w6" + std::string{chosen_from}],
+            (std::vector<std::string>{"one", "other", "third"}));
 }
 
 } // namespace

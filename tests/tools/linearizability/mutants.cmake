@@ -158,7 +158,7 @@ castor_node_mutant(reads_are_answered_from_a_cache actors/runtime/component_oper
     return *outcome;"
   TO "static thread_local std::map<Address, EntryPtr> cache;
     auto& known = cache[address];
-    if (!known || parts_.context.counters().reads % 4 == 0)
+    if (!known || shell_.counters().reads % 4 == 0)
       known = *outcome;
     seen_.set(address, known->version);
     return known;")

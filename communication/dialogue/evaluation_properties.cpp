@@ -1,0 +1,312 @@
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::Feature;
+using binding::FeatureKind;
+
+/// Of two sizes, the larger one is larger by so much at least; else they are about the same.
+constexpr double clear_ratio = 1.1;
+
+/// The middle of the table reaches so far towards its outermost things.
+constexpr double middle_share = 0.25;
+
+/// Distances and coordinates that differ by less are about the same; metres.
+constexpr double clear_distance = 0.02;
+
+/// A property that things are compared by: its measure, and whether more of it is meant.
+struct Comparative {
+  const char* word;
+  const char* dimension;
+  bool more;
+};
+
+constexpr std::array comparatives{
+  Comparative{"larger", "size", true},         Comparative{"smaller", "size", false},
+  Comparative{"greater", "size", true},        Comparative{"largest", "size", true},
+  Comparative{"smallest", "size", false},      Comparative{"leftmost", "right", false},
+  Comparative{"rightmost", "right", true},     Comparative{"frontmost", "back", false},
+  Comparative{"backmost", "back", true},       Comparative{"nearest", "distance", false},
+  Comparative{"farthest", "distance", true},   Comparative{"nearer", "distance", false},
+  Comparative{"farther", "distance", true},    Comparative{"further-left", "right", false},
+  Comparative{"further-right", "right", true}, Comparative{"further-back", "back", true},
+  Comparative{"further-front", "back", false}};
+
+const Comparative* comparative(const std::string& word) {
+  auto found = std::ranges::find_if(comparatives, [&word](auto& x) { return x.word == word; });
+  return found == comparatives.end() ? nullptr : &*found;
+}
+
+/// Whether `a` is clearly more than `b`.
+bool is_clearly_more(double a, double b, const std::string& dimension) {
+  return dimension == "size" ? a > b * clear_ratio : a > b + clear_distance;
+}
+
+} // namespace
+
+Truth Evaluation::is(const std::string& id, const Nominal& scope, const Nominal* among) {
+  check_coordination(scope);
+  Truth result;
+  if (scope.sort == "conjunction")
+    result = conjoined(id, scope, among);
+  else if (scope.sort == "region")
+    result = is_in(id, scope);
+  else if (scope.sort == "comparison")
+    result = compares(id, scope);
+  else if (scope.sort == "selection") {
+    auto things = among == nullptr ? scene_.things() : described(*among).possible;
+    result = is_selected(id, scope, things);
+  } else if (scope.sort == "composition")
+    result = has_property(id, need(scope, "Material"));
+  else if (scope.sort == "thing" || scope.sort == "entity") {
+    result = is_one_of(id, scope);
+    if (feature(scope, "Delimitation") == "none")
+      result = negation(result);
+  } else
+    result = has_property(id, scope);
+  return is_negated(scope) ? negation(result) : result;
+}
+
+Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
+                            const Nominal* among) {
+  auto& first = need(conjunction, "First");
+  auto& next = need(conjunction, "Next");
+  auto a = is(id, first, among);
+  auto b = is(id, next, among);
+  if (conjunction.proposition == "nor")
+    return both(negation(a), negation(b));
+  if (conjunction.proposition == "or")
+    return either(a, b);
+  // "Red and blue things" are some of each.
+  const bool exclude_each_other = first.sort == next.sort && kind_of_quality(first.sort);
+  const bool is_attribute_of_several = among != nullptr && feature(*among, "Number") == "pl";
+  return exclude_each_other && is_attribute_of_several ? either(a, b) : both(a, b);
+}
+
+Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
+  auto kind = kind_of_quality(property.sort);
+  auto word = property.proposition;
+  if (kind == FeatureKind::shape) {
+    auto known = shape_of_adjective(word);
+    if (!known)
+      not_understood(word);
+    word = *known;
+  }
+  if (!kind)
+    not_understood(word);
+  return kind == FeatureKind::shape ? has_shape(id, word)
+                                    : scene_.has(id, binding::feature(*kind, word));
+}
+
+// -- space
+
+Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
+  auto& relation = region.proposition;
+  const auto* anchor = dependent(form_, region, "Anchor");
+  if (anchor == nullptr)
+    return is_in_part_of_table(id, relation);
+  if (relation == "between")
+    return is_between(id, *anchor);
+  if (relation == "among")
+    return is_one_of(id, *anchor);
+  // The table is where everything is.
+  if (is_the_table(*anchor)) {
+    if (relation != "on" && relation != "at")
+      not_understood(relation);
+    return Truth::yes;
+  }
+  return is_related(id, relation_of_word(relation).value_or(relation), *anchor);
+}
+
+/// On the left, in the middle...: by where it lies among all things, around the middle of the
+/// table, which is the origin.
+Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& part) {
+  // Nobody has said where the table ends.
+  if (part == "edge")
+    return Truth::unknown;
+  // "Here" is anywhere on the table.
+  if (part == "here" || part == "on")
+    return Truth::yes;
+  if (part != "left" && part != "right" && part != "front" && part != "back" && part != "centre")
+    not_understood(part);
+  double width = 0;
+  double depth = 0;
+  for (auto& other : scene_.things())
+    if (auto at = scene_.place(other)) {
+      width = std::max(width, std::abs(at->x));
+      depth = std::max(depth, std::abs(at->y));
+    }
+  auto at = scene_.place(id);
+  if (!at)
+    return Truth::unknown;
+  const double beside = std::max(width * middle_share, clear_distance);
+  const double beyond = std::max(depth * middle_share, clear_distance);
+  if (part == "left")
+    return truth_of(at->x < -beside);
+  if (part == "right")
+    return truth_of(at->x > beside);
+  if (part == "front")
+    return truth_of(at->y < -beyond);
+  if (part == "back")
+    return truth_of(at->y > beyond);
+  return truth_of(std::abs(at->x) <= beside && std::abs(at->y) <= beyond);
+}
+
+Truth Evaluation::is_related(const std::string& id, const std::string& relation,
+                             const Nominal& anchor) {
+  if (!is_spatial_relation(relation) && !scene_.knows_relation(relation))
+    not_understood(relation);
+  return quantified(anchor, [&](const std::string& other) {
+    return other == id ? Truth::no : scene_.is_related(relation, id, other);
+  });
+}
+
+/// Nearer to the line between the two than a third of their distance, and not beyond either.
+Truth Evaluation::is_between(const std::string& id, const Nominal& anchor) {
+  Things ends;
+  if (anchor.sort == "conjunction") {
+    for (const auto* mode : {"First", "Next"})
+      for (auto& end : meant(need(anchor, mode)))
+        ends.push_back(end);
+  } else
+    ends = meant(anchor);
+  if (!scene_.open_questions().empty())
+    return Truth::unknown;
+  if (ends.size() != 2)
+    not_understood("between");
+  if (id == ends[0] || id == ends[1])
+    return Truth::no;
+  auto a = scene_.place(ends[0]);
+  auto b = scene_.place(ends[1]);
+  auto x = scene_.place(id);
+  if (!a || !b || !x)
+    return Truth::unknown;
+  const double dx = b->x - a->x;
+  const double dy = b->y - a->y;
+  const double length = std::hypot(dx, dy);
+  if (length == 0)
+    return Truth::no;
+  const double along = ((x->x - a->x) * dx + (x->y - a->y) * dy) / (length * length);
+  const double aside = std::abs((x->x - a->x) * dy - (x->y - a->y) * dx) / length;
+  return truth_of(along > 0 && along < 1 && aside < length / 3);
+}
+
+// -- comparison
+
+std::optional<double> Evaluation::measure(const std::string& id, const std::string& dimension,
+                                          const Nominal* anchor) {
+  if (dimension == "size")
+    return scene_.extent(id);
+  auto at = scene_.place(id);
+  if (!at)
+    return std::nullopt;
+  if (dimension == "right")
+    return at->x;
+  if (dimension == "back" || anchor == nullptr)
+    return at->y;
+  auto to = meant(*anchor);
+  auto there = to.size() == 1 ? scene_.place(to.front()) : std::nullopt;
+  return there ? std::optional{std::hypot(at->x - there->x, at->y - there->y)} : std::nullopt;
+}
+
+/// "The largest", "the second from the left", "closest to the ball".
+Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
+                              const Things& among) {
+  const auto* how = comparative(selection.proposition);
+  if (how == nullptr)
+    not_understood(selection.proposition);
+  const auto* anchor = dependent(form_, selection, "Anchor");
+  Things others = among;
+  if (anchor != nullptr && std::string_view{how->dimension} == "distance")
+    for (auto& x : meant(*anchor))
+      std::erase(others, x);
+  if (std::ranges::find(others, id) == others.end())
+    return scene_.open_questions().empty() ? Truth::no : Truth::unknown;
+  std::size_t rank = 1;
+  if (const auto* ordinal = dependent(form_, selection, "Rank"))
+    rank = ordinal->proposition == "second" ? 2 : ordinal->proposition == "third" ? 3 : 1;
+  Count before;
+  for (auto& other : others) {
+    if (other == id)
+      continue;
+    const auto& a = how->more ? other : id;
+    const auto& b = how->more ? id : other;
+    const auto is_before = is_more(a, b, how->dimension, anchor);
+    const auto is_after = is_more(b, a, how->dimension, anchor);
+    // Which of two that are about the same comes first, nobody can say.
+    before.add(is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before);
+  }
+  return is_within(before, {rank - 1, rank - 1});
+}
+
+Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {
+  auto kind = kind_of_quality(quality);
+  if (!kind)
+    not_understood(quality);
+  auto words = scene_.words(a, *kind);
+  if (words.empty())
+    return Truth::unknown;
+  auto result = Truth::no;
+  for (auto& word : words)
+    result = either(result, scene_.has(b, binding::feature(*kind, word)));
+  return result;
+}
+
+/// Sizes by the words for them, and where these are the same, by measures.
+Truth Evaluation::is_more(const std::string& a, const std::string& b, const std::string& dimension,
+                          const Nominal* anchor) {
+  if (dimension == "size") {
+    auto is = [&](const std::string& id, const char* word) {
+      return scene_.has(id, binding::feature(FeatureKind::size, word)) == Truth::yes;
+    };
+    if (is(a, "large") && is(b, "small"))
+      return Truth::yes;
+    if (is(a, "small") && is(b, "large"))
+      return Truth::no;
+  }
+  auto x = measure(a, dimension, anchor);
+  auto y = measure(b, dimension, anchor);
+  return x && y ? truth_of(is_clearly_more(*x, *y, dimension)) : Truth::unknown;
+}
+
+Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
+  auto& than = need(comparison, "Than");
+  if (const auto* quality = dependent(form_, comparison, "Quality")) {
+    const bool same = comparison.proposition == "same";
+    if (!same && comparison.proposition != "different")
+      not_understood(comparison.proposition);
+    return quantified(than, [&](const std::string& other) {
+      if (other == id)
+        return Truth::no;
+      auto shared = shares(id, other, quality->proposition);
+      return same ? shared : negation(shared);
+    });
+  }
+  if (comparison.proposition == "as-large")
+    return quantified(than, [&](const std::string& other) {
+      return other == id ? Truth::no
+                         : both(negation(is_more(id, other, "size", nullptr)),
+                                negation(is_more(other, id, "size", nullptr)));
+    });
+  const auto* how = comparative(comparison.proposition);
+  if (how == nullptr)
+    not_understood(comparison.proposition);
+  const auto* anchor = dependent(form_, comparison, "Anchor");
+  return quantified(than, [&](const std::string& other) {
+    if (other == id)
+      return Truth::no;
+    return how->more ? is_more(id, other, how->dimension, anchor)
+                     : is_more(other, id, how->dimension, anchor);
+  });
+}
+
+} // namespace castor::communication

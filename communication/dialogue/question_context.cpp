@@ -1,0 +1,218 @@
+#include "castor/communication/dialogue/question_context.hpp"
+
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/respond.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+bool is_question(const DialogueMove& x) {
+  return x.type == DialogueMoveType::question_w || x.type == DialogueMoveType::question_yn;
+}
+
+/// Adds the nominals of another form, under names that the form does not have yet.
+/// \returns the new name of the other form's root
+std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& antecedents,
+                   const Antecedents& others) {
+  std::string prefix = "n";
+  auto is_taken = [&] {
+    return std::ranges::any_of(form.nominals,
+                               [&](auto& x) { return x.name.starts_with(prefix + '-'); });
+  };
+  while (is_taken())
+    prefix += 'n';
+  prefix += '-';
+  for (auto x : other.nominals) {
+    x.name = prefix + x.name;
+    for (auto& relation : x.relations)
+      relation.dependent = prefix + relation.dependent;
+    form.nominals.push_back(std::move(x));
+  }
+  for (auto& [name, proxies] : others)
+    antecedents.insert_or_assign(prefix + name, proxies);
+  return prefix + other.root;
+}
+
+Nominal* find(LogicalForm& form, const std::string& name) {
+  auto found = std::ranges::find(form.nominals, name, &Nominal::name);
+  return found == form.nominals.end() ? nullptr : &*found;
+}
+
+/// What was meant, once somebody has said "the red one" to "which ball do you mean?": it is the
+/// ball that was spoken of, and red.
+bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
+             const Antecedents& antecedents) {
+  const auto name = append(question.move.content, said, question.antecedents, antecedents);
+  auto* asked = find(question.move.content, nominal);
+  const auto* fragment = find(question.move.content, name);
+  if (asked == nullptr || fragment == nullptr || fragment->sort != "thing")
+    return false;
+  if (is_pronoun(*fragment))
+    return false;
+  if (!is_general_noun(fragment->proposition))
+    asked->proposition = fragment->proposition;
+  for (auto& relation : fragment->relations)
+    asked->relations.push_back(relation);
+  return true;
+}
+
+/// Puts a fragment in the place of what is like it in a question: a thing for the thing that it is
+/// about, a colour for a colour, a place for a place.
+class Substitution {
+public:
+  Substitution(LogicalForm& form, const Nominal& fragment) : form_(form), fragment_(fragment) {}
+
+  /// \returns whether there is such a place
+  bool run() {
+    for (const bool strictly : {true, false}) {
+      is_strict_ = strictly;
+      seen_.clear();
+      visit(form_.root);
+    }
+    return replaced_;
+  }
+
+private:
+  /// A definite phrase is rather about what a definite phrase was about.
+  bool is_alike(const Nominal& x) const {
+    if (fragment_.sort == "thing")
+      return x.sort == "thing" && !is_the_table(x) &&
+             (!is_strict_ || is_definite(x) == is_definite(fragment_));
+    return x.sort == fragment_.sort && x.name != fragment_.name;
+  }
+
+  /// "The red one" is a thing of the kind that was spoken of.
+  void inherit(const Nominal& from) {
+    auto* fragment = find(form_, fragment_.name);
+    if (fragment->proposition == "one" && !is_pronoun(from))
+      fragment->proposition = from.proposition;
+    // "How many balls are red? And how many are green?" is about as many.
+    if (feature(*fragment, "Delimitation").empty() && feature(*fragment, "Number") == "pl")
+      for (auto& relation : from.relations)
+        if (relation.mode == "Quantity" || relation.mode == "PartOf")
+          fragment->relations.push_back(relation);
+  }
+
+  /// "What is behind the ball? And left of it?" is about the ball.
+  void keep_anchor(const Nominal& old) {
+    const auto* anchor = dependent(form_, old, "Anchor");
+    for (auto& relation : find(form_, fragment_.name)->relations) {
+      const auto* pronoun = find_nominal(form_, relation.dependent);
+      if (anchor != nullptr && relation.mode == "Anchor" && pronoun != nullptr &&
+          is_pronoun(*pronoun))
+        relation.dependent = anchor->name;
+    }
+  }
+
+  void visit(const std::string& name) {
+    const auto* x = find_nominal(form_, name);
+    if (x == nullptr || !seen_.insert(name).second || replaced_)
+      return;
+    for (std::size_t i = 0; i < x->relations.size() && !replaced_; ++i) {
+      x = find_nominal(form_, name);
+      const auto dependent = x->relations[i].dependent;
+      const auto* to = find_nominal(form_, dependent);
+      if (to != nullptr && dependent != fragment_.name && is_alike(*to)) {
+        const Nominal old = *to;
+        inherit(old);
+        keep_anchor(old);
+        replace(dependent);
+        replaced_ = true;
+      } else
+        visit(dependent);
+    }
+  }
+
+  void replace(const std::string& name) {
+    for (auto& x : form_.nominals)
+      if (x.name != fragment_.name)
+        for (auto& relation : x.relations)
+          if (relation.dependent == name)
+            relation.dependent = fragment_.name;
+  }
+
+  LogicalForm& form_;
+  const Nominal fragment_;
+  std::set<std::string> seen_;
+  bool is_strict_ = true;
+  bool replaced_ = false;
+};
+
+bool is_about_any(const LogicalForm& fragment) {
+  const auto* root = find_nominal(fragment, fragment.root);
+  return root != nullptr && root->sort == "thing" && feature(*root, "Delimitation") == "any";
+}
+
+bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents) {
+  auto& form = question.move.content;
+  const auto name = append(form, said, question.antecedents, antecedents);
+  const auto* fragment = find(form, name);
+  return fragment != nullptr && Substitution{form, *fragment}.run();
+}
+
+} // namespace
+
+/// "The red one" is a red thing of the kind that was spoken of.
+void QuestionContext::replace_one(LogicalForm& form) const {
+  const auto* root = find_nominal(form, form.root);
+  if (noun_.empty() || root == nullptr || root->sort == "thing")
+    return;
+  for (auto& x : form.nominals)
+    if (x.sort == "thing" && x.proposition == "one" && dependent(form, x, "PartOf") == nullptr)
+      x.proposition = noun_;
+}
+
+CompleteMove QuestionContext::complete(const DialogueMove& move,
+                                       const Antecedents& antecedents) const {
+  CompleteMove result{move, antecedents};
+  replace_one(result.move.content);
+  for (auto& alternative : result.move.alternatives)
+    replace_one(alternative);
+  if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
+    return result;
+  if (unclear_) {
+    auto clarified = *unclear_;
+    if (clarify(clarified, asked_about_, move.content, antecedents))
+      return clarified;
+  }
+  if (question_) {
+    auto question = *question_;
+    if (!is_about_any(move.content) && substitute(question, move.content, antecedents))
+      return question;
+  }
+  // "Anything left of the ball?"
+  if (is_about_any(move.content)) {
+    const auto subject = result.move.content.root;
+    result.move.content.root = "existence";
+    result.move.content.nominals.push_back(
+      {"existence", "existence", "be", {{"Mood", "int"}}, {{"Subject", subject}}});
+    result.move.type = DialogueMoveType::question_yn;
+  }
+  return result;
+}
+
+void QuestionContext::note(const CompleteMove& complete, const Response& response) {
+  const CompleteMove move{reading_of(complete.move, response.reading), complete.antecedents};
+  unclear_.reset();
+  if (!response.asked_about.empty()) {
+    unclear_ = move;
+    asked_about_ = response.asked_about;
+  }
+  for (const auto* thing : things_spoken_of(move.move.content))
+    if (!is_pronoun(*thing) && !is_general_noun(thing->proposition)) {
+      noun_ = thing->proposition;
+      break;
+    }
+  if (is_question(move.move))
+    question_ = move;
+  else if (!move.move.problem.empty())
+    question_.reset();
+}
+
+} // namespace castor::communication

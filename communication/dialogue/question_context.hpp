@@ -1,0 +1,39 @@
+#pragma once
+
+#include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <optional>
+#include <string>
+
+namespace castor::communication {
+
+/// A move with all that it leaves to what was said before.
+struct CompleteMove {
+  DialogueMove move;
+  Antecedents antecedents;
+};
+
+/// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
+/// mean?", and "and the disc?" after "what colour is the ball?".
+class QuestionContext {
+public:
+  /// The move as it is meant: a fragment takes the place of what it is about in a question before.
+  CompleteMove complete(const DialogueMove& move, const Antecedents& antecedents) const;
+
+  /// The move has been replied to.
+  void note(const CompleteMove& move, const Response& response);
+
+private:
+  void replace_one(LogicalForm& form) const;
+
+  std::optional<CompleteMove> question_;
+  std::optional<CompleteMove> unclear_;
+  /// Noun of the last thing that was spoken of, for which "one" stands.
+  std::string noun_;
+  /// Nominal of the unclear move that the other was asked about.
+  std::string asked_about_;
+};
+
+} // namespace castor::communication

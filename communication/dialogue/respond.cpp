@@ -1,0 +1,84 @@
+#include "castor/communication/dialogue/respond.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/responder.hpp"
+#include "castor/communication/dialogue/small_talk.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+Response say(RhetoricalRelation relation, LogicalForm content) {
+  return {relation, {{std::move(content)}}, {}, {}};
+}
+
+Response say(RhetoricalRelation relation, std::string text) {
+  return {relation, {}, std::move(text), {}};
+}
+
+/// \throws Uninterpretable
+Response respond(Responder& responder, DialogueMoveType type, const LogicalForm& content) {
+  switch (type) {
+    case DialogueMoveType::question_w:
+      return responder.to_question_w();
+    case DialogueMoveType::question_yn:
+      return responder.to_question_yn();
+    case DialogueMoveType::assertion:
+      return responder.to_assertion();
+    case DialogueMoveType::action_directive:
+      return responder.to_directive();
+    case DialogueMoveType::opening:
+      return say(RhetoricalRelation::greeting, greeting("hello"));
+    case DialogueMoveType::closing:
+      return say(RhetoricalRelation::greeting, closing("bye"));
+    case DialogueMoveType::small_talk:
+      return say(RhetoricalRelation::answer, small_talk(content));
+    case DialogueMoveType::accept:
+    case DialogueMoveType::reject:
+      return say(RhetoricalRelation::acceptance, marker("ok"));
+    case DialogueMoveType::none:
+      break;
+  }
+  return say(RhetoricalRelation::clarification_question, "What about it?");
+}
+
+} // namespace
+
+Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene) {
+  if (!move.problem.empty())
+    return say(RhetoricalRelation::clarification_question, move.problem);
+  std::optional<Response> refusal;
+  for (std::size_t reading = 0; reading <= move.alternatives.size(); ++reading) {
+    const auto& content = reading == 0 ? move.content : move.alternatives[reading - 1];
+    Responder responder{content, antecedents, scene};
+    const auto type = reading == 0 ? move.type : dialogue_move_type(content);
+    try {
+      auto result = respond(responder, type, content);
+      result.reading = reading;
+      return result;
+    } catch (const Uninterpretable& why) {
+      auto result = responder.to(why);
+      result.reading = reading;
+      if (why.reason != Uninterpretable::Reason::word)
+        return result;
+      if (!refusal)
+        refusal = std::move(result);
+    }
+  }
+  return *refusal;
+}
+
+DialogueMove reading_of(DialogueMove move, std::size_t reading) {
+  if (reading > 0 && reading <= move.alternatives.size()) {
+    move.content = move.alternatives[reading - 1];
+    move.type = dialogue_move_type(move.content);
+  }
+  move.alternatives.clear();
+  return move;
+}
+
+} // namespace castor::communication

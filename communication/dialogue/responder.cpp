@@ -1,0 +1,57 @@
+#include "castor/communication/dialogue/responder.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <utility>
+
+namespace castor::communication {
+
+const Nominal& Responder::root() const {
+  const auto* result = find_nominal(form_, form_.root);
+  if (result == nullptr)
+    throw Uninterpretable{Uninterpretable::Reason::word, form_.root};
+  return *result;
+}
+
+const Nominal& Responder::need(const Nominal& of, const char* mode) const {
+  const auto* result = dependent(form_, of, mode);
+  if (result == nullptr)
+    throw Uninterpretable{Uninterpretable::Reason::word, of.proposition};
+  return *result;
+}
+
+Response Responder::to_directive() {
+  for (const auto* thing : things_spoken_of(form_))
+    if (is_definite(*thing))
+      evaluation_.meant(*thing);
+  return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+}
+
+/// The phrase as it was said; pronouns are spoken of as things.
+LogicalForm Responder::called(const Nominal& phrase) const {
+  auto result = part_of(form_, phrase.name);
+  if (is_pronoun(phrase))
+    result.nominals.front().proposition = "thing";
+  return result;
+}
+
+LogicalForm Responder::nothing_like(const Nominal& phrase) const {
+  return i_do_not_see(called(phrase));
+}
+
+Response Responder::to(const Uninterpretable& why) const {
+  using Reason = Uninterpretable::Reason;
+  const auto* phrase = find_nominal(form_, why.what);
+  if (why.reason == Reason::word || phrase == nullptr)
+    return {RhetoricalRelation::clarification_question,
+            {},
+            "I do not know what '" + why.what + "' means here.",
+            {}};
+  if (why.reason == Reason::nothing_like)
+    return {RhetoricalRelation::correction, {{nothing_like(*phrase)}}, {}, {}};
+  return {RhetoricalRelation::clarification_question, {{which(called(*phrase))}}, {}, phrase->name};
+}
+
+} // namespace castor::communication

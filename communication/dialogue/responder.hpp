@@ -1,0 +1,59 @@
+#pragma once
+
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// Replies to one dialogue move, by what is known of the scene.
+class Responder {
+public:
+  /// All of them have to outlive the responder.
+  Responder(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
+    : form_(form), scene_(scene), evaluation_(form, antecedents, scene) {}
+
+  // Each throws Uninterpretable.
+
+  Response to_question_w();
+  Response to_question_yn();
+  Response to_assertion();
+  /// Asks back if it is not clear what is meant; there is nobody yet who does what is asked for.
+  Response to_directive();
+
+  /// Says why there is no other reply.
+  Response to(const Uninterpretable& why) const;
+
+private:
+  using Things = std::vector<std::string>;
+
+  const Nominal& root() const;
+  const Nominal& need(const Nominal& of, const char* mode) const;
+
+  // -- questions
+  Response about(const Nominal& asked);
+  Response owned_quality(const Nominal& x);
+  Response count(const Fitting& found, const Nominal& phrase, const Nominal* scope);
+  Response list(const Things& things) const;
+  Response where(const Nominal& phrase);
+  Response what(const Nominal& phrase);
+  Response quality(const std::string& name, const Nominal& of);
+  Response yes_or_no(Truth truth);
+  bool is_sure(const std::string& id, const Nominal& scope) const;
+  Response choice(const Nominal& subject, const Nominal& alternatives);
+
+  // -- replies
+  LogicalForm nothing_like(const Nominal& phrase) const;
+  LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;
+  LogicalForm called(const Nominal& phrase) const;
+
+  const LogicalForm& form_;
+  SceneKnowledge& scene_;
+  Evaluation evaluation_;
+};
+
+} // namespace castor::communication
