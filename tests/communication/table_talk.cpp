@@ -1,0 +1,69 @@
+#include "castor/tests/communication/table_talk.hpp"
+
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/lexicon/english_lexicon.hpp"
+#include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/spelling.hpp"
+#include "castor/communication/parsing/tokens.hpp"
+
+#include <utility>
+
+namespace castor::communication::test {
+
+Reply TableTalk::say(const std::string& text) {
+  Reply reply;
+  for (auto& sentence : sentences_of(text)) {
+    const auto silences = reply.silences;
+    reply = say_sentence(sentence);
+    reply.silences += silences;
+  }
+  return reply;
+}
+
+Reply TableTalk::say_sentence(const std::string& text) {
+  static Parser parser{english_lexicon()};
+  static Realiser realiser{english_lexicon()};
+  auto words = words_of(text);
+  DialogueMove move;
+  move.corrections = correct_spelling(words, parser.lexicon());
+  IncrementalParse parse{parser};
+  for (auto& word : words)
+    parse.add(word);
+  parse.finish();
+  auto form = parse.form();
+  move.turn = static_cast<std::int32_t>(history_.size());
+  Reply reply;
+  if (!form.unparsable.empty() || form.readings.empty()) {
+    reply.is_parsed = false;
+    move.problem = problem_of(form);
+  } else
+    take_readings(form, move);
+  auto antecedents = antecedents_in(move, history_);
+  auto meant = questions_.complete(move, antecedents);
+  auto response = with_scene(
+    [&](SceneKnowledge& scene) { return respond(meant.move, meant.antecedents, scene); });
+  questions_.note(meant, response);
+  MoveReferents referents;
+  referents.turn = move.turn;
+  referents.understood = move.problem.empty();
+  referents.referents = with_scene([&](SceneKnowledge& scene) {
+    return referents_of(reading_of(meant.move, response.reading), meant.antecedents, scene);
+  });
+  history_.push_back(std::move(referents));
+  reply.move = meant.move.type;
+  reply.relation = response.relation;
+  reply.text = said_back(move);
+  if (!response.text.empty())
+    reply.text += (reply.text.empty() ? "" : " ") + response.text;
+  for (auto& sentence : response.sentences) {
+    auto words = realiser.realise(sentence.content);
+    if (!words && !sentence.simpler.nominals.empty())
+      words = realiser.realise(sentence.simpler);
+    reply.silences += words ? 0 : 1;
+    reply.text += (reply.text.empty() ? "" : " ") + words.value_or("<no words>");
+  }
+  return reply;
+}
+
+} // namespace castor::communication::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "castor/communication/dialogue/question_context.hpp"
+#include "castor/communication/dialogue/realiser.hpp"
+#include "castor/communication/dialogue/respond.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/parsing/parser.hpp"
+#include "castor/communication/types.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace castor::communication::test {
+
+/// What the robot makes of an utterance.
+struct Reply {
+  DialogueMoveType move = DialogueMoveType::none;
+  RhetoricalRelation relation = RhetoricalRelation::narration;
+  std::string text;
+  /// The parser has found no reading of the whole utterance.
+  bool is_parsed = true;
+  /// Sentences that there were no words for.
+  std::size_t silences = 0;
+};
+
+/// A conversation about a scene, without actors and working memories: what the components of
+/// communication do, one after the other.
+class TableTalk {
+public:
+  /// Answers what binding is asked.
+  using Binding = std::function<binding::ReferenceReply(const std::vector<binding::Description>&)>;
+
+  explicit TableTalk(Binding binding) : binding_(std::move(binding)) {}
+
+  /// \returns the reply to the last sentence
+  Reply say(const std::string& text);
+
+private:
+  Reply say_sentence(const std::string& text);
+
+  template <class F>
+  auto with_scene(F f) const {
+    SceneKnowledge scene;
+    auto result = f(scene);
+    while (!scene.open_questions().empty()) {
+      auto asked = scene.open_questions();
+      scene.learn(asked, binding_(asked));
+      result = f(scene);
+    }
+    return result;
+  }
+
+  Binding binding_;
+  QuestionContext questions_;
+  std::vector<MoveReferents> history_;
+};
+
+} // namespace castor::communication::test
