@@ -49,7 +49,8 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 # Those that castorConfig.cmake finds.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "castor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libcaf-dev, libfmt-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "cmake, g++, libgtest-dev, libopencv-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
+  "cmake, g++, libeigen3-dev, libgtest-dev, libopencv-dev, nlohmann-json3-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "runtime for the architectures of intelligent robots - development
 Castor runs information-processing architectures: components that meet on
 typed, shared working memories, and hear of changes through filtered events.

@@ -4,15 +4,14 @@
 #include <limits>
 #include <numbers>
 #include <sstream>
+#include <vector>
 
-#include <opencv2/core.hpp>
+#include <Eigen/QR>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 
 namespace castor::clevr {
-
-using namespace vision::vectors;
 
 namespace {
 
@@ -22,11 +21,11 @@ constexpr double sensor = 32;
 /// How many pixels of error weigh like an error of one unit in the distance.
 constexpr double pixels_per_unit = 30;
 
-using Vector = cv::Mat_<double>;
+using Vector = Eigen::Vector<double, parameters>;
 
 Vector to_vector(const CameraGuess& guess) {
-  return (Vector(parameters, 1) << guess.position[0], guess.position[1], guess.position[2],
-          guess.target[0], guess.target[1]);
+  return {guess.position[0], guess.position[1], guess.position[2], guess.target[0],
+          guess.target[1]};
 }
 
 CameraGuess to_guess(const Vector& vector) {
@@ -39,10 +38,10 @@ vision::Camera make_camera(const CameraGuess& guess, int width, int height,
                            double metres_per_unit) {
   const double half_height = height * sensor / (2 * lens * width);
   const double angle = 2 * std::atan(half_height) * 180 / std::numbers::pi;
-  const auto& [x, y, z] = guess.position;
-  return vision::look_at(metres_per_unit * vision::Point3{x, y, z},
-                         metres_per_unit * vision::Point3{guess.target[0], guess.target[1], 0},
-                         angle, width, height);
+  const Eigen::Vector3d eye(guess.position[0], guess.position[1], guess.position[2]);
+  const Eigen::Vector3d target(guess.target[0], guess.target[1], 0);
+  return vision::look_at(vision::to_point(metres_per_unit * eye),
+                         vision::to_point(metres_per_unit * target), angle, width, height);
 }
 
 std::string camera_file(const CameraGuess& guess, int width, int height, double metres_per_unit) {
@@ -65,13 +64,14 @@ CameraGuess fit_camera(std::span<const Scene* const> scenes, const CameraGuess& 
                        double tolerance, int width, int height) {
   const Vector prior = to_vector(start);
   const auto errors = [&](const Vector& vector) {
-    Vector result;
+    std::vector<double> result;
     const vision::Camera camera = make_camera(to_guess(vector), width, height, 1);
-    const vision::Point3 forward = rotate(camera.pose.rotation, {0, 0, 1});
+    const Eigen::Vector3d eye = to_eigen(camera.pose.position);
+    const Eigen::Vector3d forward = to_eigen(camera.pose.rotation) * Eigen::Vector3d::UnitZ();
     for (const auto* scene : scenes) {
       for (const auto& object : scene->objects) {
         const auto pixel = project(camera, object.position).value_or(vision::Point2{});
-        const double distance = dot(object.position - camera.pose.position, forward);
+        const double distance = (to_eigen(object.position) - eye).dot(forward);
         result.push_back(pixel.x - object.pixel.x);
         result.push_back(pixel.y - object.pixel.y);
         result.push_back(pixels_per_unit * (distance - object.distance));
@@ -79,23 +79,22 @@ CameraGuess fit_camera(std::span<const Scene* const> scenes, const CameraGuess& 
     }
     for (int i = 0; i < parameters; ++i)
       result.push_back((vector(i) - prior(i)) / (i < 3 ? tolerance : tolerance / 10));
-    return result;
+    return Eigen::VectorXd(
+      Eigen::VectorXd::Map(result.data(), static_cast<Eigen::Index>(result.size())));
   };
   // Gauss and Newton's method; it converges in a few steps from anywhere near.
   constexpr int steps = 15;
   constexpr double delta = 1e-5;
-  Vector current = prior.clone();
+  Vector current = prior;
   for (int step = 0; step < steps; ++step) {
-    const Vector error = errors(current);
-    Vector jacobian(error.rows, parameters);
+    const Eigen::VectorXd error = errors(current);
+    Eigen::Matrix<double, Eigen::Dynamic, parameters> jacobian(error.size(), parameters);
     for (int i = 0; i < parameters; ++i) {
-      Vector moved = current.clone();
+      Vector moved = current;
       moved(i) += delta;
       jacobian.col(i) = (errors(moved) - error) / delta;
     }
-    Vector change;
-    cv::solve(jacobian, -error, change, cv::DECOMP_QR);
-    current += change;
+    current -= jacobian.householderQr().solve(error);
   }
   return to_guess(current);
 }

@@ -9,37 +9,35 @@
 #include <opencv2/imgproc.hpp>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 
 namespace castor::clevr {
 
-using namespace vision::vectors;
+using Eigen::Vector3d;
 
 namespace {
 
 /// Points whose convex hull is the object around its own middle, for a unit radius.
-std::vector<vision::Point3> body(const Object& object) {
+std::vector<Vector3d> body(const Object& object) {
   constexpr int turns = 48;
   constexpr double step = 2 * std::numbers::pi / turns;
-  std::vector<vision::Point3> points;
+  std::vector<Vector3d> points;
   if (object.shape == "cube") {
-    for (int i = 0; i < 8; ++i) {
-      const double x = (i & 1) != 0 ? 1 : -1;
-      const double y = (i & 2) != 0 ? 1 : -1;
-      const double c = std::cos(object.rotation);
-      const double s = std::sin(object.rotation);
-      points.push_back({c * x - s * y, s * x + c * y, (i & 4) != 0 ? 1.0 : -1.0});
-    }
+    const Eigen::AngleAxisd rotation(object.rotation, Vector3d::UnitZ());
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0})
+        for (const double z : {-1.0, 1.0})
+          points.push_back(rotation * Vector3d(x, y, z));
   } else if (object.shape == "cylinder") {
     for (int i = 0; i < turns; ++i) {
       for (const double z : {-1.0, 1.0})
-        points.push_back({std::cos(i * step), std::sin(i * step), z});
+        points.emplace_back(std::cos(i * step), std::sin(i * step), z);
     }
   } else {
     for (int i = 0; i < turns; ++i) {
       for (int j = 0; j <= turns / 2; ++j)
-        points.push_back({std::cos(i * step) * std::sin(j * step),
-                          std::sin(i * step) * std::sin(j * step), std::cos(j * step)});
+        points.emplace_back(std::cos(i * step) * std::sin(j * step),
+                            std::sin(i * step) * std::sin(j * step), std::cos(j * step));
     }
   }
   return points;
@@ -61,7 +59,8 @@ cv::Mat_<int> visible_objects(const Scene& scene, const vision::Camera& camera, 
     const Object& object = scene.objects[index];
     std::vector<cv::Point> points;
     for (const auto& point : body(object)) {
-      const auto pixel = project(camera, object.position + object.radius() * point);
+      const Vector3d position = to_eigen(object.position) + object.radius() * point;
+      const auto pixel = project(camera, vision::to_point(position));
       if (pixel)
         points.emplace_back(cvRound(pixel->x * (1 << shift)), cvRound(pixel->y * (1 << shift)));
     }

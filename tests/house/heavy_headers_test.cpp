@@ -16,14 +16,15 @@ namespace fs = std::filesystem;
 /// Headers that are there to include heavy ones.
 bool may_be_heavy(const fs::path& header) {
   auto name = header.filename();
-  return name == "opencv_bridge.hpp" || name == "adopt_connection.hpp" ||
+  return name == "opencv_bridge.hpp" || name == "eigen_bridge.hpp" ||
+         name == "adopt_connection.hpp" ||
          header.generic_string().ends_with("actors/link/connection.hpp");
 }
 
 } // namespace
 
 TEST(Headers, DoNotMakeEverybodyPayForHeavyOnes) {
-  std::regex heavy{"#include [\"<](opencv2|mrpt|ompl|caf/io|openssl)/.*"};
+  std::regex heavy{"#include [\"<](Eigen|opencv2|mrpt|ompl|caf/io|openssl)/.*"};
   for (auto& folder : product_folders(CASTOR_SOURCE_DIR))
     for (auto& x : fs::recursive_directory_iterator(fs::path{CASTOR_SOURCE_DIR} / folder)) {
       if (x.path().extension() != ".hpp" || may_be_heavy(x.path()))

@@ -8,7 +8,7 @@
 
 #include "castor/base/suggestion.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 
 namespace castor::vision {
 
@@ -208,7 +208,7 @@ private:
     const auto& t = target_setting.numbers;
     const Point3 eye{e[0], e[1], e[2]};
     const Point3 target{t[0], t[1], t[2]};
-    if (!(vectors::norm(vectors::operator-(target, eye)) > 0))
+    if (!((to_eigen(target) - to_eigen(eye)).norm() > 0))
       report(target_setting.line, "eye and target are the same point",
              "Let the target be a point on the table in the middle of the image.");
     else

@@ -5,40 +5,30 @@
 #include <utility>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_ray.hpp"
 
 namespace castor::vision {
 
-using namespace vectors;
+using Eigen::Vector3d;
 
 namespace {
 
 std::optional<ObjectBox> flat_extent(const Camera& camera, std::span<const Point2> contour) {
-  std::optional<ObjectBox> box;
-  Point3 low;
-  Point3 high;
+  Eigen::AlignedBox3d box;
   for (const auto& pixel : contour) {
     const auto point = back_project(camera, pixel);
     if (!point)
       return std::nullopt;
-    if (!box) {
-      low = high = *point;
-      box.emplace();
-    }
-    low = {std::min(low.x, point->x), std::min(low.y, point->y), 0};
-    high = {std::max(high.x, point->x), std::max(high.y, point->y), 0};
+    box.extend(to_eigen(*point));
   }
-  if (box)
-    *box = {0.5 * (low + high), high - low};
-  return box;
+  return ObjectBox{to_point(box.center()), to_point(box.sizes())};
 }
 
 /// Where the ray meets the upright plane through `point` with the level normal `normal`.
-std::optional<Point3> meet(const Ray& ray, const Point3& point, const Point3& normal) {
-  const double advance = dot(ray.direction, normal);
-  if (advance <= 0)
+std::optional<Vector3d> meet(const EigenRay& ray, const Vector3d& point, const Vector3d& normal) {
+  if (ray.direction().dot(normal) <= 0)
     return std::nullopt;
-  return ray.origin + (dot(point - ray.origin, normal) / advance) * ray.direction;
+  return ray.intersectionPoint(Eigen::Hyperplane<double, 3>(normal, point));
 }
 
 std::optional<ObjectBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
@@ -54,26 +44,26 @@ std::optional<ObjectBox> solid_extent(const Camera& camera, std::span<const Poin
   const auto right_ray = viewing_ray(camera, {right->x + 0.5, right->y});
   if (!foot || !top_ray || !left_ray || !right_ray)
     return std::nullopt;
-  const Point3 away{foot->x - camera.pose.position.x, foot->y - camera.pose.position.y, 0};
-  if (norm(away) <= 0)
+  const Vector3d away(foot->x - camera.pose.position.x, foot->y - camera.pose.position.y, 0);
+  if (away.norm() <= 0)
     return std::nullopt;
-  const Point3 direction = normalized(away);
+  const Vector3d direction = away.normalized();
   // The widest part is half its width behind the foot; each round is nearer to what that means.
   constexpr int rounds = 4;
   double width = 0;
-  Point3 centre = *foot;
+  Vector3d centre = to_eigen(*foot);
   for (int round = 0; round < rounds; ++round) {
-    const auto left_end = meet(*left_ray, centre, direction);
-    const auto right_end = meet(*right_ray, centre, direction);
+    const auto left_end = meet(to_eigen(*left_ray), centre, direction);
+    const auto right_end = meet(to_eigen(*right_ray), centre, direction);
     if (!left_end || !right_end)
       return std::nullopt;
-    width = std::hypot(right_end->x - left_end->x, right_end->y - left_end->y);
-    centre = *foot + (width / 2) * direction;
+    width = std::hypot(right_end->x() - left_end->x(), right_end->y() - left_end->y());
+    centre = to_eigen(*foot) + (width / 2) * direction;
   }
   // The upper end of the outline is somewhere between the axis of the solid and its far side.
-  const auto top_end = meet(*top_ray, centre + (width / 4) * direction, direction);
-  const double height = top_end ? std::max(0.0, top_end->z) : 0;
-  return ObjectBox{{centre.x, centre.y, height / 2}, {width, width, height}};
+  const auto top_end = meet(to_eigen(*top_ray), centre + (width / 4) * direction, direction);
+  const double height = top_end ? std::max(0.0, top_end->z()) : 0;
+  return ObjectBox{{centre.x(), centre.y(), height / 2}, {width, width, height}};
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_ray.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_body.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_bounds.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_light.hpp"
@@ -17,7 +17,7 @@
 
 namespace castor::vision {
 
-using namespace vectors;
+using Eigen::Vector3d;
 
 namespace {
 
@@ -39,14 +39,14 @@ constexpr int surfaces_per_object = 8;
 /// The radius of the sphere that stands for a body where it keeps light from all around off the
 /// table.
 double sky_radius(const Body& body) {
-  return std::min(body.radius(), 1.5 * body.centre().z);
+  return std::min(body.radius(), 1.5 * body.centre().z());
 }
 
 /// Where that matters.
 TablePatch sky_patch(const Body& body) {
   const double reach = sky_reach * sky_radius(body);
   const auto& centre = body.centre();
-  return {centre.x - reach, centre.x + reach, centre.y - reach, centre.y + reach};
+  return {centre.x() - reach, centre.x() + reach, centre.y() - reach, centre.y() + reach};
 }
 
 struct SceneBody {
@@ -61,7 +61,7 @@ struct SceneBody {
 struct Sight {
   int surface = room_surface;
   double distance = std::numeric_limits<double>::infinity();
-  Point3 normal;
+  Vector3d normal = Vector3d::Zero();
   /// The object, or -1.
   int object = -1;
 };
@@ -78,17 +78,17 @@ public:
       slab_({0, 0, -table_thickness / 2}, {scene.table.width, scene.table.depth, table_thickness}),
       inner_half_width_(scene.table.width / 2 - table_thickness),
       inner_half_depth_(scene.table.depth / 2 - table_thickness), texture_(scene.table),
-      lamp_(scene.light), lamp_distance_(norm(scene.light)), pixel_angle_(1 / camera.fy) {
+      lamp_(to_eigen(scene.light)), lamp_distance_(lamp_.norm()), pixel_angle_(1 / camera.fy) {
     for (const auto& object : scene.objects) {
       const Body body(object);
       bodies_.push_back({body, to_linear(object.colour), window_of(body, camera),
                          shadow_patch(object, lamp_, options.lamp_radius), sky_patch(body)});
     }
     // Points on a disc that faces the table's middle, evenly spread along a golden-angle spiral.
-    const Point3 towards_lamp = normalized(lamp_);
-    lamp_u_ = normalized(
-      cross(towards_lamp, std::abs(towards_lamp.z) < 0.9 ? Point3{0, 0, 1} : Point3{1, 0, 0}));
-    lamp_v_ = cross(towards_lamp, lamp_u_);
+    const Vector3d towards_lamp = lamp_.normalized();
+    const Vector3d aside = std::abs(towards_lamp.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
+    lamp_u_ = towards_lamp.cross(aside).normalized();
+    lamp_v_ = towards_lamp.cross(lamp_u_);
     const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
     for (int i = 0; i < options.shadow_samples; ++i) {
       const double r = std::sqrt((i + 0.5) / options.shadow_samples) * options.lamp_radius;
@@ -96,7 +96,7 @@ public:
     }
   }
 
-  Sight look(const Ray& ray, const Point2& pixel) const {
+  Sight look(const EigenRay& ray, const Point2& pixel) const {
     Sight sight;
     look_at_table(ray, sight);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -115,23 +115,24 @@ public:
 
   /// The light that arrives at `pixel`; `random` turns the pattern of shadow rays.
   Sample sample(const Point2& pixel, std::uint64_t random) const {
-    const auto ray = viewing_ray(camera_, pixel);
-    if (!ray)
+    const auto seen = viewing_ray(camera_, pixel);
+    if (!seen)
       return {};
-    const Sight sight = look(*ray, pixel);
-    return {vignette(pixel) * shade(*ray, sight, random), sight.surface};
+    const EigenRay ray = to_eigen(*seen);
+    const Sight sight = look(ray, pixel);
+    return {vignette(pixel) * shade(ray, sight, random), sight.surface};
   }
 
 private:
-  void look_at_table(const Ray& ray, Sight& sight) const {
+  void look_at_table(const EigenRay& ray, Sight& sight) const {
     // Nearly all of the picture is the table's top, well within its edges.
-    const double distance = -ray.origin.z / ray.direction.z;
-    if (ray.direction.z < 0 && distance > 0 &&
-        std::abs(ray.origin.x + distance * ray.direction.x) < inner_half_width_ &&
-        std::abs(ray.origin.y + distance * ray.direction.y) < inner_half_depth_) {
+    const double distance = -ray.origin().z() / ray.direction().z();
+    const Vector3d point = ray.pointAt(distance);
+    if (ray.direction().z() < 0 && distance > 0 && std::abs(point.x()) < inner_half_width_ &&
+        std::abs(point.y()) < inner_half_depth_) {
       sight.surface = table_surface;
       sight.distance = distance;
-      sight.normal = {0, 0, 1};
+      sight.normal = Vector3d::UnitZ();
     } else if (const auto hit = slab_.hit(ray)) {
       sight.surface = table_surface;
       sight.distance = hit->distance;
@@ -145,14 +146,14 @@ private:
     return 1 - options_.vignetting * 2 * (x * x + y * y);
   }
 
-  LinearColour shade(const Ray& ray, const Sight& sight, std::uint64_t random) const {
+  LinearColour shade(const EigenRay& ray, const Sight& sight, std::uint64_t random) const {
     if (sight.surface == room_surface)
       return shade_room(ray);
-    const Point3 point = ray.origin + sight.distance * ray.direction;
-    const Point3 to_lamp = lamp_ - point;
-    const double distance = norm(to_lamp);
-    const Point3 lamp_direction = (1 / distance) * to_lamp;
-    const double facing = dot(sight.normal, lamp_direction);
+    const Vector3d point = ray.pointAt(sight.distance);
+    const Vector3d to_lamp = lamp_ - point;
+    const double distance = to_lamp.norm();
+    const Vector3d lamp_direction = to_lamp / distance;
+    const double facing = sight.normal.dot(lamp_direction);
     double lamp_light = 0;
     if (facing > 0)
       lamp_light =
@@ -162,13 +163,12 @@ private:
     return shade_object(ray, sight, lamp_direction, lamp_light, facing, point);
   }
 
-  LinearColour shade_room(const Ray& ray) const {
-    if (ray.direction.z >= 0)
+  LinearColour shade_room(const EigenRay& ray) const {
+    if (ray.direction().z() >= 0)
       return wall_light;
-    const double distance = (floor_z - ray.origin.z) / ray.direction.z;
-    const Point3 point = ray.origin + distance * ray.direction;
-    const Point3 to_lamp = lamp_ - point;
-    const double facing = to_lamp.z / norm(to_lamp);
+    const double distance = (floor_z - ray.origin().z()) / ray.direction().z();
+    const Vector3d to_lamp = lamp_ - ray.pointAt(distance);
+    const double facing = to_lamp.z() / to_lamp.norm();
     const LinearColour floor =
       (options_.ambient_intensity + 0.5 * options_.lamp_intensity * facing) * floor_reflectance;
     // It fades into the wall some metres away.
@@ -176,55 +176,55 @@ private:
     return nearness * floor + (1 - nearness) * wall_light;
   }
 
-  LinearColour shade_table(const Ray& ray, const Sight& sight, const Point3& point,
+  LinearColour shade_table(const EigenRay& ray, const Sight& sight, const Vector3d& point,
                            double lamp_light) const {
-    const double slant = std::max(0.05, -dot(ray.direction, sight.normal));
+    const double slant = std::max(0.05, -ray.direction().dot(sight.normal));
     const double footprint = sight.distance * pixel_angle_ / std::sqrt(slant);
     double open = 1;
     for (const auto& object : bodies_)
       if (object.sky.holds(point))
         open -= covered_sky(point, object.body);
     return (options_.ambient_intensity * std::max(open, 0.15) + lamp_light) *
-           texture_.at(point.x, point.y, footprint);
+           texture_.at(point.x(), point.y(), footprint);
   }
 
-  LinearColour shade_object(const Ray& ray, const Sight& sight, const Point3& lamp_direction,
-                            double lamp_light, double facing, const Point3& point) const {
+  LinearColour shade_object(const EigenRay& ray, const Sight& sight, const Vector3d& lamp_direction,
+                            double lamp_light, double facing, const Vector3d& point) const {
     const auto& object = bodies_[static_cast<std::size_t>(sight.object)];
-    const double sky = 0.5 + 0.5 * sight.normal.z;
+    const double sky = 0.5 + 0.5 * sight.normal.z();
     // Light that the table throws back, the less the closer to the table, where the object itself
     // keeps the light off.
-    const double height = std::clamp(point.z / (2 * object.body.radius()), 0.0, 1.0);
+    const double height = std::clamp(point.z() / (2 * object.body.radius()), 0.0, 1.0);
     const double bounce = (1 - sky) * (0.35 + 0.65 * height) * 0.8;
     const LinearColour white{1, 1, 1};
     const LinearColour arriving =
       (options_.ambient_intensity * sky + lamp_light * std::max(facing, 0.0)) * white +
       (bounce * (options_.ambient_intensity + 0.5 * options_.lamp_intensity)) * texture_.average();
-    const Point3 halfway = normalized(lamp_direction - ray.direction);
+    const Vector3d halfway = (lamp_direction - ray.direction()).normalized();
     const double highlight = facing > 0
                                ? options_.gloss * lamp_light *
-                                   std::pow(std::max(0.0, dot(sight.normal, halfway)), shininess)
+                                   std::pow(std::max(0.0, sight.normal.dot(halfway)), shininess)
                                : 0.0;
     return arriving * object.reflectance + highlight * white;
   }
 
   /// How much of the light from all around a body keeps off a point of the table: that of the
   /// sphere with the same middle and height, by its solid angle and direction.
-  static double covered_sky(const Point3& point, const Body& body) {
-    const Point3 towards = body.centre() - point;
-    const double squared = dot(towards, towards);
+  static double covered_sky(const Vector3d& point, const Body& body) {
+    const Vector3d towards = body.centre() - point;
+    const double squared = towards.squaredNorm();
     const double radius = sky_radius(body);
     if (squared > sky_reach * sky_reach * radius * radius || !(squared > 0))
       return 0;
-    return 0.8 * towards.z / std::sqrt(squared) * std::min(1.0, radius * radius / squared);
+    return 0.8 * towards.z() / std::sqrt(squared) * std::min(1.0, radius * radius / squared);
   }
 
-  double lit_fraction(const Point3& point, const Sight& sight, std::uint64_t random) const {
+  double lit_fraction(const Vector3d& point, const Sight& sight, std::uint64_t random) const {
     constexpr double off_the_surface = 1e-5;
-    const Point3 origin = point + off_the_surface * sight.normal;
-    const Point3 to_lamp = lamp_ - origin;
-    const double distance = norm(to_lamp);
-    const Point3 direction = (1 / distance) * to_lamp;
+    const Vector3d origin = point + off_the_surface * sight.normal;
+    const Vector3d to_lamp = lamp_ - origin;
+    const double distance = to_lamp.norm();
+    const Vector3d direction = to_lamp / distance;
     // Only what comes near the straight line to the lamp can be in the way of any part of it.
     const SceneBody* near[16];
     std::size_t count = 0;
@@ -232,11 +232,11 @@ private:
       if (sight.surface == table_surface && !bodies_[i].shadow.holds(point))
         continue;
       const auto& body = bodies_[i].body;
-      const Point3 towards = body.centre() - origin;
-      const double along = dot(towards, direction);
+      const Vector3d towards = body.centre() - origin;
+      const double along = towards.dot(direction);
       const double reach =
         body.radius() + options_.lamp_radius * std::clamp(along / distance, 0.0, 1.0);
-      if (along > -body.radius() && dot(towards, towards) - along * along < reach * reach &&
+      if (along > -body.radius() && towards.squaredNorm() - along * along < reach * reach &&
           static_cast<int>(i) != sight.object)
         near[count++] = &bodies_[i];
     }
@@ -247,9 +247,9 @@ private:
     const double sine = std::sin(angle);
     int lit = 0;
     for (const auto& [x, y] : lamp_points_) {
-      const Point3 aim =
+      const Vector3d aim =
         to_lamp + (cosine * x - sine * y) * lamp_u_ + (sine * x + cosine * y) * lamp_v_;
-      const Ray ray{origin, normalized(aim)};
+      const EigenRay ray(origin, aim.normalized());
       lit += std::none_of(near, near + count,
                           [&](const SceneBody* other) { return other->body.blocks(ray); });
     }
@@ -263,11 +263,11 @@ private:
   double inner_half_width_;
   double inner_half_depth_;
   TableTexture texture_;
-  Point3 lamp_;
+  Vector3d lamp_;
   double lamp_distance_;
   double pixel_angle_;
-  Point3 lamp_u_;
-  Point3 lamp_v_;
+  Vector3d lamp_u_;
+  Vector3d lamp_v_;
   std::vector<Point2> lamp_points_;
   std::vector<SceneBody> bodies_;
 };
@@ -377,7 +377,7 @@ Image render_labels(const TabletopSnapshot& scene, const Camera& camera) {
       const Point2 pixel{static_cast<double>(x), static_cast<double>(y)};
       if (const auto ray = viewing_ray(camera, pixel))
         labels.bytes[i] =
-          static_cast<std::uint8_t>(std::min(stage.look(*ray, pixel).object + 1, 255));
+          static_cast<std::uint8_t>(std::min(stage.look(to_eigen(*ray), pixel).object + 1, 255));
     }
   return labels;
 }

@@ -4,29 +4,26 @@
 #include <cmath>
 #include <numbers>
 
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
-
 namespace castor::vision {
 
-using namespace vectors;
+using Eigen::Vector3d;
 
 namespace {
 
 /// Of the smallest extent.
 constexpr double bevel_fraction = 0.07;
 
-double bevel_of(const Point3& size) {
-  return bevel_fraction * std::max(std::min({size.x, size.y, size.z}), 0.01);
+double bevel_of(const Vector3d& size) {
+  return bevel_fraction * std::max(size.minCoeff(), 0.01);
 }
 
 } // namespace
 
 Body::Body(const TabletopObject& object)
-  : centre_(pose_of(object).position), half_height_(object.size.z / 2),
-    bevel_(bevel_of(object.size)) {
+  : centre_(to_eigen(pose_of(object).position)), half_height_(object.size.z / 2),
+    bevel_(bevel_of(to_eigen(object.size))) {
   const double turn = object.turned_degrees * std::numbers::pi / 180;
-  cosine_ = std::cos(turn);
-  sine_ = std::sin(turn);
+  rotation_ = Eigen::AngleAxisd(turn, Vector3d::UnitZ());
   switch (object.shape) {
     case TabletopShape::sphere:
       kind_ = Kind::sphere;
@@ -47,49 +44,47 @@ Body::Body(const TabletopObject& object)
   }
 }
 
-Body::Body(const Point3& centre, const Point3& size)
-  : centre_(centre), half_height_(size.z / 2), bevel_(bevel_of(size)) {
-  const double x = size.x / 2;
-  const double y = size.y / 2;
-  set_sides({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, size.z);
+Body::Body(const Vector3d& centre, const Vector3d& size)
+  : centre_(centre), half_height_(size.z() / 2), bevel_(bevel_of(size)) {
+  const double x = size.x() / 2;
+  const double y = size.y() / 2;
+  set_sides({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, size.z());
 }
 
 void Body::set_sides(const std::vector<Point2>& corners, double height) {
-  sides_ = {{{0, 0, 1}, height / 2}, {{0, 0, -1}, height / 2}};
+  const Vector3d top(0, 0, height / 2);
+  sides_ = {{Vector3d::UnitZ(), top}, {-Vector3d::UnitZ(), -top}};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point2& from = corners[i];
     const Point2& to = corners[(i + 1) % corners.size()];
-    const Point3 normal = normalized({to.y - from.y, from.x - to.x, 0});
-    sides_.push_back({normal, normal.x * from.x + normal.y * from.y});
+    const Vector3d normal = Vector3d(to.y - from.y, from.x - to.x, 0).normalized();
+    sides_.emplace_back(normal, Vector3d(from.x, from.y, 0));
     radius_ = std::max(radius_, std::hypot(from.x, from.y, height / 2));
   }
 }
 
-Ray Body::to_body(const Ray& ray) const {
-  const auto turned = [&](const Point3& v) {
-    return Point3{cosine_ * v.x + sine_ * v.y, cosine_ * v.y - sine_ * v.x, v.z};
-  };
-  return {turned(ray.origin - centre_), turned(ray.direction)};
+EigenRay Body::to_body(const EigenRay& ray) const {
+  return {rotation_.transpose() * (ray.origin() - centre_),
+          rotation_.transpose() * ray.direction()};
 }
 
-std::optional<BodyHit> Body::hit(const Ray& ray) const {
-  const Ray body_ray = to_body(ray);
+std::optional<BodyHit> Body::hit(const EigenRay& ray) const {
+  const EigenRay body_ray = to_body(ray);
   const auto found = entry(body_ray);
   if (!found)
     return std::nullopt;
-  const Point3 n = normal_at(body_ray.origin + found->distance * body_ray.direction, found->face);
-  return BodyHit{
-    found->distance, {cosine_ * n.x - sine_ * n.y, sine_ * n.x + cosine_ * n.y, n.z}, found->face};
+  const Vector3d normal = normal_at(body_ray.pointAt(found->distance), found->face);
+  return BodyHit{found->distance, rotation_ * normal, found->face};
 }
 
-bool Body::blocks(const Ray& ray, double limit) const {
+bool Body::blocks(const EigenRay& ray, double limit) const {
   const auto found = entry(to_body(ray));
   return found && found->distance < limit;
 }
 
-std::optional<Body::Entry> Body::entry(const Ray& ray) const {
-  const double along = dot(ray.origin, ray.direction);
-  if (dot(ray.origin, ray.origin) - along * along > radius_ * radius_)
+std::optional<Body::Entry> Body::entry(const EigenRay& ray) const {
+  const double along = ray.origin().dot(ray.direction());
+  if (ray.origin().squaredNorm() - along * along > radius_ * radius_)
     return std::nullopt;
   switch (kind_) {
     case Kind::sphere:
@@ -102,10 +97,10 @@ std::optional<Body::Entry> Body::entry(const Ray& ray) const {
   return sides_entry(ray);
 }
 
-std::optional<Body::Entry> Body::sphere_entry(const Ray& ray) const {
-  const double along = dot(ray.origin, ray.direction);
+std::optional<Body::Entry> Body::sphere_entry(const EigenRay& ray) const {
+  const double along = ray.origin().dot(ray.direction());
   const double discriminant =
-    along * along - dot(ray.origin, ray.origin) + inner_radius_ * inner_radius_;
+    along * along - ray.origin().squaredNorm() + inner_radius_ * inner_radius_;
   if (discriminant < 0)
     return std::nullopt;
   const double distance = -along - std::sqrt(discriminant);
@@ -114,22 +109,23 @@ std::optional<Body::Entry> Body::sphere_entry(const Ray& ray) const {
   return Entry{distance, 0};
 }
 
-std::optional<Body::Entry> Body::cylinder_entry(const Ray& ray) const {
-  const auto& [o, d] = ray;
+std::optional<Body::Entry> Body::cylinder_entry(const EigenRay& ray) const {
+  const Vector3d& o = ray.origin();
+  const Vector3d& d = ray.direction();
   double enter = -std::numeric_limits<double>::infinity();
   double leave = -enter;
   int face = 0;
-  if (d.z != 0) {
-    enter = (std::copysign(half_height_, -d.z) - o.z) / d.z;
-    leave = (std::copysign(half_height_, d.z) - o.z) / d.z;
-    face = d.z < 0 ? 0 : 1;
-  } else if (std::abs(o.z) > half_height_) {
+  if (d.z() != 0) {
+    enter = (std::copysign(half_height_, -d.z()) - o.z()) / d.z();
+    leave = (std::copysign(half_height_, d.z()) - o.z()) / d.z();
+    face = d.z() < 0 ? 0 : 1;
+  } else if (std::abs(o.z()) > half_height_) {
     return std::nullopt;
   }
-  const double a = d.x * d.x + d.y * d.y;
-  const double c = o.x * o.x + o.y * o.y - inner_radius_ * inner_radius_;
+  const double a = d.head<2>().squaredNorm();
+  const double c = o.head<2>().squaredNorm() - inner_radius_ * inner_radius_;
   if (a > 0) {
-    const double b = o.x * d.x + o.y * d.y;
+    const double b = o.head<2>().dot(d.head<2>());
     const double discriminant = b * b - a * c;
     if (discriminant < 0)
       return std::nullopt;
@@ -147,13 +143,13 @@ std::optional<Body::Entry> Body::cylinder_entry(const Ray& ray) const {
   return Entry{enter, face};
 }
 
-std::optional<Body::Entry> Body::sides_entry(const Ray& ray) const {
+std::optional<Body::Entry> Body::sides_entry(const EigenRay& ray) const {
   double enter = -std::numeric_limits<double>::infinity();
   double leave = -enter;
   int face = 0;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const double height = dot(sides_[i].normal, ray.origin) - sides_[i].offset;
-    const double slope = dot(sides_[i].normal, ray.direction);
+    const double height = sides_[i].signedDistance(ray.origin());
+    const double slope = sides_[i].normal().dot(ray.direction());
     if (slope == 0) {
       if (height > 0)
         return std::nullopt;
@@ -173,31 +169,31 @@ std::optional<Body::Entry> Body::sides_entry(const Ray& ray) const {
   return Entry{enter, face};
 }
 
-Point3 Body::normal_at(const Point3& point, int face) const {
+Vector3d Body::normal_at(const Vector3d& point, int face) const {
   // Towards a neighbour whose plane is `depth` below the point: half of each at the edge itself.
   const auto lean = [&](double depth) {
     const double t = std::clamp(1 - depth / bevel_, 0.0, 1.0);
     return t * t;
   };
   if (kind_ == Kind::sphere)
-    return normalized(point);
+    return point.normalized();
   if (kind_ == Kind::cylinder) {
-    const double distance = std::hypot(point.x, point.y);
-    const Point3 outwards =
-      distance > 0 ? Point3{point.x / distance, point.y / distance, 0} : Point3{};
+    const Vector3d from_axis(point.x(), point.y(), 0);
+    // Zero on the axis itself.
+    const Vector3d outwards = from_axis.normalized();
     if (face == 2) {
-      const double below = lean(half_height_ - point.z);
-      const double above = lean(half_height_ + point.z);
-      return normalized(outwards + Point3{0, 0, below - above});
+      const double below = lean(half_height_ - point.z());
+      const double above = lean(half_height_ + point.z());
+      return (outwards + (below - above) * Vector3d::UnitZ()).normalized();
     }
-    return normalized(Point3{0, 0, face == 0 ? 1.0 : -1.0} +
-                      lean(inner_radius_ - distance) * outwards);
+    const Vector3d upright(0, 0, face == 0 ? 1 : -1);
+    return (upright + lean(inner_radius_ - from_axis.norm()) * outwards).normalized();
   }
-  Point3 normal = sides_[static_cast<std::size_t>(face)].normal;
+  Vector3d normal = sides_[static_cast<std::size_t>(face)].normal();
   for (std::size_t i = 0; i < sides_.size(); ++i)
     if (static_cast<int>(i) != face)
-      normal = normal + lean(sides_[i].offset - dot(sides_[i].normal, point)) * sides_[i].normal;
-  return normalized(normal);
+      normal += lean(-sides_[i].signedDistance(point)) * sides_[i].normal();
+  return normal.normalized();
 }
 
 } // namespace castor::vision

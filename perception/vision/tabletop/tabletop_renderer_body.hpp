@@ -4,10 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/perception/vision/camera/eigen_ray.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
-/// Intersections of rays with the bodies on the table.
+/// Intersections of rays with the bodies on the table. Private to the renderer, since it includes
+/// Eigen.
 namespace castor::vision {
 
 /// Intersection of a ray with a body, where it enters.
@@ -16,7 +17,7 @@ struct BodyHit {
   double distance = 0;
   /// Outward normal of length 1; near an edge it is tilted towards the neighbouring face, as for a
   /// slightly rounded edge.
-  Point3 normal;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /// Index of the body's face.
   int face = 0;
 };
@@ -27,24 +28,20 @@ public:
   explicit Body(const TabletopObject& object);
 
   /// A box along the table's axes.
-  Body(const Point3& centre, const Point3& size);
+  Body(const Eigen::Vector3d& centre, const Eigen::Vector3d& size);
 
-  const Point3& centre() const { return centre_; }
+  const Eigen::Vector3d& centre() const { return centre_; }
 
   /// Radius of the bounding sphere about the centre.
   double radius() const { return radius_; }
 
-  std::optional<BodyHit> hit(const Ray& ray) const;
+  std::optional<BodyHit> hit(const EigenRay& ray) const;
 
   /// Whether the ray meets the body between its origin and `limit`; false if it starts within.
-  bool blocks(const Ray& ray, double limit = std::numeric_limits<double>::infinity()) const;
+  bool blocks(const EigenRay& ray, double limit = std::numeric_limits<double>::infinity()) const;
 
 private:
-  /// A half space; body coordinates.
-  struct Side {
-    Point3 normal;
-    double offset = 0;
-  };
+  using Plane = Eigen::Hyperplane<double, 3>;
 
   struct Entry {
     double distance = 0;
@@ -52,26 +49,27 @@ private:
   };
 
   void set_sides(const std::vector<Point2>& corners, double height);
-  Ray to_body(const Ray& ray) const;
-  std::optional<Entry> entry(const Ray& ray) const;
-  std::optional<Entry> sphere_entry(const Ray& ray) const;
-  std::optional<Entry> cylinder_entry(const Ray& ray) const;
-  std::optional<Entry> sides_entry(const Ray& ray) const;
-  Point3 normal_at(const Point3& point, int face) const;
+  EigenRay to_body(const EigenRay& ray) const;
+  std::optional<Entry> entry(const EigenRay& ray) const;
+  std::optional<Entry> sphere_entry(const EigenRay& ray) const;
+  std::optional<Entry> cylinder_entry(const EigenRay& ray) const;
+  std::optional<Entry> sides_entry(const EigenRay& ray) const;
+  Eigen::Vector3d normal_at(const Eigen::Vector3d& point, int face) const;
 
   enum class Kind { sphere, cylinder, sides };
 
   Kind kind_ = Kind::sides;
-  Point3 centre_;
-  double cosine_ = 1;
-  double sine_ = 0;
+  Eigen::Vector3d centre_;
+  /// From body coordinates, whose origin is the centre, to those of the table.
+  Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
   double radius_ = 0;
   double half_height_ = 0;
   /// Radius of a sphere or cylinder.
   double inner_radius_ = 0;
   /// Distance from an edge at which its rounding begins.
   double bevel_ = 0;
-  std::vector<Side> sides_;
+  /// Body coordinates; their normals point outwards.
+  std::vector<Plane> sides_;
 };
 
 } // namespace castor::vision

@@ -4,11 +4,25 @@
 #include <limits>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 
 namespace castor::vision {
 
-using namespace vectors;
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+namespace {
+
+AlignedBox3d box_around(const Vector3d& centre, const Vector3d& half_size) {
+  return {centre - half_size, centre + half_size};
+}
+
+/// One of the corners of a box, which are numbered from 0 to 7.
+Vector3d corner(const AlignedBox3d& box, int number) {
+  return box.corner(static_cast<AlignedBox3d::CornerType>(number));
+}
+
+} // namespace
 
 PixelWindow window_of(const Body& body, const Camera& camera) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -17,10 +31,9 @@ PixelWindow window_of(const Body& body, const Camera& camera) {
   if (camera.k1 != 0 || camera.k2 != 0 || camera.k3 != 0 || camera.t1 != 0 || camera.t2 != 0)
     return everything;
   PixelWindow window{infinity, infinity, -infinity, -infinity};
-  for (int corner = 0; corner < 8; ++corner) {
-    const Point3 direction{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0,
-                           corner & 4 ? 1.0 : -1.0};
-    const auto pixel = project(camera, body.centre() + body.radius() * direction);
+  const auto box = box_around(body.centre(), Vector3d::Constant(body.radius()));
+  for (int i = 0; i < 8; ++i) {
+    const auto pixel = project(camera, to_point(corner(box, i)));
     if (!pixel)
       return everything;
     window.left = std::min(window.left, pixel->x);
@@ -31,25 +44,22 @@ PixelWindow window_of(const Body& body, const Camera& camera) {
   return window;
 }
 
-TablePatch shadow_patch(const TabletopObject& object, const Point3& lamp, double lamp_radius) {
-  const auto box = bounding_box(object);
-  const auto corner = [](const Point3& middle, const Point3& half, int bits) {
-    return Point3{middle.x + (bits & 1 ? half.x : -half.x),
-                  middle.y + (bits & 2 ? half.y : -half.y),
-                  middle.z + (bits & 4 ? half.z : -half.z)};
-  };
+TablePatch shadow_patch(const TabletopObject& object, const Vector3d& lamp, double lamp_radius) {
+  const auto bounds = bounding_box(object);
+  const auto object_box = box_around(to_eigen(bounds.centroid), to_eigen(bounds.size) / 2);
+  const auto lamp_box = box_around(lamp, Vector3d::Constant(lamp_radius));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   TablePatch patch{infinity, -infinity, infinity, -infinity};
   // The shadow of a box, from any point of a box about the lamp, is spanned by the corners'
   // shadows.
   for (int i = 0; i < 64; ++i) {
-    const Point3 from = corner(lamp, {lamp_radius, lamp_radius, lamp_radius}, i % 8);
-    const Point3 over = corner(box.centroid, 0.5 * box.size, i / 8);
-    if (!(from.z > over.z))
+    const Vector3d from = corner(lamp_box, i % 8);
+    const Vector3d over = corner(object_box, i / 8);
+    if (!(from.z() > over.z()))
       return {-infinity, infinity, -infinity, infinity};
-    const Point3 shadow = over + over.z / (from.z - over.z) * (over - from);
-    patch = {std::min(patch.left, shadow.x), std::max(patch.right, shadow.x),
-             std::min(patch.near, shadow.y), std::max(patch.far, shadow.y)};
+    const Vector3d shadow = over + over.z() / (from.z() - over.z()) * (over - from);
+    patch = {std::min(patch.left, shadow.x()), std::max(patch.right, shadow.x()),
+             std::min(patch.near, shadow.y()), std::max(patch.far, shadow.y())};
   }
   return patch;
 }

@@ -26,14 +26,15 @@ struct TablePatch {
   double near = 0;
   double far = 0;
 
-  bool holds(const Point3& point) const {
-    return point.x >= left && point.x <= right && point.y >= near && point.y <= far;
+  bool holds(const Eigen::Vector3d& point) const {
+    return point.x() >= left && point.x() <= right && point.y() >= near && point.y() <= far;
   }
 };
 
 PixelWindow window_of(const Body& body, const Camera& camera);
 
 /// Part of the table on which the object may cast a shadow.
-TablePatch shadow_patch(const TabletopObject& object, const Point3& lamp, double lamp_radius);
+TablePatch shadow_patch(const TabletopObject& object, const Eigen::Vector3d& lamp,
+                        double lamp_radius);
 
 } // namespace castor::vision

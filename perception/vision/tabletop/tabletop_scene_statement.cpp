@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "castor/base/suggestion.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
 #include "castor/perception/vision/text_file.hpp"
 
@@ -240,7 +240,7 @@ CameraPlace read_camera_place(StatementWords& words) {
                            remedy_for(words.peek(), clauses, "possibilities"));
     }
   }
-  if (!(vectors::norm(vectors::operator-(place.target, place.eye)) > 0.01))
+  if (!((to_eigen(place.target) - to_eigen(place.eye)).norm() > 0.01))
     throw StatementError("the camera and the point that it looks at are the same",
                          "Let it look at the middle of the table: looking-at 0 0 0");
   return place;

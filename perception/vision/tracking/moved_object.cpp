@@ -1,11 +1,9 @@
 #include "castor/perception/vision/tracking/moved_object.hpp"
 
 #include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_bridge.hpp"
 
 namespace castor::vision {
-
-using namespace vectors;
 
 namespace {
 
@@ -18,6 +16,10 @@ void shift(Point2& point, const Point2& way) {
   point.y += way.y;
 }
 
+void shift(Point3& point, const Eigen::Vector3d& way) {
+  point = to_point(to_eigen(point) + way);
+}
+
 } // namespace
 
 void move_to(const ImageBox& box, const Camera& camera, ROI& roi, SceneObject& object) {
@@ -25,12 +27,12 @@ void move_to(const ImageBox& box, const Camera& camera, ROI& roi, SceneObject& o
   auto to = foot(box);
   if (auto before = back_project(camera, from))
     if (auto after = back_project(camera, to)) {
-      auto way = *after - *before;
-      object.box.centroid = object.box.centroid + way;
-      object.pose.position = object.pose.position + way;
+      const Eigen::Vector3d way = to_eigen(*after) - to_eigen(*before);
+      shift(object.box.centroid, way);
+      shift(object.pose.position, way);
       // Whoever reads the features takes the object to be there.
       if (roi.features.extent != ObjectBox{})
-        roi.features.extent.centroid = roi.features.extent.centroid + way;
+        shift(roi.features.extent.centroid, way);
     }
   Point2 way{to.x - from.x, to.y - from.y};
   shift(roi.box.center, way);

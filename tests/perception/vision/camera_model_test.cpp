@@ -11,12 +11,12 @@
 #include <rapidcheck.h>
 
 #include "castor/perception/vision/camera/camera_model_file.hpp"
-#include "castor/perception/vision/camera/camera_model_vectors.hpp"
+#include "castor/perception/vision/camera/eigen_ray.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
 namespace castor::vision {
 
-using namespace vectors;
+using Eigen::Vector3d;
 
 namespace {
 
@@ -40,7 +40,7 @@ double in_range(double low, double high) {
 }
 
 bool near(const Point3& a, const Point3& b, double tolerance) {
-  return norm(a - b) < tolerance;
+  return (to_eigen(a) - to_eigen(b)).norm() < tolerance;
 }
 
 TEST(LookAt, SeesTheTargetInTheMiddle) {
@@ -87,10 +87,11 @@ TEST(Project, SeesNothingWhereTheLensModelFolds) {
   Camera camera = sample_camera();
   camera.k1 = -0.5;
   // r (1 - 0.5 r^2) is largest at r = 0.816; far beyond that it would return into the image.
-  const Point3 forward = rotate(camera.pose.rotation, {0, 0, 1});
-  const Point3 right = rotate(camera.pose.rotation, {1, 0, 0});
-  EXPECT_TRUE(project(camera, camera.pose.position + forward + 0.8 * right));
-  EXPECT_FALSE(project(camera, camera.pose.position + forward + 1.4 * right));
+  const Vector3d eye = to_eigen(camera.pose.position);
+  const Vector3d forward = to_eigen(rotate(camera.pose.rotation, {0, 0, 1}));
+  const Vector3d right = to_eigen(rotate(camera.pose.rotation, {1, 0, 0}));
+  EXPECT_TRUE(project(camera, to_point(eye + forward + 0.8 * right)));
+  EXPECT_FALSE(project(camera, to_point(eye + forward + 1.4 * right)));
 }
 
 TEST(Project, DistortsByTheFormula) {
@@ -157,8 +158,8 @@ TEST(CameraProperties, DistortionIsUndoneAllOverTheImage) {
     const Point2 pixel{in_range(0, 639), in_range(0, 479)};
     const auto ray = viewing_ray(camera, pixel);
     RC_ASSERT(ray.has_value());
-    RC_ASSERT(std::abs(norm(ray->direction) - 1) < 1e-12);
-    const auto again = project(camera, ray->origin + 2.5 * ray->direction);
+    RC_ASSERT(std::abs(to_eigen(ray->direction).norm() - 1) < 1e-12);
+    const auto again = project(camera, to_point(to_eigen(*ray).pointAt(2.5)));
     RC_ASSERT(again.has_value());
     RC_ASSERT(std::hypot(again->x - pixel.x, again->y - pixel.y) < 1e-6);
   }));
@@ -166,11 +167,11 @@ TEST(CameraProperties, DistortionIsUndoneAllOverTheImage) {
 
 TEST(RotationProperties, KeepLengthsAndAreUndoneByTheInverse) {
   EXPECT_TRUE(rc::check([] {
-    const Point3 z = normalized({in_range(-1, 1), in_range(-1, 1), in_range(0.1, 1)});
-    const Point3 x = normalized(cross({0.3, 1, 0.2}, z));
-    const Rotation rotation = rotation_from_axes(x, cross(z, x), z);
-    RC_ASSERT(near(rotate(rotation, {1, 0, 0}), x, 1e-9));
-    RC_ASSERT(near(rotate(rotation, {0, 0, 1}), z, 1e-9));
+    const Vector3d z = Vector3d(in_range(-1, 1), in_range(-1, 1), in_range(0.1, 1)).normalized();
+    const Vector3d x = Vector3d(0.3, 1, 0.2).cross(z).normalized();
+    const Rotation rotation = rotation_from_axes(to_point(x), to_point(z.cross(x)), to_point(z));
+    RC_ASSERT(near(rotate(rotation, {1, 0, 0}), to_point(x), 1e-9));
+    RC_ASSERT(near(rotate(rotation, {0, 0, 1}), to_point(z), 1e-9));
     const Point3 v{in_range(-1, 1), in_range(-1, 1), in_range(-1, 1)};
     RC_ASSERT(near(rotate(inverse(rotation), rotate(rotation, v)), v, 1e-12));
     const Rotation turn = rotation_about_z(in_range(-3, 3));
@@ -187,7 +188,7 @@ TEST(Rotation, ComesFromAxesAtHalfTurnsAsWell) {
   const Point3 x{1, 0, 0};
   const Point3 y{0, 1, 0};
   const Point3 z{0, 0, 1};
-  const auto opposite = [](const Point3& v) { return -1.0 * v; };
+  const auto opposite = [](const Point3& v) { return to_point(-to_eigen(v)); };
   for (const auto& [a, b, c] :
        {std::tuple{x, opposite(y), opposite(z)}, std::tuple{opposite(x), y, opposite(z)},
         std::tuple{opposite(x), opposite(y), z}}) {

@@ -176,11 +176,11 @@ TEST(Body, IsHitWhereItIs) {
     const auto hit = body.hit({{0, 0, 1}, {0, 0, -1}});
     ASSERT_TRUE(hit) << to_string(shape);
     EXPECT_NEAR(hit->distance, 0.9, 1e-12);
-    EXPECT_NEAR(hit->normal.z, 1, 1e-12);
+    EXPECT_NEAR(hit->normal.z(), 1, 1e-12);
     const auto side = body.hit({{-1, 0, 0.05}, {1, 0, 0}});
     ASSERT_TRUE(side) << to_string(shape);
     EXPECT_NEAR(side->distance, 0.95, 1e-12);
-    EXPECT_NEAR(side->normal.x, -1, 1e-12);
+    EXPECT_NEAR(side->normal.x(), -1, 1e-12);
     EXPECT_FALSE(body.hit({{0, 0, 1}, {0, 0, 1}})) << "the body is behind";
     EXPECT_FALSE(body.hit({{0.06, 0, 1}, {0, 0, -1}})) << "the ray passes by";
     EXPECT_TRUE(body.blocks({{0, 0, 1}, {0, 0, -1}}, 0.95));
