@@ -9,7 +9,7 @@ namespace castor::vision {
 
 namespace {
 
-Image plain(std::uint8_t grey, std::uint32_t width = 20, std::uint32_t height = 10) {
+Image grey_frame(std::uint8_t grey, std::uint32_t width = 20, std::uint32_t height = 10) {
   return {width, height, 3, std::vector<std::uint8_t>(width * height * 3, grey)};
 }
 
@@ -27,7 +27,7 @@ TEST(SceneWatch, TheFirstFrameIsAChangeThatComesToRest) {
   SceneWatch watch;
   std::string told;
   for (int i = 0; i < 6; ++i)
-    told += reaction(watch, plain(100));
+    told += reaction(watch, grey_frame(100));
   EXPECT_EQ(told, "cccC..");
 }
 
@@ -37,10 +37,10 @@ TEST(SceneWatch, TheFirstFrameNeedNotCount) {
   SceneWatch watch{options};
   std::string told;
   for (int i = 0; i < 3; ++i)
-    told += reaction(watch, plain(100));
-  told += reaction(watch, plain(160));
+    told += reaction(watch, grey_frame(100));
+  told += reaction(watch, grey_frame(160));
   for (int i = 0; i < 4; ++i)
-    told += reaction(watch, plain(160));
+    told += reaction(watch, grey_frame(160));
   EXPECT_EQ(told, "...cccC.");
 }
 
@@ -48,21 +48,21 @@ TEST(SceneWatch, RestIsCountedFromTheLastChange) {
   SceneWatch watch;
   std::string told;
   for (int grey : {0, 100, 100, 0, 0, 0, 0, 0})
-    told += reaction(watch, plain(static_cast<std::uint8_t>(grey)));
+    told += reaction(watch, grey_frame(static_cast<std::uint8_t>(grey)));
   EXPECT_EQ(told, "ccccccC.");
 }
 
 TEST(SceneWatch, NoiseIsNoChange) {
   SceneWatch watch;
   for (int i = 0; i < 4; ++i)
-    watch.observe(plain(100));
-  EXPECT_EQ(reaction(watch, plain(119)), ".");
-  EXPECT_EQ(reaction(watch, plain(140)), "c");
+    watch.observe(grey_frame(100));
+  EXPECT_EQ(reaction(watch, grey_frame(119)), ".");
+  EXPECT_EQ(reaction(watch, grey_frame(140)), "c");
 }
 
 TEST(SceneWatch, AFewPixelsAreNoChange) {
   SceneWatch watch;
-  auto frame = plain(100, 100, 100);
+  auto frame = grey_frame(100, 100, 100);
   for (int i = 0; i < 4; ++i)
     watch.observe(frame);
   // 0.3 % of 10,000 pixels are 30.
@@ -77,8 +77,8 @@ TEST(SceneWatch, AFewPixelsAreNoChange) {
 TEST(SceneWatch, AnotherSizeIsAChange) {
   SceneWatch watch;
   for (int i = 0; i < 4; ++i)
-    watch.observe(plain(100));
-  EXPECT_EQ(reaction(watch, plain(100, 10, 10)), "c");
+    watch.observe(grey_frame(100));
+  EXPECT_EQ(reaction(watch, grey_frame(100, 10, 10)), "c");
 }
 
 } // namespace

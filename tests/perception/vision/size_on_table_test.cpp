@@ -10,7 +10,7 @@
 namespace castor::vision {
 namespace {
 
-const Camera camera = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 640, 480);
+const Camera table_camera = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 640, 480);
 
 /// Where the corners of an upright cylinder are seen.
 std::vector<Point2> cylinder_seen(double x, double y, double radius, double height) {
@@ -19,7 +19,7 @@ std::vector<Point2> cylinder_seen(double x, double y, double radius, double heig
     const double angle = 2 * std::numbers::pi * i / 48;
     for (const double z : {0.0, height}) {
       const auto pixel =
-        project(camera, {x + radius * std::cos(angle), y + radius * std::sin(angle), z});
+        project(table_camera, {x + radius * std::cos(angle), y + radius * std::sin(angle), z});
       if (pixel)
         pixels.push_back(*pixel);
     }
@@ -28,7 +28,7 @@ std::vector<Point2> cylinder_seen(double x, double y, double radius, double heig
 }
 
 TEST(SizeOnTable, measures_a_flat_piece) {
-  const auto box = extent_on_table(camera, cylinder_seen(0.1, 0.05, 0.06, 0), true);
+  const auto box = extent_on_table(table_camera, cylinder_seen(0.1, 0.05, 0.06, 0), true);
   ASSERT_TRUE(box);
   EXPECT_NEAR(box->centroid.x, 0.1, 0.002);
   EXPECT_NEAR(box->centroid.y, 0.05, 0.002);
@@ -40,7 +40,7 @@ TEST(SizeOnTable, measures_a_flat_piece) {
 TEST(SizeOnTable, measures_a_solid_wherever_it_stands) {
   for (const double x : {-0.2, 0.0, 0.15}) {
     for (const double y : {-0.15, 0.0, 0.2}) {
-      const auto box = extent_on_table(camera, cylinder_seen(x, y, 0.04, 0.09), false);
+      const auto box = extent_on_table(table_camera, cylinder_seen(x, y, 0.04, 0.09), false);
       ASSERT_TRUE(box);
       EXPECT_NEAR(box->centroid.x, x, 0.015);
       EXPECT_NEAR(box->centroid.y, y, 0.015);
@@ -56,7 +56,7 @@ TEST(SizeOnTable, has_no_extent_above_the_horizon) {
   const std::vector<Point2> sky{{300, 20}, {340, 20}, {320, 60}};
   EXPECT_FALSE(extent_on_table(level, sky, false));
   EXPECT_FALSE(extent_on_table(level, sky, true));
-  EXPECT_FALSE(extent_on_table(camera, {}, true));
+  EXPECT_FALSE(extent_on_table(table_camera, {}, true));
 }
 
 TEST(SizeOnTable, judges_by_the_longest_side) {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace castor::test {
+namespace castor::test::backlog_properties {
 
 namespace {
 
@@ -417,4 +417,4 @@ RC_GTEST_PROP(EventBacklogProperties, NeverGrowsBeyondItsBoundAndTheEntriesThere
   }
 }
 
-} // namespace castor::test
+} // namespace castor::test::backlog_properties

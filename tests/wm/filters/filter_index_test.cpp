@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-ChangeEvent event() {
+ChangeEvent addition() {
   ChangeEvent result;
   result.operation = Operation::add;
   result.address = {"vision", "0:3"};
@@ -25,7 +25,7 @@ ChangeEvent event() {
   return result;
 }
 
-std::vector<FilterIndex::Key> found(FilterIndex& index, const ChangeEvent& x = event(),
+std::vector<FilterIndex::Key> found(FilterIndex& index, const ChangeEvent& x = addition(),
                                     const Value& content = Value::of(signed_box())) {
   std::vector<FilterIndex::Key> result;
   index.match(x, content, result);
@@ -33,11 +33,11 @@ std::vector<FilterIndex::Key> found(FilterIndex& index, const ChangeEvent& x = e
 }
 
 std::vector<FilterIndex::Key> found(FilterIndex& index, const SignedBox& content) {
-  return found(index, event(), Value::of(content));
+  return found(index, addition(), Value::of(content));
 }
 
 ChangeEvent overwriting(std::initializer_list<std::string_view> fields) {
-  auto result = event();
+  auto result = addition();
   result.operation = Operation::overwrite;
   for (auto name : fields)
     result.changed |= field_bit(*result.type, name);
@@ -78,19 +78,19 @@ TEST(FilterIndex, FindsFiltersOfEveryShape) {
     for (auto key : keys)
       EXPECT_EQ(key & bit, 0u);
   };
-  auto x = event();
+  auto x = addition();
   x.operation = Operation::remove;
   expect_only_without(1, x);
-  x = event();
+  x = addition();
   x.address.id = "0:4";
   expect_only_without(2, x);
-  x = event();
+  x = addition();
   x.source = "segmentor";
   expect_only_without(4, x);
-  x = event();
+  x = addition();
   x.address.subarchitecture = "spatial";
   expect_only_without(8, x);
-  x = event();
+  x = addition();
   x.type = descriptor_of<Box>();
   expect_only_without(16, x);
 }
@@ -125,7 +125,7 @@ TEST(FilterIndex, AppendsToWhatWasFoundBefore) {
   FilterIndex index;
   index.insert(7, any_change().anywhere());
   std::vector<FilterIndex::Key> keys{1};
-  index.match(event(), Value{}, keys);
+  index.match(addition(), Value{}, keys);
   EXPECT_THAT(keys, ElementsAre(1, 7));
 }
 
@@ -255,7 +255,7 @@ TEST(FilterIndex, FindsFiltersByChangedFieldsOnceEach) {
   EXPECT_THAT(found(index, overwriting({"label", "pose"})), UnorderedElementsAre(1, 2, 4, 6));
   EXPECT_THAT(found(index, overwriting({"side"})), UnorderedElementsAre(3));
   EXPECT_THAT(found(index, overwriting({})), IsEmpty());
-  EXPECT_THAT(found(index, event()), IsEmpty());
+  EXPECT_THAT(found(index, addition()), IsEmpty());
 }
 
 TEST(FilterIndex, SaysWhenChangedFieldsMatter) {
@@ -268,7 +268,7 @@ TEST(FilterIndex, SaysWhenChangedFieldsMatter) {
   auto filter = changed(&Box::label).in("vision").where(&Box::label, "tea");
   index.insert(4, filter);
   EXPECT_TRUE(index.wants_changed_fields(overwriting({})));
-  EXPECT_FALSE(index.wants_changed_fields(event()));
+  EXPECT_FALSE(index.wants_changed_fields(addition()));
   index.erase(4, filter);
   EXPECT_FALSE(index.wants_changed_fields(overwriting({})));
 }
@@ -278,7 +278,7 @@ TEST(FilterIndex, LooksAtNoContentThatIsNotThere) {
   index.insert(1, any_change().anywhere().where("label == \"tea\""));
   index.insert(2, any_change().anywhere().where("label != \"coffee\""));
   index.insert(3, any_change().anywhere());
-  EXPECT_THAT(found(index, event(), Value{}), ElementsAre(3));
+  EXPECT_THAT(found(index, addition(), Value{}), ElementsAre(3));
 }
 
 TEST(FilterIndex, FindsNothingInBytesThatAreNoValue) {
@@ -289,9 +289,9 @@ TEST(FilterIndex, FindsNothingInBytesThatAreNoValue) {
   index.insert(4, any_change().anywhere());
   auto bytes = Value::of(signed_box()).bytes();
   auto type = descriptor_of<SignedBox>();
-  EXPECT_THAT(found(index, event(), Value::from_bytes(type, bytes)),
+  EXPECT_THAT(found(index, addition(), Value::from_bytes(type, bytes)),
               UnorderedElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(found(index, event(), Value::from_bytes(type, {1, 2, 3})), ElementsAre(4));
+  EXPECT_THAT(found(index, addition(), Value::from_bytes(type, {1, 2, 3})), ElementsAre(4));
 }
 
 } // namespace castor::test

@@ -3,26 +3,13 @@
 #include "castor/wm/values/value.hpp"
 
 #include "castor/tests/wm/filters/random_predicates.hpp"
+#include "castor/tests/wm/values/opaque_value.hpp"
+#include "castor/tests/wm/values/seeded_random.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 namespace castor::test {
-
-namespace {
-
-constexpr int rounds = 50;
-
-Random seeded() {
-  return Random{*rc::gen::arbitrary<std::uint64_t>()};
-}
-
-/// The value as a process has it that lacks its C++ type.
-Value opaque(const Value& x) {
-  return decode_self_described(encode_self_described(x));
-}
-
-} // namespace
 
 RC_GTEST_PROP(PredicateProperties, MeanWhatTheySay, ()) {
   auto random = seeded();

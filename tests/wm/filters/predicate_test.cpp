@@ -24,13 +24,14 @@ bool is_true(std::string_view text, const Thing& x = {}) {
   return result;
 }
 
-std::string complaint(std::string_view text, const TypeDescriptor& type = *descriptor_of<Thing>()) {
+std::string type_complaint(std::string_view text,
+                           const TypeDescriptor& type = *descriptor_of<Thing>()) {
   try {
     Predicate::parse(text).check(type);
   } catch (const FieldError& e) {
     return e.what();
   }
-  return "no complaint";
+  return "no type_complaint";
 }
 
 } // namespace
@@ -38,7 +39,7 @@ std::string complaint(std::string_view text, const TypeDescriptor& type = *descr
 TEST(Predicate, IsTrueOfEverythingWhenEmpty) {
   EXPECT_TRUE(Predicate{}.empty());
   EXPECT_TRUE(Predicate{}.matches(Value::of(Thing{})));
-  EXPECT_EQ(complaint(""), "no complaint");
+  EXPECT_EQ(type_complaint(""), "no type_complaint");
   EXPECT_EQ(Predicate{}.text(), "");
 }
 
@@ -148,27 +149,31 @@ TEST(Predicate, IsFalseOfATypeThatLacksTheFields) {
 }
 
 TEST(Predicate, SaysWhatItCannotBeAskedOf) {
-  EXPECT_EQ(complaint("place.w == 1"), "Point has no field w; it has x, y, z");
-  EXPECT_THAT(complaint("nothing == 1"), HasSubstr("Thing has no field nothing; it has name, "));
-  EXPECT_THAT(complaint("number.x == 1"), HasSubstr("number of Thing has no fields of its own"));
-  EXPECT_EQ(complaint("name == 1"),
+  EXPECT_EQ(type_complaint("place.w == 1"), "Point has no field w; it has x, y, z");
+  EXPECT_THAT(type_complaint("nothing == 1"),
+              HasSubstr("Thing has no field nothing; it has name, "));
+  EXPECT_THAT(type_complaint("number.x == 1"),
+              HasSubstr("number of Thing has no fields of its own"));
+  EXPECT_EQ(type_complaint("name == 1"),
             "name of Thing is a text and cannot be compared with a literal, a number");
-  EXPECT_EQ(complaint("number == \"x\""),
+  EXPECT_EQ(type_complaint("number == \"x\""),
             "number of Thing is a number and cannot be compared with \"x\", a text");
-  EXPECT_THAT(complaint("flag > number"), HasSubstr("is a truth value and cannot be compared with "
-                                                    "number of Thing, a number"));
-  EXPECT_THAT(complaint("name"), HasSubstr("is a text and cannot be compared with true or false"));
-  EXPECT_THAT(complaint("place == 1"), HasSubstr("place of Thing is a record"));
-  EXPECT_THAT(complaint("spot == 1"), HasSubstr("spot of Thing is a list"));
-  EXPECT_EQ(complaint("side == \"rigth\""),
+  EXPECT_THAT(type_complaint("flag > number"),
+              HasSubstr("is a truth value and cannot be compared with "
+                        "number of Thing, a number"));
+  EXPECT_THAT(type_complaint("name"),
+              HasSubstr("is a text and cannot be compared with true or false"));
+  EXPECT_THAT(type_complaint("place == 1"), HasSubstr("place of Thing is a record"));
+  EXPECT_THAT(type_complaint("spot == 1"), HasSubstr("spot of Thing is a list"));
+  EXPECT_EQ(type_complaint("side == \"rigth\""),
             "Side has no enumerator \"rigth\"; it has left, right, both");
-  EXPECT_THAT(complaint("side < \"right\""), HasSubstr("an enumeration, which has no order"));
-  EXPECT_THAT(complaint("distance(name, [1, 2]) < 1"), HasSubstr("name of Thing is no point"));
-  EXPECT_THAT(complaint("distance(place, [1, 2]) < 1"),
+  EXPECT_THAT(type_complaint("side < \"right\""), HasSubstr("an enumeration, which has no order"));
+  EXPECT_THAT(type_complaint("distance(name, [1, 2]) < 1"), HasSubstr("name of Thing is no point"));
+  EXPECT_THAT(type_complaint("distance(place, [1, 2]) < 1"),
               HasSubstr("between a point of 3 coordinates and one of 2"));
-  EXPECT_THAT(complaint("distance(spot, [1, 2]) < name"), HasSubstr("cannot be compared"));
-  EXPECT_THAT(complaint("has(nothing)"), HasSubstr("Thing has no field nothing"));
-  EXPECT_THAT(complaint("flag || nothing"), HasSubstr("Thing has no field nothing"));
+  EXPECT_THAT(type_complaint("distance(spot, [1, 2]) < name"), HasSubstr("cannot be compared"));
+  EXPECT_THAT(type_complaint("has(nothing)"), HasSubstr("Thing has no field nothing"));
+  EXPECT_THAT(type_complaint("flag || nothing"), HasSubstr("Thing has no field nothing"));
 }
 
 TEST(Predicate, RefusesToCompareWithNaN) {

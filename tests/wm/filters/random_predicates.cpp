@@ -74,7 +74,7 @@ struct NumberField {
   long double (*get)(const Thing&);
 };
 
-const std::vector<NumberField> numbers{
+const std::vector<NumberField> number_fields{
   {"number", [](const Thing& x) -> long double { return x.number; }},
   {"narrow", [](const Thing& x) -> long double { return x.narrow; }},
   {"whole", [](const Thing& x) -> long double { return x.whole; }},
@@ -85,7 +85,7 @@ const std::vector<NumberField> numbers{
 };
 
 RandomPredicate number_condition(Random& random) {
-  auto field = pick(random, numbers);
+  auto field = pick(random, number_fields);
   auto literal = random_literal(random);
   auto op = pick(random, operators);
   if (random() % 4 == 0)
@@ -96,14 +96,14 @@ RandomPredicate number_condition(Random& random) {
 }
 
 RandomPredicate number_comparison(Random& random) {
-  auto a = pick(random, numbers);
-  auto b = pick(random, numbers);
+  auto a = pick(random, number_fields);
+  auto b = pick(random, number_fields);
   auto op = pick(random, operators);
   return {a.path + op + b.path, [=](const Thing& x) { return apply(op, a.get(x), b.get(x)); }};
 }
 
 RandomPredicate range(Random& random) {
-  auto field = pick(random, numbers);
+  auto field = pick(random, number_fields);
   auto low = random_literal(random);
   auto high = random_literal(random);
   return {field.path + " > " + low.text + " && " + field.path + " <= " + high.text,

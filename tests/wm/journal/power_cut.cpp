@@ -73,15 +73,15 @@ sqlite3_file* real(sqlite3_file* x) {
   return shim(x)->real();
 }
 
-int close(sqlite3_file* x) {
+int close_file(sqlite3_file* x) {
   return real(x)->pMethods->xClose(real(x));
 }
 
-int read(sqlite3_file* x, void* to, int size, sqlite3_int64 at) {
+int read_file(sqlite3_file* x, void* to, int size, sqlite3_int64 at) {
   return real(x)->pMethods->xRead(real(x), to, size, at);
 }
 
-int write(sqlite3_file* x, const void* data, int size, sqlite3_int64 at) {
+int write_file(sqlite3_file* x, const void* data, int size, sqlite3_int64 at) {
   if (auto* shadow = shim(x)->shadow) {
     if (auto failure = shim(x)->disk->begin(SQLITE_IOERR_WRITE))
       return *failure;
@@ -91,13 +91,13 @@ int write(sqlite3_file* x, const void* data, int size, sqlite3_int64 at) {
   return real(x)->pMethods->xWrite(real(x), data, size, at);
 }
 
-int truncate(sqlite3_file* x, sqlite3_int64 size) {
+int truncate_file(sqlite3_file* x, sqlite3_int64 size) {
   if (auto* shadow = shim(x)->shadow)
     shadow->unsynced.push_back(Truncation{static_cast<std::size_t>(size)});
   return real(x)->pMethods->xTruncate(real(x), size);
 }
 
-int sync(sqlite3_file* x, int) {
+int sync_file(sqlite3_file* x, int) {
   auto* shadow = shim(x)->shadow;
   if (!shadow)
     return SQLITE_OK;
@@ -114,11 +114,11 @@ int sync(sqlite3_file* x, int) {
 
 const sqlite3_io_methods methods = {
   2,
-  close,
-  read,
-  write,
-  truncate,
-  sync,
+  close_file,
+  read_file,
+  write_file,
+  truncate_file,
+  sync_file,
   [](sqlite3_file* x, sqlite3_int64* size) { return real(x)->pMethods->xFileSize(real(x), size); },
   [](sqlite3_file* x, int level) { return real(x)->pMethods->xLock(real(x), level); },
   [](sqlite3_file* x, int level) { return real(x)->pMethods->xUnlock(real(x), level); },
@@ -142,12 +142,12 @@ const sqlite3_io_methods methods = {
   nullptr,
 };
 
-Content content_of(const std::string& path) {
+Content content_on_disk(const std::string& path) {
   std::ifstream in{path, std::ios::binary};
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-int open(sqlite3_vfs* vfs, const char* path, sqlite3_file* file, int flags, int* result) {
+int open_file(sqlite3_vfs* vfs, const char* path, sqlite3_file* file, int flags, int* result) {
   auto* disk = static_cast<Disk*>(vfs->pAppData);
   auto* x = shim(file);
   x->disk = disk;
@@ -157,13 +157,13 @@ int open(sqlite3_vfs* vfs, const char* path, sqlite3_file* file, int flags, int*
   if (code == SQLITE_OK && path) {
     auto [i, is_new] = disk->files.try_emplace(path);
     if (is_new)
-      i->second.synced = content_of(path);
+      i->second.synced = content_on_disk(path);
     x->shadow = &i->second;
   }
   return code;
 }
 
-int remove(sqlite3_vfs* vfs, const char* path, int sync_directory) {
+int remove_file(sqlite3_vfs* vfs, const char* path, int sync_directory) {
   auto* disk = static_cast<Disk*>(vfs->pAppData);
   disk->files.erase(path);
   return disk->real->xDelete(disk->real, path, sync_directory);
@@ -185,8 +185,8 @@ PowerCut::PowerCut() : parts_(std::make_unique<Parts>()) {
   vfs.szOsFile = static_cast<int>(sizeof(Shim)) + disk.real->szOsFile;
   vfs.zName = name;
   vfs.pAppData = &disk;
-  vfs.xOpen = open;
-  vfs.xDelete = remove;
+  vfs.xOpen = open_file;
+  vfs.xDelete = remove_file;
   sqlite3_vfs_register(&vfs, 0);
 }
 

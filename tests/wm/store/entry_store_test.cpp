@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-namespace other {
+namespace other_boxes {
 
 /// The name of another type, with other fields.
 struct Box {
@@ -24,7 +24,7 @@ struct Box {
 };
 CASTOR_REFLECT(Box, size)
 
-} // namespace other
+} // namespace other_boxes
 
 class EntryStoreRules : public testing::Test {
 protected:
@@ -241,15 +241,15 @@ TEST_F(EntryStoreRules, TakesAnotherTypeWhenAnIdIsUsedAgain) {
 
 TEST_F(EntryStoreRules, RefusesAnotherLayoutOfAKnownType) {
   add("0:1", Value::of(Box{}));
-  for (auto& x : {request(Operation::add, "0:2", Value::of(other::Box{})),
-                  request(Operation::overwrite, "0:1", Value::of(other::Box{}), 0)}) {
+  for (auto& x : {request(Operation::add, "0:2", Value::of(other_boxes::Box{})),
+                  request(Operation::overwrite, "0:1", Value::of(other_boxes::Box{}), 0)}) {
     auto failure = refused(x);
     EXPECT_EQ(failure.kind, FailureKind::wrong_type);
     EXPECT_EQ(failure.address, x.address);
     EXPECT_THAT(failure.message,
                 AllOf(HasSubstr("segmentor of vision"), HasSubstr(to_string(x.address)),
                       HasSubstr(to_string(*descriptor_of<Box>())),
-                      HasSubstr(to_string(*descriptor_of<other::Box>())),
+                      HasSubstr(to_string(*descriptor_of<other_boxes::Box>())),
                       HasSubstr("one declaration")));
   }
 }
@@ -257,7 +257,7 @@ TEST_F(EntryStoreRules, RefusesAnotherLayoutOfAKnownType) {
 TEST_F(EntryStoreRules, RemembersTheLayoutOfATypeWhenItsLastEntryIsGone) {
   add("0:1", Value::of(Box{}));
   remove("0:1");
-  EXPECT_EQ(refused(request(Operation::add, "0:2", Value::of(other::Box{}))).kind,
+  EXPECT_EQ(refused(request(Operation::add, "0:2", Value::of(other_boxes::Box{}))).kind,
             FailureKind::wrong_type);
 }
 

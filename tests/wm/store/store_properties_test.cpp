@@ -17,7 +17,7 @@ namespace {
 
 using rc::gen::element;
 
-namespace other {
+namespace other_crates {
 
 /// The name of another type, with other fields.
 struct Crate {
@@ -25,7 +25,7 @@ struct Crate {
 };
 CASTOR_REFLECT(Crate, weight)
 
-} // namespace other
+} // namespace other_crates
 
 /// Long sequences of whatever `step` gives.
 template <class Step>
@@ -147,7 +147,7 @@ Value value_of_type(int type) {
     case 3:
       return Value::of(Crate{});
     default:
-      return Value::of(other::Crate{});
+      return Value::of(other_crates::Crate{});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "castor/tests/wm/values/allocation_watch.hpp"
 #include "castor/tests/wm/values/any_object.hpp"
 #include "castor/tests/wm/values/random_values.hpp"
+#include "castor/tests/wm/values/seeded_random.hpp"
 #include "castor/tests/wm/values/test_types.hpp"
 
 #include <gtest/gtest.h>
@@ -19,18 +20,11 @@ namespace castor::test {
 
 namespace {
 
-/// How many damaged copies are tried in one run of a property.
-constexpr int rounds = 50;
-
 /// Whatever a decoder does with bytes, it may ask for so much memory in total: every byte may
 /// become an element of the largest type there is here, plus what messages and small containers
 /// take.
 std::size_t memory_limit(const Bytes& bytes) {
   return 1000 * bytes.size() + 100'000;
-}
-
-Random seeded() {
-  return Random{*rc::gen::arbitrary<std::uint64_t>()};
 }
 
 /// The bytes of some rich object, some of them damaged.

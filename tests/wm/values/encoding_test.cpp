@@ -1,6 +1,7 @@
 #include "castor/wm/values/encoding.hpp"
 
 #include "castor/tests/wm/values/allocation_watch.hpp"
+#include "castor/tests/wm/values/one_kind_types.hpp"
 #include "castor/tests/wm/values/test_types.hpp"
 
 #include <gmock/gmock.h>
@@ -18,20 +19,10 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-struct Text {
-  std::string s;
-};
-CASTOR_REFLECT(Text, s)
-
 struct Texts {
   std::vector<std::string> s;
 };
 CASTOR_REFLECT(Texts, s)
-
-struct Integers {
-  std::vector<std::uint32_t> n;
-};
-CASTOR_REFLECT(Integers, n)
 
 struct Triple {
   std::array<std::int16_t, 3> n{};
@@ -43,16 +34,11 @@ struct Maybe {
 };
 CASTOR_REFLECT(Maybe, n)
 
-struct Blob {
-  Bytes data;
-};
-CASTOR_REFLECT(Blob, data)
-
-struct Chosen {
+struct SideAndTrend {
   Side side = Side::left;
   Trend trend = Trend::flat;
 };
-CASTOR_REFLECT(Chosen, side, trend)
+CASTOR_REFLECT(SideAndTrend, side, trend)
 
 struct Inside {
   std::uint8_t before = 1;
@@ -186,7 +172,7 @@ TEST(Encoding, PutsAByteBeforeAnOptional) {
 }
 
 TEST(Encoding, PutsAnEnumerationInTheWidthOfItsUnderlyingType) {
-  EXPECT_EQ(encode(Chosen{Side::both, Trend::falling}), bytes_of({255, 0xfb, 0xff}));
+  EXPECT_EQ(encode(SideAndTrend{Side::both, Trend::falling}), bytes_of({255, 0xfb, 0xff}));
 }
 
 TEST(Encoding, PutsTheLengthBeforeARecordInsideARecord) {
@@ -234,7 +220,7 @@ TEST(Encoding, KeepsEveryBitOfAFloat) {
 }
 
 TEST(Encoding, KeepsAnEnumeratorThatHasNoName) {
-  EXPECT_EQ(decode<Chosen>(bytes_of({99, 0, 0})).side, static_cast<Side>(99));
+  EXPECT_EQ(decode<SideAndTrend>(bytes_of({99, 0, 0})).side, static_cast<Side>(99));
 }
 
 TEST(Encoding, OverwritesWhatADecodedObjectHeld) {

@@ -1,5 +1,6 @@
 #include "castor/wm/values/field_access.hpp"
 
+#include "castor/tests/wm/values/one_kind_types.hpp"
 #include "castor/tests/wm/values/test_types.hpp"
 #include "castor/wm/values/encoding.hpp"
 
@@ -18,24 +19,17 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-struct Chosen {
-  Side side = Side::left;
-  Trend trend = Trend::flat;
-  Huge huge = Huge::one;
-};
-CASTOR_REFLECT(Chosen, side, trend, huge)
-
-struct Maybes {
+struct Optionals {
   std::optional<Pose> pose;
   std::optional<std::string> text;
   std::optional<std::optional<int>> twice;
   std::optional<std::vector<int>> list;
   int last = 0;
 };
-CASTOR_REFLECT(Maybes, pose, text, twice, list, last)
+CASTOR_REFLECT(Optionals, pose, text, twice, list, last)
 
 template <class T>
-FieldValue field(const T& x, std::string_view path) {
+FieldValue field_of(const T& x, std::string_view path) {
   return read_field(*descriptor_of<T>(), encode(x), path);
 }
 
@@ -65,28 +59,28 @@ FieldValue u(std::uint64_t x) {
 
 TEST(ReadField, GivesEveryKindOfNumber) {
   Numbers x{true, -1, -2, -3, -4, 5, 6, 7, 8, 0.5f, 0.25};
-  EXPECT_EQ(field(x, "truth"), FieldValue{true});
-  EXPECT_EQ(field(x, "i8"), i(-1));
-  EXPECT_EQ(field(x, "i16"), i(-2));
-  EXPECT_EQ(field(x, "i32"), i(-3));
-  EXPECT_EQ(field(x, "i64"), i(-4));
-  EXPECT_EQ(field(x, "u8"), u(5));
-  EXPECT_EQ(field(x, "u16"), u(6));
-  EXPECT_EQ(field(x, "u32"), u(7));
-  EXPECT_EQ(field(x, "u64"), u(8));
-  EXPECT_EQ(field(x, "f32"), FieldValue{0.5});
-  EXPECT_EQ(field(x, "f64"), FieldValue{0.25});
+  EXPECT_EQ(field_of(x, "truth"), FieldValue{true});
+  EXPECT_EQ(field_of(x, "i8"), i(-1));
+  EXPECT_EQ(field_of(x, "i16"), i(-2));
+  EXPECT_EQ(field_of(x, "i32"), i(-3));
+  EXPECT_EQ(field_of(x, "i64"), i(-4));
+  EXPECT_EQ(field_of(x, "u8"), u(5));
+  EXPECT_EQ(field_of(x, "u16"), u(6));
+  EXPECT_EQ(field_of(x, "u32"), u(7));
+  EXPECT_EQ(field_of(x, "u64"), u(8));
+  EXPECT_EQ(field_of(x, "f32"), FieldValue{0.5});
+  EXPECT_EQ(field_of(x, "f64"), FieldValue{0.25});
 }
 
 TEST(ReadField, FollowsAPathIntoRecords) {
-  EXPECT_EQ(field(signed_box(), "pose.position.y"), FieldValue{-2.25});
-  EXPECT_EQ(field(signed_box(), "pose.heading"), FieldValue{3.0});
+  EXPECT_EQ(field_of(signed_box(), "pose.position.y"), FieldValue{-2.25});
+  EXPECT_EQ(field_of(signed_box(), "pose.heading"), FieldValue{3.0});
 }
 
 TEST(ReadField, FindsFieldsBehindAndInsideTheBases) {
-  EXPECT_EQ(field(signed_box(), "label"), FieldValue{"tea"});
-  EXPECT_EQ(field(signed_box(), "side"), FieldValue{"right"});
-  EXPECT_EQ(field(signed_box(), "signature"), FieldValue{"Nick"});
+  EXPECT_EQ(field_of(signed_box(), "label"), FieldValue{"tea"});
+  EXPECT_EQ(field_of(signed_box(), "side"), FieldValue{"right"});
+  EXPECT_EQ(field_of(signed_box(), "signature"), FieldValue{"Nick"});
 }
 
 TEST(ReadField, StepsOverEverythingElse) {
@@ -95,91 +89,91 @@ TEST(ReadField, StepsOverEverythingElse) {
   x.table = {{1, 2}, {}};
   x.boxes.resize(3);
   x.last = 42;
-  EXPECT_EQ(field(x, "last"), u(42));
-  EXPECT_EQ(field(x, "box.signature"), FieldValue{});
-  EXPECT_EQ(field(x, "numbers.u8"), u(0));
+  EXPECT_EQ(field_of(x, "last"), u(42));
+  EXPECT_EQ(field_of(x, "box.signature"), FieldValue{});
+  EXPECT_EQ(field_of(x, "numbers.u8"), u(0));
 }
 
 TEST(ReadField, NamesEnumerators) {
   Chosen x{Side::both, Trend::falling, Huge::all};
-  EXPECT_EQ(field(x, "side"), FieldValue{"both"});
-  EXPECT_EQ(field(x, "trend"), FieldValue{"falling"});
-  EXPECT_EQ(field(x, "huge"), FieldValue{"all"});
+  EXPECT_EQ(field_of(x, "side"), FieldValue{"both"});
+  EXPECT_EQ(field_of(x, "trend"), FieldValue{"falling"});
+  EXPECT_EQ(field_of(x, "huge"), FieldValue{"all"});
 }
 
 TEST(ReadField, GivesTheNumberOfAnEnumeratorWithoutAName) {
   Chosen x{static_cast<Side>(200), static_cast<Trend>(-1), static_cast<Huge>(0xfffffffffffffffe)};
-  EXPECT_EQ(field(x, "side"), FieldValue{"200"});
-  EXPECT_EQ(field(x, "trend"), FieldValue{"-1"});
-  EXPECT_EQ(field(x, "huge"), FieldValue{"18446744073709551614"});
+  EXPECT_EQ(field_of(x, "side"), FieldValue{"200"});
+  EXPECT_EQ(field_of(x, "trend"), FieldValue{"-1"});
+  EXPECT_EQ(field_of(x, "huge"), FieldValue{"18446744073709551614"});
 }
 
 TEST(ReadField, GivesNothingForAnAbsentOptional) {
-  Maybes x;
-  EXPECT_EQ(field(x, "text"), FieldValue{});
-  EXPECT_EQ(field(x, "pose.heading"), FieldValue{});
-  EXPECT_EQ(field(x, "twice"), FieldValue{});
+  Optionals x;
+  EXPECT_EQ(field_of(x, "text"), FieldValue{});
+  EXPECT_EQ(field_of(x, "pose.heading"), FieldValue{});
+  EXPECT_EQ(field_of(x, "twice"), FieldValue{});
   x.twice.emplace();
-  EXPECT_EQ(field(x, "twice"), FieldValue{});
+  EXPECT_EQ(field_of(x, "twice"), FieldValue{});
 }
 
 TEST(ReadField, LooksIntoAnOptionalThatIsThere) {
-  Maybes x;
+  Optionals x;
   x.pose = Pose{{}, 2};
   x.text = "";
   x.twice = 7;
   x.list = std::vector{1, 2, 3};
   x.last = 9;
-  EXPECT_EQ(field(x, "pose.heading"), FieldValue{2.0});
-  EXPECT_EQ(field(x, "text"), FieldValue{""});
-  EXPECT_EQ(field(x, "twice"), i(7));
-  EXPECT_EQ(field(x, "last"), i(9));
+  EXPECT_EQ(field_of(x, "pose.heading"), FieldValue{2.0});
+  EXPECT_EQ(field_of(x, "text"), FieldValue{""});
+  EXPECT_EQ(field_of(x, "twice"), i(7));
+  EXPECT_EQ(field_of(x, "last"), i(9));
 }
 
 TEST(ReadField, KeepsTextAsItIs) {
   Box x;
   x.label = std::string{"\0\xff", 2};
-  EXPECT_EQ(field(x, "label"), FieldValue{x.label});
+  EXPECT_EQ(field_of(x, "label"), FieldValue{x.label});
 }
 
 TEST(ReadField, NamesTheFieldsThatThereAre) {
-  EXPECT_THAT([] { field(signed_box(), "pose.position.w"); },
+  EXPECT_THAT([] { field_of(signed_box(), "pose.position.w"); },
               ThrowsMessage<FieldError>(
                 AllOf(HasSubstr("Point has no field w"), HasSubstr("it has x, y, z"))));
-  EXPECT_THAT([] { field(signed_box(), "lable"); },
+  EXPECT_THAT([] { field_of(signed_box(), "lable"); },
               ThrowsMessage<FieldError>(AllOf(HasSubstr("SignedBox has no field lable"),
                                               HasSubstr("label, pose, colours"))));
 }
 
 TEST(ReadField, RefusesAPathThroughAScalar) {
-  EXPECT_THAT([] { field(signed_box(), "label.x"); },
+  EXPECT_THAT([] { field_of(signed_box(), "label.x"); },
               ThrowsMessage<FieldError>(HasSubstr("label of SignedBox has no fields")));
-  EXPECT_THROW(field(signed_box(), "colours.x"), FieldError);
-  EXPECT_THROW(field(signed_box(), "side.x"), FieldError);
+  EXPECT_THROW(field_of(signed_box(), "colours.x"), FieldError);
+  EXPECT_THROW(field_of(signed_box(), "side.x"), FieldError);
 }
 
 TEST(ReadField, RefusesEmptyPartsOfAPath) {
   for (auto path : {"", ".", "pose.", ".pose", "pose..heading", "pose.heading."})
-    EXPECT_THROW(field(signed_box(), path), FieldError) << path;
+    EXPECT_THROW(field_of(signed_box(), path), FieldError) << path;
 }
 
 TEST(ReadField, RefusesListsAndWholeRecords) {
   for (auto path : {"pose", "pose.position", "colours"})
-    EXPECT_THAT([&] { field(signed_box(), path); },
+    EXPECT_THAT([&] { field_of(signed_box(), path); },
                 ThrowsMessage<FieldError>(HasSubstr("name one of its fields")));
-  EXPECT_THROW(field(Rich{}, "bytes"), FieldError);
-  EXPECT_THROW(field(Rich{}, "triple"), FieldError);
+  EXPECT_THROW(field_of(Rich{}, "bytes"), FieldError);
+  EXPECT_THROW(field_of(Rich{}, "triple"), FieldError);
 }
 
 TEST(ReadField, FindsAMistakeInThePathWhetherOrNotTheOptionalIsThere) {
-  Maybes absent;
-  Maybes present;
+  Optionals absent;
+  Optionals present;
   present.pose.emplace();
   present.list.emplace();
   present.text.emplace();
   for (auto path : {"pose.nonsense", "pose.position", "pose", "list", "list.x", "text.x"}) {
-    EXPECT_THROW(field(present, path), FieldError) << path;
-    EXPECT_THROW(field(absent, path), FieldError) << path;
+    EXPECT_THROW(field_of(present, path), FieldError) << path;
+    EXPECT_THROW(field_of(absent, path), FieldError) << path;
   }
 }
 

@@ -4,6 +4,7 @@
 #include "castor/wm/values/value.hpp"
 
 #include "castor/tests/wm/values/any_object.hpp"
+#include "castor/tests/wm/values/opaque_value.hpp"
 #include "castor/tests/wm/values/random_values.hpp"
 #include "castor/tests/wm/values/test_types.hpp"
 
@@ -24,10 +25,6 @@ using testing::IsEmpty;
 template <class T>
 std::vector<std::string> changed(const T& before, const T& after) {
   return field_names(*descriptor_of<T>(), changed_fields(Value::of(before), Value::of(after)));
-}
-
-Value opaque(const Value& x) {
-  return decode_self_described(encode_self_described(x));
 }
 
 /// A type with so many fields, each an `int8`.

@@ -1,5 +1,6 @@
 #include "castor/wm/values/json.hpp"
 
+#include "castor/tests/wm/values/one_kind_types.hpp"
 #include "castor/tests/wm/values/test_types.hpp"
 #include "castor/wm/values/encoding.hpp"
 #include "castor/wm/values/value.hpp"
@@ -13,28 +14,6 @@
 namespace castor::test {
 
 namespace {
-
-struct Blob {
-  Bytes data;
-};
-CASTOR_REFLECT(Blob, data)
-
-struct Text {
-  std::string s;
-};
-CASTOR_REFLECT(Text, s)
-
-struct Chosen {
-  Side side = Side::left;
-  Trend trend = Trend::flat;
-  Huge huge = Huge::one;
-};
-CASTOR_REFLECT(Chosen, side, trend, huge)
-
-struct Integers {
-  std::vector<std::uint32_t> n;
-};
-CASTOR_REFLECT(Integers, n)
 
 struct Maybes {
   std::optional<int> none;

@@ -16,7 +16,7 @@ namespace castor::test {
 
 namespace {
 
-namespace other {
+namespace namesakes {
 
 /// The name of another type, with other fields.
 struct Point {
@@ -35,23 +35,23 @@ CASTOR_REFLECT_ENUM(Pose, standing, lying)
 struct Box : test::Box {};
 CASTOR_REFLECT_DERIVED(Box, test::Box)
 
-} // namespace other
+} // namespace namesakes
 
 struct TwoPoints {
   Point mine;
-  other::Point theirs;
+  namesakes::Point theirs;
 };
 CASTOR_REFLECT(TwoPoints, mine, theirs)
 
 struct TwoSides {
   Side mine = Side::left;
-  other::Side theirs = other::Side::top;
+  namesakes::Side theirs = namesakes::Side::top;
 };
 CASTOR_REFLECT(TwoSides, mine, theirs)
 
 struct TwoPoses {
   Pose mine;
-  other::Pose theirs = other::Pose::lying;
+  namesakes::Pose theirs = namesakes::Pose::lying;
 };
 CASTOR_REFLECT(TwoPoses, mine, theirs)
 
@@ -239,7 +239,7 @@ TEST(TypeDescriptor, RefusesAnEnumerationWithTheNameOfAStruct) {
 }
 
 TEST(TypeDescriptor, RefusesATypeWithTheNameOfItsBase) {
-  EXPECT_THAT([] { descriptor_of<other::Box>(); },
+  EXPECT_THAT([] { descriptor_of<namesakes::Box>(); },
               ThrowsMessage<std::logic_error>(HasSubstr("Box")));
 }
 
@@ -251,7 +251,7 @@ TEST(TypeDescriptor, RefusesAFieldThatHidesAFieldOfTheBase) {
 
 TEST(TypeDescriptor, HashesDifferWithTheNameTheFieldsAndTheBases) {
   EXPECT_NE(descriptor_of<Point>()->hash, descriptor_of<Renamed>()->hash);
-  EXPECT_NE(descriptor_of<Point>()->hash, descriptor_of<other::Point>()->hash);
+  EXPECT_NE(descriptor_of<Point>()->hash, descriptor_of<namesakes::Point>()->hash);
   EXPECT_NE(descriptor_of<Box>()->hash, descriptor_of<Crate>()->hash);
   auto with_base = one_field(scalar(WireKind::int8));
   auto without_base = with_base;

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 /// What another build of the robot, or another release, calls by the names used here.
-namespace other {
+namespace elsewhere {
 
 struct Point {
   double x = 0;
@@ -49,7 +49,7 @@ struct GiftBox : Box {
 };
 CASTOR_REFLECT_DERIVED(GiftBox, Box, ribbon)
 
-} // namespace other
+} // namespace elsewhere
 
 struct Kit {
   std::vector<int> list;
@@ -145,16 +145,16 @@ TEST(Value, IsDecodedOnceForEachTypeAskedFor) {
 }
 
 TEST(Value, RefusesAnotherTypeOfItsName) {
-  auto theirs = arrived(Value::of(other::Point{}));
+  auto theirs = arrived(Value::of(elsewhere::Point{}));
   EXPECT_THAT(
     [&] { theirs.as<Point>(); },
     ThrowsMessage<DecodeError>(AllOf(HasSubstr(to_string(*descriptor_of<Point>())),
-                                     HasSubstr(to_string(*descriptor_of<other::Point>())))));
+                                     HasSubstr(to_string(*descriptor_of<elsewhere::Point>())))));
 }
 
 TEST(Value, RefusesABaseThatDiffersDeepInside) {
-  auto theirs = arrived(Value::of(other::GiftBox{}));
-  EXPECT_TRUE(theirs.as<other::Box>());
+  auto theirs = arrived(Value::of(elsewhere::GiftBox{}));
+  EXPECT_TRUE(theirs.as<elsewhere::Box>());
   EXPECT_THAT([&] { theirs.as<Box>(); },
               ThrowsMessage<DecodeError>(
                 AllOf(HasSubstr("GiftBox"), HasSubstr("Box"), HasSubstr("this process knows"))));
@@ -198,8 +198,8 @@ TEST(Value, RefusesABaseWithAnyDifference) {
 }
 
 TEST(Value, RefusesAnotherTypeOfItsNameFromItsOwnProcessToo) {
-  EXPECT_THROW(Value::of(other::Point{}).as<Point>(), DecodeError);
-  EXPECT_THROW(Value::of(other::GiftBox{}).as<Box>(), DecodeError);
+  EXPECT_THROW(Value::of(elsewhere::Point{}).as<Point>(), DecodeError);
+  EXPECT_THROW(Value::of(elsewhere::GiftBox{}).as<Box>(), DecodeError);
 }
 
 TEST(Value, RefusesBytesThatAreNoSuchValue) {
