@@ -13,9 +13,9 @@ namespace castor::conformance {
 namespace {
 
 /// Owns an entry that others count up under locks: they must not get in one another's way.
-class Write final : public Test {
+class CounterOwner final : public Test {
 public:
-  Write(Tester& tester, std::int64_t wanted) : Test(tester), wanted_(wanted) {}
+  CounterOwner(Tester& tester, std::int64_t wanted) : Test(tester), wanted_(wanted) {}
 
   void start() override {
     address_ = tester_.new_address();
@@ -49,9 +49,9 @@ private:
 };
 
 /// Counts up the entry of somebody else ten times, in one lock.
-class Overwrite final : public Test {
+class CountUp final : public Test {
 public:
-  Overwrite(Tester& tester, bool polls, std::chrono::milliseconds pause)
+  CountUp(Tester& tester, bool polls, std::chrono::milliseconds pause)
     : Test(tester), polls_(polls), pause_(pause) {}
 
   void start() override {
@@ -157,9 +157,10 @@ class LockTester final : public Tester {
 public:
   LockTester() {
     for (std::int64_t n : {10, 40})
-      offer("write-" + std::to_string(n), [this, n] { return std::make_unique<Write>(*this, n); });
-    offer("overwrite-10", [this] { return std::make_unique<Overwrite>(*this, false, pause_); });
-    offer("try-overwrite-10", [this] { return std::make_unique<Overwrite>(*this, true, pause_); });
+      offer("write-" + std::to_string(n),
+            [this, n] { return std::make_unique<CounterOwner>(*this, n); });
+    offer("overwrite-10", [this] { return std::make_unique<CountUp>(*this, false, pause_); });
+    offer("try-overwrite-10", [this] { return std::make_unique<CountUp>(*this, true, pause_); });
     offer_lock_tests("lock-o", "sneak-o", LockLevel::o);
     offer_lock_tests("lock-od", "sneak-d", LockLevel::od);
     offer_lock_tests("lock-odr", "sneak-r", LockLevel::odr);

@@ -1,4 +1,5 @@
 // Components that end their process, from different places in different ways.
+#include "castor/tests/tools/cli/follow_null.hpp"
 #include "castor/tests/tools/cli/tick.hpp"
 
 #include "castor/actors/component/registry.hpp"
@@ -14,11 +15,6 @@
 namespace castor::test {
 
 namespace {
-
-void follow_null() {
-  volatile int* volatile nowhere = nullptr;
-  *nowhere = 1;
-}
 
 void follow_dangling() {
   volatile auto address = std::uintptr_t{0x123456789000};

@@ -1,6 +1,7 @@
 // Components that take their processes with them, and others that go on without them.
 #include "castor/tests/tools/cli/done.hpp"
-#include "castor/tests/tools/cli/order.hpp"
+#include "castor/tests/tools/cli/event_order.hpp"
+#include "castor/tests/tools/cli/follow_null.hpp"
 #include "castor/tests/tools/cli/tick.hpp"
 
 #include "castor/actors/component/health.hpp"
@@ -30,11 +31,6 @@ struct Lives {
 };
 CASTOR_REFLECT(Lives, number)
 
-void follow_null() {
-  volatile int* volatile nowhere = nullptr;
-  *nowhere = 1;
-}
-
 void compute_for_ever() {
   for (volatile bool on = true; on;) {
     // Never asks whether it should stop.
@@ -48,7 +44,7 @@ void compute_for_ever() {
     all.emplace_back(a_megabyte, '.');
 }
 
-[[noreturn]] void throw_something() {
+[[noreturn]] void always_throw() {
   throw std::runtime_error("it always does");
 }
 
@@ -81,7 +77,7 @@ class Shaky final : public UnmanagedComponent {
       {"allocate", allocate_for_ever},
       {"loop", compute_for_ever},
       {"kill", [] { std::raise(SIGKILL); }},
-      {"throw", throw_something},
+      {"throw", always_throw},
     };
     return result;
   }
@@ -113,7 +109,7 @@ class Witness final : public UnmanagedComponent {
   Option<std::string> where_{this, "where", "a", "subarchitecture with a ticker"};
   std::set<std::string> back_;
   int heard_ = 0;
-  Order order_;
+  EventOrder order_;
 };
 CASTOR_COMPONENT(Witness, "sees others fail and come back")
 

@@ -1,6 +1,6 @@
 // Components that live in several processes and judge what they see of each other.
 #include "castor/tests/tools/cli/done.hpp"
-#include "castor/tests/tools/cli/order.hpp"
+#include "castor/tests/tools/cli/event_order.hpp"
 #include "castor/tests/tools/cli/tick.hpp"
 
 #include "castor/actors/component/registry.hpp"
@@ -103,7 +103,7 @@ class Listener final : public UnmanagedComponent {
   Option<int> count_{this, "count", 20, "how many ticks"};
   Option<bool> late_{this, "late", false, "the first tick may be any"};
   int heard_ = 0;
-  Order order_;
+  EventOrder order_;
 };
 CASTOR_COMPONENT(Listener, "hears ticks")
 
@@ -174,7 +174,7 @@ class Member final : public UnmanagedComponent {
   Option<std::vector<std::string>> all_{this, "all", {}, "subarchitectures with a member"};
   Option<std::vector<std::string>> survivors_{
     this, "survivors", {}, "those that go on when one is missed"};
-  Order order_;
+  EventOrder order_;
   std::map<Address, Version> before_;
   bool hears_all_ = false;
   bool alone_ = false;
@@ -373,7 +373,7 @@ class Drain final : public UnmanagedComponent {
     end_system(0, fmt::format("heard {} changes, {} of them merged", heard_, order_.merged()));
   }
 
-  Order order_;
+  EventOrder order_;
   int heard_ = 0;
   std::shared_ptr<const Level> level_;
 };

@@ -13,9 +13,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr Client a = 1, b = 2, c = 3, d = 4;
-constexpr auto o = LockLevel::o;
-constexpr auto od = LockLevel::od;
-constexpr auto odr = LockLevel::odr;
 
 bool accepted(const History& history) {
   return Checker{}.check(history).ok();

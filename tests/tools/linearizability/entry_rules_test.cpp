@@ -29,10 +29,6 @@ protected:
   static constexpr Client a = 1, b = 2, c = 3;
 };
 
-constexpr auto o = LockLevel::o;
-constexpr auto od = LockLevel::od;
-constexpr auto odr = LockLevel::odr;
-
 } // namespace
 
 TEST_F(EntryRules, AnAddedEntryHasVersionZeroAndItsContent) {

@@ -43,7 +43,7 @@ LinkOptions impatient(Milliseconds patience) {
 }
 
 /// Who lives where: process 0 is the coordinator, the others are nodes.
-struct Plan {
+struct NodesPlan {
   struct Player {
     std::size_t home = 0;
     std::size_t process = 0;
@@ -67,10 +67,10 @@ struct Plan {
   }
 };
 
-Plan plan_for(std::uint64_t seed, std::optional<Milliseconds> longest_fault) {
+NodesPlan plan_for(std::uint64_t seed, std::optional<Milliseconds> longest_fault) {
   std::mt19937_64 random{seed};
   auto pick = [&](std::size_t count) { return random() % count; };
-  Plan result;
+  NodesPlan result;
   for (auto count = 1 + pick(4); count > 0; --count)
     result.subarchitectures.push_back(pick(7) == 0 ? coordinator : 1 + pick(nodes));
   result.entries = 1 + pick(4);
@@ -89,19 +89,15 @@ Plan plan_for(std::uint64_t seed, std::optional<Milliseconds> longest_fault) {
   return result;
 }
 
-std::string name_of(std::size_t subarchitecture) {
-  return std::string(1, char('a' + subarchitecture));
-}
-
 std::string host(std::size_t process) {
   return process == coordinator ? "localhost" : "node" + std::to_string(process);
 }
 
-ArchitectureDescription architecture(const Plan& plan, const World& world) {
+ArchitectureDescription architecture(const NodesPlan& plan, const World& world) {
   auto shared = " --world " + world.path();
   std::string text;
   for (std::size_t i = 0; i < plan.subarchitectures.size(); ++i) {
-    text += "SUBARCHITECTURE " + name_of(i) + " " + host(plan.subarchitectures[i]) +
+    text += "SUBARCHITECTURE " + subarchitecture_name(i) + " " + host(plan.subarchitectures[i]) +
             "\nCPP WM SubarchitectureWorkingMemory --lease " + std::to_string(plan.lease.count()) +
             "ms\nCPP TM AlwaysPositiveTaskManager\n";
     for (std::size_t player = 0; player < plan.players.size(); ++player)
@@ -116,13 +112,13 @@ ArchitectureDescription architecture(const Plan& plan, const World& world) {
   return *cast::parse_string(text, "node_run.cast").architecture;
 }
 
-std::string describe(const Plan& plan) {
+std::string describe(const NodesPlan& plan) {
   std::string result = "working memories on";
   for (auto x : plan.subarchitectures)
     result += " " + host(x);
   result += ", players of";
   for (auto& x : plan.players)
-    result += " " + name_of(x.home) + "@" + host(x.process);
+    result += " " + subarchitecture_name(x.home) + "@" + host(x.process);
   result += ", " + std::to_string(plan.entries) + " entries, leases of " +
             std::to_string(plan.lease.count()) + " ms, deadlines of " +
             std::to_string(plan.deadline.count()) + " ms";
@@ -220,7 +216,7 @@ public:
     settings.longest_pause = std::max<std::chrono::nanoseconds>(plan.end() / 15, 200us);
     settings.may_lose = options_.patience < ample_patience;
     for (std::size_t i = 0; i < plan.entries; ++i)
-      settings.homes += name_of(plan.home_of(i));
+      settings.homes += subarchitecture_name(plan.home_of(i));
     World world{settings};
     RealRunResult result;
     result.description = describe(plan);
@@ -239,7 +235,7 @@ public:
   const std::map<FaultKind, std::size_t>& faults() const { return faults_; }
 
 private:
-  void play(const Plan& plan, World& world, std::vector<std::string>& findings) {
+  void play(const NodesPlan& plan, World& world, std::vector<std::string>& findings) {
     killed_.clear();
     first_fault_ = never;
     SystemOptions options;
@@ -273,7 +269,7 @@ private:
   }
 
   /// Lets the faults happen, until they are over.
-  void disturb(const Plan& plan, World& world) {
+  void disturb(const NodesPlan& plan, World& world) {
     std::vector<std::pair<Milliseconds, std::function<void()>>> actions;
     for (auto& x : plan.faults) {
       actions.emplace_back(x.at, [&] { begin(x, plan, world); });
@@ -290,7 +286,7 @@ private:
     }
   }
 
-  void begin(const Fault& x, const Plan& plan, World& world) {
+  void begin(const Fault& x, const NodesPlan& plan, World& world) {
     auto& node = *nodes_[x.node];
     auto& relay = node.relay();
     if (!node.is_alive() || world.all_have_left())
@@ -342,14 +338,14 @@ private:
       node.relay().freeze(false);
   }
 
-  void kill(const Fault& x, const Plan& plan, World& world) {
+  void kill(const Fault& x, const NodesPlan& plan, World& world) {
     auto process = x.node + 1;
     for (std::size_t i = 0; i < plan.players.size(); ++i)
       if (plan.players[i].process == process)
         world.leave(Client(i + 1));
     for (std::size_t i = 0; i < plan.subarchitectures.size(); ++i)
       if (plan.subarchitectures[i] == process)
-        world.lose(name_of(i));
+        world.lose(subarchitecture_name(i));
     nodes_[x.node]->kill();
     killed_[process] = world.now();
     if (x.kind == FaultKind::replace)
@@ -366,7 +362,7 @@ private:
   }
 
   /// Nobody answers for a working memory that was killed.
-  void check_kills(const Plan& plan, RealRunResult& result) const {
+  void check_kills(const NodesPlan& plan, RealRunResult& result) const {
     for (auto& x : result.history) {
       auto killed = killed_.find(plan.subarchitectures[plan.home_of(x.entry)]);
       if (killed != killed_.end() && x.kind != OperationKind::lapse && !x.pending() &&

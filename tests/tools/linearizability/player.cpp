@@ -25,7 +25,7 @@ constexpr std::size_t longest_lock_wait_ms = 20;
 /// How often who waits for others looks whether they are there.
 constexpr auto poll_interval = 100us;
 
-constexpr std::size_t most_operations = 60;
+constexpr std::size_t operations_per_player = 60;
 /// What a player may have begun before it sees that others have begun enough, with all that it has
 /// to unlock in the end.
 constexpr std::size_t reserve = 4;
@@ -56,7 +56,7 @@ void Player::run() {
 }
 
 void Player::play(bool dies) {
-  for (std::size_t i = 0; i < most_operations && !home_lost_ && !(dies && chance(5)); ++i) {
+  for (std::size_t i = 0; i < operations_per_player && !home_lost_ && !(dies && chance(5)); ++i) {
     act();
     if (chance(settings_.pauses))
       sleep_for(settings_.longest_pause * pick(100) / 100);

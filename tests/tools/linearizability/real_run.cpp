@@ -16,16 +16,16 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Of the entries of a run and what is under way.
-struct Plan {
+struct RunPlan {
   std::size_t subarchitectures = 1;
   std::size_t entries = 1;
   std::size_t players = 4;
   std::chrono::milliseconds lease{2000};
 };
 
-Plan plan_for(std::uint64_t seed) {
+RunPlan plan_for(std::uint64_t seed) {
   std::mt19937_64 random{seed};
-  Plan result;
+  RunPlan result;
   result.subarchitectures = 1 + random() % 3;
   result.entries = 1 + random() % 4;
   result.players = 4 + random() % 13;
@@ -35,14 +35,10 @@ Plan plan_for(std::uint64_t seed) {
   return result;
 }
 
-std::string name_of(std::size_t subarchitecture) {
-  return std::string(1, char('a' + subarchitecture));
-}
-
-ArchitectureDescription architecture(const Plan& plan, const World& world) {
+ArchitectureDescription architecture(const RunPlan& plan, const World& world) {
   std::string text;
   for (std::size_t i = 0; i < plan.subarchitectures; ++i) {
-    text += "SUBARCHITECTURE " + name_of(i) +
+    text += "SUBARCHITECTURE " + subarchitecture_name(i) +
             " localhost\nCPP WM SubarchitectureWorkingMemory --lease " +
             std::to_string(plan.lease.count()) + "ms\nCPP TM AlwaysPositiveTaskManager\n";
     for (auto player = i; player < plan.players; player += plan.subarchitectures)
@@ -53,6 +49,10 @@ ArchitectureDescription architecture(const Plan& plan, const World& world) {
 }
 
 } // namespace
+
+std::string subarchitecture_name(std::size_t subarchitecture) {
+  return std::string(1, char('a' + subarchitecture));
+}
 
 bool await(const std::function<bool()>& condition, std::chrono::steady_clock::time_point until) {
   while (!condition()) {
@@ -83,7 +83,7 @@ RealRunResult run_for_real(std::uint64_t seed) {
   settings.players = plan.players;
   settings.longest_pause = plan.lease < 1s ? plan.lease * 3 / 2 : 300us;
   for (std::size_t i = 0; i < plan.entries; ++i)
-    settings.homes += name_of(i % plan.subarchitectures);
+    settings.homes += subarchitecture_name(i % plan.subarchitectures);
   World world{settings};
   RealRunResult result;
   result.description = std::to_string(plan.players) + " components in " +

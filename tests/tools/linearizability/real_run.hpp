@@ -30,6 +30,9 @@ struct RealRunResult {
 /// try follows from the seed; what comes of it does not.
 RealRunResult run_for_real(std::uint64_t seed);
 
+/// A letter, from 'a' for the first one.
+std::string subarchitecture_name(std::size_t subarchitecture);
+
 /// Whether the condition comes true in time.
 bool await(const std::function<bool()>& condition, std::chrono::steady_clock::time_point until);
 

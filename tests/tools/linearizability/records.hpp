@@ -10,6 +10,10 @@ struct Span {
   Tick returned = never;
 };
 
+inline constexpr auto o = LockLevel::o;
+inline constexpr auto od = LockLevel::od;
+inline constexpr auto odr = LockLevel::odr;
+
 inline constexpr Result done{};
 
 inline Result failed(Status status) {

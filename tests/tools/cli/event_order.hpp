@@ -11,7 +11,7 @@ namespace castor::test {
 
 /// Sees to it that what happens to an entry is heard of in turn: nothing is missing unless
 /// something newer stands for it, nothing comes twice.
-class Order {
+class EventOrder {
 public:
   void check(const ChangeEvent& event) {
     merged_ += event.coalesced;
