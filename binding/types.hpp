@@ -121,6 +121,9 @@ inline constexpr const char* desired_frame = "desired";
 /// Label of the relation from a location to the thing at it.
 inline constexpr const char* position_label = "pos";
 
+/// Label of the relation from a thing to what it is in.
+inline constexpr const char* containment_label = "in";
+
 /// Labels of a relation's two ports: `from` is left of `to`.
 inline constexpr const char* from_port = "from";
 inline constexpr const char* to_port = "to";

@@ -38,7 +38,8 @@ LogicalForm without_determiner(LogicalForm form) {
   auto& root = root_of(form);
   std::erase_if(root.features, [](const NominalFeature& x) {
     return x.name == "Number" || x.name == "Delimitation" || x.name == "Specifier" ||
-           x.name == "Proximity";
+           x.name == "Proximity" || x.name == "Focus" || x.name == "Coordination" ||
+           x.name == "Polarity";
   });
   std::erase_if(root.relations, [](const NominalRelation& x) { return x.mode == "Quantity"; });
   return part_of(form, form.root);

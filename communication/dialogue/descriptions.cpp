@@ -275,6 +275,11 @@ bool is_definite(const Nominal& nominal) {
   return is_pronoun(nominal) || feature(nominal, "Delimitation") == "unique";
 }
 
+bool is_definite_phrase(const Nominal& nominal) {
+  const auto delimitation = feature(nominal, "Delimitation");
+  return is_definite(nominal) || delimitation == "both" || delimitation == "neither";
+}
+
 bool is_deictic(const Nominal& nominal) {
   return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
 }

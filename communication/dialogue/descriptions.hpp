@@ -31,6 +31,9 @@ std::vector<binding::Feature> features_of(const LogicalForm& form, const Nominal
 /// Whether it refers to one thing known to both speakers: "it", "the ball".
 bool is_definite(const Nominal& nominal);
 
+/// Whether the phrase stands for one thing or several that both know: "the balls", "neither".
+bool is_definite_phrase(const Nominal& nominal);
+
 /// "It", "this", "they"...
 bool is_pronoun(const Nominal& nominal);
 

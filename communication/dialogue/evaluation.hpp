@@ -7,7 +7,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct Uninterpretable {
     nothing_like,
     /// Several things are like it, and one is meant.
     ambiguous,
+    /// Several things may be like it, and one is meant.
+    unknown,
   };
 
   Reason reason = Reason::word;
@@ -54,6 +58,10 @@ public:
   /// Whether a clause is so: an ascription, existence, possession, or several of them.
   Truth clause(const Nominal& e);
 
+  /// \throws Uninterpretable if there is not what the definite phrases of the form and those with
+  /// "all" and "most" take for granted, wherever they are
+  void check_presuppositions();
+
   /// Of which things a clause is true if they stand for one of its phrases: what a question asks
   /// for. Only things that fit the phrase, too.
   Fitting answers(const Nominal& e, const Nominal& asked);
@@ -70,7 +78,9 @@ public:
   std::vector<std::string> meant(const Nominal& phrase);
 
   /// Whether `scope` is true of as many of the things that the phrase describes as it says.
-  Truth quantified(const Nominal& phrase, const std::function<Truth(const std::string&)>& scope);
+  /// \param landmarks what `scope` compares others with, of which it says nothing
+  Truth quantified(const Nominal& phrase, const std::function<Truth(const std::string&)>& scope,
+                   const std::vector<std::string>& landmarks = {});
 
 private:
   using Property = std::function<Truth(const std::string&)>;
@@ -87,8 +97,52 @@ private:
   Truth has(const std::string& id, const Nominal& scope);
   Things members(const Nominal& subject);
 
+  // -- containers and what is in them (evaluation_containers.cpp)
+  bool is_in_each(const Nominal& container);
+  Truth there_are(const Nominal& subject, const Property& scope);
+  Truth contains(const std::string& container, const Nominal& what);
+  Truth only_these(const Nominal& phrases, const Nominal& first, const Property& scope);
+  Truth in_each(const Nominal& subject, const Nominal& region, const Nominal& container);
+  std::optional<Truth> are_in_one(const Nominal& subject, const Nominal& scope);
+  std::optional<Truth> agreed_by_all(const Nominal& phrase, const Property& scope);
+  Truth has_some_of_each(const Nominal& what);
+  static bool is_after_noun(const Nominal& phrase, const std::string& modifier);
+  Truth accompanied(const std::string& id, const Nominal& phrase, const Nominal& what);
+  Truth discourse(const Nominal& first, const Nominal& next);
+  Truth definite_inside(const Nominal& phrase, const Property& scope);
+  bool is_outside(const std::string& id, const Nominal& phrase);
+  bool is_container(const std::string& id) { return !scene_.contents(id).empty(); }
+  bool is_container_noun(const std::string& noun);
+  bool has_containers();
+  std::optional<Truth> is_named_by_sense(const std::string& id, const Nominal& phrase);
+  Things items(const std::string& container);
+
+  // -- what is said of several things together (evaluation_containers.cpp)
+  const Nominal* collective_modifier(const Nominal& phrase);
+  Truth collectively(const Nominal& phrase, const Nominal& modifier, const Property& scope);
+  Truth distinct_values(const Things& things, const Nominal& quality);
+  std::optional<std::string> value_of(const std::string& id, const Nominal& quality);
+  Truth differs_from_context(const std::string& id, const Nominal& comparison);
+
+  // -- places in containers (evaluation_places.cpp)
+  std::optional<Truth> is_in_container_part(const std::string& id, const Nominal& region);
+  Truth touches(const std::string& id, const Nominal& region, const Nominal& anchor);
+  Truth touches_side(const std::string& id, const Nominal& side, double slack);
+  Truth touches_thing(const std::string& a, const std::string& b, double slack);
+  Truth is_at_end(const std::string& id, const std::string& container, bool top);
+  Truth of_own_container(const std::string& id, const Nominal& container, const Property& scope);
+  Truth is_between_some(const std::string& id, const Nominal& anchor);
+  Truth is_in_middle(const std::string& id, const std::string& container);
+  std::optional<Truth> is_with_the_others(const std::string& id, const Nominal& phrase,
+                                          const Nominal& region);
+
   // -- phrases
-  Truth unfocused(const Nominal& phrase, const Property& scope);
+  Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
+  Fitting members_of(const Nominal& phrase);
+  Fitting presupposed(const Nominal& x);
+  void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
+  bool exclude_each_other(const Nominal& a, const Nominal& b) const;
+  bool has_pronoun(const Nominal& phrase) const;
   Truth fits_but_for(const std::string& id, const Nominal& phrase, const Nominal& modifier);
   Truth fits(const std::string& id, const Nominal& phrase, bool with_selection = true);
   Truth is_called(const std::string& id, const Nominal& phrase);
@@ -96,20 +150,23 @@ private:
   const Nominal* earlier_phrase(const Nominal& pronoun);
   Truth modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                  const Nominal& dependent);
-  NumberRange wanted_number(const Nominal& phrase) const;
+  Truth as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
+                    const Nominal& dependent);
   Truth is_one_of(const std::string& id, const Nominal& phrase);
   static void check_coordination(const Nominal& x);
   Things antecedents_of(const std::string& name);
-  Count count(const Nominal& phrase, const Property& scope);
+  static Count count(const Fitting& candidates, const Property& scope, const Things& landmarks);
 
   // -- properties
+  Things landmarks_of(const Nominal& scope);
+  Truth denial(const std::string& id, const Nominal& scope, Truth truth, const Nominal* among);
   Truth has_property(const std::string& id, const Nominal& property);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);
   Truth is_between(const std::string& id, const Nominal& anchor);
-  Truth is_selected(const std::string& id, const Nominal& selection, const Things& among);
+  Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);
   Truth is_more(const std::string& a, const std::string& b, const std::string& dimension,
@@ -126,6 +183,13 @@ private:
   /// What the nominals of clauses stand for that are asked about, or that relative clauses are
   /// about.
   std::map<std::string, std::string> bound_;
+  /// The container that is spoken about: only what is in it is meant. Empty if there is none.
+  std::string within_;
+  /// The thing whose relation to others is looked at: what "a different colour" differs from.
+  std::string related_;
+  /// Modifiers that are being evaluated. "The ball that is the largest" is so among balls: what is
+  /// asked of them meanwhile leaves the modifier aside.
+  std::set<std::string> modifiers_;
   /// Shapes that look alike may be meant, since nothing has the shape itself.
   bool is_lenient_ = false;
 };

@@ -18,7 +18,7 @@ using binding::FeatureKind;
 constexpr double clear_ratio = 1.1;
 
 /// The middle of the table reaches so far towards its outermost things.
-constexpr double middle_share = 0.25;
+constexpr double table_middle_share = 0.25;
 
 /// Distances and coordinates that differ by less are about the same; metres.
 constexpr double clear_distance = 0.02;
@@ -63,17 +63,45 @@ Truth Evaluation::is(const std::string& id, const Nominal& scope, const Nominal*
   else if (scope.sort == "comparison")
     result = compares(id, scope);
   else if (scope.sort == "selection") {
-    auto things = among == nullptr ? scene_.things() : described(*among).possible;
+    auto things = among == nullptr ? Fitting{scene_.things(), scene_.things()} : described(*among);
     result = is_selected(id, scope, things);
   } else if (scope.sort == "composition")
     result = has_property(id, need(scope, "Material"));
+  else if (scope.sort == "possession")
+    result = has(id, need(scope, "Thing"));
   else if (scope.sort == "thing" || scope.sort == "entity") {
     result = is_one_of(id, scope);
     if (feature(scope, "Delimitation") == "none")
       result = negation(result);
   } else
     result = has_property(id, scope);
-  return is_negated(scope) ? negation(result) : result;
+  return is_negated(scope) ? denial(id, scope, result, among) : result;
+}
+
+/// What others are compared with: the ball in "left of the ball". Nothing is said of it itself.
+Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
+  Things result;
+  auto add = [&](const Things& more) { result.insert(result.end(), more.begin(), more.end()); };
+  if (scope.sort == "conjunction")
+    for (const auto* mode : {"First", "Next"})
+      add(landmarks_of(need(scope, mode)));
+  else if (scope.sort == "region" || scope.sort == "comparison")
+    for (const auto* mode : {"Anchor", "Than"})
+      if (const auto* anchor = dependent(form_, scope, mode);
+          anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
+          feature(*anchor, "Number") != "pl" && !is_the_table(*anchor))
+        add(meant(*anchor));
+  return result;
+}
+
+/// Whether it is not so. Of "the ball" it may be said that it is not left of itself.
+Truth Evaluation::denial(const std::string& id, const Nominal& scope, Truth truth,
+                         const Nominal* among) {
+  if (among != nullptr && is_definite(*among) && feature(*among, "Number") != "pl")
+    return negation(truth);
+  auto landmarks = landmarks_of(scope);
+  const bool is_landmark = std::ranges::find(landmarks, id) != landmarks.end();
+  return is_landmark ? Truth::no : negation(truth);
 }
 
 Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
@@ -83,7 +111,7 @@ Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
   auto a = is(id, first, among);
   auto b = is(id, next, among);
   if (conjunction.proposition == "nor")
-    return both(negation(a), negation(b));
+    return both(denial(id, first, a, among), denial(id, next, b, among));
   if (conjunction.proposition == "or")
     return either(a, b);
   // "Red and blue things" are some of each.
@@ -103,6 +131,13 @@ Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
   }
   if (!kind)
     not_understood(word);
+  // A tower of blocks is as all of them are.
+  if (is_container(id) && scene_.words(id, *kind).empty()) {
+    auto result = Truth::yes;
+    for (auto& part : items(id))
+      result = both(result, has_property(part, property));
+    return result;
+  }
   return kind == FeatureKind::shape ? has_shape(id, word)
                                     : scene_.has(id, binding::feature(*kind, word));
 }
@@ -112,10 +147,12 @@ Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
 Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   auto& relation = region.proposition;
   const auto* anchor = dependent(form_, region, "Anchor");
+  if (auto result = is_in_container_part(id, region))
+    return *result;
   if (anchor == nullptr)
     return is_in_part_of_table(id, relation);
   if (relation == "between")
-    return is_between(id, *anchor);
+    return has_containers() ? is_between_some(id, *anchor) : is_between(id, *anchor);
   if (relation == "among")
     return is_one_of(id, *anchor);
   // The table is where everything is.
@@ -148,8 +185,8 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   auto at = scene_.place(id);
   if (!at)
     return Truth::unknown;
-  const double beside = std::max(width * middle_share, clear_distance);
-  const double beyond = std::max(depth * middle_share, clear_distance);
+  const double beside = std::max(width * table_middle_share, clear_distance);
+  const double beyond = std::max(depth * table_middle_share, clear_distance);
   if (part == "left")
     return truth_of(at->x < -beside);
   if (part == "right")
@@ -163,11 +200,14 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
 
 Truth Evaluation::is_related(const std::string& id, const std::string& relation,
                              const Nominal& anchor) {
-  if (!is_spatial_relation(relation) && !scene_.knows_relation(relation))
+  if (!is_spatial_relation(relation) && !scene_.knows_relation(relation) && !has_containers())
     not_understood(relation);
-  return quantified(anchor, [&](const std::string& other) {
+  const auto outer = std::exchange(related_, id);
+  auto result = quantified(anchor, [&](const std::string& other) {
     return other == id ? Truth::no : scene_.is_related(relation, id, other);
   });
+  related_ = outer;
+  return result;
 }
 
 /// Nearer to the line between the two than a third of their distance, and not beyond either.
@@ -220,12 +260,12 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
 
 /// "The largest", "the second from the left", "closest to the ball".
 Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
-                              const Things& among) {
+                              const Fitting& among) {
   const auto* how = comparative(selection.proposition);
   if (how == nullptr)
     not_understood(selection.proposition);
   const auto* anchor = dependent(form_, selection, "Anchor");
-  Things others = among;
+  Things others = among.possible;
   if (anchor != nullptr && std::string_view{how->dimension} == "distance")
     for (auto& x : meant(*anchor))
       std::erase(others, x);
@@ -242,16 +282,21 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
     const auto& b = how->more ? id : other;
     const auto is_before = is_more(a, b, how->dimension, anchor);
     const auto is_after = is_more(b, a, how->dimension, anchor);
+    auto is_among = std::ranges::find(among.certain, other) != among.certain.end();
     // Which of two that are about the same comes first, nobody can say.
-    before.add(is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before);
+    before.add(both(is_among ? Truth::yes : Truth::unknown,
+                    is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before));
   }
   return is_within(before, {rank - 1, rank - 1});
 }
 
 Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {
   auto kind = kind_of_quality(quality);
-  if (!kind)
-    not_understood(quality);
+  if (!kind || (is_container(a) && is_container(b))) {
+    auto x = value_of(a, {"", "quality", quality, {}, {}});
+    auto y = value_of(b, {"", "quality", quality, {}, {}});
+    return x && y ? truth_of(*x == *y) : Truth::unknown;
+  }
   auto words = scene_.words(a, *kind);
   if (words.empty())
     return Truth::unknown;
@@ -279,6 +324,8 @@ Truth Evaluation::is_more(const std::string& a, const std::string& b, const std:
 }
 
 Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
+  if (dependent(form_, comparison, "Than") == nullptr && !related_.empty())
+    return differs_from_context(id, comparison);
   auto& than = need(comparison, "Than");
   if (const auto* quality = dependent(form_, comparison, "Quality")) {
     const bool same = comparison.proposition == "same";

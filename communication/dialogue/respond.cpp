@@ -22,6 +22,9 @@ Response say(RhetoricalRelation relation, std::string text) {
 
 /// \throws Uninterpretable
 Response respond(Responder& responder, DialogueMoveType type, const LogicalForm& content) {
+  if (type == DialogueMoveType::question_w || type == DialogueMoveType::question_yn ||
+      type == DialogueMoveType::assertion)
+    responder.check_presuppositions();
   switch (type) {
     case DialogueMoveType::question_w:
       return responder.to_question_w();

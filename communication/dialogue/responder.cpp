@@ -49,9 +49,17 @@ Response Responder::to(const Uninterpretable& why) const {
             {},
             "I do not know what '" + why.what + "' means here.",
             {}};
+  if (why.reason == Reason::unknown)
+    return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  // What there are no words for is called by its noun.
+  const auto simpler = definite(is_pronoun(*phrase) ? "thing" : phrase->proposition);
   if (why.reason == Reason::nothing_like)
-    return {RhetoricalRelation::correction, {{nothing_like(*phrase)}}, {}, {}};
-  return {RhetoricalRelation::clarification_question, {{which(called(*phrase))}}, {}, phrase->name};
+    return {
+      RhetoricalRelation::correction, {{nothing_like(*phrase), i_do_not_see(simpler)}}, {}, {}};
+  return {RhetoricalRelation::clarification_question,
+          {{which(called(*phrase)), which(simpler)}},
+          {},
+          phrase->name};
 }
 
 } // namespace castor::communication

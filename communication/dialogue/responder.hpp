@@ -19,6 +19,7 @@ public:
 
   // Each throws Uninterpretable.
 
+  void check_presuppositions() { evaluation_.check_presuppositions(); }
   Response to_question_w();
   Response to_question_yn();
   Response to_assertion();

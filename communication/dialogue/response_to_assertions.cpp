@@ -32,13 +32,19 @@ Response Responder::to_assertion() {
       auto found = evaluation_.described(subject);
       if (found.possible.empty())
         return correct(nothing_like(subject));
+      const auto number = found.certain.size();
+      const bool may_be_more = found.possible.size() > number;
+      if (number == 0 && may_be_more)
+        return correct(marker("no"));
+      auto things = counted(number, part_of(form_, subject.name));
       return correct(
-        with_marker("no", exists(counted(found.certain.size(), part_of(form_, subject.name)))));
+        with_marker("no", exists(may_be_more ? at_least(std::move(things)) : std::move(things))));
     }
     return correct(marker("no"));
   }
   if (restriction == nullptr || scope == nullptr || restriction->sort != "thing" ||
-      !is_definite(*restriction) || feature(*restriction, "Number") == "pl")
+      !is_definite(*restriction) || feature(*restriction, "Number") == "pl" ||
+      !feature(*restriction, "Focus").empty())
     return correct(marker("no"));
   auto things = evaluation_.meant(*restriction);
   if (things.size() != 1)

@@ -22,6 +22,11 @@ bool is_count(const Nominal& x) {
                              [](auto& relation) { return relation.mode == "Quantity"; });
 }
 
+Nominal affirmed(Nominal x) {
+  std::erase_if(x.features, [](auto& feature) { return feature.name == "Polarity"; });
+  return x;
+}
+
 /// Its attribute that says what the scope of an ascription says; null if there is none.
 const char* attribute_mode(const Nominal& scope) {
   if (feature(scope, "Polarity") == "neg")
@@ -85,11 +90,17 @@ Response Responder::to_question_w() {
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
-  if (!is_count(asked))
-    return found.certain.empty() && !found.possible.empty() ? answer(i_do_not_know())
-                                                            : list(found.certain);
-  const bool is_ascription = root().sort == "ascription";
-  return count(found, asked, is_ascription ? dependent(form_, root(), "Cop-Scope") : nullptr);
+  const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
+  if (is_count(asked))
+    return count(found, asked, scope);
+  // Of things that are as large as one another, any may be the largest.
+  const bool is_about_order =
+    scope != nullptr &&
+    (scope->sort == "selection" || dependent(form_, *scope, "Selection") != nullptr);
+  const bool is_tie = is_about_order && found.possible.size() > 1;
+  if (found.certain.empty() && !found.possible.empty() && !is_tie)
+    return answer(i_do_not_know());
+  return list(found.certain.empty() ? found.possible : found.certain);
 }
 
 Response Responder::count(const Fitting& found, const Nominal& phrase, const Nominal* scope) {
@@ -190,15 +201,15 @@ Response Responder::to_question_yn() {
       scope->sort == "conjunction" && scope->proposition == "or" && is_definite(*restriction) &&
       !is_plural(*restriction))
     return choice(*restriction, *scope);
-  auto truth = evaluation_.clause(root());
+  // "Isn't it red?" asks whether it is; "it is not red, right?", whether it is not.
+  const bool is_negated = feature(root(), "Polarity") == "neg";
+  const bool is_literal = feature(root(), "Literal") == "true";
+  auto truth = evaluation_.clause(is_negated && !is_literal ? affirmed(root()) : root());
   if (truth == Truth::unknown)
     return yes_or_no(truth);
-  // "Isn't it red?" is answered by what it is.
-  const bool is_negated = feature(root(), "Polarity") == "neg";
-  if (is_negated)
-    truth = negation(truth);
   if (root().sort != "ascription" || restriction == nullptr || scope == nullptr ||
-      !is_definite(*restriction) || is_plural(*restriction) || restriction->sort != "thing")
+      !is_definite(*restriction) || is_plural(*restriction) || restriction->sort != "thing" ||
+      !feature(*restriction, "Focus").empty())
     return yes_or_no(truth);
   auto things = evaluation_.meant(*restriction);
   if (truth == Truth::yes && things.size() == 1 && !is_sure(things.front(), *scope))
@@ -208,10 +219,10 @@ Response Responder::to_question_yn() {
       !scene_.words(things.front(), *kind_of_quality(scope->sort)).empty())
     return answer(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
   if (is_negated)
-    return answer(
-      with_marker(truth == Truth::yes ? "yes" : "no",
-                  ascribe(pronoun("it"), part_of(form_, scope->name), truth == Truth::yes)),
-      marker(truth == Truth::yes ? "yes" : "no"));
+    return answer(with_marker(truth == Truth::yes ? "yes" : "no",
+                              ascribe(pronoun("it"), part_of(form_, scope->name),
+                                      (truth == Truth::yes) != is_literal)),
+                  marker(truth == Truth::yes ? "yes" : "no"));
   return yes_or_no(truth);
 }
 

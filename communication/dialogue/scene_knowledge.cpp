@@ -87,6 +87,13 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
       relations_.insert({x.label, thing(x.from), thing(x.to)});
       relation_names_.insert(x.label);
     }
+  contents_.clear();
+  containers_.clear();
+  for (auto& x : relations_)
+    if (x.label == binding::containment_label) {
+      contents_[x.to].push_back(x.from);
+      containers_[x.from].push_back(x.to);
+    }
 }
 
 const binding::KnownUnion* SceneKnowledge::find(const std::string& union_id) const {
@@ -134,6 +141,29 @@ std::optional<Place> SceneKnowledge::place(const std::string& union_id) const {
 std::optional<double> SceneKnowledge::extent(const std::string& union_id) const {
   auto numbers = numbers_of(find(union_id), FeatureKind::extent);
   return numbers ? std::optional{std::ranges::max(*numbers)} : std::nullopt;
+}
+
+std::optional<Body> SceneKnowledge::body(const std::string& union_id) const {
+  auto size = numbers_of(find(union_id), FeatureKind::extent);
+  auto at = locations_.find(union_id);
+  if (!size || at == locations_.end())
+    return std::nullopt;
+  for (auto& location : at->second)
+    if (auto centre = numbers_of(find(location), FeatureKind::location))
+      return Body{{(*centre)[0], (*centre)[1], (*centre)[2]}, {(*size)[0], (*size)[1], (*size)[2]}};
+  return std::nullopt;
+}
+
+const std::vector<std::string>& SceneKnowledge::contents(const std::string& union_id) const {
+  static const std::vector<std::string> nothing;
+  auto found = contents_.find(union_id);
+  return found == contents_.end() ? nothing : found->second;
+}
+
+const std::vector<std::string>& SceneKnowledge::containers(const std::string& union_id) const {
+  static const std::vector<std::string> nothing;
+  auto found = containers_.find(union_id);
+  return found == containers_.end() ? nothing : found->second;
 }
 
 std::vector<SpatialFact> SceneKnowledge::spatial_facts(const std::string& union_id) const {

@@ -4,6 +4,8 @@
 #include "castor/communication/dialogue/truth.hpp"
 #include "castor/communication/types.hpp"
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,6 +26,15 @@ inline constexpr std::string_view chosen_from = "/of";
 struct Place {
   double x = 0;
   double y = 0;
+};
+
+/// A thing in space, metres; z upwards.
+struct Body {
+  std::array<double, 3> centre{};
+  std::array<double, 3> extent{};
+
+  double low(std::size_t axis) const { return centre[axis] - extent[axis] / 2; }
+  double high(std::size_t axis) const { return centre[axis] + extent[axis] / 2; }
 };
 
 /// Spatial relation of a thing to a landmark (a union id).
@@ -76,6 +87,15 @@ public:
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
 
+  /// Where a thing begins and ends; nothing if its place or its extent is not known.
+  std::optional<Body> body(const std::string& union_id) const;
+
+  /// The things that are in a thing, such as the blocks of a tower.
+  const std::vector<std::string>& contents(const std::string& union_id) const;
+
+  /// The things that a thing is in.
+  const std::vector<std::string>& containers(const std::string& union_id) const;
+
   /// How a thing lies to others, the nearest of them first.
   std::vector<SpatialFact> spatial_facts(const std::string& union_id) const;
 
@@ -93,6 +113,8 @@ private:
   /// Between things.
   std::set<binding::UnionRelation> relations_;
   std::set<std::string> relation_names_;
+  std::map<std::string, std::vector<std::string>> contents_;
+  std::map<std::string, std::vector<std::string>> containers_;
 };
 
 } // namespace castor::communication

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/meaning.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 namespace castor::communication {
@@ -56,6 +57,15 @@ std::string nominal_name(NominalId nominal) {
   return "x" + word +
          (variable < 26 ? std::string(1, static_cast<char>('a' + variable))
                         : "_" + std::to_string(variable));
+}
+
+std::size_t Meaning::dependency_length() const {
+  const auto position = [](NominalId id) { return static_cast<int>((id >> 8) & 0xffff); };
+  std::size_t result = 0;
+  for (const auto& x : predications)
+    if (x.kind == Predication::Kind::relation)
+      result += static_cast<std::size_t>(std::abs(position(x.nominal) - position(x.dependent)));
+  return result;
 }
 
 std::optional<Meaning> unite(const Meaning& function, const Meaning& argument,

@@ -55,6 +55,9 @@ struct Meaning {
   /// The sum of the weights of the entries and rules that were used.
   double weight = 0;
   std::vector<LexicalChoice> choices;
+
+  /// Words between all nominals and their dependents, together.
+  std::size_t dependency_length() const;
 };
 
 /// Combines the meanings of function and argument by unifying the function's last indices with the

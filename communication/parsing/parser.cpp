@@ -3,11 +3,15 @@
 #include "castor/communication/parsing/tokens.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace castor::communication {
 
 namespace {
+
+/// Weights that differ by less are equal, but for rounding.
+constexpr double least_weight = 1e-6;
 
 /// What makes a split into fragments worse: each fragment, one that lacks arguments, and each word
 /// that is in none.
@@ -82,8 +86,12 @@ std::vector<const Meaning*> IncrementalParse::meanings() const {
         if (!is_known)
           found.push_back(&meaning);
       }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Meaning* a, const Meaning* b) { return a->weight > b->weight; });
+  // Of readings that weigh the same, the one that attaches to what is nearest.
+  std::stable_sort(found.begin(), found.end(), [](const Meaning* a, const Meaning* b) {
+    if (std::abs(a->weight - b->weight) > least_weight)
+      return a->weight > b->weight;
+    return a->dependency_length() < b->dependency_length();
+  });
   if (found.size() > parser_.options().readings)
     found.resize(parser_.options().readings);
   return found;

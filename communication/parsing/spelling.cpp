@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/spelling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string_view>
 #include <utility>
@@ -41,22 +42,80 @@ bool is_a_letter_off(std::string_view word, std::string_view known) {
          rest(word, 1) == rest(known, 1);
 }
 
+/// Words that others are often written together with.
+constexpr std::array articles{"a", "an", "the"};
+
+/// "atleast", "ablue": two known words without the blank between them; empty if it is neither.
+std::vector<std::string> split(const std::string& word, const Lexicon& lexicon) {
+  for (std::size_t length = 1; length < word.size(); ++length) {
+    const auto first = word.substr(0, length);
+    const auto second = word.substr(length);
+    if (second.size() < shortest_word || !lexicon.knows(first) || !lexicon.knows(second))
+      continue;
+    const bool is_article = std::ranges::find(articles, first) != articles.end();
+    if (is_article || !lexicon.find(first + ' ' + second).empty())
+      return {first, second};
+  }
+  return {};
+}
+
+/// What the first word of an utterance was before its first letter was lost: "ll towers", "t
+/// least", "tleast"; empty if there is no such word.
+std::vector<std::string> with_first_letter(const std::string& word, const std::string& next,
+                                           const Lexicon& lexicon) {
+  std::vector<std::string> result;
+  for (char letter = 'a'; letter <= 'z'; ++letter) {
+    const auto whole = letter + word;
+    if (auto two = split(whole, lexicon); !two.empty() && result.empty())
+      result = two;
+    if (!lexicon.knows(whole))
+      continue;
+    if (!lexicon.find(whole + ' ' + next).empty())
+      return {whole};
+    if (result.empty())
+      result = {whole};
+  }
+  return result;
+}
+
+/// The known word that a word is a letter off, its last one if it is short; empty if there is none.
+std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
+  if (word.size() < shortest_word) {
+    for (char letter = 'z'; letter >= 'a'; --letter)
+      if (word.size() > 1 && lexicon.knows(word + letter))
+        return word + letter;
+    return {};
+  }
+  for (auto& known : lexicon.suggestions(word, 8))
+    if (is_a_letter_off(word, known))
+      return known;
+  return {};
+}
+
 } // namespace
 
 std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words,
                                                  const Lexicon& lexicon) {
   std::vector<SpellingCorrection> result;
-  auto corrected = words;
-  for (auto& word : corrected) {
-    if (word == "," || lexicon.knows(word))
+  std::vector<std::string> corrected;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    auto& word = words[i];
+    if (word == "," || is_quoted(word) || lexicon.knows(word)) {
+      corrected.push_back(word);
       continue;
-    const auto known = lexicon.suggestions(word, 8);
-    const auto meant =
-      std::ranges::find_if(known, [&word](auto& x) { return is_a_letter_off(word, x); });
-    if (word.size() < shortest_word || meant == known.end())
+    }
+    auto meant = split(word, lexicon);
+    const bool is_short = word.size() < shortest_word;
+    if (meant.empty() && i == 0 && words.size() > 1)
+      if (auto whole = with_first_letter(word, words[1], lexicon); whole.size() == 2 || is_short)
+        meant = whole;
+    if (meant.empty())
+      if (auto other = a_letter_off(word, lexicon); !other.empty())
+        meant = {other};
+    if (meant.empty())
       return {};
-    result.push_back({word, *meant});
-    word = *meant;
+    result.push_back({word, meant.front() + (meant.size() > 1 ? ' ' + meant.back() : "")});
+    corrected.insert(corrected.end(), meant.begin(), meant.end());
   }
   words = std::move(corrected);
   return result;

@@ -10,7 +10,9 @@ namespace castor::communication {
 
 /// Replaces words that the lexicon does not know by the known word of which they are a letter off:
 /// one is missing, doubled, or two are in the wrong order; in words of five letters and more, one
-/// may be another. Nothing is replaced if one of the unknown words is not like any known one.
+/// may be another. A word is two known ones if these are a phrase, such as "at least", or the first
+/// one is an article; the first word of an utterance may lack its first letter. Nothing is replaced
+/// if one of the unknown words is not like any known one.
 ///
 /// \returns what was replaced
 std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words,

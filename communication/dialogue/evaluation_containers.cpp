@@ -1,0 +1,443 @@
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::FeatureKind;
+
+/// "Base-colour" speaks of the colour of the block at the base.
+constexpr std::string_view colour_of_base = "base-colour";
+constexpr std::string_view colour_of_top = "top-colour";
+
+} // namespace
+
+// -- containers and what is in them
+
+/// What is in a container and contains nothing itself: a box has blocks rather than towers.
+Evaluation::Things Evaluation::items(const std::string& container) {
+  Things result;
+  for (auto& id : scene_.contents(container))
+    if (!is_container(id))
+      result.push_back(id);
+  return result;
+}
+
+bool Evaluation::has_containers() {
+  return std::ranges::any_of(scene_.things(), [this](auto& id) { return is_container(id); });
+}
+
+bool Evaluation::is_container_noun(const std::string& noun) {
+  return std::ranges::any_of(scene_.things(), [&](auto& id) {
+    return is_container(id) &&
+           scene_.has(id, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes;
+  });
+}
+
+/// Other than what the phrase may mean while a container is spoken about.
+bool Evaluation::is_outside(const std::string& id, const Nominal& phrase) {
+  if (within_.empty() || bound_.contains(phrase.name) || is_container_noun(phrase.proposition))
+    return false;
+  return is_container(id) ||
+         scene_.is_related(binding::containment_label, id, within_) != Truth::yes;
+}
+
+/// Nouns with several senses mean what there is: where things contain others, a box is one of
+/// those and no cube, "item" is what they contain, and so is "block" if nothing is called that. A
+/// container is called by its shape only together with its colour: "grey square".
+std::optional<Truth> Evaluation::is_named_by_sense(const std::string& id, const Nominal& phrase) {
+  auto& noun = phrase.proposition;
+  if (!has_containers())
+    return std::nullopt;
+  if (noun == "object" || noun == "item" || noun == "shape" || noun == "what")
+    return truth_of(!is_container(id));
+  if (is_general_noun(noun))
+    return std::nullopt;
+  if (is_container_noun(noun))
+    return scene_.has(id, binding::feature(FeatureKind::concept_name, noun));
+  auto shape = shape_of_noun(noun);
+  // A "grey square" may be a box.
+  if (is_container(id) && shape &&
+      (*shape != "square" || dependent(form_, phrase, "Colour") == nullptr))
+    return Truth::no;
+  if (shape == "cube") {
+    // Pictures are flat: cubes look like squares, or like anything that is stacked.
+    const bool is_known = std::ranges::any_of(scene_.things(), [&](auto& other) {
+      return scene_.has(other, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes ||
+             scene_.has(other, binding::feature(FeatureKind::shape, *shape)) == Truth::yes;
+    });
+    if (!is_known)
+      return truth_of(!is_container(id));
+  }
+  return std::nullopt;
+}
+
+/// Of existence and possession: "only two" are no more than two, whatever else there is.
+Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
+  for (auto& [mode, name] : subject.relations) {
+    const auto* region = mode == "Location" ? find_nominal(form_, name) : nullptr;
+    const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
+    if (whole != nullptr && within_.empty() && is_container_noun(whole->proposition) &&
+        is_in_each(*whole))
+      return in_each(subject, *region, *whole);
+  }
+  if (subject.sort == "quality") {
+    Things things;
+    for (auto& id : scene_.things()) {
+      auto truth = is_container(id) || is_outside(id, subject) ? Truth::no : scope(id);
+      for (auto& [mode, name] : subject.relations)
+        if (const auto* x = find_nominal(form_, name);
+            x != nullptr && x->sort != "number" && x->proposition != "different")
+          truth = both(truth, modified(id, subject, mode, *x));
+      if (truth == Truth::yes)
+        things.push_back(id);
+    }
+    return distinct_values(things, subject);
+  }
+  const bool is_only_so_many =
+    feature(subject, "Focus") == "only" && dependent(form_, subject, "Quantity") != nullptr;
+  return is_only_so_many ? unfocused(subject, scope) : quantified(subject, scope);
+}
+
+Truth Evaluation::contains(const std::string& container, const Nominal& what) {
+  if (what.sort == "conjunction" && feature(what, "Focus") != "only") {
+    auto first = contains(container, need(what, "First"));
+    auto next = contains(container, need(what, "Next"));
+    return what.proposition == "or" ? either(first, next) : both(first, next);
+  }
+  const auto outer = std::exchange(within_, container);
+  if (const auto* quantity = dependent(form_, what, "Quantity");
+      quantity != nullptr && quantity->sort == "comparison") {
+    auto compared = compared_counts(what, *quantity);
+    within_ = outer;
+    return compared;
+  }
+  auto result = has_some_of_each(what);
+  if (what.sort == "thing" && feature(what, "Delimitation") == "all" &&
+      dependent(form_, what, "Quantity") == nullptr && !items(container).empty())
+    // "A tower with all yellow blocks."
+    for (auto& id : items(container))
+      result = both(result, fits(id, what));
+  else
+    result = both(result, there_are(what, [&](const std::string& id) {
+                    return scene_.is_related(binding::containment_label, id, container);
+                  }));
+  // "Only one block, which is blue": there is no other block either.
+  if (feature(what, "Focus") == "only" && dependent(form_, what, "Quantity") != nullptr) {
+    auto alone = what;
+    std::erase_if(alone.relations, [&](auto& x) {
+      return x.mode == "GenRelation" || (x.mode == "Property" && is_after_noun(what, x.dependent));
+    });
+    if (alone.relations.size() < what.relations.size())
+      result = both(result, there_are(alone, [](auto&) { return Truth::yes; }));
+  }
+  within_ = outer;
+  return result;
+}
+
+/// "Only two yellow and one black item are touching the wall": nothing else is.
+Truth Evaluation::only_these(const Nominal& phrases, const Nominal& first, const Property& scope) {
+  auto result = both(unfocused(first, scope), quantified(need(phrases, "Next"), scope));
+  for (auto& id : scene_.things())
+    if (!is_container(id))
+      result = both(result, either(negation(scope(id)), fits(id, phrases)));
+  return result;
+}
+
+/// "A black item in each box": there need not be one that is in all of them.
+Truth Evaluation::in_each(const Nominal& subject, const Nominal& region, const Nominal& container) {
+  auto item = subject;
+  std::erase_if(item.relations, [&](auto& x) { return x.dependent == region.name; });
+  auto place = region;
+  std::erase_if(place.relations, [](auto& x) { return x.mode == "Anchor"; });
+  auto holds = [&](const std::string& id) {
+    if (region.proposition == "in")
+      return contains(id, item);
+    const auto outer = std::exchange(within_, id);
+    auto result = there_are(item, [&](const std::string& other) { return is_in(other, place); });
+    within_ = outer;
+    return result;
+  };
+  if (feature(container, "Delimitation") != "same")
+    return quantified(container, holds);
+  auto result = Truth::no;
+  const auto candidates = described(container);
+  for (auto& id : candidates.best())
+    result = either(result, holds(id));
+  return result;
+}
+
+/// Containers that things are in one by one.
+bool Evaluation::is_in_each(const Nominal& container) {
+  const auto delimited = feature(container, "Delimitation");
+  return delimited == "all" || delimited == "same" ||
+         dependent(form_, container, "Quantity") != nullptr ||
+         dependent(form_, container, "PartOf") != nullptr;
+}
+
+/// "All blue items are in the same box."
+std::optional<Truth> Evaluation::are_in_one(const Nominal& subject, const Nominal& scope) {
+  const auto* anchor = scope.sort == "region" ? dependent(form_, scope, "Anchor") : nullptr;
+  if (anchor == nullptr || feature(*anchor, "Delimitation") != "same")
+    return std::nullopt;
+  auto result = Truth::no;
+  const auto candidates = described(*anchor);
+  for (auto& container : candidates.best())
+    result = either(result, quantified(subject, [&](const std::string& id) {
+                      return scene_.is_related(binding::containment_label, id, container);
+                    }));
+  return result;
+}
+
+/// What is so of all things that one phrase may mean, so that it need not be known which one is
+/// meant.
+std::optional<Truth> Evaluation::agreed_by_all(const Nominal& phrase, const Property& scope) {
+  if (is_plural(phrase) || is_pronoun(phrase) || !is_definite(phrase) ||
+      dependent(form_, phrase, "Quantity") != nullptr)
+    return std::nullopt;
+  const auto found = described(phrase);
+  if (found.certain.size() < 2 || !scene_.open_questions().empty())
+    return std::nullopt;
+  auto result = scope(found.certain.front());
+  for (auto& id : found.certain)
+    if (scope(id) != result)
+      return std::nullopt;
+  return result == Truth::unknown ? std::nullopt : std::optional{result};
+}
+
+/// "Blue and yellow items" are some of each.
+Truth Evaluation::has_some_of_each(const Nominal& what) {
+  auto result = Truth::yes;
+  const auto* colours = dependent(form_, what, "Property");
+  if (!is_plural(what) || feature(what, "Focus") != "only" || colours == nullptr ||
+      colours->sort != "conjunction" || colours->proposition != "and")
+    return result;
+  for (const auto* mode : {"First", "Next"}) {
+    auto one = what;
+    one.features.clear();
+    std::erase_if(one.relations, [](auto& x) { return x.mode == "Quantity"; });
+    for (auto& x : one.relations)
+      if (x.mode == "Property")
+        x.dependent = need(*colours, mode).name;
+    result = both(result, unfocused(one, [](auto&) { return Truth::yes; }));
+  }
+  return result;
+}
+
+/// Words are numbered as they are said.
+bool Evaluation::is_after_noun(const Nominal& phrase, const std::string& modifier) {
+  auto number = [](const std::string& name) {
+    return std::atoi(name.c_str() + std::min<std::size_t>(1, name.size()));
+  };
+  return number(modifier) > number(phrase.name);
+}
+
+/// "With four blocks", "of black colour", "with a ball beside it".
+Truth Evaluation::accompanied(const std::string& id, const Nominal& phrase, const Nominal& what) {
+  if (what.sort != "quality" || is_container(id))
+    return has(id, what);
+  auto result = Truth::yes;
+  bool is_property = false;
+  for (auto& [mode, name] : what.relations)
+    if (const auto* x = find_nominal(form_, name); x != nullptr && x->sort != "number") {
+      is_property = true;
+      result = both(result, is(id, *x, &phrase));
+    }
+  if (!is_property)
+    not_understood(what.proposition);
+  return result;
+}
+
+/// "There is a tower with three blocks, and it has a blue base": the second clause goes on about
+/// what the first one says is there.
+Truth Evaluation::discourse(const Nominal& first, const Nominal& next) {
+  const auto* subject = first.sort == "existence" ? dependent(form_, first, "Subject") : nullptr;
+  const auto* topic = dependent(form_, next, "Cop-Restr");
+  const auto* group = topic == nullptr ? nullptr : dependent(form_, *topic, "PartOf");
+  const bool is_known = topic != nullptr && (is_definite(*topic) || topic->proposition == "one" ||
+                                             (group != nullptr && is_pronoun(*group)));
+  const bool is_about_it = subject != nullptr && subject->sort == "thing" && is_known &&
+                           feature(first, "Polarity") != "neg" &&
+                           (is_pronoun(*topic) || is_container_noun(subject->proposition));
+  if (!is_about_it)
+    return both(clause(first), clause(next));
+  return there_are(*subject, [&](const std::string& id) {
+    const auto outer = within_;
+    const auto before = bound_;
+    if ((is_pronoun(*topic) && !is_plural(*topic)) || topic->proposition == subject->proposition)
+      bound_[topic->name] = id;
+    else
+      within_ = id;
+    auto result = clause(next);
+    within_ = outer;
+    bound_ = before;
+    return result;
+  });
+}
+
+/// "The black one" of a container; there need be none.
+Truth Evaluation::definite_inside(const Nominal& phrase, const Property& scope) {
+  auto things = described(phrase).best();
+  const auto* quantity = dependent(form_, phrase, "Quantity");
+  auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  if (things.empty())
+    return Truth::no;
+  if (range && feature(phrase, "Delimitation") == "unique" && things.size() != range->least) {
+    // "The two are black": two of them are.
+    Count so;
+    for (auto& id : things)
+      so.add(scope(id));
+    return is_within(so, *range);
+  }
+  auto result = truth_of(is_plural(phrase));
+  for (auto& id : things)
+    result = is_plural(phrase) ? both(result, scope(id)) : either(result, scope(id));
+  return result;
+}
+
+// -- what is said of several things together
+
+/// "Blocks of the same colour", "items of only one colour": not said of each of them.
+const Nominal* Evaluation::collective_modifier(const Nominal& phrase) {
+  if (phrase.sort != "thing" || !is_plural(phrase) || bound_.contains(phrase.name))
+    return nullptr;
+  for (auto& [mode, name] : phrase.relations) {
+    const auto* x = find_nominal(form_, name);
+    if (x == nullptr)
+      continue;
+    if (mode == "Members")
+      return x;
+    // "That are the same colour".
+    if (const auto* scope = dependent(form_, *x, "Cop-Scope");
+        mode == "GenRelation" && scope != nullptr && scope->sort == "comparison" &&
+        dependent(form_, *scope, "Than") == nullptr &&
+        dependent(form_, *x, "Cop-Restr") == find_nominal(form_, phrase.name))
+      return scope;
+    if (mode == "Property" && x->sort == "comparison" &&
+        dependent(form_, *x, "Quality") != nullptr && dependent(form_, *x, "Than") == nullptr)
+      return x;
+    if (mode == "Accompaniment" && x->sort == "quality" && !is_container_noun(phrase.proposition) &&
+        (dependent(form_, *x, "Quantity") != nullptr || feature(*x, "Delimitation") == "all"))
+      return x;
+  }
+  return nullptr;
+}
+
+Truth Evaluation::collectively(const Nominal& phrase, const Nominal& modifier,
+                               const Property& scope) {
+  Things things;
+  const auto candidates = described(phrase);
+  for (auto& id : candidates.best())
+    if (scope(id) == Truth::yes)
+      things.push_back(id);
+  if (!scene_.open_questions().empty())
+    return Truth::unknown;
+  const auto* quantity = dependent(form_, phrase, "Quantity");
+  auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  const bool is_definite_or_all = is_definite(phrase) || feature(phrase, "Delimitation") == "all";
+  if (modifier.sort == "ascription")
+    return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{1})),
+                clause(modifier));
+  if (modifier.sort == "quality") {
+    const auto number = Count{things.size(), things.size()};
+    return both(is_within(number, range.value_or(NumberRange{1})),
+                distinct_values(things, modifier));
+  }
+  auto& quality = need(modifier, "Quality");
+  std::map<std::string, std::size_t> groups;
+  for (auto& id : things) {
+    auto value = value_of(id, quality);
+    if (!value)
+      return Truth::unknown;
+    ++groups[*value];
+  }
+  std::size_t largest = 0;
+  for (auto& [value, size] : groups)
+    largest = std::max(largest, size);
+  if (modifier.proposition == "same") {
+    if (is_definite_or_all)
+      return truth_of(groups.size() == 1);
+    return is_within({largest, largest}, range.value_or(NumberRange{2}));
+  }
+  if (modifier.proposition != "different")
+    not_understood(modifier.proposition);
+  return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{2})),
+              truth_of(largest == 1));
+}
+
+/// "Only one colour", "all three colours".
+Truth Evaluation::distinct_values(const Things& things, const Nominal& quality) {
+  std::set<std::string> values;
+  for (auto& id : things)
+    if (auto value = value_of(id, quality))
+      values.insert(*value);
+  const Count number{values.size(), values.size()};
+  if (const auto* quantity = dependent(form_, quality, "Quantity")) {
+    auto range = number_range(*quantity);
+    if (quantity->proposition == "several" || quantity->proposition == "multiple")
+      range = NumberRange{2};
+    if (!range)
+      not_understood(quantity->proposition);
+    return is_within(number, *range);
+  }
+  if (feature(quality, "Delimitation") == "all") {
+    std::set<std::string> all;
+    for (auto& id : scene_.things())
+      if (!is_container(id))
+        if (auto value = value_of(id, quality))
+          all.insert(*value);
+    return truth_of(values == all);
+  }
+  return is_within(number, {is_plural(quality) ? std::size_t{2} : std::size_t{1}});
+}
+
+/// A thing's colour, its number of blocks...
+std::optional<std::string> Evaluation::value_of(const std::string& id, const Nominal& quality) {
+  auto& name = quality.proposition;
+  if (name == "height" || name == "number" || (name == "size" && is_container(id))) {
+    const auto* owner = dependent(form_, quality, "Owner");
+    std::size_t number = 0;
+    for (auto& item : items(id))
+      number += owner == nullptr || fits(item, *owner) == Truth::yes ? 1 : 0;
+    return is_container(id) ? std::optional{std::to_string(number)} : std::nullopt;
+  }
+  const bool is_top = name == colour_of_top || name == "top";
+  if (is_top || name == colour_of_base || name == "base" || name == "bottom") {
+    for (auto& item : items(id))
+      if (is_at_end(item, id, is_top) == Truth::yes)
+        return value_of(item, {"", "quality", "colour", {}, {}});
+    return std::nullopt;
+  }
+  auto kind = name == "kind" ? FeatureKind::shape : kind_of_quality(name);
+  if (!kind)
+    not_understood(name);
+  auto words = scene_.words(id, *kind);
+  if (!words.empty())
+    return words.front();
+  std::set<std::string> values;
+  for (auto& item : items(id))
+    for (auto& word : scene_.words(item, *kind))
+      values.insert(word);
+  return values.size() == 1 ? std::optional{*values.begin()} : std::nullopt;
+}
+
+/// "A block over a different coloured block".
+Truth Evaluation::differs_from_context(const std::string& id, const Nominal& comparison) {
+  auto& quality = need(comparison, "Quality");
+  auto shared = shares(id, related_, quality.proposition);
+  if (comparison.proposition == "same")
+    return shared;
+  if (comparison.proposition != "different")
+    not_understood(comparison.proposition);
+  return negation(shared);
+}
+
+} // namespace castor::communication

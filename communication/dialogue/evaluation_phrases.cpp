@@ -1,0 +1,498 @@
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scoped_binding.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::FeatureKind;
+
+std::string_view delimitation(const Nominal& x) {
+  return feature(x, "Delimitation");
+}
+
+/// Those that others are compared with are left out, unless there are no others.
+std::vector<std::string> without(std::vector<std::string> things,
+                                 const std::vector<std::string>& landmarks) {
+  auto others = things;
+  std::erase_if(others,
+                [&](auto& id) { return std::ranges::find(landmarks, id) != landmarks.end(); });
+  return others.empty() ? things : others;
+}
+
+/// How many things a definite phrase says that there are; one at least if it does not say.
+struct WantedNumber {
+  NumberRange range{1};
+  bool is_said = false;
+};
+
+WantedNumber wanted_number(const LogicalForm& form, const Nominal& phrase) {
+  if (delimitation(phrase) == "both" || delimitation(phrase) == "neither")
+    return {{2, 2}, true};
+  const auto* quantity = dependent(form, phrase, "Quantity");
+  const auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  return {range.value_or(NumberRange{1}), range.has_value()};
+}
+
+} // namespace
+
+/// "Both" and "either" are said of two phrases.
+void Evaluation::check_coordination(const Nominal& x) {
+  if (x.sort != "conjunction" && !feature(x, "Coordination").empty())
+    not_understood(std::string{feature(x, "Coordination")});
+}
+
+Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
+  Fitting result;
+  auto candidates = described(asked);
+  const auto* topic = dependent(form_, e, "Topic");
+  const auto* excepted = dependent(form_, e, "Except");
+  for (auto& id : candidates.possible) {
+    auto is_certain = std::ranges::find(candidates.certain, id) != candidates.certain.end();
+    auto truth = is_certain ? Truth::yes : Truth::unknown;
+    if (topic != nullptr && asked.proposition == "one")
+      truth = both(truth, is_one_of(id, *topic));
+    if (excepted != nullptr)
+      truth = both(truth, negation(is_one_of(id, *excepted)));
+    ScopedBinding binding{bound_, asked.name};
+    binding.set(id);
+    truth = both(truth, clause(e));
+    if (truth != Truth::no)
+      result.possible.push_back(id);
+    if (truth == Truth::yes)
+      result.certain.push_back(id);
+  }
+  return result;
+}
+
+Fitting Evaluation::described(const Nominal& phrase) {
+  Fitting result;
+  for (auto& id : scene_.things()) {
+    if (is_outside(id, phrase))
+      continue;
+    auto truth = fits(id, phrase);
+    if (truth != Truth::no)
+      result.possible.push_back(id);
+    if (truth == Truth::yes)
+      result.certain.push_back(id);
+  }
+  return result;
+}
+
+Evaluation::Things Evaluation::antecedents_of(const std::string& name) {
+  Things result;
+  auto known = antecedents_.find(name);
+  if (known == antecedents_.end())
+    return result;
+  for (auto& id : scene_.things())
+    for (auto& proxy : known->second)
+      if (scene_.has(id, binding::feature(FeatureKind::existing_proxy_id, proxy)) == Truth::yes) {
+        result.push_back(id);
+        break;
+      }
+  return result;
+}
+
+std::vector<std::string> Evaluation::meant(const Nominal& phrase) {
+  return members_of(phrase).best();
+}
+
+/// The things that a definite phrase means. Those of "the balls" that may be no balls are possible
+/// only, unless all are.
+Fitting Evaluation::members_of(const Nominal& phrase) {
+  using Reason = Uninterpretable::Reason;
+  if (auto known = bound_.find(phrase.name); known != bound_.end())
+    return {{known->second}, {known->second}};
+  if (is_pronoun(phrase)) {
+    // "The ball, what colour is it?"
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* topic = root == nullptr ? nullptr : dependent(form_, *root, "Topic");
+    if (topic != nullptr && topic->name != phrase.name)
+      return members_of(*topic);
+    if (const auto* earlier = earlier_phrase(phrase))
+      return members_of(*earlier);
+    if (!within_.empty() && is_plural(phrase)) {
+      const auto inside = items(within_);
+      return {inside, inside};
+    }
+    auto result = antecedents_of(phrase.name);
+    if (result.empty() && scene_.open_questions().empty()) {
+      // Something that is shown is the only thing there is, if it is not pointed at.
+      if (!is_plural(phrase) && is_deictic(phrase) && scene_.things().size() == 1)
+        return {scene_.things(), scene_.things()};
+      throw Uninterpretable{Reason::ambiguous, phrase.name};
+    }
+    return {result, result};
+  }
+  auto found = described(phrase);
+  const bool is_lenient = found.possible.empty();
+  if (is_lenient) {
+    is_lenient_ = true;
+    found = described(phrase);
+    is_lenient_ = false;
+  }
+  if (!scene_.open_questions().empty())
+    return {};
+  const auto [range, has_number] = wanted_number(form_, phrase);
+  if (is_plural(phrase) || has_number) {
+    const auto number = found.best().size();
+    if (number == 0 || found.possible.size() < range.least)
+      throw Uninterpretable{Reason::nothing_like, phrase.name};
+    if (number < range.least)
+      throw Uninterpretable{Reason::unknown, phrase.name};
+    if (is_within({number, number}, range) != Truth::yes)
+      throw Uninterpretable{Reason::ambiguous, phrase.name};
+    if (has_number || found.certain.empty())
+      return {found.best(), found.best()};
+    return found;
+  }
+  const bool may_be_seen = shape_of_noun(phrase.proposition) || is_general_noun(phrase.proposition);
+  if (found.certain.empty() && found.possible.size() > 1 && !is_lenient && may_be_seen)
+    throw Uninterpretable{Reason::unknown, phrase.name};
+  if (found.certain.empty() && found.possible.size() != 1)
+    throw Uninterpretable{Reason::nothing_like, phrase.name};
+  if (found.certain.size() > 1)
+    throw Uninterpretable{Reason::ambiguous, phrase.name};
+  return {found.best(), found.best()};
+}
+
+bool Evaluation::has_pronoun(const Nominal& phrase) const {
+  return std::ranges::any_of(part_of(form_, phrase.name).nominals, is_pronoun);
+}
+
+void Evaluation::check_presuppositions() {
+  // What is spoken of may be in whatever container is spoken of.
+  if (has_containers())
+    return;
+  std::vector<std::pair<const Nominal*, Fitting>> phrases;
+  for (auto& x : part_of(form_, form_.root).nominals) {
+    const auto delimited = delimitation(x);
+    const bool is_universal = delimited == "all" || delimited == "most";
+    // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
+    // are definite.
+    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) ||
+        (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
+      continue;
+    const auto* phrase = find_nominal(form_, x.name);
+    phrases.emplace_back(phrase, presupposed(*phrase));
+  }
+  check_consistency(phrases);
+}
+
+/// What is like the phrase, of which there is what it takes for granted.
+Fitting Evaluation::presupposed(const Nominal& x) {
+  if (is_definite_phrase(x))
+    meant(x);
+  auto found = described(x);
+  if (found.possible.empty() && !is_definite_phrase(x) && scene_.open_questions().empty())
+    throw Uninterpretable{Uninterpretable::Reason::nothing_like, x.name};
+  return found;
+}
+
+/// Something that is not known well enough may be taken for the ball or for the cube, not for both;
+/// and if it is taken for the red ball, there is another ball than the one that is known.
+void Evaluation::check_consistency(
+  const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const {
+  using Reason = Uninterpretable::Reason;
+  for (auto& [phrase, found] : phrases)
+    for (auto& [other, others] : phrases) {
+      if (phrase == other || !found.certain.empty() || found.possible.size() != 1)
+        continue;
+      const auto& id = found.possible.front();
+      if (std::ranges::find(others.possible, id) == others.possible.end())
+        continue;
+      if (others.certain.empty() && exclude_each_other(*phrase, *other))
+        throw Uninterpretable{Reason::nothing_like, other->name};
+      if (!others.certain.empty() && is_definite(*other) && !is_plural(*other) &&
+          std::ranges::find(others.certain, id) == others.certain.end())
+        throw Uninterpretable{Reason::unknown, other->name};
+    }
+}
+
+bool Evaluation::exclude_each_other(const Nominal& a, const Nominal& b) const {
+  auto shape = shape_of_noun(a.proposition);
+  auto other_shape = shape_of_noun(b.proposition);
+  if (shape && other_shape && *shape != *other_shape)
+    return true;
+  for (const auto* mode : {"Colour", "Size", "Shape"}) {
+    const auto* one = dependent(form_, a, mode);
+    const auto* other = dependent(form_, b, mode);
+    if (one != nullptr && other != nullptr && one->proposition != other->proposition)
+      return true;
+  }
+  return false;
+}
+
+/// Of how many of them `scope` is true.
+Count Evaluation::count(const Fitting& candidates, const Property& scope, const Things& landmarks) {
+  Count result;
+  for (auto& id : without(candidates.possible, landmarks)) {
+    auto is_certain = std::ranges::find(candidates.certain, id) != candidates.certain.end();
+    result.add(both(scope(id), is_certain ? Truth::yes : Truth::unknown));
+  }
+  return result;
+}
+
+Truth Evaluation::quantified(const Nominal& phrase, const Property& scope,
+                             const Things& landmarks) {
+  check_coordination(phrase);
+  if (const auto* first =
+        phrase.sort == "conjunction" ? dependent(form_, phrase, "First") : nullptr;
+      first != nullptr && feature(*first, "Focus") == "only" &&
+      dependent(form_, *first, "Quantity") != nullptr)
+    return only_these(phrase, *first, scope);
+  auto result = unfocused(phrase, scope, landmarks);
+  if (bound_.contains(phrase.name))
+    return result;
+  // "Not all balls".
+  if (is_negated(phrase))
+    result = negation(result);
+  // "Only two boxes have a lid": the others have none, whatever else has one.
+  if (feature(phrase, "Focus") != "only" || dependent(form_, phrase, "Quantity") != nullptr)
+    return result;
+  // Nothing else is so.
+  for (auto& id : scene_.things())
+    if (!is_container(id) || is_one_of(id, phrase) != Truth::no)
+      result = both(result, either(negation(scope(id)), is_one_of(id, phrase)));
+  return result;
+}
+
+Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks) {
+  if (auto known = bound_.find(phrase.name); known != bound_.end())
+    return scope(known->second);
+  if (phrase.sort == "conjunction") {
+    auto first = quantified(need(phrase, "First"), scope, landmarks);
+    auto next = quantified(need(phrase, "Next"), scope, landmarks);
+    if (phrase.proposition == "or")
+      return either(first, next);
+    return phrase.proposition == "nor" ? both(negation(first), negation(next)) : both(first, next);
+  }
+  if (phrase.sort != "thing" && phrase.sort != "entity")
+    not_understood(phrase.proposition);
+  const auto delimited = delimitation(phrase);
+  if (!within_.empty() && is_definite(phrase) && !is_pronoun(phrase) &&
+      !is_container_noun(phrase.proposition))
+    return definite_inside(phrase, scope);
+  if (const auto* modifier = collective_modifier(phrase))
+    return collectively(phrase, *modifier, scope);
+  if (is_definite_phrase(phrase)) {
+    if (auto agreed = agreed_by_all(phrase, scope))
+      return *agreed;
+    auto result = Truth::yes;
+    auto members = members_of(phrase);
+    for (auto& id : without(members.possible, landmarks)) {
+      auto truth = delimited == "neither" ? negation(scope(id)) : scope(id);
+      auto is_certain = std::ranges::find(members.certain, id) != members.certain.end();
+      result = both(result, is_certain ? truth : either(truth, Truth::unknown));
+    }
+    return scene_.open_questions().empty() ? result : Truth::unknown;
+  }
+  const auto* quantity = dependent(form_, phrase, "Quantity");
+  auto candidates = described(phrase);
+  // Of "all balls" there are some: what may be a ball is one if nothing else is.
+  if ((delimited == "all" || delimited == "most") && candidates.certain.empty())
+    candidates.certain = candidates.possible;
+  auto so = count(candidates, scope, landmarks);
+  if (quantity != nullptr) {
+    auto range = number_range(*quantity);
+    if (quantity->proposition == "several" || quantity->proposition == "many" ||
+        quantity->proposition == "multiple")
+      range = NumberRange{2};
+    if (!range)
+      not_understood(quantity->proposition);
+    return is_within(so, *range);
+  }
+  if (delimited == "none")
+    return is_within(so, {0, 0});
+  auto not_so = count(
+    candidates, [&](const std::string& id) { return negation(scope(id)); }, landmarks);
+  if (delimited == "most") {
+    if (so.certain > not_so.possible)
+      return Truth::yes;
+    return so.possible <= not_so.certain ? Truth::no : Truth::unknown;
+  }
+  if (delimited == "all") {
+    if (scene_.open_questions().empty() && candidates.possible.empty())
+      throw Uninterpretable{Uninterpretable::Reason::nothing_like, phrase.name};
+    return is_within(not_so, {0, 0});
+  }
+  return is_within(so, {1});
+}
+
+Truth Evaluation::is_one_of(const std::string& id, const Nominal& phrase) {
+  if (is_definite_phrase(phrase)) {
+    auto things = members_of(phrase);
+    if (std::ranges::find(things.certain, id) != things.certain.end())
+      return Truth::yes;
+    const bool is_possible = std::ranges::find(things.possible, id) != things.possible.end();
+    return is_possible ? Truth::unknown : Truth::no;
+  }
+  return fits(id, phrase);
+}
+
+/// Fits the phrase without one of its modifiers.
+Truth Evaluation::fits_but_for(const std::string& id, const Nominal& phrase,
+                               const Nominal& modifier) {
+  auto without = phrase;
+  std::erase_if(without.relations, [&](auto& x) { return x.dependent == modifier.name; });
+  return fits(id, without);
+}
+
+Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_selection) {
+  if (phrase.sort == "conjunction") {
+    // "Cubes and balls" are all that are one or the other.
+    auto result = either(fits(id, need(phrase, "First")), fits(id, need(phrase, "Next")));
+    for (auto& [mode, name] : phrase.relations)
+      if (const auto* x = find_nominal(form_, name);
+          x != nullptr && mode != "First" && mode != "Next")
+        result = both(result, modified(id, phrase, mode, *x));
+    return result;
+  }
+  auto result = is_called(id, phrase);
+  const Nominal* selection = nullptr;
+  for (auto& [mode, name] : phrase.relations) {
+    const auto* x = find_nominal(form_, name);
+    if (x == nullptr || result == Truth::no)
+      continue;
+    if (const auto* together = collective_modifier(phrase);
+        together != nullptr &&
+        (x == together || (mode == "GenRelation" && dependent(form_, *x, "Cop-Scope") == together)))
+      continue;
+    if (mode == "Selection")
+      selection = x;
+    else
+      result = both(result, modified(id, phrase, mode, *x));
+  }
+  if (selection == nullptr || !with_selection || result == Truth::no)
+    return result;
+  Fitting among;
+  for (auto& other : scene_.things()) {
+    auto truth = fits(other, phrase, false);
+    if (truth != Truth::no)
+      among.possible.push_back(other);
+    if (truth == Truth::yes)
+      among.certain.push_back(other);
+  }
+  return both(result, is_selected(id, *selection, among));
+}
+
+Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
+  if (auto known = bound_.find(phrase.name); known != bound_.end() && is_pronoun(phrase))
+    return truth_of(known->second == id);
+  if (is_pronoun(phrase)) {
+    auto things = meant(phrase);
+    return truth_of(std::ranges::find(things, id) != things.end());
+  }
+  auto& noun = phrase.proposition;
+  if (auto named = is_named_by_sense(id, phrase))
+    return *named;
+  if (is_general_noun(noun))
+    return Truth::yes;
+  auto named = scene_.has(id, binding::feature(FeatureKind::concept_name, noun));
+  auto shape = shape_of_noun(noun);
+  // "Box" may mean a container or a cube: what there is.
+  if (!shape || named == Truth::yes)
+    return named;
+  return has_shape(id, *shape);
+}
+
+/// A shape that looks like another may be meant where nothing else can be.
+Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
+  auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
+  if (result == Truth::unknown && !is_lenient_ && !scene_.words(id, FeatureKind::shape).empty())
+    return Truth::no;
+  return result;
+}
+
+/// The first definite phrase before a pronoun in the same sentence: "is the ball large, and is it
+/// red?" Null if there is none.
+const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
+  const auto* root = find_nominal(form_, form_.root);
+  if (root == nullptr || root->sort != "conjunction" || is_plural(pronoun))
+    return nullptr;
+  const auto* first = dependent(form_, *root, "First");
+  const auto* subject = first == nullptr ? nullptr : dependent(form_, *first, "Cop-Restr");
+  const bool is_before = subject != nullptr && subject->sort == "thing" && is_definite(*subject) &&
+                         !is_pronoun(*subject) && !is_plural(*subject);
+  return is_before ? subject : nullptr;
+}
+
+Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const std::string& mode,
+                           const Nominal& x) {
+  const auto [modifier, is_new] = modifiers_.insert(phrase.name + ' ' + x.name);
+  if (!is_new)
+    return Truth::yes;
+  const auto name = *modifier;
+  try {
+    auto result = as_modified(id, phrase, mode, x);
+    modifiers_.erase(name);
+    return result;
+  } catch (const Uninterpretable&) {
+    modifiers_.erase(name);
+    throw;
+  }
+}
+
+Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
+                              const Nominal& x) {
+  if (mode == "Quantity")
+    return Truth::yes;
+  if (mode == "PartOf")
+    return is_plural(x) ? is_one_of(id, x) : fits(id, x);
+  if (mode == "Whole")
+    return quantified(
+      x, [&](auto& whole) { return scene_.is_related(binding::containment_label, id, whole); });
+  if (mode == "Accompaniment")
+    return accompanied(id, phrase, x);
+  if (mode == "Lacking")
+    return negation(accompanied(id, phrase, x));
+  if (mode == "Where") {
+    if (has_containers() && !is_container(id))
+      not_understood(x.proposition);
+    const auto outer = std::exchange(within_, id);
+    auto result = clause(x);
+    within_ = outer;
+    return result;
+  }
+  if (mode == "Except")
+    return negation(is_one_of(id, x));
+  if (mode == "GenRelation") {
+    // "That you see" says nothing new.
+    if (x.sort == "perception" && x.proposition == "see")
+      return Truth::yes;
+    ScopedBinding binding{bound_, phrase.name};
+    binding.set(id);
+    return clause(x);
+  }
+  if (mode == "Owner" || mode == "Name")
+    not_understood(x.proposition);
+  // "Two different boxes" are two.
+  if (mode == "Property" && x.sort == "property" && x.proposition == "different")
+    return Truth::yes;
+  if (mode == "Property" && x.proposition == "only") {
+    Count so;
+    for (auto& other : scene_.things())
+      so.add(other == id ? Truth::no : fits_but_for(other, phrase, x));
+    return is_within(so, {0, 0});
+  }
+  if (mode == "Property" && x.proposition == "other") {
+    auto contains = [&](const Things& things) {
+      return truth_of(std::ranges::find(things, id) != things.end());
+    };
+    auto all = antecedents_of(phrase.name + std::string{chosen_from});
+    auto others = negation(contains(antecedents_of(phrase.name)));
+    return all.empty() ? others : both(contains(all), others);
+  }
+  if (auto together = is_with_the_others(id, phrase, x))
+    return *together;
+  return is(id, x, &phrase);
+}
+
+} // namespace castor::communication
