@@ -55,7 +55,7 @@ TEST(Parser, SaysWhatIsMissing) {
 TEST(Parser, RefusesWhatDoesNotAgree) {
   EXPECT_THAT(parse("the balls is red").unparsable, testing::Not(IsEmpty()));
   EXPECT_THAT(parse("a balls").unparsable, testing::Not(IsEmpty()));
-  EXPECT_THAT(parse("there are a ball").unparsable, testing::Not(IsEmpty()));
+  EXPECT_THAT(parse("all ball are red").unparsable, testing::Not(IsEmpty()));
   EXPECT_THAT(parse("the balls are red").unparsable, IsEmpty());
 }
 

@@ -13,7 +13,11 @@ namespace castor::communication::test {
 
 Reply TableTalk::say(const std::string& text) {
   Reply reply;
-  for (auto& sentence : sentences_of(text)) {
+  auto sentences = sentences_of(text);
+  // "?!" is no sentence, but it is said.
+  if (sentences.empty())
+    sentences.push_back(text);
+  for (auto& sentence : sentences) {
     const auto silences = reply.silences;
     reply = say_sentence(sentence);
     reply.silences += silences;

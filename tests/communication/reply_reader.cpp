@@ -1,0 +1,149 @@
+#include "castor/tests/communication/reply_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+namespace castor::communication::test {
+
+namespace {
+
+using Kind = ReadReply::Kind;
+using Words = std::vector<std::string>;
+
+constexpr std::array numbers{"zero", "one",   "two",   "three", "four", "five",
+                             "six",  "seven", "eight", "nine",  "ten"};
+constexpr std::array colours{"red", "blue", "green", "yellow", "grey", "pink", "orange", "purple"};
+constexpr std::array sizes{"small", "large"};
+constexpr std::array shapes{"cube", "ball", "cylinder", "pyramid", "sphere"};
+
+template <class T>
+bool is_in(const T& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+std::vector<Words> sentences_in(std::string_view text) {
+  std::vector<Words> result(1);
+  std::string word;
+  auto end_word = [&] {
+    if (!word.empty())
+      result.back().push_back(word);
+    word.clear();
+  };
+  for (char c : text) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else
+      end_word();
+    if ((c == '.' || c == '?') && !result.back().empty())
+      result.emplace_back();
+  }
+  end_word();
+  if (result.back().empty())
+    result.pop_back();
+  return result;
+}
+
+bool begins_with(const Words& words, std::size_t at, std::initializer_list<const char*> with) {
+  if (words.size() < at + with.size())
+    return false;
+  return std::equal(with.begin(), with.end(), words.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+/// The adjectives and the noun after an article.
+ReadReply::Described description(const Words& words, std::size_t at) {
+  ReadReply::Described result;
+  for (; at < words.size(); ++at) {
+    auto& word = words[at];
+    if (is_in(colours, word))
+      result.colour = word;
+    else if (is_in(sizes, word))
+      result.size = word;
+    else {
+      if (is_in(shapes, word))
+        result.shape = word == "sphere" ? "ball" : word;
+      break;
+    }
+  }
+  return result;
+}
+
+void read_existence(const Words& words, std::size_t at, ReadReply& reply) {
+  if (begins_with(words, at, {"at", "least"})) {
+    reply.is_at_least = true;
+    at += 2;
+  }
+  if (at >= words.size())
+    return;
+  auto number = std::find(numbers.begin(), numbers.end(), words[at]);
+  if (number != numbers.end())
+    reply.number = static_cast<std::size_t>(number - numbers.begin());
+  else if (words[at] == "no" || words[at] == "nothing")
+    reply.number = 0;
+  else if (words[at] == "a" || words[at] == "an")
+    reply.described.push_back(description(words, at + 1));
+}
+
+void read_ascription(const Words& words, std::size_t at, ReadReply& reply) {
+  if (at < words.size() && words[at] == "not") {
+    reply.is_denied = true;
+    ++at;
+  }
+  if (at < words.size() && (words[at] == "a" || words[at] == "an")) {
+    reply.described.push_back(description(words, at + 1));
+    ++at;
+  }
+  for (; at < words.size(); ++at) {
+    if (!is_in(colours, words[at]) && !is_in(sizes, words[at]) && !is_in(shapes, words[at]))
+      break;
+    reply.ascribed.push_back(words[at] == "sphere" ? "ball" : words[at]);
+  }
+}
+
+void read_sentence(const Words& words, std::size_t at, ReadReply& reply) {
+  if (begins_with(words, at, {"there", "is"}) || begins_with(words, at, {"there", "are"}))
+    read_existence(words, at + 2, reply);
+  else if (begins_with(words, at, {"it", "is"}))
+    read_ascription(words, at + 2, reply);
+}
+
+} // namespace
+
+ReadReply read_reply(std::string_view text) {
+  ReadReply reply;
+  const auto has = [&text](std::string_view what) {
+    return text.find(what) != std::string_view::npos;
+  };
+  if (has("<no words>"))
+    return reply;
+  if (has("I do not understand") || has("means here") || has("I do not know the word") ||
+      has("What about it") || has("for '")) {
+    reply.kind = Kind::not_understood;
+    return reply;
+  }
+  const auto sentences = sentences_in(text);
+  if (sentences.empty())
+    return reply;
+  auto& first = sentences.front();
+  if (begins_with(first, 0, {"yes"}))
+    reply.kind = Kind::yes;
+  else if (begins_with(first, 0, {"no"}))
+    reply.kind = Kind::no;
+  else if (begins_with(first, 0, {"ok"}))
+    reply.kind = Kind::accepted;
+  else if (begins_with(first, 0, {"i", "do", "not", "know"}))
+    reply.kind = Kind::unknown;
+  else if (begins_with(first, 0, {"i", "do", "not", "see"}))
+    reply.kind = Kind::not_seen;
+  else if (begins_with(first, 0, {"which"}))
+    reply.kind = Kind::asked_back;
+  else if (begins_with(first, 0, {"there"}) || begins_with(first, 0, {"it"}))
+    reply.kind = Kind::statement;
+  const bool has_marker = reply.kind == Kind::yes || reply.kind == Kind::no;
+  for (auto& words : sentences)
+    read_sentence(words, &words == &first && has_marker ? 1 : 0, reply);
+  return reply;
+}
+
+} // namespace castor::communication::test
