@@ -301,13 +301,12 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     candidates.certain = candidates.possible;
   auto so = count(candidates, scope, landmarks);
   if (quantity != nullptr) {
-    auto range = number_range(*quantity);
-    if (quantity->proposition == "several" || quantity->proposition == "many" ||
-        quantity->proposition == "multiple")
-      range = NumberRange{2};
-    if (!range)
-      not_understood(quantity->proposition);
-    return is_within(so, *range);
+    const auto& word = quantity->proposition;
+    if (word == "several" || word == "many" || word == "multiple")
+      return is_within(so, {2});
+    if (const auto range = number_range(*quantity))
+      return is_within(so, *range);
+    not_understood(word);
   }
   if (delimited == "none")
     return is_within(so, {0, 0});

@@ -15,10 +15,10 @@ namespace {
 constexpr double box_side = 0.1;
 
 /// A tower of blocks, its base first.
-std::vector<PicturedItem> tower(const std::vector<std::string>& colours) {
+std::vector<PicturedItem> tower(const std::vector<std::string>& from_below) {
   constexpr double block = 0.02;
   std::vector<PicturedItem> result;
-  for (auto& colour : colours)
+  for (auto& colour : from_below)
     result.push_back({"square", colour, 0.04, static_cast<double>(result.size()) * block, block});
   return result;
 }

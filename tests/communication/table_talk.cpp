@@ -61,11 +61,11 @@ Reply TableTalk::say_sentence(const std::string& text) {
   if (!response.text.empty())
     reply.text += (reply.text.empty() ? "" : " ") + response.text;
   for (auto& sentence : response.sentences) {
-    auto words = realiser.realise(sentence.content);
-    if (!words && !sentence.simpler.nominals.empty())
-      words = realiser.realise(sentence.simpler);
-    reply.silences += words ? 0 : 1;
-    reply.text += (reply.text.empty() ? "" : " ") + words.value_or("<no words>");
+    auto said = realiser.realise(sentence.content);
+    if (!said && !sentence.simpler.nominals.empty())
+      said = realiser.realise(sentence.simpler);
+    reply.silences += said ? 0 : 1;
+    reply.text += (reply.text.empty() ? "" : " ") + said.value_or("<no words>");
   }
   return reply;
 }
