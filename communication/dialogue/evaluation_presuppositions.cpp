@@ -1,0 +1,87 @@
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::communication {
+
+bool Evaluation::has_pronoun(const Nominal& phrase) const {
+  return std::ranges::any_of(part_of(form_, phrase.name).nominals, is_pronoun);
+}
+
+void Evaluation::check_presuppositions() {
+  // What is spoken of may be in whatever container is spoken of.
+  if (has_containers())
+    return;
+  std::vector<std::pair<const Nominal*, Fitting>> phrases;
+  // What the sentence is about comes first.
+  std::vector<std::string> names;
+  for (const auto* x : things_spoken_of(form_))
+    names.push_back(x->name);
+  for (auto& x : part_of(form_, form_.root).nominals)
+    if (std::ranges::find(names, x.name) == names.end())
+      names.push_back(x.name);
+  for (auto& name : names) {
+    const auto& x = *find_nominal(form_, name);
+    const auto delimited = feature(x, "Delimitation");
+    const bool is_universal = delimited == "all" || delimited == "most";
+    // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
+    // are definite.
+    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) ||
+        (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
+      continue;
+    phrases.emplace_back(&x, presupposed(x));
+  }
+  check_consistency(phrases);
+}
+
+/// What is like the phrase, of which there is what it takes for granted.
+Fitting Evaluation::presupposed(const Nominal& x) {
+  if (is_definite_phrase(x))
+    meant(x);
+  auto found = described(x);
+  if (found.possible.empty() && !is_definite_phrase(x) && scene_.open_questions().empty())
+    throw Uninterpretable{Uninterpretable::Reason::nothing_like, x.name};
+  return found;
+}
+
+/// Something that is not known well enough may be taken for the ball or for the cube, not for both;
+/// and if it is taken for the red ball, there is another ball than the one that is known.
+void Evaluation::check_consistency(
+  const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const {
+  using Reason = Uninterpretable::Reason;
+  for (auto& [phrase, found] : phrases)
+    for (auto& [other, others] : phrases) {
+      if (phrase == other || !found.certain.empty() || found.possible.size() != 1)
+        continue;
+      const auto& id = found.possible.front();
+      if (std::ranges::find(others.possible, id) == others.possible.end())
+        continue;
+      if (others.certain.empty() && exclude_each_other(*phrase, *other))
+        throw Uninterpretable{Reason::nothing_like, other->name};
+      if (!others.certain.empty() && is_definite(*other) && !is_plural(*other) &&
+          std::ranges::find(others.certain, id) == others.certain.end())
+        throw Uninterpretable{Reason::unknown, other->name};
+    }
+}
+
+bool Evaluation::exclude_each_other(const Nominal& a, const Nominal& b) const {
+  auto shape = shape_of_noun(a.proposition);
+  auto other_shape = shape_of_noun(b.proposition);
+  if (shape && other_shape && *shape != *other_shape)
+    return true;
+  for (const auto* mode : {"Colour", "Size", "Shape"}) {
+    const auto* one = dependent(form_, a, mode);
+    const auto* other = dependent(form_, b, mode);
+    if (one != nullptr && other != nullptr && one->proposition != other->proposition)
+      return true;
+  }
+  return false;
+}
+
+} // namespace castor::communication
