@@ -169,6 +169,9 @@ Response Responder::what(const Nominal& phrase) {
 }
 
 Response Responder::where(const Nominal& phrase) {
+  // Where people are, the table does not tell.
+  if (phrase.sort == "person")
+    return answer(i_do_not_know());
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   auto things = evaluation_.meant(phrase);
   for (auto& id : things) {
@@ -205,8 +208,15 @@ Response Responder::to_question_yn() {
   const bool is_negated = feature(root(), "Polarity") == "neg";
   const bool is_literal = feature(root(), "Literal") == "true";
   auto truth = evaluation_.clause(is_negated && !is_literal ? affirmed(root()) : root());
-  if (truth == Truth::unknown)
+  if (truth == Truth::unknown) {
+    // What vision has no word for may be there, but it is not seen.
+    const auto* subject =
+      root().sort == "existence" ? dependent(form_, root(), "Subject") : nullptr;
+    if (subject != nullptr && subject->sort == "thing" && !is_general_noun(subject->proposition) &&
+        !is_pronoun(*subject) && !shape_of_noun(subject->proposition))
+      return answer(nothing_like(*subject));
     return yes_or_no(truth);
+  }
   if (root().sort != "ascription" || restriction == nullptr || scope == nullptr ||
       !is_definite(*restriction) || is_plural(*restriction) || restriction->sort != "thing" ||
       !feature(*restriction, "Focus").empty())

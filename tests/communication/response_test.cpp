@@ -179,6 +179,8 @@ TEST_F(Responses, DoNotGuess) {
   EXPECT_EQ(say("What colour is the box?"), "Which box do you mean?");
   EXPECT_EQ(relation, RhetoricalRelation::clarification_question);
   EXPECT_EQ(say("Where is the green ball?"), "I do not see a green ball.");
+  EXPECT_EQ(say("Is there a mug?"), "I do not see a mug.");
+  EXPECT_EQ(say("Where am I?"), "I do not know.");
   EXPECT_EQ(say("Is the old box blue?"), "I do not know what 'old' means here.");
   context = {};
   EXPECT_EQ(say("The red ball."), "What about it?");
