@@ -170,18 +170,13 @@ Truth Evaluation::about_qualities(const Nominal& subject, const Nominal& scope) 
     not_understood(scope.proposition);
   auto a = described(owner).count();
   auto b = described(need(*other, "Owner")).count();
-  auto more = [](const Count& x, const Count& y) {
-    if (x.certain > y.possible)
-      return Truth::yes;
-    return x.possible <= y.certain ? Truth::no : Truth::unknown;
-  };
   if (scope.proposition == "greater" || scope.proposition == "more")
-    return more(a, b);
+    return is_greater(a, b);
   if (scope.proposition == "smaller" || scope.proposition == "fewer")
-    return more(b, a);
+    return is_greater(b, a);
   if (scope.proposition != "same")
     not_understood(scope.proposition);
-  return both(negation(more(a, b)), negation(more(b, a)));
+  return both(negation(is_greater(a, b)), negation(is_greater(b, a)));
 }
 
 Truth Evaluation::existence(const Nominal& subject) {
@@ -239,18 +234,13 @@ Truth Evaluation::compared_counts(const Nominal& subject, const Nominal& quantit
     not_understood(quantity.proposition);
   auto a = described(*one).count();
   auto b = described(*other).count();
-  auto more = [](const Count& x, const Count& y) {
-    if (x.certain > y.possible)
-      return Truth::yes;
-    return x.possible <= y.certain ? Truth::no : Truth::unknown;
-  };
   if (quantity.proposition == "more")
-    return more(a, b);
+    return is_greater(a, b);
   if (quantity.proposition == "fewer")
-    return more(b, a);
+    return is_greater(b, a);
   if (quantity.proposition != "same")
     not_understood(quantity.proposition);
-  return both(negation(more(a, b)), negation(more(b, a)));
+  return both(negation(is_greater(a, b)), negation(is_greater(b, a)));
 }
 
 /// "The ball and the cube are the same colour", "all cubes have different colours".

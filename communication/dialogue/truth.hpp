@@ -53,4 +53,10 @@ constexpr Truth is_within(const Count& x, const NumberRange& range) {
   return x.possible < range.least || x.certain > range.most ? Truth::no : Truth::unknown;
 }
 
+constexpr Truth is_greater(const Count& a, const Count& b) {
+  if (a.certain > b.possible)
+    return Truth::yes;
+  return a.possible <= b.certain ? Truth::no : Truth::unknown;
+}
+
 } // namespace castor::communication
