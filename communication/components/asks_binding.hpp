@@ -42,15 +42,12 @@ protected:
   /// scene.
   template <class F>
   auto with_scene(const std::string& binding_subarchitecture, F f) {
-    SceneKnowledge scene;
-    auto result = f(scene);
-    while (!scene.open_questions().empty()) {
-      auto asked = scene.open_questions();
-      auto reply = ask(binding_subarchitecture, asked);
-      scene.learn(asked, reply ? std::move(*reply) : unknown_reply(asked.size()));
-      result = f(scene);
-    }
-    return result;
+    return with_knowledge(
+      [&](const std::vector<binding::Description>& asked) {
+        auto reply = ask(binding_subarchitecture, asked);
+        return reply ? std::move(*reply) : unknown_reply(asked.size());
+      },
+      std::move(f));
   }
 
 private:

@@ -88,13 +88,14 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   /// Of the reading that makes sense, which `move` becomes.
   MoveReferents referents_of(const std::string& id, DialogueMove& move) {
     const auto antecedents = antecedents_in(move, history_);
-    const auto reading = with_scene(
-      binding(), [&](SceneKnowledge& scene) { return respond(move, antecedents, scene).reading; });
-    MoveReferents result{{here(id)}, move.turn, move.problem.empty(), to_entry(antecedents), {}};
-    move = reading_of(std::move(move), reading);
-    result.referents = with_scene(binding(), [&](SceneKnowledge& scene) {
-      return communication::referents_of(move, antecedents, scene);
+    auto [meant, referents] = with_scene(binding(), [&](SceneKnowledge& scene) {
+      auto reading = reading_of(move, respond(move, antecedents, scene).reading);
+      auto spoken_of = communication::referents_of(reading, antecedents, scene);
+      return std::pair{std::move(reading), std::move(spoken_of)};
     });
+    MoveReferents result{
+      {here(id)}, move.turn, move.problem.empty(), to_entry(antecedents), std::move(referents)};
+    move = std::move(meant);
     return result;
   }
 
@@ -116,12 +117,12 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   void tell_of(const std::string& id, const DialogueMove& move, const MoveReferents& referents) {
     const auto& form = move.content;
     const auto* root = find_nominal(form, form.root);
-    if (root == nullptr || (root->sort == "existence" && feature(*root, "Polarity") == "neg") ||
+    if (root == nullptr || (root->sort == "existence" && is_negated(*root)) ||
         is_contradicted(move, *root, from_entry(referents.pronouns)))
       return;
     const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
     const auto* scope = dependent(form, *root, "Cop-Scope");
-    if (thing == nullptr || thing->sort != "thing" || feature(*thing, "Number") == "pl")
+    if (thing == nullptr || thing->sort != "thing" || is_plural(*thing))
       return;
     BindingProxy proxy;
     // What is said is judged when what is seen has been.
@@ -129,9 +130,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     proxy.features = features_of(form, *thing);
     if (scope != nullptr)
       for (auto& x : features_of(form, *scope))
-        add_feature(proxy, feature(*root, "Polarity") == "neg" && x.text != "thing"
-                             ? binding::negation_of(x)
-                             : x);
+        add_feature(proxy, is_negated(*root) && x.text != "thing" ? binding::negation_of(x) : x);
     if (!is_deictic(*thing))
       for (auto& x : referents.referents)
         if (x.nominal == thing->name && x.proxies.size() == 1)

@@ -11,6 +11,9 @@ namespace castor::communication {
 
 namespace {
 
+constexpr std::array number_words{"zero", "one",   "two",   "three", "four", "five",
+                                  "six",  "seven", "eight", "nine",  "ten"};
+
 Nominal& root_of(LogicalForm& form) {
   return *std::find_if(form.nominals.begin(), form.nominals.end(),
                        [&form](const Nominal& nominal) { return nominal.name == form.root; });
@@ -92,23 +95,34 @@ LogicalForm indefinite(const std::string& noun) {
   return form;
 }
 
+std::string number_word(std::size_t number) {
+  return number < number_words.size() ? number_words[number] : "many";
+}
+
+std::optional<std::size_t> number_of_word(std::string_view word) {
+  const auto found = std::ranges::find(number_words, word);
+  if (found == number_words.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(found - number_words.begin());
+}
+
 LogicalForm counted(std::size_t count, LogicalForm thing) {
-  static constexpr std::array words{"zero", "one",   "two",   "three", "four", "five",
-                                    "six",  "seven", "eight", "nine",  "ten"};
   auto form = without_determiner(std::move(thing));
   root_of(form).features.push_back({"Number", count == 1 ? "sg" : "pl"});
   if (count == 0)
     root_of(form).features.push_back({"Delimitation", "none"});
   else
-    attach(form, "Quantity", single("number", count < words.size() ? words[count] : "many"));
+    attach(form, "Quantity", single("number", number_word(count)));
   return form;
 }
 
-LogicalForm at_least(LogicalForm counted_things) {
-  for (auto& nominal : counted_things.nominals)
-    if (nominal.sort == "number")
-      nominal.features.push_back({"Bound", "at_least"});
-  return counted_things;
+LogicalForm counted(const Count& count, LogicalForm thing) {
+  auto form = counted(count.certain, std::move(thing));
+  if (count.possible > count.certain)
+    for (auto& nominal : form.nominals)
+      if (nominal.sort == "number")
+        nominal.features.push_back({"Bound", "at_least"});
+  return form;
 }
 
 LogicalForm none_of(LogicalForm thing) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "castor/communication/dialogue/truth.hpp"
 #include "castor/communication/types.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 /// Constructors of logical forms for frequent utterances of robots. Forms are composed of forms:
 ///
@@ -33,11 +36,17 @@ LogicalForm definite(const std::string& noun);
 /// "A ball".
 LogicalForm indefinite(const std::string& noun);
 
+/// "Two" for 2; "many" for what there is no word for.
+std::string number_word(std::size_t number);
+
+/// 2 for "two"; nothing for what is no such word.
+std::optional<std::size_t> number_of_word(std::string_view word);
+
 /// "Two balls"; "no balls" for 0.
 LogicalForm counted(std::size_t count, LogicalForm thing);
 
-/// "At least two balls", of what is counted.
-LogicalForm at_least(LogicalForm counted_things);
+/// "Two balls"; "at least two balls" if there may be more.
+LogicalForm counted(const Count& count, LogicalForm thing);
 
 /// "No ball".
 LogicalForm none_of(LogicalForm thing);

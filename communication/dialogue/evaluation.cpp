@@ -1,31 +1,20 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
-#include "castor/communication/dialogue/scoped_binding.hpp"
+#include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace castor::communication {
 
-namespace {
-
-constexpr std::array number_words{"zero", "one",   "two",   "three", "four", "five",
-                                  "six",  "seven", "eight", "nine",  "ten"};
-
-} // namespace
-
-std::string number_word(std::size_t number) {
-  return number < number_words.size() ? number_words[number] : "many";
-}
-
 std::optional<NumberRange> number_range(const Nominal& quantity) {
-  auto word = std::find(number_words.begin(), number_words.end(), quantity.proposition);
-  if (word == number_words.end())
+  const auto word = number_of_word(quantity.proposition);
+  if (!word)
     return std::nullopt;
-  const auto number = static_cast<std::size_t>(word - number_words.begin());
+  const auto number = *word;
   const auto bound = feature(quantity, "Bound");
   NumberRange range{number, number};
   if (bound == "at_least" || bound == "more_than")
@@ -57,10 +46,8 @@ Truth Evaluation::clause(const Nominal& e) {
     if (!is_container_noun(setting->proposition) && dependent(form_, *setting, "PartOf") == nullptr)
       not_understood(setting->proposition);
     return quantified(*setting, [&](const std::string& id) {
-      const auto outer = std::exchange(within_, id);
-      auto result = clause(e);
-      within_ = outer;
-      return result;
+      ScopedValue within{within_, id};
+      return clause(e);
     });
   }
   auto result = affirmed_clause(e);
@@ -170,13 +157,7 @@ Truth Evaluation::about_qualities(const Nominal& subject, const Nominal& scope) 
     not_understood(scope.proposition);
   auto a = described(owner).count();
   auto b = described(need(*other, "Owner")).count();
-  if (scope.proposition == "greater" || scope.proposition == "more")
-    return is_greater(a, b);
-  if (scope.proposition == "smaller" || scope.proposition == "fewer")
-    return is_greater(b, a);
-  if (scope.proposition != "same")
-    not_understood(scope.proposition);
-  return both(negation(is_greater(a, b)), negation(is_greater(b, a)));
+  return compared(scope.proposition, a, b);
 }
 
 Truth Evaluation::existence(const Nominal& subject) {
@@ -204,6 +185,17 @@ Truth Evaluation::existence(const Nominal& subject) {
     return subject.proposition == "or" ? either(first, next) : both(first, next);
   }
   return there_are(subject, [](auto&) { return Truth::yes; });
+}
+
+/// Whether one number is greater than another, or what else the word says.
+Truth Evaluation::compared(const std::string& word, const Count& a, const Count& b) {
+  if (word == "greater" || word == "more")
+    return is_greater(a, b);
+  if (word == "smaller" || word == "fewer")
+    return is_greater(b, a);
+  if (word != "same")
+    not_understood(word);
+  return both(negation(is_greater(a, b)), negation(is_greater(b, a)));
 }
 
 /// "More cubes than balls", "an equal number of cubes and balls".
@@ -234,13 +226,7 @@ Truth Evaluation::compared_counts(const Nominal& subject, const Nominal& quantit
     not_understood(quantity.proposition);
   auto a = described(*one).count();
   auto b = described(*other).count();
-  if (quantity.proposition == "more")
-    return is_greater(a, b);
-  if (quantity.proposition == "fewer")
-    return is_greater(b, a);
-  if (quantity.proposition != "same")
-    not_understood(quantity.proposition);
-  return both(negation(is_greater(a, b)), negation(is_greater(b, a)));
+  return compared(quantity.proposition, a, b);
 }
 
 /// "The ball and the cube are the same colour", "all cubes have different colours".

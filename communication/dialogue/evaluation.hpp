@@ -4,13 +4,13 @@
 #include "castor/communication/dialogue/truth.hpp"
 #include "castor/communication/types.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace castor::communication {
@@ -41,6 +41,19 @@ struct Fitting {
 
   /// The certain ones, or those that may be if there are none.
   const std::vector<std::string>& best() const { return certain.empty() ? possible : certain; }
+
+  Truth contains(const std::string& id) const {
+    if (std::ranges::find(certain, id) != certain.end())
+      return Truth::yes;
+    return std::ranges::find(possible, id) != possible.end() ? Truth::unknown : Truth::no;
+  }
+
+  void add(const std::string& id, Truth fits) {
+    if (fits != Truth::no)
+      possible.push_back(id);
+    if (fits == Truth::yes)
+      certain.push_back(id);
+  }
 
   Count count() const { return {certain.size(), possible.size()}; }
 };
@@ -91,6 +104,7 @@ private:
   Truth ascription(const Nominal& e);
   Truth about_qualities(const Nominal& subject, const Nominal& scope);
   Truth existence(const Nominal& subject);
+  static Truth compared(const std::string& word, const Count& a, const Count& b);
   Truth compared_counts(const Nominal& subject, const Nominal& quantity);
   Truth collectively(const Nominal& subject, const Nominal& comparison);
   Truth are_near_each_other(const Nominal& subject);
@@ -196,8 +210,5 @@ private:
 
 /// Numbers of things that a quantity such as "at least two" stands for; nothing for "several".
 std::optional<NumberRange> number_range(const Nominal& quantity);
-
-/// "Two" for 2; "many" for what there is no word for.
-std::string number_word(std::size_t number);
 
 } // namespace castor::communication

@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -113,13 +114,10 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
     auto next = contains(container, need(what, "Next"));
     return what.proposition == "or" ? either(first, next) : both(first, next);
   }
-  const auto outer = std::exchange(within_, container);
+  ScopedValue within{within_, container};
   if (const auto* quantity = dependent(form_, what, "Quantity");
-      quantity != nullptr && quantity->sort == "comparison") {
-    auto compared = compared_counts(what, *quantity);
-    within_ = outer;
-    return compared;
-  }
+      quantity != nullptr && quantity->sort == "comparison")
+    return compared_counts(what, *quantity);
   auto result = has_some_of_each(what);
   if (what.sort == "thing" && feature(what, "Delimitation") == "all" &&
       dependent(form_, what, "Quantity") == nullptr && !items(container).empty())
@@ -139,7 +137,6 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
     if (alone.relations.size() < what.relations.size())
       result = both(result, there_are(alone, [](auto&) { return Truth::yes; }));
   }
-  within_ = outer;
   return result;
 }
 
@@ -161,10 +158,8 @@ Truth Evaluation::in_each(const Nominal& subject, const Nominal& region, const N
   auto holds = [&](const std::string& id) {
     if (region.proposition == "in")
       return contains(id, item);
-    const auto outer = std::exchange(within_, id);
-    auto result = there_are(item, [&](const std::string& other) { return is_in(other, place); });
-    within_ = outer;
-    return result;
+    ScopedValue within{within_, id};
+    return there_are(item, [&](const std::string& other) { return is_in(other, place); });
   };
   if (feature(container, "Delimitation") != "same")
     return quantified(container, holds);
@@ -265,21 +260,18 @@ Truth Evaluation::discourse(const Nominal& first, const Nominal& next) {
   const bool is_known = topic != nullptr && (is_definite(*topic) || topic->proposition == "one" ||
                                              (group != nullptr && is_pronoun(*group)));
   const bool is_about_it = subject != nullptr && subject->sort == "thing" && is_known &&
-                           feature(first, "Polarity") != "neg" &&
+                           !is_negated(first) &&
                            (is_pronoun(*topic) || is_container_noun(subject->proposition));
   if (!is_about_it)
     return both(clause(first), clause(next));
   return there_are(*subject, [&](const std::string& id) {
-    const auto outer = within_;
-    const auto before = bound_;
-    if ((is_pronoun(*topic) && !is_plural(*topic)) || topic->proposition == subject->proposition)
-      bound_[topic->name] = id;
-    else
-      within_ = id;
-    auto result = clause(next);
-    within_ = outer;
-    bound_ = before;
-    return result;
+    if ((is_pronoun(*topic) && !is_plural(*topic)) || topic->proposition == subject->proposition) {
+      ScopedBinding binding{bound_, topic->name};
+      binding.set(id);
+      return clause(next);
+    }
+    ScopedValue within{within_, id};
+    return clause(next);
   });
 }
 

@@ -1,7 +1,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
-#include "castor/communication/dialogue/scoped_binding.hpp"
+#include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -55,8 +55,7 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
   const auto* topic = dependent(form_, e, "Topic");
   const auto* excepted = dependent(form_, e, "Except");
   for (auto& id : candidates.possible) {
-    auto is_certain = std::ranges::find(candidates.certain, id) != candidates.certain.end();
-    auto truth = is_certain ? Truth::yes : Truth::unknown;
+    auto truth = candidates.contains(id);
     if (topic != nullptr && asked.proposition == "one")
       truth = both(truth, is_one_of(id, *topic));
     if (excepted != nullptr)
@@ -64,25 +63,16 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
     ScopedBinding binding{bound_, asked.name};
     binding.set(id);
     truth = both(truth, clause(e));
-    if (truth != Truth::no)
-      result.possible.push_back(id);
-    if (truth == Truth::yes)
-      result.certain.push_back(id);
+    result.add(id, truth);
   }
   return result;
 }
 
 Fitting Evaluation::described(const Nominal& phrase) {
   Fitting result;
-  for (auto& id : scene_.things()) {
-    if (is_outside(id, phrase))
-      continue;
-    auto truth = fits(id, phrase);
-    if (truth != Truth::no)
-      result.possible.push_back(id);
-    if (truth == Truth::yes)
-      result.certain.push_back(id);
-  }
+  for (auto& id : scene_.things())
+    if (!is_outside(id, phrase))
+      result.add(id, fits(id, phrase));
   return result;
 }
 
@@ -134,9 +124,8 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   auto found = described(phrase);
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
-    is_lenient_ = true;
+    ScopedValue lenience{is_lenient_, true};
     found = described(phrase);
-    is_lenient_ = false;
   }
   if (!scene_.open_questions().empty())
     return {};
@@ -166,10 +155,8 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
 /// Of how many of them `scope` is true.
 Count Evaluation::count(const Fitting& candidates, const Property& scope, const Things& landmarks) {
   Count result;
-  for (auto& id : without(candidates.possible, landmarks)) {
-    auto is_certain = std::ranges::find(candidates.certain, id) != candidates.certain.end();
-    result.add(both(scope(id), is_certain ? Truth::yes : Truth::unknown));
-  }
+  for (auto& id : without(candidates.possible, landmarks))
+    result.add(both(scope(id), candidates.contains(id)));
   return result;
 }
 
@@ -222,7 +209,7 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     auto members = members_of(phrase);
     for (auto& id : without(members.possible, landmarks)) {
       auto truth = delimited == "neither" ? negation(scope(id)) : scope(id);
-      auto is_certain = std::ranges::find(members.certain, id) != members.certain.end();
+      const bool is_certain = members.contains(id) == Truth::yes;
       result = both(result, is_certain ? truth : either(truth, Truth::unknown));
     }
     return scene_.open_questions().empty() ? result : Truth::unknown;
@@ -259,14 +246,7 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
 }
 
 Truth Evaluation::is_one_of(const std::string& id, const Nominal& phrase) {
-  if (is_definite_phrase(phrase)) {
-    auto things = members_of(phrase);
-    if (std::ranges::find(things.certain, id) != things.certain.end())
-      return Truth::yes;
-    const bool is_possible = std::ranges::find(things.possible, id) != things.possible.end();
-    return is_possible ? Truth::unknown : Truth::no;
-  }
-  return fits(id, phrase);
+  return is_definite_phrase(phrase) ? members_of(phrase).contains(id) : fits(id, phrase);
 }
 
 /// Fits the phrase without one of its modifiers.
@@ -305,13 +285,8 @@ Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_s
   if (selection == nullptr || !with_selection || result == Truth::no)
     return result;
   Fitting among;
-  for (auto& other : scene_.things()) {
-    auto truth = fits(other, phrase, false);
-    if (truth != Truth::no)
-      among.possible.push_back(other);
-    if (truth == Truth::yes)
-      among.certain.push_back(other);
-  }
+  for (auto& other : scene_.things())
+    among.add(other, fits(other, phrase, false));
   return both(result, is_selected(id, *selection, among));
 }
 
@@ -358,18 +333,10 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
 
 Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                            const Nominal& x) {
-  const auto [modifier, is_new] = modifiers_.insert(phrase.name + ' ' + x.name);
-  if (!is_new)
+  const ScopedElement modifier{modifiers_, phrase.name + ' ' + x.name};
+  if (!modifier.is_new())
     return Truth::yes;
-  const auto name = *modifier;
-  try {
-    auto result = as_modified(id, phrase, mode, x);
-    modifiers_.erase(name);
-    return result;
-  } catch (const Uninterpretable&) {
-    modifiers_.erase(name);
-    throw;
-  }
+  return as_modified(id, phrase, mode, x);
 }
 
 Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
@@ -388,10 +355,8 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
   if (mode == "Where") {
     if (has_containers() && !is_container(id))
       not_understood(x.proposition);
-    const auto outer = std::exchange(within_, id);
-    auto result = clause(x);
-    within_ = outer;
-    return result;
+    ScopedValue within{within_, id};
+    return clause(x);
   }
   if (mode == "Except")
     return negation(is_one_of(id, x));

@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -150,12 +151,10 @@ Truth Evaluation::touches(const std::string& id, const Nominal& region, const No
     return touches_side(id, anchor, is_close ? contact : nearly_contact);
   if (side_of(anchor) != nullptr)
     return touches_side(id, anchor, is_close ? contact_with_wall : nearly_contact);
-  const auto outer = std::exchange(related_, id);
-  auto result = quantified(anchor, [&](const std::string& other) {
+  ScopedValue related{related_, id};
+  return quantified(anchor, [&](const std::string& other) {
     return other == id ? Truth::no : touches_thing(id, other, is_close ? contact : nearly_contact);
   });
-  related_ = outer;
-  return result;
 }
 
 /// "The wall" is any of four.

@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace castor::communication {
 
 namespace {
 
-using binding::Feature;
 using binding::FeatureKind;
 
 /// Of two sizes, the larger one is larger by so much at least; else they are about the same.
@@ -89,7 +89,7 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          feature(*anchor, "Number") != "pl" && !is_the_table(*anchor))
+          !is_plural(*anchor) && !is_the_table(*anchor))
         add(meant(*anchor));
   return result;
 }
@@ -97,7 +97,7 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
 /// Whether it is not so. Of "the ball" it may be said that it is not left of itself.
 Truth Evaluation::denial(const std::string& id, const Nominal& scope, Truth truth,
                          const Nominal* among) {
-  if (among != nullptr && is_definite(*among) && feature(*among, "Number") != "pl")
+  if (among != nullptr && is_definite(*among) && !is_plural(*among))
     return negation(truth);
   auto landmarks = landmarks_of(scope);
   const bool is_landmark = std::ranges::find(landmarks, id) != landmarks.end();
@@ -116,7 +116,7 @@ Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
     return either(a, b);
   // "Red and blue things" are some of each.
   const bool exclude_each_other = first.sort == next.sort && kind_of_quality(first.sort);
-  const bool is_attribute_of_several = among != nullptr && feature(*among, "Number") == "pl";
+  const bool is_attribute_of_several = among != nullptr && is_plural(*among);
   return exclude_each_other && is_attribute_of_several ? either(a, b) : both(a, b);
 }
 
@@ -202,12 +202,10 @@ Truth Evaluation::is_related(const std::string& id, const std::string& relation,
                              const Nominal& anchor) {
   if (!is_spatial_relation(relation) && !scene_.knows_relation(relation) && !has_containers())
     not_understood(relation);
-  const auto outer = std::exchange(related_, id);
-  auto result = quantified(anchor, [&](const std::string& other) {
+  ScopedValue related{related_, id};
+  return quantified(anchor, [&](const std::string& other) {
     return other == id ? Truth::no : scene_.is_related(relation, id, other);
   });
-  related_ = outer;
-  return result;
 }
 
 /// Nearer to the line between the two than a third of their distance, and not beyond either.
@@ -282,9 +280,8 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
     const auto& b = how->more ? id : other;
     const auto is_before = is_more(a, b, how->dimension, anchor);
     const auto is_after = is_more(b, a, how->dimension, anchor);
-    auto is_among = std::ranges::find(among.certain, other) != among.certain.end();
     // Which of two that are about the same comes first, nobody can say.
-    before.add(both(is_among ? Truth::yes : Truth::unknown,
+    before.add(both(among.contains(other),
                     is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before));
   }
   return is_within(before, {rank - 1, rank - 1});

@@ -93,7 +93,7 @@ private:
     if (fragment->proposition == "one" && !is_pronoun(from))
       fragment->proposition = from.proposition;
     // "How many balls are red? And how many are green?" is about as many.
-    if (feature(*fragment, "Delimitation").empty() && feature(*fragment, "Number") == "pl")
+    if (feature(*fragment, "Delimitation").empty() && is_plural(*fragment))
       for (auto& relation : from.relations)
         if (relation.mode == "Quantity" || relation.mode == "PartOf")
           fragment->relations.push_back(relation);

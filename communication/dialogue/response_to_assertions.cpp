@@ -28,28 +28,25 @@ Response Responder::to_assertion() {
     return accept();
   if (root().sort == "existence" || root().sort == "perception") {
     auto& subject = need(root(), root().sort == "existence" ? "Subject" : "Patient");
-    if (feature(root(), "Polarity") != "neg" && subject.sort == "thing") {
+    if (!is_negated(root()) && subject.sort == "thing") {
       auto found = evaluation_.described(subject);
       if (found.possible.empty())
         return correct(nothing_like(subject));
-      const auto number = found.certain.size();
-      const bool may_be_more = found.possible.size() > number;
-      if (number == 0 && may_be_more)
+      if (found.certain.empty())
         return correct(marker("no"));
-      auto things = counted(number, part_of(form_, subject.name));
       return correct(
-        with_marker("no", exists(may_be_more ? at_least(std::move(things)) : std::move(things))));
+        with_marker("no", exists(counted(found.count(), part_of(form_, subject.name)))));
     }
     return correct(marker("no"));
   }
   if (restriction == nullptr || scope == nullptr || restriction->sort != "thing" ||
-      !is_definite(*restriction) || feature(*restriction, "Number") == "pl" ||
+      !is_definite(*restriction) || is_plural(*restriction) ||
       !feature(*restriction, "Focus").empty())
     return correct(marker("no"));
   auto things = evaluation_.meant(*restriction);
   if (things.size() != 1)
     return correct(marker("no"));
-  if (feature(root(), "Polarity") == "neg" || feature(*scope, "Polarity") == "neg")
+  if (is_negated(root()) || is_negated(*scope))
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name))));
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));

@@ -29,7 +29,7 @@ Nominal affirmed(Nominal x) {
 
 /// Its attribute that says what the scope of an ascription says; null if there is none.
 const char* attribute_mode(const Nominal& scope) {
-  if (feature(scope, "Polarity") == "neg")
+  if (is_negated(scope))
     return nullptr;
   if (scope.sort == "region")
     return "Location";
@@ -81,7 +81,7 @@ Response Responder::to_question_w() {
       scope->sort == "composition")
     throw Uninterpretable{Uninterpretable::Reason::word, "made of"};
   // "What is this?", "which is the largest thing?"
-  if (asked.sort == "entity" && other.sort == "thing" && feature(root(), "Polarity") != "neg" &&
+  if (asked.sort == "entity" && other.sort == "thing" && !is_negated(root()) &&
       (is_definite(other) || asks_for_scope))
     return what(other);
   return about(asked);
@@ -104,22 +104,17 @@ Response Responder::about(const Nominal& asked) {
 }
 
 Response Responder::count(const Fitting& found, const Nominal& phrase, const Nominal* scope) {
-  const auto number = found.certain.size();
-  const bool may_be_more = found.possible.size() > number;
-  if (number == 0 && may_be_more)
+  const auto number = found.count();
+  if (number.certain == 0 && number.possible > 0)
     return answer(i_do_not_know());
-  auto counted = [&](LogicalForm thing) {
-    auto result = communication::counted(number, std::move(thing));
-    return may_be_more ? at_least(std::move(result)) : result;
-  };
   auto thing = part_of(form_, phrase.name);
-  auto simpler = exists(counted(indefinite("thing")));
+  auto simpler = exists(counted(number, indefinite("thing")));
   const auto* mode = scope == nullptr ? nullptr : attribute_mode(*scope);
-  if (mode != nullptr && feature(root(), "Polarity") != "neg")
+  if (mode != nullptr && !is_negated(root()))
     thing = with(std::move(thing), mode, part_of(form_, scope->name));
   else if (scope != nullptr)
     return answer(simpler);
-  return answer(exists(counted(std::move(thing))), std::move(simpler));
+  return answer(exists(counted(number, std::move(thing))), std::move(simpler));
 }
 
 Response Responder::list(const Things& things) const {
@@ -205,9 +200,9 @@ Response Responder::to_question_yn() {
       !is_plural(*restriction))
     return choice(*restriction, *scope);
   // "Isn't it red?" asks whether it is; "it is not red, right?", whether it is not.
-  const bool is_negated = feature(root(), "Polarity") == "neg";
+  const bool is_negative = is_negated(root());
   const bool is_literal = feature(root(), "Literal") == "true";
-  auto truth = evaluation_.clause(is_negated && !is_literal ? affirmed(root()) : root());
+  auto truth = evaluation_.clause(is_negative && !is_literal ? affirmed(root()) : root());
   if (truth == Truth::unknown) {
     // What vision has no word for may be there, but it is not seen.
     const auto* subject =
@@ -225,10 +220,9 @@ Response Responder::to_question_yn() {
   if (truth == Truth::yes && things.size() == 1 && !is_sure(things.front(), *scope))
     return answer(unsure(ascribe(pronoun("it"), part_of(form_, scope->name))), marker("yes"));
   if (truth == Truth::no && things.size() == 1 && kind_of_quality(scope->sort) &&
-      feature(*scope, "Polarity") != "neg" &&
-      !scene_.words(things.front(), *kind_of_quality(scope->sort)).empty())
+      !is_negated(*scope) && !scene_.words(things.front(), *kind_of_quality(scope->sort)).empty())
     return answer(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
-  if (is_negated)
+  if (is_negative)
     return answer(with_marker(truth == Truth::yes ? "yes" : "no",
                               ascribe(pronoun("it"), part_of(form_, scope->name),
                                       (truth == Truth::yes) != is_literal)),

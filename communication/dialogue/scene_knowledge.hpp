@@ -48,8 +48,8 @@ struct SpatialFact {
 /// Cache of binding's answers about the scene. It collects the questions that it could not answer,
 /// so that the caller can ask binding and try again:
 ///
-///     for (auto answer = respond(...); !scene.open_questions().empty(); answer = respond(...))
-///       scene.learn(open_questions, call<ReferenceRequest, ReferenceReply>(...));
+///     with_knowledge([](auto& questions) { return call<ReferenceRequest, ReferenceReply>(...); },
+///                    [](SceneKnowledge& scene) { return respond(..., scene); });
 ///
 /// What is not known yet is `Truth::unknown`.
 class SceneKnowledge {
@@ -116,5 +116,19 @@ private:
   std::map<std::string, std::vector<std::string>> contents_;
   std::map<std::string, std::vector<std::string>> containers_;
 };
+
+/// The result of `f` once all that it asks a scene for is known.
+/// \param ask answers descriptions with a binding::ReferenceReply
+template <class Ask, class F>
+auto with_knowledge(Ask ask, F f) {
+  SceneKnowledge scene;
+  auto result = f(scene);
+  while (!scene.open_questions().empty()) {
+    auto asked = scene.open_questions();
+    scene.learn(asked, ask(asked));
+    result = f(scene);
+  }
+  return result;
+}
 
 } // namespace castor::communication

@@ -45,14 +45,7 @@ public:
   /// What `f` makes of what is known, asked for as long as it asks.
   template <class F>
   auto known_to(F f) const {
-    SceneKnowledge scene;
-    auto result = f(scene);
-    while (!scene.open_questions().empty()) {
-      auto asked = scene.open_questions();
-      scene.learn(asked, reply(asked));
-      result = f(scene);
-    }
-    return result;
+    return with_knowledge([this](auto& asked) { return reply(asked); }, std::move(f));
   }
 
 private:

@@ -45,13 +45,13 @@ Reply TableTalk::say_sentence(const std::string& text) {
     take_readings(form, move);
   auto antecedents = antecedents_in(move, history_);
   auto meant = questions_.complete(move, antecedents);
-  auto response = with_scene(
-    [&](SceneKnowledge& scene) { return respond(meant.move, meant.antecedents, scene); });
+  auto response = with_knowledge(
+    binding_, [&](SceneKnowledge& scene) { return respond(meant.move, meant.antecedents, scene); });
   questions_.note(meant, response);
   MoveReferents referents;
   referents.turn = move.turn;
   referents.understood = move.problem.empty();
-  referents.referents = with_scene([&](SceneKnowledge& scene) {
+  referents.referents = with_knowledge(binding_, [&](SceneKnowledge& scene) {
     return referents_of(reading_of(meant.move, response.reading), meant.antecedents, scene);
   });
   history_.push_back(std::move(referents));

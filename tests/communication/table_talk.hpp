@@ -39,18 +39,6 @@ public:
 private:
   Reply say_sentence(const std::string& text);
 
-  template <class F>
-  auto with_scene(F f) const {
-    SceneKnowledge scene;
-    auto result = f(scene);
-    while (!scene.open_questions().empty()) {
-      auto asked = scene.open_questions();
-      scene.learn(asked, binding_(asked));
-      result = f(scene);
-    }
-    return result;
-  }
-
   Binding binding_;
   QuestionContext questions_;
   std::vector<MoveReferents> history_;
