@@ -254,7 +254,7 @@ protected:
 
   void lose_the_callers_memory(const std::string& options) {
     std::atomic<int> calls{0}, servers{0};
-    std::atomic<bool> was_cancelled{false}, reply{false};
+    std::atomic<bool> is_served{false}, was_cancelled{false}, reply{false};
     script("caller").run = [&](auto& self) {
       if (++calls == 1)
         self.template call<Question, Answer>("b", Question{});
@@ -262,6 +262,7 @@ protected:
     script("server").start = [&](auto& self) {
       ++servers;
       self.template on_call<Question>([&](const Question&) {
+        is_served = true;
         while (!reply) {
           self.is_running();
           was_cancelled = self.call_cancelled();
@@ -273,7 +274,10 @@ protected:
                                "\nCPP TM AlwaysPositiveTaskManager\nCPP MG caller Managed\n" +
                                subarchitecture("b") + "CPP MG server Managed\n")};
     ASSERT_TRUE(system.start());
-    ASSERT_TRUE(eventually([&] { return is_left(system, "CallProgress"); }));
+    // Taken is not enough: the server reads the request after that, and its handler is not called
+    // if the working memory is lost in between.
+    ASSERT_TRUE(eventually([&] { return is_served.load(); }));
+    ASSERT_TRUE(is_left(system, "CallProgress"));
     ASSERT_TRUE(system.faults().inject("a_wm", ComponentFault{}));
     EXPECT_TRUE(eventually([&] { return calls == 2; })) << "the caller is back";
     EXPECT_TRUE(eventually([&] { return was_cancelled.load(); }));
