@@ -25,6 +25,9 @@ enum class FeatureKind {
   material,
   /// Position: x, y, z in `numbers`, metres.
   location,
+  /// Position as the viewer sees it: to the right, away and up from the origin in `numbers`,
+  /// metres. Left out if the viewer looks along y, where it is the location.
+  view_location,
   /// How large it is: width, depth, height in `numbers`, metres.
   extent,
   /// The subarchitecture that it comes from.
@@ -82,6 +85,11 @@ inline Feature negation_of(Feature x) {
 /// Metres.
 inline Feature location_at(double x, double y, double z) {
   return {FeatureKind::location, {}, {x, y, z}, {}, false};
+}
+
+/// As the viewer sees it; metres.
+inline Feature seen_at(double right, double away, double up) {
+  return {FeatureKind::view_location, {}, {right, away, up}, {}, false};
 }
 
 /// Metres.
@@ -365,9 +373,9 @@ struct ReferenceReply {
 };
 
 CASTOR_REFLECT_ENUM(FeatureKind, concept_name, name, relation_label, colour, shape, size, material,
-                    location, extent, source_id, other_source_id, source_data, this_proxy_id,
-                    existing_proxy_id, creation_time, salience, temporal_frame, group, singular,
-                    area_id, person_id, debug_string)
+                    location, view_location, extent, source_id, other_source_id, source_data,
+                    this_proxy_id, existing_proxy_id, creation_time, salience, temporal_frame,
+                    group, singular, area_id, person_id, debug_string)
 CASTOR_REFLECT(Feature, kind, text, numbers, data, negated)
 CASTOR_REFLECT_ENUM(ProxyType, basic, group, relation)
 CASTOR_REFLECT(Port, label, proxy, owner)

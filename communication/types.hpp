@@ -4,6 +4,7 @@
 #include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -213,6 +214,32 @@ struct DialogueMove {
   EntryPointer<PhonString> utterance;
 };
 
+/// Somebody points at a place on the table: what "this" and "the cube here" are about, until
+/// another place is pointed at. Whoever sees it adds it; the entry that was written last counts.
+struct Pointing {
+  /// On the table, metres, as in the boxes of vision's objects.
+  double x = 0;
+  double y = 0;
+  /// Microseconds since the system began; only needed to become stale with time.
+  std::optional<std::int64_t> time = {};
+  /// Whether the hand stays there, so that it does not become stale; if nothing is said, it does
+  /// not.
+  std::optional<bool> held = {};
+
+  friend bool operator==(const Pointing&, const Pointing&) = default;
+};
+
+/// A gesture while a dialogue move was made.
+struct PointingUse {
+  EntryPointer<Pointing> pointing;
+  /// Version of that entry.
+  std::uint64_t version = 0;
+  /// Whether the move is about what was pointed at.
+  bool taken_up = false;
+
+  friend bool operator==(const PointingUse&, const PointingUse&) = default;
+};
+
 /// A thing mentioned in a dialogue move, which later moves can refer to.
 struct DiscourseReferent {
   /// Nominal that introduced it.
@@ -240,10 +267,12 @@ struct MoveReferents {
   std::int32_t turn = 0;
   /// Nothing that was spoken of before can be referred to after a move that was not.
   bool understood = true;
-  /// What pronouns of the move stand for, and phrases such as "the others".
+  /// What pronouns of the move stand for, phrases such as "the others", and what is pointed at.
   std::vector<PronounReferents> pronouns;
   /// The subject of the move first.
   std::vector<DiscourseReferent> referents;
+  /// Nothing if nobody pointed.
+  std::optional<PointingUse> pointing = {};
 };
 
 /// Relation of a turn of a dialogue to an earlier one.
@@ -324,9 +353,11 @@ CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, questio
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
 CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance)
+CASTOR_REFLECT(Pointing, x, y, time, held)
+CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
 CASTOR_REFLECT(PronounReferents, nominal, proxies)
-CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents)
+CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)

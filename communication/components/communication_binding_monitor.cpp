@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -87,29 +88,53 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   /// Of the reading that makes sense, which `move` becomes.
   MoveReferents referents_of(const std::string& id, DialogueMove& move) {
-    const auto antecedents = antecedents_in(move, history_);
-    auto [meant, referents] = with_scene(binding(), [&](SceneKnowledge& scene) {
+    MoveReferents result{{here(id)}, move.turn, move.problem.empty(), {}, {}, {}};
+    const auto place = place_pointed_at(result.pointing);
+    auto meant = with_scene(binding(), [&](SceneKnowledge& scene) {
+      auto antecedents = antecedents_in(move, history_);
+      if (place) {
+        auto shown = antecedents_by_pointing(move, *place, antecedents, scene, reach_);
+        result.pointing->taken_up = !shown.empty();
+        antecedents.merge(std::move(shown));
+      }
       auto reading = reading_of(move, respond(move, antecedents, scene).reading);
-      auto spoken_of = communication::referents_of(reading, antecedents, scene);
-      return std::pair{std::move(reading), std::move(spoken_of)};
+      result.referents = communication::referents_of(reading, antecedents, scene);
+      result.pronouns = to_entry(antecedents);
+      return reading;
     });
-    MoveReferents result{
-      {here(id)}, move.turn, move.problem.empty(), to_entry(antecedents), std::move(referents)};
     move = std::move(meant);
     return result;
   }
 
+  /// Where somebody points, unless it was too long ago.
+  /// \param use becomes the gesture, if there was any
+  std::optional<Place> place_pointed_at(std::optional<PointingUse>& use) {
+    const auto latest = read_all<Pointing>(1);
+    if (latest.empty())
+      return std::nullopt;
+    const auto& pointing = *latest.front();
+    use = PointingUse{{latest.front().address}, latest.front().version, false};
+    const PointingLimits limits{reach_, pointed_utterances_, pointed_time_.get()};
+    if (is_stale(pointing, *use, history_, now(), limits))
+      return std::nullopt;
+    return Place{pointing.x, pointing.y};
+  }
+
   // -- what is asserted
 
-  /// What disagrees with what is perceived is not told.
-  bool is_contradicted(const DialogueMove& move, const Nominal& root,
-                       const Antecedents& antecedents) {
+  /// What disagrees with what is perceived is not told, nor what may be about several things.
+  bool is_not_to_be_told(const DialogueMove& move, const Nominal& root,
+                         const Antecedents& antecedents) {
     return with_scene(binding(), [&](SceneKnowledge& scene) {
              Evaluation evaluation{move.content, antecedents, scene};
              try {
                return judge_assertion(root, move.content, evaluation);
-             } catch (const Uninterpretable&) {
-               return Truth::unknown;
+             } catch (const Uninterpretable& why) {
+               // What is not clear is asked about, and not told.
+               using Reason = Uninterpretable::Reason;
+               return why.reason == Reason::ambiguous || why.reason == Reason::nothing_pointed_at
+                        ? Truth::no
+                        : Truth::unknown;
              }
            }) == Truth::no;
   }
@@ -118,7 +143,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     const auto& form = move.content;
     const auto* root = find_nominal(form, form.root);
     if (root == nullptr || (root->sort == "existence" && is_negated(*root)) ||
-        is_contradicted(move, *root, from_entry(referents.pronouns)))
+        is_not_to_be_told(move, *root, from_entry(referents.pronouns)))
       return;
     const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
     const auto* scope = dependent(form, *root, "Cop-Scope");
@@ -131,13 +156,20 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     if (scope != nullptr)
       for (auto& x : features_of(form, *scope))
         add_feature(proxy, is_negated(*root) && x.text != "thing" ? binding::negation_of(x) : x);
-    if (!is_deictic(*thing))
+    // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
+    if (!is_deictic(*thing) || is_known(referents, *thing))
       for (auto& x : referents.referents)
         if (x.nominal == thing->name && x.proxies.size() == 1)
           add_feature(proxy, feature(FeatureKind::existing_proxy_id, x.proxies.front()));
     proxy.features.push_back(
       binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
     tell(proxy_id(id), std::move(proxy));
+  }
+
+  static bool is_known(const MoveReferents& referents, const Nominal& phrase) {
+    return std::ranges::any_of(referents.pronouns, [&phrase](auto& x) {
+      return x.nominal == phrase.name || x.nominal == phrase.name + std::string{pointed_at};
+    });
   }
 
   static void add_feature(BindingProxy& to, const binding::Feature& x) {
@@ -167,6 +199,16 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   Option<std::chrono::milliseconds> patience_{
     this, "patience", std::chrono::seconds{2},
     "how long an utterance waits until binding has processed the earlier ones"};
+
+  Option<double> reach_{this, "reach", PointingLimits{}.reach,
+                        "how far what is pointed at may be from the place, metres"};
+  Option<std::uint32_t> pointed_utterances_{
+    this, "pointed-utterances", static_cast<std::uint32_t>(PointingLimits{}.utterances),
+    "after so many utterances that are not about it, nothing is pointed at any more"};
+  Option<std::chrono::milliseconds> pointed_time_{
+    this, "pointed-time",
+    std::chrono::duration_cast<std::chrono::milliseconds>(PointingLimits{}.age),
+    "nor after this time, if it is known when it was pointed at"};
 
   std::set<std::string> moves_;
   std::vector<MoveReferents> history_;

@@ -15,8 +15,10 @@ Truth judge_assertion(const Nominal& root, const LogicalForm& form, Evaluation& 
   try {
     return evaluation.clause(root);
   } catch (const Uninterpretable& why) {
+    // "This is a ball" tells itself what is meant, if nothing else may be a ball.
     if (subject != nullptr && is_deictic(*subject) &&
-        why.reason == Uninterpretable::Reason::ambiguous)
+        why.reason == Uninterpretable::Reason::ambiguous && why.what == subject->name &&
+        evaluation.subjects(root, *subject).possible.size() == 1)
       return Truth::unknown;
     throw;
   }

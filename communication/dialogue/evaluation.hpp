@@ -26,6 +26,8 @@ struct Uninterpretable {
     ambiguous,
     /// Several things may be like it, and one is meant.
     unknown,
+    /// Nothing like it is where somebody points.
+    nothing_pointed_at,
   };
 
   Reason reason = Reason::word;
@@ -78,6 +80,9 @@ public:
   /// Of which things a clause is true if they stand for one of its phrases: what a question asks
   /// for. Only things that fit the phrase, too.
   Fitting answers(const Nominal& e, const Nominal& asked);
+
+  /// Of which things a clause is true if its subject stands for them, whatever that may mean.
+  Fitting subjects(const Nominal& e, const Nominal& subject);
 
   /// The things that a phrase describes, its determiner aside.
   Fitting described(const Nominal& phrase);
@@ -169,6 +174,8 @@ private:
   Truth is_one_of(const std::string& id, const Nominal& phrase);
   static void check_coordination(const Nominal& x);
   Things antecedents_of(const std::string& name);
+  bool is_pointed_at(const Nominal& phrase) const;
+  Fitting members_pointed_at(const Nominal& phrase);
   static Count count(const Fitting& candidates, const Property& scope, const Things& landmarks);
 
   // -- properties

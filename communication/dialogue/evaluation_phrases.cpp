@@ -68,6 +68,16 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
   return result;
 }
 
+Fitting Evaluation::subjects(const Nominal& e, const Nominal& subject) {
+  Fitting result;
+  for (auto& id : scene_.things()) {
+    ScopedBinding binding{bound_, subject.name};
+    binding.set(id);
+    result.add(id, clause(e));
+  }
+  return result;
+}
+
 Fitting Evaluation::described(const Nominal& phrase) {
   Fitting result;
   for (auto& id : scene_.things())
@@ -90,6 +100,25 @@ Evaluation::Things Evaluation::antecedents_of(const std::string& name) {
   return result;
 }
 
+bool Evaluation::is_pointed_at(const Nominal& phrase) const {
+  return antecedents_.contains(phrase.name + std::string{pointed_at});
+}
+
+Fitting Evaluation::members_pointed_at(const Nominal& phrase) {
+  using Reason = Uninterpretable::Reason;
+  auto things = antecedents_of(phrase.name + std::string{pointed_at});
+  if (!scene_.open_questions().empty())
+    return {};
+  if (things.empty())
+    throw Uninterpretable{Reason::nothing_pointed_at, phrase.name};
+  const auto [range, has_number] = wanted_number(form_, phrase);
+  if (has_number && is_within({things.size(), things.size()}, range) != Truth::yes)
+    throw Uninterpretable{Reason::nothing_pointed_at, phrase.name};
+  if (!has_number && !is_plural(phrase) && things.size() > 1)
+    throw Uninterpretable{Reason::ambiguous, phrase.name};
+  return {things, things};
+}
+
 std::vector<std::string> Evaluation::meant(const Nominal& phrase) {
   return members_of(phrase).best();
 }
@@ -100,6 +129,8 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   using Reason = Uninterpretable::Reason;
   if (auto known = bound_.find(phrase.name); known != bound_.end())
     return {{known->second}, {known->second}};
+  if (is_pointed_at(phrase))
+    return members_pointed_at(phrase);
   if (is_pronoun(phrase)) {
     // "The ball, what colour is it?"
     const auto* root = find_nominal(form_, form_.root);
@@ -258,6 +289,8 @@ Truth Evaluation::fits_but_for(const std::string& id, const Nominal& phrase,
 }
 
 Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_selection) {
+  if (is_pointed_at(phrase) && !bound_.contains(phrase.name))
+    return members_pointed_at(phrase).contains(id);
   if (phrase.sort == "conjunction") {
     // "Cubes and balls" are all that are one or the other.
     auto result = either(fits(id, need(phrase, "First")), fits(id, need(phrase, "Next")));

@@ -149,6 +149,10 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   const auto* anchor = dependent(form_, region, "Anchor");
   if (auto result = is_in_container_part(id, region))
     return *result;
+  if (is_pointed_at(region)) {
+    const auto there = antecedents_of(region.name + std::string{pointed_at});
+    return truth_of(std::ranges::find(there, id) != there.end());
+  }
   if (anchor == nullptr)
     return is_in_part_of_table(id, relation);
   if (relation == "between")
@@ -178,11 +182,11 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   double width = 0;
   double depth = 0;
   for (auto& other : scene_.things())
-    if (auto at = scene_.place(other)) {
+    if (auto at = scene_.place_in_view(other)) {
       width = std::max(width, std::abs(at->x));
       depth = std::max(depth, std::abs(at->y));
     }
-  auto at = scene_.place(id);
+  auto at = scene_.place_in_view(id);
   if (!at)
     return Truth::unknown;
   const double beside = std::max(width * table_middle_share, clear_distance);
@@ -244,7 +248,7 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
                                           const Nominal* anchor) {
   if (dimension == "size")
     return scene_.extent(id);
-  auto at = scene_.place(id);
+  auto at = scene_.place_in_view(id);
   if (!at)
     return std::nullopt;
   if (dimension == "right")
@@ -252,7 +256,7 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
   if (dimension == "back" || anchor == nullptr)
     return at->y;
   auto to = meant(*anchor);
-  auto there = to.size() == 1 ? scene_.place(to.front()) : std::nullopt;
+  auto there = to.size() == 1 ? scene_.place_in_view(to.front()) : std::nullopt;
   return there ? std::optional{std::hypot(at->x - there->x, at->y - there->y)} : std::nullopt;
 }
 

@@ -53,6 +53,12 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
   const auto* fragment = find(question.move.content, name);
   if (asked == nullptr || fragment == nullptr || fragment->sort != "thing")
     return false;
+  // "This one."
+  const std::string at{pointed_at};
+  if (auto shown = question.antecedents.find(name + at); shown != question.antecedents.end()) {
+    question.antecedents.insert_or_assign(nominal + at, shown->second);
+    return true;
+  }
   if (is_pronoun(*fragment))
     return false;
   if (!is_general_noun(fragment->proposition))

@@ -60,7 +60,7 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
     Responder responder{content, antecedents, scene};
     const auto type = reading == 0 ? move.type : dialogue_move_type(content);
     try {
-      auto result = respond(responder, type, content);
+      auto result = responder.described(respond(responder, type, content));
       result.reading = reading;
       return result;
     } catch (const Uninterpretable& why) {

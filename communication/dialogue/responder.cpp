@@ -2,11 +2,24 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/pointing.hpp"
+#include "castor/communication/dialogue/referring_expression.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
+
+namespace {
+
+/// Parts of what was said are repeated under their names, or these with a prefix.
+bool repeats(const Nominal& x, const Nominal& said) {
+  return x.sort == said.sort && x.proposition == said.proposition &&
+         (x.name == said.name || x.name.ends_with('-' + said.name));
+}
+
+} // namespace
 
 const Nominal& Responder::root() const {
   const auto* result = find_nominal(form_, form_.root);
@@ -41,6 +54,43 @@ LogicalForm Responder::nothing_like(const Nominal& phrase) const {
   return i_do_not_see(called(phrase));
 }
 
+Response Responder::described(Response response) {
+  for (auto& sentence : response.sentences) {
+    sentence.content = described(std::move(sentence.content));
+    sentence.simpler = described(std::move(sentence.simpler));
+  }
+  return response;
+}
+
+LogicalForm Responder::described(LogicalForm said) {
+  std::vector<Nominal> descriptions;
+  for (auto& x : said.nominals)
+    for (auto& phrase : form_.nominals) {
+      if (!is_shown(form_, phrase) || !repeats(x, phrase))
+        continue;
+      const auto things = evaluation_.meant(phrase);
+      if (things.size() != 1)
+        continue;
+      const auto description = referring_expression(scene_, things.front());
+      const auto prefix = x.name + "-shown-";
+      for (auto part : description.nominals) {
+        for (auto& relation : part.relations)
+          relation.dependent = prefix + relation.dependent;
+        const bool is_root = part.name == description.root;
+        part.name = is_root ? x.name : prefix + part.name;
+        if (is_root)
+          x = std::move(part);
+        else
+          descriptions.push_back(std::move(part));
+      }
+      break;
+    }
+  if (said.nominals.empty())
+    return said;
+  said.nominals.insert(said.nominals.end(), descriptions.begin(), descriptions.end());
+  return part_of(said, said.root);
+}
+
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
@@ -51,6 +101,8 @@ Response Responder::to(const Uninterpretable& why) const {
             {}};
   if (why.reason == Reason::unknown)
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  if (why.reason == Reason::nothing_pointed_at)
+    return {RhetoricalRelation::correction, {}, "I do not see what you point at.", {}};
   // What there are no words for is called by its noun.
   const auto simpler = definite(is_pronoun(*phrase) ? "thing" : phrase->proposition);
   if (why.reason == Reason::nothing_like)

@@ -26,6 +26,9 @@ public:
   /// Asks back if it is not clear what is meant; there is nobody yet who does what is asked for.
   Response to_directive();
 
+  /// The response with descriptions of what only the speaker can call "this".
+  Response described(Response response);
+
   /// Says why there is no other reply.
   Response to(const Uninterpretable& why) const;
 
@@ -51,6 +54,7 @@ private:
   LogicalForm nothing_like(const Nominal& phrase) const;
   LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;
   LogicalForm called(const Nominal& phrase) const;
+  LogicalForm described(LogicalForm said);
 
   const LogicalForm& form_;
   SceneKnowledge& scene_;

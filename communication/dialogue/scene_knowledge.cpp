@@ -129,11 +129,20 @@ bool SceneKnowledge::is_sure(const std::string& union_id, FeatureKind kind) cons
 }
 
 std::optional<Place> SceneKnowledge::place(const std::string& union_id) const {
+  return place_by(union_id, FeatureKind::location);
+}
+
+std::optional<Place> SceneKnowledge::place_in_view(const std::string& union_id) const {
+  auto result = place_by(union_id, FeatureKind::view_location);
+  return result ? result : place(union_id);
+}
+
+std::optional<Place> SceneKnowledge::place_by(const std::string& union_id, FeatureKind kind) const {
   auto at = locations_.find(union_id);
   if (at == locations_.end())
     return std::nullopt;
   for (auto& location : at->second)
-    if (auto numbers = numbers_of(find(location), FeatureKind::location))
+    if (auto numbers = numbers_of(find(location), kind))
       return Place{(*numbers)[0], (*numbers)[1]};
   return std::nullopt;
 }

@@ -22,7 +22,11 @@ using Antecedents = std::map<std::string, std::vector<std::string>>;
 /// After the name of a nominal such as "the other one": what that was chosen from.
 inline constexpr std::string_view chosen_from = "/of";
 
-/// Position of a thing on the table, metres: x to the right, y away from the viewer.
+/// After the name of a nominal such as "this cube" or "here": what somebody points at and may mean
+/// by it. None if there is no such thing.
+inline constexpr std::string_view pointed_at = "/at";
+
+/// A point on the table, metres.
 struct Place {
   double x = 0;
   double y = 0;
@@ -82,7 +86,11 @@ public:
   /// Whether nobody who says one of these words is unsure of it.
   bool is_sure(const std::string& union_id, binding::FeatureKind kind) const;
 
+  /// In the coordinates of vision.
   std::optional<Place> place(const std::string& union_id) const;
+
+  /// As the viewer sees it: x to the right, y away. The same as the place if nothing else is known.
+  std::optional<Place> place_in_view(const std::string& union_id) const;
 
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
@@ -101,6 +109,7 @@ public:
 
 private:
   const binding::KnownUnion* find(const std::string& union_id) const;
+  std::optional<Place> place_by(const std::string& union_id, binding::FeatureKind kind) const;
   void ask(const binding::Description& description);
 
   bool has_learned_ = false;

@@ -23,6 +23,14 @@ struct GroundDirections {
 /// down, z forward. Nothing if it looks straight up or down.
 std::optional<GroundDirections> ground_directions(const vision::Pose& viewer);
 
+/// The directions that a viewer speaks of: those of ground_directions(); else, if it looks straight
+/// down, those of its image; else those from where it stands to the origin. Nothing if it looks
+/// straight up from above the origin.
+std::optional<GroundDirections> viewing_directions(const vision::Pose& viewer);
+
+/// A point as seen by a viewer: x to the right, y away from it; metres from the origin.
+GroundPoint as_seen(const GroundDirections& directions, const GroundPoint& point);
+
 /// How far the target is to that side of the landmark, metres; negative on the other side.
 /// \pre `relation` is not near, which is no direction.
 double distance_to_side(const GroundDirections& directions, SpatialRelation relation,

@@ -117,6 +117,9 @@ TEST(AnyUtterance, IsRepliedToInWords) {
     EXPECT_EQ(reply.silences, 0u) << '"' << text << "\": " << reply.text;
     if (i % 50 == 49)
       talk = TableTalk{[&](auto& asked) { return table.reply(asked); }};
+    // In two of three conversations somebody points, in one of them at nothing.
+    if (const auto conversation = (i + 1) / 50 % 3; conversation != 0)
+      talk.point({conversation == 1 ? 0.0 : 2.0, 0, {}, true});
   }
 }
 

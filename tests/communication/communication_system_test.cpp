@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -99,6 +100,41 @@ TEST(CommunicationSystem, AsksBackAboutWhatIsNotUnderstood) {
     system.expect_entry("SpokenOutputItem in communication")->value.as<SpokenOutputItem>();
   EXPECT_THAT(said->text, AllOf(HasSubstr("I do not understand that"), HasSubstr("zorg")));
   system.expect_entry("DialogueMove in communication where type == \"none\"");
+}
+
+TEST(CommunicationSystem, PointsWhereItIsToldOnce) {
+  auto text = hearing("What is this?");
+  const std::string parser = "CPP UM parser";
+  text.insert(text.find(parser), "CPP UM pointing PointingSource --at \"-0.1,0.25\"\n");
+  TestSystem system{text};
+  auto pointing = system.expect_entry("Pointing in communication where held == true");
+  EXPECT_EQ(pointing->value.as<Pointing>()->x, -0.1);
+  EXPECT_EQ(pointing->value.as<Pointing>()->y, 0.25);
+  // There is no binding, so nothing is there.
+  system.expect_entry(
+    "SpokenOutputItem in communication where text == \"I do not see what you point at.\"");
+  auto referents = system.expect_entry("MoveReferents in communication");
+  auto use = referents->value.as<MoveReferents>()->pointing;
+  ASSERT_TRUE(use);
+  EXPECT_TRUE(use->taken_up);
+  EXPECT_EQ(use->pointing.address, pointing->address);
+  for (std::uint64_t life = 2; life < 4; ++life) {
+    system.inject("crash pointing");
+    system.expect_back("pointing", life);
+  }
+  EXPECT_EQ(all<Pointing>(system).size(), 1u);
+}
+
+TEST(CommunicationSystem, RefusesToPointAtWhatIsNoPlace) {
+  auto text = hearing("Hello.");
+  const std::string parser = "CPP UM parser";
+  text.insert(text.find(parser), "CPP UM pointing PointingSource --at there\n");
+  try {
+    TestSystem system{text};
+    FAIL() << "the system has started";
+  } catch (const std::exception& e) {
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("there"), HasSubstr("X,Y in metres")));
+  }
 }
 
 TEST(CommunicationSystem, UnderstandsEverythingOnceWhoeverFails) {

@@ -9,7 +9,7 @@ namespace castor::communication::test {
 
 namespace {
 
-using Kind = ReadReply::Kind;
+using ReplyKind = ReadReply::Kind;
 using Words = std::vector<std::string>;
 
 constexpr std::array numbers{"zero", "one",   "two",   "three", "four", "five",
@@ -119,7 +119,7 @@ ReadReply read_reply(std::string_view text) {
     return reply;
   if (has("I do not understand") || has("means here") || has("I do not know the word") ||
       has("What about it") || has("for '")) {
-    reply.kind = Kind::not_understood;
+    reply.kind = ReplyKind::not_understood;
     return reply;
   }
   const auto sentences = sentences_in(text);
@@ -127,20 +127,20 @@ ReadReply read_reply(std::string_view text) {
     return reply;
   auto& first = sentences.front();
   if (begins_with(first, 0, {"yes"}))
-    reply.kind = Kind::yes;
+    reply.kind = ReplyKind::yes;
   else if (begins_with(first, 0, {"no"}))
-    reply.kind = Kind::no;
+    reply.kind = ReplyKind::no;
   else if (begins_with(first, 0, {"ok"}))
-    reply.kind = Kind::accepted;
+    reply.kind = ReplyKind::accepted;
   else if (begins_with(first, 0, {"i", "do", "not", "know"}))
-    reply.kind = Kind::unknown;
+    reply.kind = ReplyKind::unknown;
   else if (begins_with(first, 0, {"i", "do", "not", "see"}))
-    reply.kind = Kind::not_seen;
+    reply.kind = ReplyKind::not_seen;
   else if (begins_with(first, 0, {"which"}))
-    reply.kind = Kind::asked_back;
+    reply.kind = ReplyKind::asked_back;
   else if (begins_with(first, 0, {"there"}) || begins_with(first, 0, {"it"}))
-    reply.kind = Kind::statement;
-  const bool has_marker = reply.kind == Kind::yes || reply.kind == Kind::no;
+    reply.kind = ReplyKind::statement;
+  const bool has_marker = reply.kind == ReplyKind::yes || reply.kind == ReplyKind::no;
   for (auto& words : sentences)
     read_sentence(words, &words == &first && has_marker ? 1 : 0, reply);
   return reply;

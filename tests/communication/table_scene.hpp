@@ -14,13 +14,16 @@ namespace castor::communication::test {
 /// Things on a table, bound; answers what ReferenceResolver would answer.
 class TableScene {
 public:
-  void put(const std::string& id, std::vector<binding::Feature> features, double x, double y) {
+  /// \param of_place what else is known of the place
+  void put(const std::string& id, std::vector<binding::Feature> features, double x, double y,
+           std::vector<binding::Feature> of_place = {}) {
     features.push_back(feature(binding::FeatureKind::concept_name, "thing"));
     features.push_back(feature(binding::FeatureKind::this_proxy_id, id));
     features.push_back(binding::not_from("vision"));
     core_.set(id, binding::test::proxy_from("vision", std::move(features)));
-    core_.set("at " + id, binding::test::proxy_from("vision", {binding::location_at(x, y, 0),
-                                                               binding::not_from("vision")}));
+    of_place.push_back(binding::location_at(x, y, 0));
+    of_place.push_back(binding::not_from("vision"));
+    core_.set("at " + id, binding::test::proxy_from("vision", std::move(of_place)));
     core_.set("pos " + id, binding::test::relation_from("vision", "pos", "at " + id, id));
   }
 

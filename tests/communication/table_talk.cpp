@@ -1,6 +1,7 @@
 #include "castor/tests/communication/table_talk.hpp"
 
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/packing.hpp"
@@ -25,6 +26,11 @@ Reply TableTalk::say(const std::string& text) {
   return reply;
 }
 
+void TableTalk::point(const Pointing& pointing) {
+  pointing_ = pointing;
+  ++gestures_;
+}
+
 Reply TableTalk::say_sentence(const std::string& text) {
   static Parser parser{english_lexicon()};
   static Realiser realiser{english_lexicon()};
@@ -44,11 +50,22 @@ Reply TableTalk::say_sentence(const std::string& text) {
   } else
     take_readings(form, move);
   auto antecedents = antecedents_in(move, history_);
+  MoveReferents referents;
+  if (pointing_) {
+    referents.pointing = PointingUse{{{"communication", "pointing"}}, gestures_, false};
+    if (!is_stale(*pointing_, *referents.pointing, history_, {}, {})) {
+      auto shown = with_knowledge(binding_, [&](SceneKnowledge& scene) {
+        return antecedents_by_pointing(move, {pointing_->x, pointing_->y}, antecedents, scene,
+                                       PointingLimits{}.reach);
+      });
+      referents.pointing->taken_up = !shown.empty();
+      antecedents.merge(shown);
+    }
+  }
   auto meant = questions_.complete(move, antecedents);
   auto response = with_knowledge(
     binding_, [&](SceneKnowledge& scene) { return respond(meant.move, meant.antecedents, scene); });
   questions_.note(meant, response);
-  MoveReferents referents;
   referents.turn = move.turn;
   referents.understood = move.problem.empty();
   referents.referents = with_knowledge(binding_, [&](SceneKnowledge& scene) {

@@ -7,7 +7,9 @@
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,12 +38,17 @@ public:
   /// \returns the reply to the last sentence
   Reply say(const std::string& text);
 
+  /// From now on somebody points there.
+  void point(const Pointing& pointing);
+
 private:
   Reply say_sentence(const std::string& text);
 
   Binding binding_;
   QuestionContext questions_;
   std::vector<MoveReferents> history_;
+  std::optional<Pointing> pointing_;
+  std::uint64_t gestures_ = 0;
 };
 
 } // namespace castor::communication::test

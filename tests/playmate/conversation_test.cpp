@@ -1,4 +1,7 @@
 // What the PlayMate says about the rendered table, and what it learns from being told.
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/binding/types.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/tests/playmate/playmate.hpp"
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -20,6 +24,7 @@ namespace {
 
 using communication::SpokenOutputItem;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 /// In the order in which they were said.
 std::vector<std::string> sayings(TestSystem& system) {
@@ -55,6 +60,100 @@ TEST(Conversation, IsAboutWhatIsThere) {
   ASSERT_NE(clarification, dialogue->turns.end());
   EXPECT_EQ(clarification->speaker, "human");
   system.expect_nobody_else_down();
+}
+
+std::string answer_to_what_is_this(const std::string& point) {
+  TestSystem system{playmate_cast(),
+                    playmate_options({{"say", "What is this?"}, {"point", point}})};
+  auto reply = system.expect_entry("SpokenOutputItem in communication");
+  system.expect_nobody_else_down();
+  return reply->value.as<SpokenOutputItem>()->text;
+}
+
+TEST(Conversation, IsAboutWhatIsPointedAt) {
+  EXPECT_THAT(answer_to_what_is_this("0.05,0.07"), HasSubstr("red ball"));
+  EXPECT_THAT(answer_to_what_is_this("-0.16,0.12"), HasSubstr("green cube"));
+  EXPECT_EQ(answer_to_what_is_this("0.6,0.6"), "I do not see what you point at.");
+  EXPECT_EQ(answer_to_what_is_this(""), "Which thing do you mean?");
+}
+
+/// Points elsewhere as soon as the robot has said something.
+class MovingHand final : public UnmanagedComponent {
+  void start() override {
+    on_change(added<SpokenOutputItem>(), [this](const ChangeEvent&) {
+      for (auto& x : read_all<communication::Pointing>(1))
+        overwrite(x.address, communication::Pointing{-0.16, 0.14, now().count(), false});
+    });
+  }
+};
+
+CASTOR_COMPONENT(MovingHand, "points elsewhere when the robot has said something")
+
+TEST(Conversation, FollowsTheHand) {
+  TemporaryFolder folder;
+  const auto questions = (folder / "questions").string();
+  ASSERT_EQ(mkfifo(questions.c_str(), 0600), 0);
+  auto text = playmate_cast();
+  const std::string parser = "CPP UM parser";
+  text.insert(text.find(parser), "CPP UM hand MovingHand\n");
+  TestSystem system{text, playmate_options({{"point", "0.05,0.07"}, {"hear", "cat " + questions}})};
+  std::ofstream ask{questions};
+  ask << "What colour is this?" << std::endl;
+  system.expect_entry("SpokenOutputItem in communication where text == \"It is red.\"");
+  system.expect_entry("Pointing in communication where held == false");
+  ask << "And this?" << std::endl;
+  system.expect_entry("SpokenOutputItem in communication where text == \"It is green.\"");
+  ask << "This is a ball." << std::endl;
+  system.wait_until("the robot has said that it is none", [&] {
+    auto all = sayings(system);
+    return all.size() == 3 && all.back().starts_with("No, it is");
+  });
+  system.expect_nobody_else_down();
+}
+
+TEST(Conversation, TeachesWordsForWhatIsPointedAt) {
+  TestSystem system{playmate_cast(),
+                    playmate_options({{"recogniser", "no"},
+                                      {"point", "0.05,0.07"},
+                                      {"say", "This is a red ball. What is the red ball? "
+                                              "What is this? This is a blue cube."}})};
+  system.wait_until("all is answered", [&] { return sayings(system).size() == 4; });
+  EXPECT_THAT(sayings(system), ElementsAre("Ok.", "It is a red ball.", "It is a red ball.",
+                                           "No, it is a red ball."));
+  system.expect_entry("LearnedWords in vision");
+  // The words are bound to what is there.
+  const std::string prefix = "vision/object/";
+  std::vector<double> taught;
+  for (auto& entry : system.system().entries("binding"))
+    if (auto bound = entry->value.as<binding::BindingUnion>();
+        bound && std::ranges::find(bound->sources, "communication") != bound->sources.end())
+      for (auto& proxy : bound->proxy_ids)
+        for (auto& object : system.system().entries("vision"))
+          if (proxy == prefix + object->address.id)
+            taught.push_back(object->value.as<vision::SceneObject>()->box.centroid.x);
+  EXPECT_THAT(taught, ElementsAre(testing::DoubleNear(0.05, 0.02)));
+  system.expect_nobody_else_down();
+}
+
+TEST(Conversation, HasTheViewOfTheCamera) {
+  TemporaryFolder folder;
+  const auto scene = (folder / "turned.scene").string();
+  for (auto& [camera, leftmost] : std::vector<std::pair<std::string, std::string>>{
+         {"0 -0.62 0.55", "red"}, {"0.62 0 0.55", "blue"}, {"0 0.62 0.55", "green"}}) {
+    std::ofstream{scene} << "table wood\ncamera " << camera
+                         << " looking-at 0 0 0 fov 42\nlight -1 -1 2\nnoise 2\nseed 1\n"
+                            "red cube at -0.15 0 size 0.07\n"
+                            "green cube at 0.15 0.02 size 0.07\n"
+                            "blue cube at 0.02 -0.15 size 0.07\n";
+    TestSystem system{playmate_cast(),
+                      playmate_options({{"source", "scene:" + scene},
+                                        {"relations", "directions"},
+                                        {"say", "What colour is the leftmost cube? Is the " +
+                                                  leftmost + " cube left of all other cubes?"}})};
+    system.wait_until("both questions are answered", [&] { return sayings(system).size() == 2; });
+    EXPECT_THAT(sayings(system), ElementsAre("It is " + leftmost + ".", "Yes.")) << camera;
+    system.expect_nobody_else_down();
+  }
 }
 
 TEST(Conversation, DropsReadingsThatTheSceneDoesNotSupport) {

@@ -1,8 +1,10 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/binding/binding_monitor.hpp"
+#include "castor/perception/spatial/camera_directions.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
 #include "castor/perception/spatial/types.hpp"
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -41,9 +43,13 @@ class SpatialBindingMonitor final : public binding::BindingMonitor {
   /// What is not in this scene is no more.
   void tell_of(const SpatialScene& scene) {
     std::map<std::string, BindingProxy> proxies;
+    const auto directions = viewing_directions(scene.viewer);
     for (auto& id : scene.locations) {
       auto location = read<SpatialLocation>(here(id));
-      proxies[location_id(id)] = place(id, *location, binding::perceived_frame);
+      auto& perceived = proxies[location_id(id)];
+      perceived = place(id, *location, binding::perceived_frame);
+      if (directions)
+        tell_view(perceived, *directions, location->box.centroid);
       proxies["spatial/desired/" + id] = place(id, *location, binding::desired_frame);
     }
     for (auto& [name, relation] : reflection_of<SpatialRelation>().enumerators)
@@ -67,6 +73,16 @@ class SpatialBindingMonitor final : public binding::BindingMonitor {
                        binding::tether_to({here(id), std::string{type_name<SpatialLocation>()}}),
                        binding::location_at(centre.x, centre.y, centre.z)};
     return result;
+  }
+
+  /// So that "the leftmost thing" is left of others for whoever sees them.
+  static void tell_view(BindingProxy& proxy, const GroundDirections& directions,
+                        const vision::Point3& centre) {
+    constexpr double same_place = 1e-4; // metres
+    const GroundPoint point{centre.x, centre.y};
+    const auto seen = as_seen(directions, point);
+    if (std::hypot(seen.x - point.x, seen.y - point.y) > same_place)
+      proxy.features.push_back(binding::seen_at(seen.x, seen.y, centre.z));
   }
 
   BindingProxy relation_proxy(const SpatialRelationship& x, const std::string& label) const {
