@@ -55,6 +55,9 @@ Truth Evaluation::clause(const Nominal& e) {
 }
 
 Truth Evaluation::affirmed_clause(const Nominal& e) {
+  for (const auto* apart : {"Extraposed", "Alternatives"})
+    if (const auto* x = dependent(form_, e, apart))
+      not_understood(x->proposition);
   if (e.sort == "conjunction") {
     if (e.proposition == "and")
       return discourse(need(e, "First"), need(e, "Next"));
@@ -91,10 +94,14 @@ Truth Evaluation::ascription(const Nominal& e) {
   }
   if (auto together = are_in_one(subject, scope))
     return negated ? negation(*together) : *together;
+  // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
+  const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
+                            !is_plural(subject) && !bound_.contains(subject.name);
   return quantified(
     subject,
     [&](const std::string& id) {
-      auto result = e.proposition == "have" ? has(id, scope) : is(id, scope, &subject);
+      auto result =
+        e.proposition == "have" ? has(id, scope) : is(id, scope, is_among_all ? nullptr : &subject);
       return negated ? denial(id, scope, result, &subject) : result;
     },
     landmarks_of(scope));

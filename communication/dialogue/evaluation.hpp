@@ -153,6 +153,7 @@ private:
   // -- phrases
   Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
   Fitting members_of(const Nominal& phrase);
+  Things pointed_out_before(const Nominal& phrase);
   Fitting presupposed(const Nominal& x);
   void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
   bool exclude_each_other(const Nominal& a, const Nominal& b) const;

@@ -159,6 +159,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   if (is_the_table(*anchor)) {
     if (relation != "on" && relation != "at")
       not_understood(relation);
+    // There is one table; what is said of it is meant of something else.
+    if (!anchor->relations.empty())
+      not_understood(find_nominal(form_, anchor->relations.front().dependent)->proposition);
     return Truth::yes;
   }
   return is_related(id, relation_of_word(relation).value_or(relation), *anchor);

@@ -1,6 +1,8 @@
 #include "castor/communication/dialogue/question_context.hpp"
 
+#include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -174,6 +176,14 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
   replace_one(result.move.content);
   for (auto& alternative : result.move.alternatives)
     replace_one(alternative);
+  if (clause_ && is_elliptical(move.content))
+    if (auto whole = completed(move.content, clause_->move.content)) {
+      result.move.content = std::move(*whole);
+      result.move.alternatives.clear();
+      result.move.type = dialogue_move_type(result.move.content);
+      result.antecedents = clause_->antecedents;
+      return result;
+    }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
     return result;
   if (unclear_) {
@@ -211,8 +221,12 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
     }
   if (is_question(move.move))
     question_ = move;
-  else if (!move.move.problem.empty())
+  if (is_question(move.move) || move.move.type == DialogueMoveType::assertion)
+    clause_ = move;
+  if (!move.move.problem.empty()) {
     question_.reset();
+    clause_.reset();
+  }
 }
 
 } // namespace castor::communication

@@ -25,6 +25,8 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
   if (type == DialogueMoveType::question_w || type == DialogueMoveType::question_yn ||
       type == DialogueMoveType::assertion)
     responder.check_presuppositions();
+  if (auto correction = responder.to_preface())
+    return *correction;
   switch (type) {
     case DialogueMoveType::question_w:
       return responder.to_question_w();

@@ -51,6 +51,8 @@ Response Responder::to(const Uninterpretable& why) const {
             {}};
   if (why.reason == Reason::unknown)
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  if (why.reason == Reason::ambiguous && is_deictic(*phrase))
+    return {RhetoricalRelation::clarification_question, {}, "What do you point at?", phrase->name};
   // What there are no words for is called by its noun.
   const auto simpler = definite(is_pronoun(*phrase) ? "thing" : phrase->proposition);
   if (why.reason == Reason::nothing_like)

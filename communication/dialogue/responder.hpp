@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ public:
   void check_presuppositions() { evaluation_.check_presuppositions(); }
   Response to_question_w();
   Response to_question_yn();
-  Response to_assertion();
+  Response to_assertion() { return to_assertion(root()); }
+  /// Corrects what is said before a question in the same sentence; nothing if it may be so.
+  std::optional<Response> to_preface();
   /// Asks back if it is not clear what is meant; there is nobody yet who does what is asked for.
   Response to_directive();
 
@@ -34,6 +37,8 @@ private:
 
   const Nominal& root() const;
   const Nominal& need(const Nominal& of, const char* mode) const;
+
+  Response to_assertion(const Nominal& said);
 
   // -- questions
   Response about(const Nominal& asked);

@@ -20,15 +20,15 @@ Response correct(LogicalForm content, LogicalForm simpler = marker("no")) {
 
 } // namespace
 
-Response Responder::to_assertion() {
-  const auto* restriction = dependent(form_, root(), "Cop-Restr");
-  const auto* scope = dependent(form_, root(), "Cop-Scope");
-  auto truth = judge_assertion(root(), form_, evaluation_);
+Response Responder::to_assertion(const Nominal& said) {
+  const auto* restriction = dependent(form_, said, "Cop-Restr");
+  const auto* scope = dependent(form_, said, "Cop-Scope");
+  auto truth = judge_assertion(said, form_, evaluation_);
   if (truth != Truth::no)
     return accept();
-  if (root().sort == "existence" || root().sort == "perception") {
-    auto& subject = need(root(), root().sort == "existence" ? "Subject" : "Patient");
-    if (!is_negated(root()) && subject.sort == "thing") {
+  if (said.sort == "existence" || said.sort == "perception") {
+    auto& subject = need(said, said.sort == "existence" ? "Subject" : "Patient");
+    if (!is_negated(said) && subject.sort == "thing") {
       auto found = evaluation_.described(subject);
       if (found.possible.empty())
         return correct(nothing_like(subject));
@@ -46,11 +46,22 @@ Response Responder::to_assertion() {
   auto things = evaluation_.meant(*restriction);
   if (things.size() != 1)
     return correct(marker("no"));
-  if (is_negated(root()) || is_negated(*scope))
+  if (is_negated(said) || is_negated(*scope))
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name))));
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));
   return correct(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
+}
+
+std::optional<Response> Responder::to_preface() {
+  const auto* preface = dependent(form_, root(), "Preface");
+  if (preface == nullptr || dependent(form_, *preface, "Wh-Restr") != nullptr ||
+      feature(*preface, "Mood") == "int" || preface->sort == "marker")
+    return std::nullopt;
+  auto reply = to_assertion(*preface);
+  if (reply.relation != RhetoricalRelation::correction)
+    return std::nullopt;
+  return reply;
 }
 
 } // namespace castor::communication

@@ -257,8 +257,12 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
     return answer(with_marker("no", as_it_is(id, pronoun("it"), need(alternatives, "First"))),
                   marker("no"));
   Response result{RhetoricalRelation::answer, {}, {}, {}};
-  for (const auto* one : so)
-    result.sentences.push_back({ascribe(pronoun("it"), part_of(form_, one->name)), marker("yes")});
+  for (const auto* one : so) {
+    auto sentence = ascribe(pronoun("it"), part_of(form_, one->name));
+    if (feature(alternatives, "Coordination") == "either")
+      sentence = with_marker("yes", std::move(sentence));
+    result.sentences.push_back({std::move(sentence), marker("yes")});
+  }
   return result;
 }
 

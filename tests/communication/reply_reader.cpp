@@ -176,7 +176,7 @@ ReadReply read_reply(std::string_view text) {
     reply.kind = Kind::unknown;
   else if (begins_with(first, 0, {"i", "do", "not", "see"}))
     reply.kind = Kind::not_seen;
-  else if (begins_with(first, 0, {"which"}))
+  else if (begins_with(first, 0, {"which"}) || has("What do you point at"))
     reply.kind = Kind::asked_back;
   else if (begins_with(first, 0, {"there"}) || begins_with(first, 0, {"it"}))
     reply.kind = Kind::statement;
