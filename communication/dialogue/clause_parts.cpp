@@ -85,6 +85,16 @@ void place_alternatives(LogicalForm& form) {
     find_in(form, asked->name)->relations.push_back({"PartOf", name});
 }
 
+/// "A cube, a ball or a disc" is any of them: the word before the last one is meant before all.
+void join_lists(LogicalForm& form) {
+  for (std::size_t rest = form.nominals.size(); rest > 0; --rest)
+    for (auto& x : form.nominals) {
+      const auto* next = x.proposition == "list" ? dependent(form, x, "Next") : nullptr;
+      if (next != nullptr && next->sort == "conjunction" && next->proposition != "list")
+        x.proposition = next->proposition;
+    }
+}
+
 /// "Which of those is the smaller one?": the smaller one of those.
 void restrict_selection(LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
@@ -137,6 +147,7 @@ bool is_elliptical(const LogicalForm& form) {
 LogicalForm reunited(LogicalForm form) {
   if (find_nominal(form, form.root) == nullptr)
     return form;
+  join_lists(form);
   place_relative_clause(form);
   place_alternatives(form);
   complete_by_preface(form);

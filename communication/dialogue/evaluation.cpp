@@ -136,7 +136,6 @@ Truth Evaluation::are_near_each_other(const Nominal& subject) {
   return result;
 }
 
-/// The things that a subject means together.
 Evaluation::Things Evaluation::members(const Nominal& subject) {
   Things things;
   if (auto known = bound_.find(subject.name); known != bound_.end())

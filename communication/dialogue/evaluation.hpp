@@ -90,6 +90,9 @@ public:
   /// binding has not been asked.
   std::vector<std::string> meant(const Nominal& phrase);
 
+  /// The things that a subject means together, such as "the ball and the cubes".
+  std::vector<std::string> members(const Nominal& subject);
+
   /// Whether `scope` is true of as many of the things that the phrase describes as it says.
   /// \param landmarks what `scope` compares others with, of which it says nothing
   Truth quantified(const Nominal& phrase, const std::function<Truth(const std::string&)>& scope,
@@ -109,7 +112,6 @@ private:
   Truth collectively(const Nominal& subject, const Nominal& comparison);
   Truth are_near_each_other(const Nominal& subject);
   Truth has(const std::string& id, const Nominal& scope);
-  Things members(const Nominal& subject);
 
   // -- containers and what is in them (evaluation_containers.cpp)
   bool is_in_each(const Nominal& container);

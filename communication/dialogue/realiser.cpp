@@ -1,7 +1,9 @@
 #include "castor/communication/dialogue/realiser.hpp"
 
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/realisation_target.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -227,6 +229,28 @@ std::string written(const std::string& words, DialogueMoveType move) {
   return text + (asks ? "?" : ".");
 }
 
+/// The things that "there is a ball, a cube and a disc" says there are; nothing for other forms.
+std::vector<LogicalForm> items_that_exist(const LogicalForm& form) {
+  std::vector<LogicalForm> items;
+  const auto* root = find_nominal(form, form.root);
+  if (root == nullptr || root->sort != "existence" || !root->features.empty() ||
+      root->relations.size() != 1)
+    return items;
+  const auto* rest = dependent(form, *root, "Subject");
+  while (rest != nullptr && rest->sort == "conjunction" && rest->proposition == "and" &&
+         rest->features.empty() && rest->relations.size() == 2) {
+    const auto* first = dependent(form, *rest, "First");
+    if (first == nullptr || first->sort != "thing")
+      return {};
+    items.push_back(part_of(form, first->name));
+    rest = dependent(form, *rest, "Next");
+  }
+  if (rest == nullptr || rest->sort != "thing")
+    return {};
+  items.push_back(part_of(form, rest->name));
+  return items;
+}
+
 } // namespace
 
 Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits)
@@ -235,6 +259,23 @@ Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits
 }
 
 std::optional<std::string> Realiser::realise(const LogicalForm& form) {
+  const auto items = items_that_exist(form);
+  if (items.size() < 2)
+    return realise_whole(form);
+  // The rest of a list follows its first item, which ends the sentence.
+  auto text = realise_whole(exists(items.front()));
+  for (std::size_t i = 1; i < items.size() && text; ++i) {
+    auto item = realise_whole(items[i]);
+    if (!item)
+      return std::nullopt;
+    item->front() = static_cast<char>(std::tolower(static_cast<unsigned char>(item->front())));
+    text->pop_back();
+    *text += (i + 1 == items.size() ? " and " : ", ") + *item;
+  }
+  return text;
+}
+
+std::optional<std::string> Realiser::realise_whole(const LogicalForm& form) {
   const RealisationTarget target(form, *lexicon_);
   if (!target.is_sayable())
     return std::nullopt;

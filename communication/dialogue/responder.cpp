@@ -44,12 +44,15 @@ LogicalForm Responder::nothing_like(const Nominal& phrase) const {
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
-  if (why.reason == Reason::word || phrase == nullptr)
+  if (why.reason == Reason::word || phrase == nullptr ||
+      (phrase->sort != "thing" && phrase->sort != "person"))
     return {RhetoricalRelation::clarification_question,
             {},
-            "I do not know what '" + why.what + "' means here.",
+            "I do not know what '" + (phrase == nullptr ? why.what : phrase->proposition) +
+              "' means here.",
             {}};
-  if (why.reason == Reason::unknown)
+  // Where people are, the table does not tell.
+  if (why.reason == Reason::unknown || phrase->sort == "person")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::ambiguous && is_deictic(*phrase))
     return {RhetoricalRelation::clarification_question, {}, "What do you point at?", phrase->name};

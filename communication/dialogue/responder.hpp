@@ -44,10 +44,13 @@ private:
   Response about(const Nominal& asked);
   Response owned_quality(const Nominal& x);
   Response count(const Fitting& found, const Nominal& phrase, const Nominal* scope);
+  std::optional<LogicalForm> share_of(const Count& number, const Nominal& phrase,
+                                      const Nominal* scope);
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   Response what(const Nominal& phrase);
   Response quality(const std::string& name, const Nominal& of);
+  Response qualities(const Things& things, const std::string& name, binding::FeatureKind kind);
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice(const Nominal& subject, const Nominal& alternatives);

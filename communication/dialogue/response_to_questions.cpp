@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace castor::communication {
@@ -107,6 +108,8 @@ Response Responder::count(const Fitting& found, const Nominal& phrase, const Nom
   const auto number = found.count();
   if (number.certain == 0 && number.possible > 0)
     return answer(i_do_not_know());
+  if (auto share = share_of(number, phrase, scope))
+    return answer(std::move(*share), exists(counted(number, indefinite("thing"))));
   auto thing = part_of(form_, phrase.name);
   auto simpler = exists(counted(number, indefinite("thing")));
   const auto* mode = scope == nullptr ? nullptr : attribute_mode(*scope);
@@ -117,13 +120,34 @@ Response Responder::count(const Fitting& found, const Nominal& phrase, const Nom
   return answer(exists(counted(number, std::move(thing))), std::move(simpler));
 }
 
+/// "Two of the three cubes are red", if it is asked how many of them are.
+std::optional<LogicalForm> Responder::share_of(const Count& number, const Nominal& phrase,
+                                               const Nominal* scope) {
+  const auto* whole = dependent(form_, phrase, "PartOf");
+  if (whole == nullptr || scope == nullptr || scope->sort == "thing" || is_negated(root()) ||
+      number.certain != number.possible || number.certain == 0 || is_pronoun(*whole) ||
+      !is_definite(*whole))
+    return std::nullopt;
+  const auto all = evaluation_.meant(*whole).size();
+  if (number.certain >= all)
+    return std::nullopt;
+  auto part = indefinite("one");
+  part.nominals.front().features = {{"Number", number.certain == 1 ? "sg" : "pl"}};
+  auto those = counted(all, part_of(form_, whole->name));
+  those.nominals.front().features.push_back({"Delimitation", "unique"});
+  part = with(std::move(part), "PartOf", those);
+  part = with(std::move(part), "Quantity", property("number", number_word(number.certain)));
+  return ascribe(part, part_of(form_, scope->name));
+}
+
 Response Responder::list(const Things& things) const {
   if (things.empty())
     return answer(exists(none_of(indefinite("thing"))));
-  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  std::vector<LogicalForm> descriptions;
   for (auto& id : things)
-    result.sentences.push_back({exists(indefinite_description(scene_, id))});
-  return result;
+    descriptions.push_back(indefinite_description(scene_, id));
+  return answer(exists(listed(std::move(descriptions))),
+                exists(counted(things.size(), indefinite("thing"))));
 }
 
 Response Responder::quality(const std::string& name, const Nominal& of) {
@@ -132,17 +156,13 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   auto kind = kind_of_quality(name);
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, name};
-  Things things;
-  if (of.sort == "conjunction") {
-    for (const auto* mode : {"First", "Next"})
-      for (auto& id : evaluation_.meant(need(of, mode)))
-        things.push_back(id);
-  } else
-    things = evaluation_.meant(of);
+  const auto things = of.sort == "conjunction" ? evaluation_.members(of) : evaluation_.meant(of);
+  if (things.size() > 1)
+    return qualities(things, name, *kind);
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (auto& id : things) {
     auto words = scene_.words(id, *kind);
-    auto thing = things.size() == 1 ? pronoun("it") : referring_expression(scene_, id);
+    auto thing = pronoun("it");
     if (words.empty())
       return answer(i_do_not_know());
     auto value =
@@ -152,6 +172,42 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
       {scene_.is_sure(id, *kind) ? std::move(sentence) : unsure(std::move(sentence))});
   }
   return result;
+}
+
+/// "Both are red", "the large cube is red. The small cube is green.", or "they are red and green"
+/// if nothing else tells them apart.
+Response Responder::qualities(const Things& things, const std::string& name, FeatureKind kind) {
+  std::vector<std::string> values;
+  std::set<std::string> distinct;
+  bool is_sure = true;
+  for (auto& id : things) {
+    auto words = scene_.words(id, kind);
+    if (words.empty())
+      return answer(i_do_not_know());
+    values.push_back(words.front());
+    distinct.insert(words.front());
+    is_sure = is_sure && scene_.is_sure(id, kind);
+  }
+  auto value_of = [&](const std::string& word) {
+    return kind == FeatureKind::shape ? indefinite(word) : property(name, word);
+  };
+  auto said = [&](LogicalForm sentence) {
+    return is_sure ? std::move(sentence) : unsure(std::move(sentence));
+  };
+  if (distinct.size() == 1) {
+    auto value = kind == FeatureKind::shape ? plural(values.front()) : value_of(values.front());
+    return answer(said(ascribe(all_of_them(things.size()), value)));
+  }
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  for (std::size_t i = 0; i < things.size(); ++i)
+    if (auto thing = definite_description(scene_, things[i], kind))
+      result.sentences.push_back({said(ascribe(*thing, value_of(values[i])))});
+  if (result.sentences.size() == things.size())
+    return result;
+  std::vector<LogicalForm> all;
+  for (auto& word : distinct)
+    all.push_back(value_of(word));
+  return answer(said(ascribe(pronoun("they"), listed(std::move(all)))));
 }
 
 Response Responder::what(const Nominal& phrase) {
@@ -209,7 +265,7 @@ Response Responder::to_question_yn() {
       root().sort == "existence" ? dependent(form_, root(), "Subject") : nullptr;
     if (subject != nullptr && subject->sort == "thing" && !is_general_noun(subject->proposition) &&
         !is_pronoun(*subject) && !shape_of_noun(subject->proposition))
-      return answer(nothing_like(*subject));
+      return answer(nothing_like(*subject), i_do_not_see(indefinite(subject->proposition)));
     return yes_or_no(truth);
   }
   if (root().sort != "ascription" || restriction == nullptr || scope == nullptr ||
@@ -244,12 +300,14 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
   auto& id = things.front();
   std::vector<const Nominal*> so;
   bool is_clear = true;
-  for (const auto* mode : {"First", "Next"}) {
-    auto& one = need(alternatives, mode);
+  for (const auto* rest = &alternatives; rest != nullptr;) {
+    const bool is_last = rest->sort != "conjunction" || rest->proposition != "or";
+    const auto& one = is_last ? *rest : need(*rest, "First");
     auto truth = evaluation_.is(id, one, &subject);
     is_clear = is_clear && truth != Truth::unknown;
     if (truth == Truth::yes)
       so.push_back(&one);
+    rest = is_last ? nullptr : &need(*rest, "Next");
   }
   if (so.empty() && !is_clear)
     return answer(i_do_not_know());

@@ -25,6 +25,13 @@ bool is_in(const T& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+std::optional<std::size_t> number_of(const std::string& word) {
+  const auto found = std::find(numbers.begin(), numbers.end(), word);
+  if (found == numbers.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(found - numbers.begin());
+}
+
 std::vector<Words> sentences_in(std::string_view text) {
   std::vector<Words> result(1);
   std::string word;
@@ -86,9 +93,8 @@ void read_existence(const Words& words, std::size_t at, ReadReply& reply) {
   }
   if (at >= words.size())
     return;
-  auto number = std::find(numbers.begin(), numbers.end(), words[at]);
-  if (number != numbers.end())
-    reply.number = static_cast<std::size_t>(number - numbers.begin());
+  if (auto number = number_of(words[at]))
+    reply.number = number;
   else if (words[at] == "no" || words[at] == "nothing")
     reply.number = 0;
   else
@@ -180,8 +186,14 @@ ReadReply read_reply(std::string_view text) {
     reply.kind = Kind::asked_back;
   else if (begins_with(first, 0, {"there"}) || begins_with(first, 0, {"it"}))
     reply.kind = Kind::statement;
-  else if (begins_with(first, 0, {"the"}) || begins_with(first, 0, {"both"}))
+  else if (begins_with(first, 0, {"the"}) || begins_with(first, 0, {"both"}) ||
+           begins_with(first, 0, {"they"}))
     reply.kind = Kind::statement;
+  else if (number_of(first.front())) {
+    // "Two of the three cubes are red."
+    reply.kind = Kind::statement;
+    reply.number = number_of(first.front());
+  }
   reply.is_existence = begins_with(first, 0, {"there"});
   const bool has_marker = reply.kind == Kind::yes || reply.kind == Kind::no;
   for (auto& words : sentences)
