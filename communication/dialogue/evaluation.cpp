@@ -158,6 +158,8 @@ Truth Evaluation::about_qualities(const Nominal& subject, const Nominal& scope) 
     not_understood(scope.proposition);
   if (subject.proposition != "number")
     return quantified(owner, [&](const std::string& id) { return is(id, scope); });
+  if (const auto range = scope.sort == "number" ? number_range(scope) : std::nullopt)
+    return is_within(described(owner).count(), *range);
   const auto* other = dependent(form_, scope, "Than");
   if (scope.sort != "comparison" || other == nullptr || other->sort != "quality")
     not_understood(scope.proposition);

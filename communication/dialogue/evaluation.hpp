@@ -178,6 +178,7 @@ private:
   Things landmarks_of(const Nominal& scope);
   Truth denial(const std::string& id, const Nominal& scope, Truth truth, const Nominal* among);
   Truth has_property(const std::string& id, const Nominal& property);
+  Truth looks(const std::string& id, const std::string& how);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
   Truth is_in_part_of_table(const std::string& id, const std::string& part);

@@ -121,6 +121,9 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     }
     return {result, result};
   }
+  // The table is where everything is; what it is like, nobody has said.
+  if (is_the_table(phrase))
+    throw Uninterpretable{Reason::unknown, phrase.name};
   // "The side" is nothing that is seen.
   if (phrase.sort == "place" && !has_containers())
     not_understood(phrase.proposition);
@@ -249,6 +252,11 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     return is_within(so, {0, 0});
   auto not_so = count(
     candidates, [&](const std::string& id) { return negation(scope(id)); }, landmarks);
+  if (delimited == "half") {
+    if (so.certain != so.possible || not_so.certain != not_so.possible)
+      return Truth::unknown;
+    return truth_of(so.certain == not_so.certain && so.certain > 0);
+  }
   if (delimited == "most") {
     if (so.certain > not_so.possible)
       return Truth::yes;

@@ -123,6 +123,8 @@ Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
 Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
   auto kind = kind_of_quality(property.sort);
   auto word = property.proposition;
+  if (word == "round" || word == "flat")
+    return looks(id, word);
   if (kind == FeatureKind::shape) {
     auto known = shape_of_adjective(word);
     if (!known)
@@ -140,6 +142,19 @@ Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
   }
   return kind == FeatureKind::shape ? has_shape(id, word)
                                     : scene_.has(id, binding::feature(*kind, word));
+}
+
+/// Round like a ball, a disc, or, from above, a cylinder; flat like a disc or a square.
+Truth Evaluation::looks(const std::string& id, const std::string& how) {
+  const auto words = scene_.words(id, FeatureKind::shape);
+  if (words.empty())
+    return Truth::unknown;
+  const auto& shape = words.front();
+  if (how == "flat")
+    return truth_of(is_flat_shape(shape));
+  if (shape == "cylinder")
+    return Truth::unknown;
+  return truth_of(shape == "sphere" || shape == "circle");
 }
 
 // -- space

@@ -7,6 +7,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <utility>
 
@@ -146,6 +147,36 @@ private:
   bool replaced_ = false;
 };
 
+/// The place of a word in its sentence, by the name of the nominal that it introduces: 3 for "w3".
+std::size_t place_of_word(const Nominal& x) {
+  std::size_t place = 0;
+  const auto digits = x.name.substr(std::min<std::size_t>(1, x.name.size()));
+  std::from_chars(digits.data(), digits.data() + digits.size(), place);
+  return place;
+}
+
+/// The last noun before a nominal; empty if there is none.
+std::string noun_before(const LogicalForm& form, const Nominal& one) {
+  const Nominal* last = nullptr;
+  for (auto& x : form.nominals)
+    if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" && !is_the_table(x) &&
+        place_of_word(x) < place_of_word(one) &&
+        (last == nullptr || place_of_word(*last) < place_of_word(x)))
+      last = &x;
+  return last == nullptr ? std::string{} : last->proposition;
+}
+
+/// "Which is the largest thing?" says itself what it asks for.
+bool is_identified(const LogicalForm& form, const Nominal& clause, const Nominal& x) {
+  const auto* subject = dependent(form, clause, "Cop-Restr");
+  const auto* scope = dependent(form, clause, "Cop-Scope");
+  const auto* asked = dependent(form, clause, "Wh-Restr");
+  if (asked != &x || subject == nullptr || scope == nullptr)
+    return false;
+  const auto& other = subject == &x ? *scope : *subject;
+  return other.sort == "thing" && other.proposition != "one";
+}
+
 bool is_about_any(const LogicalForm& fragment) {
   const auto* root = find_nominal(fragment, fragment.root);
   return root != nullptr && root->sort == "thing" && feature(*root, "Delimitation") == "any";
@@ -160,14 +191,22 @@ bool substitute(CompleteMove& question, const LogicalForm& said, const Anteceden
 
 } // namespace
 
-/// "The red one" is a red thing of the kind that was spoken of.
+/// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
 void QuestionContext::replace_one(LogicalForm& form) const {
   const auto* root = find_nominal(form, form.root);
-  if (noun_.empty() || root == nullptr || root->sort == "thing")
+  if (root == nullptr || root->sort == "thing")
     return;
-  for (auto& x : form.nominals)
-    if (x.sort == "thing" && x.proposition == "one" && dependent(form, x, "PartOf") == nullptr)
+  for (auto& x : form.nominals) {
+    if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x) ||
+        dependent(form, x, "PartOf") != nullptr)
+      continue;
+    if (auto noun = noun_before(form, x); is_general_noun(noun))
+      continue;
+    else if (!noun.empty())
+      x.proposition = noun;
+    else if (!noun_.empty() && !is_identified(form, *root, x))
       x.proposition = noun_;
+  }
 }
 
 CompleteMove QuestionContext::complete(const DialogueMove& move,

@@ -229,26 +229,43 @@ std::string written(const std::string& words, DialogueMoveType move) {
   return text + (asks ? "?" : ".");
 }
 
-/// The things that "there is a ball, a cube and a disc" says there are; nothing for other forms.
-std::vector<LogicalForm> items_that_exist(const LogicalForm& form) {
-  std::vector<LogicalForm> items;
+/// The list at the end of a sentence, such as "there is a ball, a cube and a disc" or "they are
+/// red, green and blue".
+struct FinalList {
+  /// The sentence with the first item only.
+  LogicalForm sentence;
+  /// The others.
+  std::vector<LogicalForm> rest;
+};
+
+/// Nothing for other sentences.
+std::optional<FinalList> final_list(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
-  if (root == nullptr || root->sort != "existence" || !root->features.empty() ||
-      root->relations.size() != 1)
-    return items;
-  const auto* rest = dependent(form, *root, "Subject");
-  while (rest != nullptr && rest->sort == "conjunction" && rest->proposition == "and" &&
-         rest->features.empty() && rest->relations.size() == 2) {
-    const auto* first = dependent(form, *rest, "First");
-    if (first == nullptr || first->sort != "thing")
-      return {};
-    items.push_back(part_of(form, first->name));
-    rest = dependent(form, *rest, "Next");
+  if (root == nullptr || is_negated(*root))
+    return std::nullopt;
+  const std::string mode = root->sort == "existence" ? "Subject" : "Cop-Scope";
+  const auto is_list = [](const Nominal& x) {
+    return x.sort == "conjunction" && x.proposition == "and" && x.features.empty() &&
+           x.relations.size() == 2;
+  };
+  const auto* rest = dependent(form, *root, mode);
+  if (rest == nullptr || !is_list(*rest) || dependent(form, *rest, "First") == nullptr)
+    return std::nullopt;
+  FinalList result;
+  auto shorter = form;
+  for (auto& x : shorter.nominals)
+    for (auto& relation : x.relations)
+      if (x.name == form.root && relation.mode == mode)
+        relation.dependent = dependent(form, *rest, "First")->name;
+  result.sentence = part_of(shorter, form.root);
+  for (rest = dependent(form, *rest, "Next"); rest != nullptr;) {
+    const auto* item = is_list(*rest) ? dependent(form, *rest, "First") : rest;
+    if (item == nullptr || item->sort == "conjunction")
+      return std::nullopt;
+    result.rest.push_back(part_of(form, item->name));
+    rest = item == rest ? nullptr : dependent(form, *rest, "Next");
   }
-  if (rest == nullptr || rest->sort != "thing")
-    return {};
-  items.push_back(part_of(form, rest->name));
-  return items;
+  return result;
 }
 
 } // namespace
@@ -259,18 +276,18 @@ Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits
 }
 
 std::optional<std::string> Realiser::realise(const LogicalForm& form) {
-  const auto items = items_that_exist(form);
-  if (items.size() < 2)
+  const auto list = final_list(form);
+  if (!list)
     return realise_whole(form);
-  // The rest of a list follows its first item, which ends the sentence.
-  auto text = realise_whole(exists(items.front()));
-  for (std::size_t i = 1; i < items.size() && text; ++i) {
-    auto item = realise_whole(items[i]);
-    if (!item)
+  auto text = realise_whole(list->sentence);
+  for (auto& x : list->rest) {
+    auto item = realise_whole(x);
+    if (!item || !text)
       return std::nullopt;
     item->front() = static_cast<char>(std::tolower(static_cast<unsigned char>(item->front())));
+    item->pop_back();
     text->pop_back();
-    *text += (i + 1 == items.size() ? " and " : ", ") + *item;
+    *text += (&x == &list->rest.back() ? " and " : ", ") + *item + '.';
   }
   return text;
 }

@@ -44,6 +44,12 @@ LogicalForm Responder::nothing_like(const Nominal& phrase) const {
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
+  // "Can you take the ball?"
+  if (why.reason == Reason::word && root().sort == "action")
+    return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+  // Where people are, the table does not tell.
+  if (why.reason == Reason::word && (why.what == "i" || why.what == "you" || why.what == "we"))
+    return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word || phrase == nullptr ||
       (phrase->sort != "thing" && phrase->sort != "person"))
     return {RhetoricalRelation::clarification_question,
@@ -51,7 +57,6 @@ Response Responder::to(const Uninterpretable& why) const {
             "I do not know what '" + (phrase == nullptr ? why.what : phrase->proposition) +
               "' means here.",
             {}};
-  // Where people are, the table does not tell.
   if (why.reason == Reason::unknown || phrase->sort == "person")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::ambiguous && is_deictic(*phrase))

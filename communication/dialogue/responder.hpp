@@ -53,6 +53,8 @@ private:
   Response qualities(const Things& things, const std::string& name, binding::FeatureKind kind);
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
+  Response choice_of_clauses();
+  Response values_seen(const Nominal& asked);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 
   // -- replies

@@ -58,7 +58,7 @@ Response Responder::to_question_w() {
     return owned_quality(root());
   auto& asked = need(root(), "Wh-Restr");
   if (root().sort == "existence" && asked.sort == "quality")
-    return owned_quality(asked);
+    return dependent(form_, asked, "Owner") == nullptr ? values_seen(asked) : owned_quality(asked);
   if (asked.sort == "person" || asked.proposition == "who")
     return answer(i_do_not_know());
   if (root().sort != "ascription")
@@ -86,6 +86,36 @@ Response Responder::to_question_w() {
       (is_definite(other) || asks_for_scope))
     return what(other);
   return about(asked);
+}
+
+/// "Which colours do you see?", "how many colours are there?"
+Response Responder::values_seen(const Nominal& asked) {
+  const auto kind = kind_of_quality(asked.proposition);
+  for (auto& [mode, name] : asked.relations)
+    if (const auto* x = find_nominal(form_, name);
+        mode != "Quantity" && x != nullptr && x->proposition != "different")
+      throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
+  if (!kind)
+    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
+  std::vector<std::string> values;
+  for (auto& id : scene_.things()) {
+    auto words = scene_.words(id, *kind);
+    if (words.empty() && is_count(asked))
+      return answer(i_do_not_know());
+    if (!words.empty() && std::ranges::find(values, words.front()) == values.end())
+      values.push_back(words.front());
+  }
+  if (is_count(asked))
+    return answer(exists(counted(values.size(), part_of(form_, asked.name))));
+  if (values.empty())
+    return answer(i_do_not_know());
+  std::vector<LogicalForm> all;
+  for (auto& word : values)
+    all.push_back(kind == FeatureKind::shape ? indefinite(word)
+                                             : property(asked.proposition, word));
+  if (kind == FeatureKind::shape)
+    return answer(exists(listed(std::move(all))));
+  return answer(ascribe(pronoun(values.size() == 1 ? "it" : "they"), listed(std::move(all))));
 }
 
 /// Of which things the whole question is true.
@@ -156,7 +186,13 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   auto kind = kind_of_quality(name);
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, name};
-  const auto things = of.sort == "conjunction" ? evaluation_.members(of) : evaluation_.meant(of);
+  Things things;
+  if (of.sort == "conjunction")
+    things = evaluation_.members(of);
+  else if (feature(of, "Delimitation") == "all")
+    things = evaluation_.described(of).certain;
+  else
+    things = evaluation_.meant(of);
   if (things.size() > 1)
     return qualities(things, name, *kind);
   Response result{RhetoricalRelation::answer, {}, {}, {}};
@@ -250,6 +286,9 @@ Response Responder::yes_or_no(Truth truth) {
 Response Responder::to_question_yn() {
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
+  // "Is it red or is it blue?"
+  if (root().sort == "conjunction" && root().proposition == "or")
+    return choice_of_clauses();
   // "Is it red or blue?"
   if (root().sort == "ascription" && restriction != nullptr && scope != nullptr &&
       scope->sort == "conjunction" && scope->proposition == "or" && is_definite(*restriction) &&
@@ -322,6 +361,25 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
     result.sentences.push_back({std::move(sentence), marker("yes")});
   }
   return result;
+}
+
+/// Says which of two clauses is so.
+Response Responder::choice_of_clauses() {
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  bool is_clear = true;
+  for (const auto* mode : {"First", "Next"}) {
+    auto& one = need(root(), mode);
+    const auto truth = evaluation_.clause(one);
+    is_clear = is_clear && truth != Truth::unknown;
+    if (truth != Truth::yes)
+      continue;
+    auto said = part_of(form_, one.name);
+    std::erase_if(said.nominals.front().features, [](auto& x) { return x.name == "Mood"; });
+    result.sentences.push_back({std::move(said), marker("yes")});
+  }
+  if (!result.sentences.empty())
+    return result;
+  return is_clear ? answer(marker("no")) : answer(i_do_not_know());
 }
 
 /// "It is blue", in the terms of what was said of it.
