@@ -82,6 +82,9 @@ void GridMaker::existence_of_several() {
       ask("Is there neither a <N> nor a <M>?", both_so(not_so(first), not_so(second)));
       ask("Are there two <Ns> and a <M>?", both_so(there_is(a.is, 2, 2), second));
       ask("Is there a <N> but no <M>?", both_so(first, not_so(second)));
+      const auto third = there_is(has_shape("pyramid"));
+      ask("Is there a <N>, a <M> and a pyramid?", both_so(both_so(first, second), third));
+      ask("Is there a <N>, a <M> or a pyramid?", either_so(either_so(first, second), third));
       const auto more = [](const NounPhrase& x, const NounPhrase& than) -> Claim {
         return [=](auto& world) {
           auto some = number_of(world, x.is);
@@ -155,6 +158,8 @@ void GridMaker::definite_subjects() {
       ask("Is it true that the <N> is <P>?", so);
       ask("The <N> is <P>, right?", so);
       ask("The <N> is <P>, isn't it?", so);
+      ask("The <N>: is it <P>?", so);
+      ask("The <N> is it <P>?", so);
       if (!p.is_plain)
         continue;
       ask("Is the <N> not <P>?", not_so(so));
@@ -259,6 +264,10 @@ void GridMaker::several_subjects() {
                         is_from_to(number_of(world, all_of({is_not(n.is), p.is})), 0, 0));
       };
       add(Kind::whether, "Are only <Ns> <Ps>?", fill("Are only <Ns> <Ps>?", n, &p), p.needs, only);
+      if (p.is_plain)
+        add(Kind::whether, "Is there a <N> on the table that is <P>?",
+            fill("Is there a <N> on the table that is <P>?", n, &p), p.needs,
+            there_is(all_of({n.is, p.is})));
       add(Kind::statement, "Only <Ns> are <Ps>.", fill("Only <Ns> are <Ps>.", n, &p), p.needs,
           only);
       auto every = all("all", true);
@@ -307,6 +316,10 @@ void GridMaker::several_subjects() {
         auto second = there_is(all_of({b.is, p.is}));
         ask(Kind::whether, "Are the <N> and the <M> <Ps>?", both_so(first, second));
         ask(Kind::whether, "Are both the <N> and the <M> <Ps>?", both_so(first, second));
+        ask(Kind::whether, "Is the <N> <P> and the <M> small?",
+            both_so(first, there_is(all_of({b.is, has_size("small")}))));
+        ask(Kind::statement, "The <N> is <P> and the <M> small.",
+            both_so(first, there_is(all_of({b.is, has_size("small")}))));
         ask(Kind::whether, "Is neither the <N> nor the <M> <P>?",
             both_so(not_so(first), not_so(second)));
         ask(Kind::statement, "The <N> and the <M> are <Ps>.", both_so(first, second));

@@ -22,6 +22,8 @@ void GridMaker::things_asked_for() {
       auto so = all_of({n.is, p.is});
       for (const auto* form : {"Which <Ns> are <Ps>?", "Which <N> is <P>?", "What <Ns> are <Ps>?"})
         ask(form, fill(form, n, &p), p.needs, so);
+      ask("What <Ns> do you see that are <Ps>?", fill("What <Ns> do you see that are <Ps>?", n, &p),
+          p.needs, so);
       ask("Which of the <Ns> are <Ps>?", fill("Which of the <Ns> are <Ps>?", n, &p),
           together({at_least_one(n.is)}, p.needs), so);
       if (!p.is_plain)
