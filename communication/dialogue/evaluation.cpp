@@ -245,6 +245,17 @@ Truth Evaluation::collectively(const Nominal& subject, const Nominal& comparison
   if (!same && comparison.proposition != "different")
     not_understood(comparison.proposition);
   auto result = Truth::yes;
+  // "Which things have the same colour?": each that has the colour of another one.
+  if (bound_.contains(subject.name) && !is_container(things.front())) {
+    if (!same)
+      not_understood(comparison.proposition);
+    result = Truth::no;
+    for (auto& other : scene_.things())
+      if (other != things.front())
+        result = either(
+          result, both(fits(other, subject), shares(things.front(), other, quality.proposition)));
+    return result;
+  }
   for (std::size_t i = 0; i < things.size(); ++i)
     for (std::size_t k = i + 1; k < things.size(); ++k) {
       auto shared = Truth::unknown;

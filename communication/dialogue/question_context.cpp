@@ -258,6 +258,8 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
       noun_ = thing->proposition;
       break;
     }
+  if (is_elliptical(move.move.content))
+    return;
   if (is_question(move.move))
     question_ = move;
   if (is_question(move.move) || move.move.type == DialogueMoveType::assertion)

@@ -39,6 +39,7 @@ private:
   const Nominal& need(const Nominal& of, const char* mode) const;
 
   Response to_assertion(const Nominal& said);
+  bool says_what_is_not_seen(const Nominal& said) const;
 
   // -- questions
   Response about(const Nominal& asked);

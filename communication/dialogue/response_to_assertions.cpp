@@ -24,6 +24,9 @@ Response Responder::to_assertion(const Nominal& said) {
   const auto* restriction = dependent(form_, said, "Cop-Restr");
   const auto* scope = dependent(form_, said, "Cop-Scope");
   auto truth = judge_assertion(said, form_, evaluation_);
+  if (truth == Truth::unknown && says_what_is_not_seen(said) &&
+      telling_of(said, form_) == Telling::nothing)
+    return {RhetoricalRelation::answer, {}, "I do not know whether that is so.", {}};
   if (truth != Truth::no)
     return accept();
   if (said.sort == "existence" || said.sort == "perception") {
@@ -51,6 +54,13 @@ Response Responder::to_assertion(const Nominal& said) {
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));
   return correct(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
+}
+
+/// A kind of thing that vision has no word for, such as a toy.
+bool Responder::says_what_is_not_seen(const Nominal& said) const {
+  const auto* kind = dependent(form_, said, said.sort == "existence" ? "Subject" : "Cop-Scope");
+  return kind != nullptr && kind->sort == "thing" && !is_general_noun(kind->proposition) &&
+         !is_pronoun(*kind) && !shape_of_noun(kind->proposition);
 }
 
 std::optional<Response> Responder::to_preface() {
