@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <set>
 #include <utility>
@@ -288,6 +289,13 @@ bool is_definite_phrase(const Nominal& nominal) {
 
 bool is_deictic(const Nominal& nominal) {
   return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
+}
+
+std::size_t place_of_word(const Nominal& nominal) {
+  std::size_t place = 0;
+  const auto digits = nominal.name.substr(std::min<std::size_t>(1, nominal.name.size()));
+  std::from_chars(digits.data(), digits.data() + digits.size(), place);
+  return place;
 }
 
 bool is_anaphoric(const Nominal& nominal) {

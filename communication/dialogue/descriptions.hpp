@@ -3,6 +3,7 @@
 #include "castor/binding/types.hpp"
 #include "castor/communication/types.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ bool is_pronoun(const Nominal& nominal);
 
 /// "This", "that": things that are shown rather than spoken of.
 bool is_deictic(const Nominal& nominal);
+
+/// The place of the word in its sentence that introduced a nominal, by its name: 3 for "w3".
+std::size_t place_of_word(const Nominal& nominal);
 
 /// "That thing", "this red one": what it stands for may have been said before.
 bool is_anaphoric(const Nominal& nominal);

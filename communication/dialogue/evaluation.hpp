@@ -165,6 +165,7 @@ private:
   Truth is_called(const std::string& id, const Nominal& phrase);
   Truth has_shape(const std::string& id, const std::string& shape);
   const Nominal* earlier_phrase(const Nominal& pronoun);
+  const Nominal* phrase_in_predicate(const Nominal& pronoun);
   Truth modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                  const Nominal& dependent);
   Truth as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,

@@ -354,7 +354,7 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
     return nullptr;
   const auto* first = dependent(form_, *root, root->sort == "conjunction" ? "First" : "Preface");
   if (first == nullptr)
-    return nullptr;
+    return phrase_in_predicate(pronoun);
   for (const auto* mode : {"Cop-Restr", "Cop-Scope"}) {
     const auto* x = dependent(form_, *first, mode);
     if (x != nullptr && x->sort == "thing" && is_definite(*x) && !is_pronoun(*x) &&
@@ -362,6 +362,24 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
       return x;
   }
   return nullptr;
+}
+
+/// "Is the ball behind the disc or in front of it?": the disc. Null if there is none.
+const Nominal* Evaluation::phrase_in_predicate(const Nominal& pronoun) {
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* scope = dependent(form_, *root, "Cop-Scope");
+  if (scope == nullptr || is_deictic(pronoun))
+    return nullptr;
+  const auto said = part_of(form_, scope->name);
+  if (find_nominal(said, pronoun.name) == nullptr)
+    return nullptr;
+  const Nominal* result = nullptr;
+  for (auto& x : said.nominals)
+    if (x.sort == "thing" && is_definite(x) && !is_pronoun(x) && !is_the_table(x) &&
+        is_plural(x) == is_plural(pronoun) && place_of_word(x) < place_of_word(pronoun) &&
+        (result == nullptr || place_of_word(*result) < place_of_word(x)))
+      result = find_nominal(form_, x.name);
+  return result;
 }
 
 Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const std::string& mode,

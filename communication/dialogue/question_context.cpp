@@ -7,7 +7,6 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
@@ -146,14 +145,6 @@ private:
   bool is_strict_ = true;
   bool replaced_ = false;
 };
-
-/// The place of a word in its sentence, by the name of the nominal that it introduces: 3 for "w3".
-std::size_t place_of_word(const Nominal& x) {
-  std::size_t place = 0;
-  const auto digits = x.name.substr(std::min<std::size_t>(1, x.name.size()));
-  std::from_chars(digits.data(), digits.data() + digits.size(), place);
-  return place;
-}
 
 /// The last noun before a nominal; empty if there is none.
 std::string noun_before(const LogicalForm& form, const Nominal& one) {
