@@ -85,6 +85,19 @@ void place_alternatives(LogicalForm& form) {
     find_in(form, asked->name)->relations.push_back({"PartOf", name});
 }
 
+/// "Except for the ball, is anything red?" is about the other things.
+void place_exception(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* excepted = dependent(form, *root, "Except");
+  const auto* topic = excepted == nullptr ? nullptr : topic_of(form, *root);
+  if (topic == nullptr || dependent(form, *root, "Wh-Restr") != nullptr || is_definite(*topic))
+    return;
+  const auto name = excepted->name;
+  const auto to = topic->name;
+  erase_relation(*find_in(form, form.root), "Except");
+  find_in(form, to)->relations.push_back({"Except", name});
+}
+
 /// "A cube, a ball or a disc" is any of them: the word before the last one is meant before all.
 void join_lists(LogicalForm& form) {
   for (std::size_t rest = form.nominals.size(); rest > 0; --rest)
@@ -139,6 +152,23 @@ void complete_by_preface(LogicalForm& form) {
 
 } // namespace
 
+std::vector<LogicalForm> questions_in(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root == nullptr || root->sort != "conjunction" || feature(*root, "Mood") != "int")
+    return {};
+  const auto* first = dependent(form, *root, "First");
+  const auto* next = dependent(form, *root, "Next");
+  const auto asks_for_something = [&](const Nominal* x) {
+    return x != nullptr && dependent(form, *x, "Wh-Restr") != nullptr;
+  };
+  if (first == nullptr || next == nullptr ||
+      (!asks_for_something(first) && !asks_for_something(next)))
+    return {};
+  auto second = form;
+  find_in(second, next->name)->relations.push_back({"Preface", first->name});
+  return {part_of(form, first->name), part_of(second, next->name)};
+}
+
 bool is_elliptical(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
   return root != nullptr && root->sort == "ellipsis";
@@ -150,6 +180,7 @@ LogicalForm reunited(LogicalForm form) {
   join_lists(form);
   place_relative_clause(form);
   place_alternatives(form);
+  place_exception(form);
   complete_by_preface(form);
   restrict_selection(form);
   return form;

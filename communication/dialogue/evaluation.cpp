@@ -58,6 +58,9 @@ Truth Evaluation::affirmed_clause(const Nominal& e) {
   for (const auto* apart : {"Extraposed", "Alternatives"})
     if (const auto* x = dependent(form_, e, apart))
       not_understood(x->proposition);
+  if (const auto* excepted = dependent(form_, e, "Except");
+      excepted != nullptr && dependent(form_, e, "Wh-Restr") == nullptr)
+    not_understood(excepted->proposition);
   if (e.sort == "conjunction") {
     if (e.proposition == "and")
       return discourse(need(e, "First"), need(e, "Next"));

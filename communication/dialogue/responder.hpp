@@ -50,6 +50,7 @@ private:
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   Response what(const Nominal& phrase);
+  Response quality(const Nominal& asked, const Nominal& of);
   Response quality(const std::string& name, const Nominal& of);
   Response qualities(const Things& things, const std::string& name, binding::FeatureKind kind);
   Response yes_or_no(Truth truth);

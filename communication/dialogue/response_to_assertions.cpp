@@ -65,6 +65,9 @@ bool Responder::says_what_is_not_seen(const Nominal& said) const {
 
 std::optional<Response> Responder::to_preface() {
   const auto* preface = dependent(form_, root(), "Preface");
+  // "Where, do you see a ball": what is asked by "where" is not clear.
+  if (preface != nullptr && preface->sort == "ellipsis")
+    throw Uninterpretable{Uninterpretable::Reason::word, preface->proposition};
   if (preface == nullptr || dependent(form_, *preface, "Wh-Restr") != nullptr ||
       feature(*preface, "Mood") == "int" || preface->sort == "marker")
     return std::nullopt;

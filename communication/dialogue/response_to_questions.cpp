@@ -45,19 +45,36 @@ const char* attribute_mode(const Nominal& scope) {
 
 } // namespace
 
-/// "The number of balls", "its colour".
+/// "The number of balls", "its colour", "its colour and size".
 Response Responder::owned_quality(const Nominal& x) {
   auto& owner = need(x, "Owner");
+  if (x.sort == "conjunction")
+    return quality(x, owner);
   if (x.proposition == "number")
     return count(evaluation_.described(owner), owner, nullptr);
   return quality(x.proposition, owner);
+}
+
+/// One or several qualities of something.
+Response Responder::quality(const Nominal& asked, const Nominal& of) {
+  if (asked.sort != "conjunction")
+    return quality(asked.proposition, of);
+  auto result = quality(need(asked, "First"), of);
+  auto next = quality(need(asked, "Next"), of);
+  for (auto& sentence : next.sentences)
+    result.sentences.push_back(std::move(sentence));
+  return result;
 }
 
 Response Responder::to_question_w() {
   if (root().sort == "quality")
     return owned_quality(root());
   auto& asked = need(root(), "Wh-Restr");
-  if (root().sort == "existence" && asked.sort == "quality")
+  const auto is_quality = [this](const Nominal& x) {
+    const auto* first = x.sort == "conjunction" ? dependent(form_, x, "First") : &x;
+    return first != nullptr && first->sort == "quality";
+  };
+  if (root().sort == "existence" && is_quality(asked))
     return dependent(form_, asked, "Owner") == nullptr ? values_seen(asked) : owned_quality(asked);
   if (asked.sort == "person" || asked.proposition == "who")
     return answer(i_do_not_know());
@@ -71,9 +88,9 @@ Response Responder::to_question_w() {
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
-  if (asked.sort == "quality")
-    return quality(asked.proposition, other);
-  if (asked.sort == "entity" && other.sort == "quality") {
+  if (is_quality(asked))
+    return quality(asked, other);
+  if (asked.sort == "entity" && is_quality(other)) {
     // "What is the colour of the ball?"
     return owned_quality(other);
   }
@@ -90,7 +107,8 @@ Response Responder::to_question_w() {
 
 /// "Which colours do you see?", "how many colours are there?"
 Response Responder::values_seen(const Nominal& asked) {
-  const auto kind = kind_of_quality(asked.proposition);
+  const auto kind = asked.proposition == "kind" ? std::optional{FeatureKind::shape}
+                                                : kind_of_quality(asked.proposition);
   for (auto& [mode, name] : asked.relations)
     if (const auto* x = find_nominal(form_, name);
         mode != "Quantity" && x != nullptr && x->proposition != "different")
@@ -260,7 +278,13 @@ Response Responder::where(const Nominal& phrase) {
   if (phrase.sort == "person")
     return answer(i_do_not_know());
   Response result{RhetoricalRelation::answer, {}, {}, {}};
-  auto things = evaluation_.meant(phrase);
+  // "Where do you see a cube?" asks for all of them.
+  const bool is_any = phrase.sort == "thing" && !is_definite_phrase(phrase);
+  auto things = phrase.sort == "conjunction" ? evaluation_.members(phrase)
+                : is_any                     ? evaluation_.described(phrase).certain
+                                             : evaluation_.meant(phrase);
+  if (things.empty())
+    throw Uninterpretable{Uninterpretable::Reason::nothing_like, phrase.name};
   for (auto& id : things) {
     auto thing = things.size() == 1 ? pronoun("it") : referring_expression(scene_, id);
     auto facts = scene_.spatial_facts(id);
