@@ -162,6 +162,9 @@ Truth Evaluation::looks(const std::string& id, const std::string& how) {
 Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   auto& relation = region.proposition;
   const auto* anchor = dependent(form_, region, "Anchor");
+  // Nobody has said where the corners and the sides of the table are.
+  if (anchor != nullptr && anchor->sort == "place" && !has_containers())
+    not_understood(anchor->proposition);
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (anchor == nullptr)
