@@ -72,9 +72,10 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     auto meant = move;
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
     if (meant.type == DialogueMoveType::assertion) {
-      tell_of(id, meant, referents);
+      const auto told = tell_of(id, meant, referents);
       publish();
-      wait_until_bound(proxy_id(id));
+      for (auto& proxy : told)
+        wait_until_bound(proxy);
     }
     if (is_known)
       return;
@@ -139,16 +140,19 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
            }) == Truth::no;
   }
 
-  void tell_of(const std::string& id, const DialogueMove& move, const MoveReferents& referents) {
+  /// \returns the proxies that binding was told
+  std::vector<std::string> tell_of(const std::string& id, const DialogueMove& move,
+                                   const MoveReferents& referents) {
     const auto& form = move.content;
     const auto* root = find_nominal(form, form.root);
-    if (root == nullptr || (root->sort == "existence" && is_negated(*root)) ||
+    if (root == nullptr)
+      return {};
+    const auto telling = telling_of(*root, form);
+    if (telling == Telling::nothing ||
         is_not_to_be_told(move, *root, from_entry(referents.pronouns)))
-      return;
+      return {};
     const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
     const auto* scope = dependent(form, *root, "Cop-Scope");
-    if (thing == nullptr || thing->sort != "thing" || is_plural(*thing))
-      return;
     BindingProxy proxy;
     // What is said is judged when what is seen has been.
     proxy.precedence = 1;
@@ -156,14 +160,28 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     if (scope != nullptr)
       for (auto& x : features_of(form, *scope))
         add_feature(proxy, is_negated(*root) && x.text != "thing" ? binding::negation_of(x) : x);
+    proxy.features.push_back(
+      binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
+    std::vector<std::string> meant;
     // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
     if (!is_deictic(*thing) || is_known(referents, *thing))
       for (auto& x : referents.referents)
-        if (x.nominal == thing->name && x.proxies.size() == 1)
-          add_feature(proxy, feature(FeatureKind::existing_proxy_id, x.proxies.front()));
-    proxy.features.push_back(
-      binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
-    tell(proxy_id(id), std::move(proxy));
+        if (x.nominal == thing->name)
+          meant = x.proxies;
+    if (telling == Telling::of_one) {
+      if (meant.size() == 1)
+        add_feature(proxy, feature(FeatureKind::existing_proxy_id, meant.front()));
+      tell(proxy_id(id), std::move(proxy));
+      return {proxy_id(id)};
+    }
+    std::vector<std::string> told;
+    for (auto& one : meant) {
+      auto of_it = proxy;
+      add_feature(of_it, feature(FeatureKind::existing_proxy_id, one));
+      told.push_back(proxy_id(id) + '/' + std::to_string(told.size() + 1));
+      tell(told.back(), std::move(of_it));
+    }
+    return told;
   }
 
   static bool is_known(const MoveReferents& referents, const Nominal& phrase) {

@@ -24,4 +24,19 @@ Truth judge_assertion(const Nominal& root, const LogicalForm& form, Evaluation& 
   }
 }
 
+Telling telling_of(const Nominal& root, const LogicalForm& form) {
+  const bool is_existence = root.sort == "existence";
+  const auto* thing = dependent(form, root, is_existence ? "Subject" : "Cop-Restr");
+  if (thing == nullptr || thing->sort != "thing" || is_negated(*thing) ||
+      !feature(*thing, "Focus").empty() || feature(root, "Denied") == "true" ||
+      (is_existence && is_negated(root)))
+    return Telling::nothing;
+  const auto delimitation = feature(*thing, "Delimitation");
+  if (delimitation == "all" || delimitation == "both" || (is_plural(*thing) && is_definite(*thing)))
+    return is_existence ? Telling::nothing : Telling::of_each;
+  const bool is_one = !is_plural(*thing) && delimitation != "none" && delimitation != "neither" &&
+                      dependent(form, *thing, "PartOf") == nullptr;
+  return is_one ? Telling::of_one : Telling::nothing;
+}
+
 } // namespace castor::communication

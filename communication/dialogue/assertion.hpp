@@ -13,4 +13,16 @@ namespace castor::communication {
 /// \throws Uninterpretable
 Truth judge_assertion(const Nominal& root, const LogicalForm& form, Evaluation& evaluation);
 
+/// Of what binding is told what is asserted.
+enum class Telling {
+  /// Of nothing: "most balls are toys".
+  nothing,
+  /// Of the thing that it is about: "the ball is a toy", "there is a toy".
+  of_one,
+  /// Of each of the things that it is about: "all balls are toys".
+  of_each,
+};
+
+Telling telling_of(const Nominal& root, const LogicalForm& form);
+
 } // namespace castor::communication

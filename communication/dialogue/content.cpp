@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace castor::communication {
@@ -95,6 +96,12 @@ LogicalForm indefinite(const std::string& noun) {
   return form;
 }
 
+LogicalForm plural(const std::string& noun) {
+  auto form = single("thing", noun);
+  root_of(form).features = {{"Number", "pl"}};
+  return form;
+}
+
 std::string number_word(std::size_t number) {
   return number < number_words.size() ? number_words[number] : "many";
 }
@@ -150,6 +157,24 @@ LogicalForm exists(const LogicalForm& what) {
   auto form = single("existence", "be");
   attach(form, "Subject", what);
   return form;
+}
+
+LogicalForm listed(std::vector<LogicalForm> things) {
+  auto result = std::move(things.back());
+  for (things.pop_back(); !things.empty(); things.pop_back()) {
+    auto longer = single("conjunction", "and");
+    attach(longer, "First", things.back());
+    attach(longer, "Next", result);
+    result = std::move(longer);
+  }
+  return result;
+}
+
+LogicalForm all_of_them(std::size_t number) {
+  auto result = pronoun("they");
+  if (number == 2)
+    attach(result, "Quantity", single("number", "two"));
+  return result;
 }
 
 LogicalForm with_marker(const std::string& word, LogicalForm form) {

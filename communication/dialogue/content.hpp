@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Constructors of logical forms for frequent utterances of robots. Forms are composed of forms:
 ///
@@ -36,6 +37,9 @@ LogicalForm definite(const std::string& noun);
 /// "A ball".
 LogicalForm indefinite(const std::string& noun);
 
+/// "Balls".
+LogicalForm plural(const std::string& noun);
+
 /// "Two" for 2; "many" for what there is no word for.
 std::string number_word(std::size_t number);
 
@@ -59,6 +63,13 @@ LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_s
 
 /// "There is `what`."
 LogicalForm exists(const LogicalForm& what);
+
+/// "A ball, a cube and a disc".
+/// \pre there is one thing at least
+LogicalForm listed(std::vector<LogicalForm> things);
+
+/// Both, for two; else all of them: what was spoken of.
+LogicalForm all_of_them(std::size_t number);
 
 /// "No, ...".
 LogicalForm with_marker(const std::string& word, LogicalForm form);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <set>
 #include <utility>
@@ -32,6 +33,8 @@ constexpr std::array shapes_of_nouns{
 constexpr std::array shapes_of_adjectives{Words{"square", "square"}, Words{"cubical", "cube"},
                                           Words{"rectangular", "rectangle"},
                                           Words{"triangular", "triangle"}};
+
+constexpr std::array flat_shapes{"circle", "square", "triangle", "rectangle"};
 
 constexpr std::array relations_of_words{Words{"near", "near"},   Words{"next_to", "near"},
                                         Words{"left", "left"},   Words{"right", "right"},
@@ -253,6 +256,10 @@ std::optional<std::string> shape_of_adjective(std::string_view adjective) {
   return find_word(shapes_of_adjectives, adjective);
 }
 
+bool is_flat_shape(std::string_view shape) {
+  return std::ranges::find(flat_shapes, shape) != flat_shapes.end();
+}
+
 std::optional<std::string> relation_of_word(std::string_view word) {
   return find_word(relations_of_words, word);
 }
@@ -282,6 +289,18 @@ bool is_definite_phrase(const Nominal& nominal) {
 
 bool is_deictic(const Nominal& nominal) {
   return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
+}
+
+std::size_t place_of_word(const Nominal& nominal) {
+  std::size_t place = 0;
+  const auto digits = nominal.name.substr(std::min<std::size_t>(1, nominal.name.size()));
+  std::from_chars(digits.data(), digits.data() + digits.size(), place);
+  return place;
+}
+
+bool is_anaphoric(const Nominal& nominal) {
+  return nominal.sort == "thing" && !feature(nominal, "Proximity").empty() &&
+         is_general_noun(nominal.proposition);
 }
 
 std::optional<FeatureKind> kind_of_quality(const std::string& name) {

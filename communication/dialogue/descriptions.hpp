@@ -3,6 +3,7 @@
 #include "castor/binding/types.hpp"
 #include "castor/communication/types.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,12 @@ bool is_pronoun(const Nominal& nominal);
 /// "This", "that": things that are shown rather than spoken of.
 bool is_deictic(const Nominal& nominal);
 
+/// The place of the word in its sentence that introduced a nominal, by its name: 3 for "w3".
+std::size_t place_of_word(const Nominal& nominal);
+
+/// "That thing", "this red one": what it stands for may have been said before.
+bool is_anaphoric(const Nominal& nominal);
+
 /// The kind of feature for a quality ("colour", "size") or a sort of property; nothing if binding
 /// has none.
 std::optional<binding::FeatureKind> kind_of_quality(const std::string& name);
@@ -51,6 +58,9 @@ bool is_general_noun(std::string_view noun);
 /// nothing for others.
 std::optional<std::string> shape_of_noun(std::string_view noun);
 std::optional<std::string> shape_of_adjective(std::string_view adjective);
+
+/// Whether a shape, in binding's words, is that of something flat: "circle".
+bool is_flat_shape(std::string_view shape);
 
 /// Binding's word for a spatial relation ("next_to" is "near"); nothing for others.
 std::optional<std::string> relation_of_word(std::string_view word);

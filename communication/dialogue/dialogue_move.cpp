@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 
+#include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 
@@ -58,6 +59,7 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
     auto said = unpack(form, reading.id);
     if (said.size() != 1)
       continue;
+    said.front() = reunited(std::move(said.front()));
     if (move.content.nominals.empty()) {
       move.type = dialogue_move_type(said.front());
       move.content = std::move(said.front());

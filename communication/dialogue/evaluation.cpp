@@ -55,6 +55,12 @@ Truth Evaluation::clause(const Nominal& e) {
 }
 
 Truth Evaluation::affirmed_clause(const Nominal& e) {
+  for (const auto* apart : {"Extraposed", "Alternatives"})
+    if (const auto* x = dependent(form_, e, apart))
+      not_understood(x->proposition);
+  if (const auto* excepted = dependent(form_, e, "Except");
+      excepted != nullptr && dependent(form_, e, "Wh-Restr") == nullptr)
+    not_understood(excepted->proposition);
   if (e.sort == "conjunction") {
     if (e.proposition == "and")
       return discourse(need(e, "First"), need(e, "Next"));
@@ -91,10 +97,14 @@ Truth Evaluation::ascription(const Nominal& e) {
   }
   if (auto together = are_in_one(subject, scope))
     return negated ? negation(*together) : *together;
+  // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
+  const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
+                            !is_plural(subject) && !bound_.contains(subject.name);
   return quantified(
     subject,
     [&](const std::string& id) {
-      auto result = e.proposition == "have" ? has(id, scope) : is(id, scope, &subject);
+      auto result =
+        e.proposition == "have" ? has(id, scope) : is(id, scope, is_among_all ? nullptr : &subject);
       return negated ? denial(id, scope, result, &subject) : result;
     },
     landmarks_of(scope));
@@ -129,7 +139,6 @@ Truth Evaluation::are_near_each_other(const Nominal& subject) {
   return result;
 }
 
-/// The things that a subject means together.
 Evaluation::Things Evaluation::members(const Nominal& subject) {
   Things things;
   if (auto known = bound_.find(subject.name); known != bound_.end())
@@ -152,6 +161,8 @@ Truth Evaluation::about_qualities(const Nominal& subject, const Nominal& scope) 
     not_understood(scope.proposition);
   if (subject.proposition != "number")
     return quantified(owner, [&](const std::string& id) { return is(id, scope); });
+  if (const auto range = scope.sort == "number" ? number_range(scope) : std::nullopt)
+    return is_within(described(owner).count(), *range);
   const auto* other = dependent(form_, scope, "Than");
   if (scope.sort != "comparison" || other == nullptr || other->sort != "quality")
     not_understood(scope.proposition);
@@ -237,6 +248,17 @@ Truth Evaluation::collectively(const Nominal& subject, const Nominal& comparison
   if (!same && comparison.proposition != "different")
     not_understood(comparison.proposition);
   auto result = Truth::yes;
+  // "Which things have the same colour?": each that has the colour of another one.
+  if (bound_.contains(subject.name) && !is_container(things.front())) {
+    if (!same)
+      not_understood(comparison.proposition);
+    result = Truth::no;
+    for (auto& other : scene_.things())
+      if (other != things.front())
+        result = either(
+          result, both(fits(other, subject), shares(things.front(), other, quality.proposition)));
+    return result;
+  }
   for (std::size_t i = 0; i < things.size(); ++i)
     for (std::size_t k = i + 1; k < things.size(); ++k) {
       auto shared = Truth::unknown;

@@ -95,6 +95,9 @@ public:
   /// binding has not been asked.
   std::vector<std::string> meant(const Nominal& phrase);
 
+  /// The things that a subject means together, such as "the ball and the cubes".
+  std::vector<std::string> members(const Nominal& subject);
+
   /// Whether `scope` is true of as many of the things that the phrase describes as it says.
   /// \param landmarks what `scope` compares others with, of which it says nothing
   Truth quantified(const Nominal& phrase, const std::function<Truth(const std::string&)>& scope,
@@ -114,7 +117,6 @@ private:
   Truth collectively(const Nominal& subject, const Nominal& comparison);
   Truth are_near_each_other(const Nominal& subject);
   Truth has(const std::string& id, const Nominal& scope);
-  Things members(const Nominal& subject);
 
   // -- containers and what is in them (evaluation_containers.cpp)
   bool is_in_each(const Nominal& container);
@@ -158,6 +160,7 @@ private:
   // -- phrases
   Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
   Fitting members_of(const Nominal& phrase);
+  Things pointed_out_before(const Nominal& phrase);
   Fitting presupposed(const Nominal& x);
   void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
   bool exclude_each_other(const Nominal& a, const Nominal& b) const;
@@ -167,6 +170,7 @@ private:
   Truth is_called(const std::string& id, const Nominal& phrase);
   Truth has_shape(const std::string& id, const std::string& shape);
   const Nominal* earlier_phrase(const Nominal& pronoun);
+  const Nominal* phrase_in_predicate(const Nominal& pronoun);
   Truth modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                  const Nominal& dependent);
   Truth as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
@@ -182,6 +186,7 @@ private:
   Things landmarks_of(const Nominal& scope);
   Truth denial(const std::string& id, const Nominal& scope, Truth truth, const Nominal* among);
   Truth has_property(const std::string& id, const Nominal& property);
+  Truth looks(const std::string& id, const std::string& how);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
   Truth is_in_part_of_table(const std::string& id, const std::string& part);

@@ -152,6 +152,14 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     }
     return {result, result};
   }
+  // The table is where everything is; what it is like, nobody has said.
+  if (is_the_table(phrase))
+    throw Uninterpretable{Reason::unknown, phrase.name};
+  // "The side" is nothing that is seen.
+  if (phrase.sort == "place" && !has_containers())
+    not_understood(phrase.proposition);
+  if (auto spoken_of = pointed_out_before(phrase); !spoken_of.empty())
+    return {spoken_of, spoken_of};
   auto found = described(phrase);
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
@@ -181,6 +189,18 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   if (found.certain.size() > 1)
     throw Uninterpretable{Reason::ambiguous, phrase.name};
   return {found.best(), found.best()};
+}
+
+/// What was spoken of before, if "that thing" or "this red one" is said of it; else nothing.
+Evaluation::Things Evaluation::pointed_out_before(const Nominal& phrase) {
+  if (!is_anaphoric(phrase))
+    return {};
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* topic = root == nullptr ? nullptr : dependent(form_, *root, "Topic");
+  auto result =
+    topic != nullptr && topic->name != phrase.name ? meant(*topic) : antecedents_of(phrase.name);
+  std::erase_if(result, [&](auto& id) { return fits(id, phrase) == Truth::no; });
+  return result;
 }
 
 /// Of how many of them `scope` is true.
@@ -263,6 +283,11 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     return is_within(so, {0, 0});
   auto not_so = count(
     candidates, [&](const std::string& id) { return negation(scope(id)); }, landmarks);
+  if (delimited == "half") {
+    if (so.certain != so.possible || not_so.certain != not_so.possible)
+      return Truth::unknown;
+    return truth_of(so.certain == not_so.certain && so.certain > 0);
+  }
   if (delimited == "most") {
     if (so.certain > not_so.possible)
       return Truth::yes;
@@ -346,22 +371,48 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
 /// A shape that looks like another may be meant where nothing else can be.
 Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
   auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
-  if (result == Truth::unknown && !is_lenient_ && !scene_.words(id, FeatureKind::shape).empty())
+  if (result != Truth::unknown || scene_.words(id, FeatureKind::shape).empty())
+    return result;
+  // What is known to be a solid is no disc, while what looks like a disc may be a ball.
+  if (!is_lenient_ || (is_flat_shape(shape) && scene_.is_sure(id, FeatureKind::shape)))
     return Truth::no;
   return result;
 }
 
 /// The first definite phrase before a pronoun in the same sentence: "is the ball large, and is it
-/// red?" Null if there is none.
+/// red?", "what is that, is it red?" Null if there is none.
 const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
   const auto* root = find_nominal(form_, form_.root);
-  if (root == nullptr || root->sort != "conjunction" || is_plural(pronoun))
+  if (root == nullptr)
     return nullptr;
-  const auto* first = dependent(form_, *root, "First");
-  const auto* subject = first == nullptr ? nullptr : dependent(form_, *first, "Cop-Restr");
-  const bool is_before = subject != nullptr && subject->sort == "thing" && is_definite(*subject) &&
-                         !is_pronoun(*subject) && !is_plural(*subject);
-  return is_before ? subject : nullptr;
+  const auto* first = dependent(form_, *root, root->sort == "conjunction" ? "First" : "Preface");
+  if (first == nullptr)
+    return phrase_in_predicate(pronoun);
+  for (const auto* mode : {"Cop-Restr", "Cop-Scope"}) {
+    const auto* x = dependent(form_, *first, mode);
+    if (x != nullptr && x->sort == "thing" && is_definite(*x) && !is_pronoun(*x) &&
+        is_plural(*x) == is_plural(pronoun) && x->name != pronoun.name)
+      return x;
+  }
+  return nullptr;
+}
+
+/// "Is the ball behind the disc or in front of it?": the disc. Null if there is none.
+const Nominal* Evaluation::phrase_in_predicate(const Nominal& pronoun) {
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* scope = dependent(form_, *root, "Cop-Scope");
+  if (scope == nullptr || is_deictic(pronoun))
+    return nullptr;
+  const auto said = part_of(form_, scope->name);
+  if (find_nominal(said, pronoun.name) == nullptr)
+    return nullptr;
+  const Nominal* result = nullptr;
+  for (auto& x : said.nominals)
+    if (x.sort == "thing" && is_definite(x) && !is_pronoun(x) && !is_the_table(x) &&
+        is_plural(x) == is_plural(pronoun) && place_of_word(x) < place_of_word(pronoun) &&
+        (result == nullptr || place_of_word(*result) < place_of_word(x)))
+      result = find_nominal(form_, x.name);
+  return result;
 }
 
 Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const std::string& mode,

@@ -123,6 +123,8 @@ Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
 Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
   auto kind = kind_of_quality(property.sort);
   auto word = property.proposition;
+  if (word == "round" || word == "flat")
+    return looks(id, word);
   if (kind == FeatureKind::shape) {
     auto known = shape_of_adjective(word);
     if (!known)
@@ -142,11 +144,27 @@ Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
                                     : scene_.has(id, binding::feature(*kind, word));
 }
 
+/// Round like a ball, a disc, or, from above, a cylinder; flat like a disc or a square.
+Truth Evaluation::looks(const std::string& id, const std::string& how) {
+  const auto words = scene_.words(id, FeatureKind::shape);
+  if (words.empty())
+    return Truth::unknown;
+  const auto& shape = words.front();
+  if (how == "flat")
+    return truth_of(is_flat_shape(shape));
+  if (shape == "cylinder")
+    return Truth::unknown;
+  return truth_of(shape == "sphere" || shape == "circle");
+}
+
 // -- space
 
 Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   auto& relation = region.proposition;
   const auto* anchor = dependent(form_, region, "Anchor");
+  // Nobody has said where the corners and the sides of the table are.
+  if (anchor != nullptr && anchor->sort == "place" && !has_containers())
+    not_understood(anchor->proposition);
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (is_pointed_at(region)) {
@@ -163,6 +181,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   if (is_the_table(*anchor)) {
     if (relation != "on" && relation != "at")
       not_understood(relation);
+    // There is one table; what is said of it is meant of something else.
+    if (!anchor->relations.empty())
+      not_understood(find_nominal(form_, anchor->relations.front().dependent)->proposition);
     return Truth::yes;
   }
   return is_related(id, relation_of_word(relation).value_or(relation), *anchor);

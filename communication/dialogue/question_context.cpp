@@ -1,6 +1,8 @@
 #include "castor/communication/dialogue/question_context.hpp"
 
+#include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -150,6 +152,28 @@ private:
   bool replaced_ = false;
 };
 
+/// The last noun before a nominal; empty if there is none.
+std::string noun_before(const LogicalForm& form, const Nominal& one) {
+  const Nominal* last = nullptr;
+  for (auto& x : form.nominals)
+    if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" && !is_the_table(x) &&
+        place_of_word(x) < place_of_word(one) &&
+        (last == nullptr || place_of_word(*last) < place_of_word(x)))
+      last = &x;
+  return last == nullptr ? std::string{} : last->proposition;
+}
+
+/// "Which is the largest thing?" says itself what it asks for.
+bool is_identified(const LogicalForm& form, const Nominal& clause, const Nominal& x) {
+  const auto* subject = dependent(form, clause, "Cop-Restr");
+  const auto* scope = dependent(form, clause, "Cop-Scope");
+  const auto* asked = dependent(form, clause, "Wh-Restr");
+  if (asked != &x || subject == nullptr || scope == nullptr)
+    return false;
+  const auto& other = subject == &x ? *scope : *subject;
+  return other.sort == "thing" && other.proposition != "one";
+}
+
 bool is_about_any(const LogicalForm& fragment) {
   const auto* root = find_nominal(fragment, fragment.root);
   return root != nullptr && root->sort == "thing" && feature(*root, "Delimitation") == "any";
@@ -164,14 +188,22 @@ bool substitute(CompleteMove& question, const LogicalForm& said, const Anteceden
 
 } // namespace
 
-/// "The red one" is a red thing of the kind that was spoken of.
+/// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
 void QuestionContext::replace_one(LogicalForm& form) const {
   const auto* root = find_nominal(form, form.root);
-  if (noun_.empty() || root == nullptr || root->sort == "thing")
+  if (root == nullptr || root->sort == "thing")
     return;
-  for (auto& x : form.nominals)
-    if (x.sort == "thing" && x.proposition == "one" && dependent(form, x, "PartOf") == nullptr)
+  for (auto& x : form.nominals) {
+    if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x) ||
+        dependent(form, x, "PartOf") != nullptr)
+      continue;
+    if (auto noun = noun_before(form, x); is_general_noun(noun))
+      continue;
+    else if (!noun.empty())
+      x.proposition = noun;
+    else if (!noun_.empty() && !is_identified(form, *root, x))
       x.proposition = noun_;
+  }
 }
 
 CompleteMove QuestionContext::complete(const DialogueMove& move,
@@ -180,6 +212,14 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
   replace_one(result.move.content);
   for (auto& alternative : result.move.alternatives)
     replace_one(alternative);
+  if (clause_ && is_elliptical(move.content))
+    if (auto whole = completed(move.content, clause_->move.content)) {
+      result.move.content = std::move(*whole);
+      result.move.alternatives.clear();
+      result.move.type = dialogue_move_type(result.move.content);
+      result.antecedents = clause_->antecedents;
+      return result;
+    }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
     return result;
   if (unclear_) {
@@ -215,10 +255,16 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
       noun_ = thing->proposition;
       break;
     }
+  if (is_elliptical(move.move.content))
+    return;
   if (is_question(move.move))
     question_ = move;
-  else if (!move.move.problem.empty())
+  if (is_question(move.move) || move.move.type == DialogueMoveType::assertion)
+    clause_ = move;
+  if (!move.move.problem.empty()) {
     question_.reset();
+    clause_.reset();
+  }
 }
 
 } // namespace castor::communication

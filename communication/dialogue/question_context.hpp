@@ -29,6 +29,8 @@ private:
   void replace_one(LogicalForm& form) const;
 
   std::optional<CompleteMove> question_;
+  /// The last question or statement.
+  std::optional<CompleteMove> clause_;
   std::optional<CompleteMove> unclear_;
   /// Noun of the last thing that was spoken of, for which "one" stands.
   std::string noun_;

@@ -73,6 +73,13 @@ std::uint64_t RealisationTarget::all() const {
 
 std::vector<EntryUse> RealisationTarget::uses(const LexicalEntry& entry) const {
   std::vector<EntryUse> found;
+  // Most entries say something that the target does not.
+  const bool may_be_used = std::ranges::all_of(entry.predications, [&](auto& pattern) {
+    return std::ranges::any_of(predications_,
+                               [&](auto& target) { return is_same(pattern, target, entry); });
+  });
+  if (!may_be_used)
+    return found;
   std::vector<TargetIndex> variables(256, unbound);
   EntryUse use;
   use.text = entry.phrase;
@@ -86,8 +93,8 @@ bool RealisationTarget::is_same(const Predication& pattern, const Predication& t
     return false;
   if (pattern.value == target.value)
     return true;
-  return entry.phrase == quoted_word && pattern.kind == Predication::Kind::proposition &&
-         target.value >= lexicon_.symbols().size();
+  return target.value >= lexicon_.symbols().size() &&
+         pattern.kind == Predication::Kind::proposition && entry.phrase == quoted_word;
 }
 
 void RealisationTarget::match(const LexicalEntry& entry, std::size_t next,

@@ -1,7 +1,9 @@
 #include "castor/communication/dialogue/realiser.hpp"
 
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/realisation_target.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -227,6 +229,45 @@ std::string written(const std::string& words, DialogueMoveType move) {
   return text + (asks ? "?" : ".");
 }
 
+/// The list at the end of a sentence, such as "there is a ball, a cube and a disc" or "they are
+/// red, green and blue".
+struct FinalList {
+  /// The sentence with the first item only.
+  LogicalForm sentence;
+  /// The others.
+  std::vector<LogicalForm> rest;
+};
+
+/// Nothing for other sentences.
+std::optional<FinalList> final_list(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root == nullptr || is_negated(*root))
+    return std::nullopt;
+  const std::string mode = root->sort == "existence" ? "Subject" : "Cop-Scope";
+  const auto is_list = [](const Nominal& x) {
+    return x.sort == "conjunction" && x.proposition == "and" && x.features.empty() &&
+           x.relations.size() == 2;
+  };
+  const auto* rest = dependent(form, *root, mode);
+  if (rest == nullptr || !is_list(*rest) || dependent(form, *rest, "First") == nullptr)
+    return std::nullopt;
+  FinalList result;
+  auto shorter = form;
+  for (auto& x : shorter.nominals)
+    for (auto& relation : x.relations)
+      if (x.name == form.root && relation.mode == mode)
+        relation.dependent = dependent(form, *rest, "First")->name;
+  result.sentence = part_of(shorter, form.root);
+  for (rest = dependent(form, *rest, "Next"); rest != nullptr;) {
+    const auto* item = is_list(*rest) ? dependent(form, *rest, "First") : rest;
+    if (item == nullptr || item->sort == "conjunction")
+      return std::nullopt;
+    result.rest.push_back(part_of(form, item->name));
+    rest = item == rest ? nullptr : dependent(form, *rest, "Next");
+  }
+  return result;
+}
+
 } // namespace
 
 Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits)
@@ -235,6 +276,23 @@ Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits
 }
 
 std::optional<std::string> Realiser::realise(const LogicalForm& form) {
+  const auto list = final_list(form);
+  if (!list)
+    return realise_whole(form);
+  auto text = realise_whole(list->sentence);
+  for (auto& x : list->rest) {
+    auto item = realise_whole(x);
+    if (!item || !text)
+      return std::nullopt;
+    item->front() = static_cast<char>(std::tolower(static_cast<unsigned char>(item->front())));
+    item->pop_back();
+    text->pop_back();
+    *text += (&x == &list->rest.back() ? " and " : ", ") + *item + '.';
+  }
+  return text;
+}
+
+std::optional<std::string> Realiser::realise_whole(const LogicalForm& form) {
   const RealisationTarget target(form, *lexicon_);
   if (!target.is_sayable())
     return std::nullopt;

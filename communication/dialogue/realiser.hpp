@@ -23,10 +23,13 @@ public:
   explicit Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits = {});
 
   /// A sentence with exactly this meaning, such as "The square is blue."; nothing if the lexicon
-  /// has no words for it or the form has more than 64 predications.
+  /// has no words for it or the form, or an item of a list of things that are there, has more than
+  /// 64 predications.
   std::optional<std::string> realise(const LogicalForm& form);
 
 private:
+  std::optional<std::string> realise_whole(const LogicalForm& form);
+
   std::shared_ptr<const Lexicon> lexicon_;
   RealiserLimits limits_;
   CombinatoryGrammar grammar_;

@@ -41,6 +41,27 @@ LogicalForm with_property(LogicalForm thing, const Property& property, const std
   return with(std::move(thing), property.mode, communication::property(property.sort, word));
 }
 
+/// A definite description without a kind of feature; nothing if it is not enough.
+std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& union_id,
+                                      std::optional<FeatureKind> besides) {
+  auto noun = besides == FeatureKind::shape ? "thing" : noun_of(scene, union_id);
+  auto others = scene.things();
+  std::erase(others, union_id);
+  if (noun != "thing")
+    std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
+  auto result = definite(noun);
+  for (auto& x : properties) {
+    auto word = first_word(scene, union_id, x.kind);
+    if (others.empty() || word.empty() || x.kind == besides)
+      continue;
+    const auto excluded =
+      std::erase_if(others, [&](auto& other) { return first_word(scene, other, x.kind) != word; });
+    if (excluded > 0)
+      result = with_property(std::move(result), x, word);
+  }
+  return others.empty() ? std::optional{std::move(result)} : std::nullopt;
+}
+
 } // namespace
 
 LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
@@ -52,22 +73,13 @@ LogicalForm indefinite_description(const SceneKnowledge& scene, const std::strin
 }
 
 LogicalForm referring_expression(SceneKnowledge& scene, const std::string& union_id) {
-  auto noun = noun_of(scene, union_id);
-  auto others = scene.things();
-  std::erase(others, union_id);
-  if (noun != "thing")
-    std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
-  auto result = definite(noun);
-  for (auto& x : properties) {
-    auto word = first_word(scene, union_id, x.kind);
-    if (others.empty() || word.empty())
-      continue;
-    const auto excluded =
-      std::erase_if(others, [&](auto& other) { return first_word(scene, other, x.kind) != word; });
-    if (excluded > 0)
-      result = with_property(std::move(result), x, word);
-  }
-  return others.empty() ? result : indefinite_description(scene, union_id);
+  return told_apart(scene, union_id, std::nullopt)
+    .value_or(indefinite_description(scene, union_id));
+}
+
+std::optional<LogicalForm> definite_description(SceneKnowledge& scene, const std::string& union_id,
+                                                FeatureKind besides) {
+  return told_apart(scene, union_id, besides);
 }
 
 } // namespace castor::communication

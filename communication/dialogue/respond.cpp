@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/respond.hpp"
 
+#include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/responder.hpp"
@@ -25,6 +26,8 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
   if (type == DialogueMoveType::question_w || type == DialogueMoveType::question_yn ||
       type == DialogueMoveType::assertion)
     responder.check_presuppositions();
+  if (auto correction = responder.to_preface())
+    return *correction;
   switch (type) {
     case DialogueMoveType::question_w:
       return responder.to_question_w();
@@ -49,6 +52,25 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
   return say(RhetoricalRelation::clarification_question, "What about it?");
 }
 
+/// Each of several questions is replied to.
+/// \throws Uninterpretable
+Response respond_to_all(Responder& responder, DialogueMoveType type, const LogicalForm& content,
+                        const Antecedents& antecedents, SceneKnowledge& scene) {
+  const auto questions = questions_in(content);
+  if (questions.empty())
+    return respond(responder, type, content);
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  for (auto& question : questions) {
+    Responder one{question, antecedents, scene};
+    auto reply = respond(one, dialogue_move_type(question), question);
+    if (reply.sentences.empty())
+      return reply;
+    for (auto& sentence : reply.sentences)
+      result.sentences.push_back(std::move(sentence));
+  }
+  return result;
+}
+
 } // namespace
 
 Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene) {
@@ -60,7 +82,8 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
     Responder responder{content, antecedents, scene};
     const auto type = reading == 0 ? move.type : dialogue_move_type(content);
     try {
-      auto result = responder.described(respond(responder, type, content));
+      auto result =
+        responder.described(respond_to_all(responder, type, content, antecedents, scene));
       result.reading = reading;
       return result;
     } catch (const Uninterpretable& why) {

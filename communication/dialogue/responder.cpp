@@ -94,12 +94,20 @@ LogicalForm Responder::described(LogicalForm said) {
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
-  if (why.reason == Reason::word || phrase == nullptr)
+  // "Can you take the ball?"
+  if (why.reason == Reason::word && root().sort == "action")
+    return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+  // Where people are, the table does not tell.
+  if (why.reason == Reason::word && (why.what == "i" || why.what == "you" || why.what == "we"))
+    return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  if (why.reason == Reason::word || phrase == nullptr ||
+      (phrase->sort != "thing" && phrase->sort != "person"))
     return {RhetoricalRelation::clarification_question,
             {},
-            "I do not know what '" + why.what + "' means here.",
+            "I do not know what '" + (phrase == nullptr ? why.what : phrase->proposition) +
+              "' means here.",
             {}};
-  if (why.reason == Reason::unknown)
+  if (why.reason == Reason::unknown || phrase->sort == "person")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::nothing_pointed_at)
     return {RhetoricalRelation::correction, {}, "I do not see what you point at.", {}};

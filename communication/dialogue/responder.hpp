@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ public:
   void check_presuppositions() { evaluation_.check_presuppositions(); }
   Response to_question_w();
   Response to_question_yn();
-  Response to_assertion();
+  Response to_assertion() { return to_assertion(root()); }
+  /// Corrects what is said before a question in the same sentence; nothing if it may be so.
+  std::optional<Response> to_preface();
   /// Asks back if it is not clear what is meant; there is nobody yet who does what is asked for.
   Response to_directive();
 
@@ -38,16 +41,25 @@ private:
   const Nominal& root() const;
   const Nominal& need(const Nominal& of, const char* mode) const;
 
+  Response to_assertion(const Nominal& said);
+  bool says_what_is_not_seen(const Nominal& said) const;
+
   // -- questions
   Response about(const Nominal& asked);
   Response owned_quality(const Nominal& x);
   Response count(const Fitting& found, const Nominal& phrase, const Nominal* scope);
+  std::optional<LogicalForm> share_of(const Count& number, const Nominal& phrase,
+                                      const Nominal* scope);
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   Response what(const Nominal& phrase);
+  Response quality(const Nominal& asked, const Nominal& of);
   Response quality(const std::string& name, const Nominal& of);
+  Response qualities(const Things& things, const std::string& name, binding::FeatureKind kind);
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
+  Response choice_of_clauses();
+  Response values_seen(const Nominal& asked);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 
   // -- replies

@@ -20,15 +20,18 @@ Response correct(LogicalForm content, LogicalForm simpler = marker("no")) {
 
 } // namespace
 
-Response Responder::to_assertion() {
-  const auto* restriction = dependent(form_, root(), "Cop-Restr");
-  const auto* scope = dependent(form_, root(), "Cop-Scope");
-  auto truth = judge_assertion(root(), form_, evaluation_);
+Response Responder::to_assertion(const Nominal& said) {
+  const auto* restriction = dependent(form_, said, "Cop-Restr");
+  const auto* scope = dependent(form_, said, "Cop-Scope");
+  auto truth = judge_assertion(said, form_, evaluation_);
+  if (truth == Truth::unknown && says_what_is_not_seen(said) &&
+      telling_of(said, form_) == Telling::nothing)
+    return {RhetoricalRelation::answer, {}, "I do not know whether that is so.", {}};
   if (truth != Truth::no)
     return accept();
-  if (root().sort == "existence" || root().sort == "perception") {
-    auto& subject = need(root(), root().sort == "existence" ? "Subject" : "Patient");
-    if (!is_negated(root()) && subject.sort == "thing") {
+  if (said.sort == "existence" || said.sort == "perception") {
+    auto& subject = need(said, said.sort == "existence" ? "Subject" : "Patient");
+    if (!is_negated(said) && subject.sort == "thing") {
       auto found = evaluation_.described(subject);
       if (found.possible.empty())
         return correct(nothing_like(subject));
@@ -46,11 +49,32 @@ Response Responder::to_assertion() {
   auto things = evaluation_.meant(*restriction);
   if (things.size() != 1)
     return correct(marker("no"));
-  if (is_negated(root()) || is_negated(*scope))
+  if (is_negated(said) || is_negated(*scope))
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name))));
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));
   return correct(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
+}
+
+/// A kind of thing that vision has no word for, such as a toy.
+bool Responder::says_what_is_not_seen(const Nominal& said) const {
+  const auto* kind = dependent(form_, said, said.sort == "existence" ? "Subject" : "Cop-Scope");
+  return kind != nullptr && kind->sort == "thing" && !is_general_noun(kind->proposition) &&
+         !is_pronoun(*kind) && !shape_of_noun(kind->proposition);
+}
+
+std::optional<Response> Responder::to_preface() {
+  const auto* preface = dependent(form_, root(), "Preface");
+  // "Where, do you see a ball": what is asked by "where" is not clear.
+  if (preface != nullptr && preface->sort == "ellipsis")
+    throw Uninterpretable{Uninterpretable::Reason::word, preface->proposition};
+  if (preface == nullptr || dependent(form_, *preface, "Wh-Restr") != nullptr ||
+      feature(*preface, "Mood") == "int" || preface->sort == "marker")
+    return std::nullopt;
+  auto reply = to_assertion(*preface);
+  if (reply.relation != RhetoricalRelation::correction)
+    return std::nullopt;
+  return reply;
 }
 
 } // namespace castor::communication

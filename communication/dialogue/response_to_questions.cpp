@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace castor::communication {
@@ -44,20 +45,37 @@ const char* attribute_mode(const Nominal& scope) {
 
 } // namespace
 
-/// "The number of balls", "its colour".
+/// "The number of balls", "its colour", "its colour and size".
 Response Responder::owned_quality(const Nominal& x) {
   auto& owner = need(x, "Owner");
+  if (x.sort == "conjunction")
+    return quality(x, owner);
   if (x.proposition == "number")
     return count(evaluation_.described(owner), owner, nullptr);
   return quality(x.proposition, owner);
+}
+
+/// One or several qualities of something.
+Response Responder::quality(const Nominal& asked, const Nominal& of) {
+  if (asked.sort != "conjunction")
+    return quality(asked.proposition, of);
+  auto result = quality(need(asked, "First"), of);
+  auto next = quality(need(asked, "Next"), of);
+  for (auto& sentence : next.sentences)
+    result.sentences.push_back(std::move(sentence));
+  return result;
 }
 
 Response Responder::to_question_w() {
   if (root().sort == "quality")
     return owned_quality(root());
   auto& asked = need(root(), "Wh-Restr");
-  if (root().sort == "existence" && asked.sort == "quality")
-    return owned_quality(asked);
+  const auto is_quality = [this](const Nominal& x) {
+    const auto* first = x.sort == "conjunction" ? dependent(form_, x, "First") : &x;
+    return first != nullptr && first->sort == "quality";
+  };
+  if (root().sort == "existence" && is_quality(asked))
+    return dependent(form_, asked, "Owner") == nullptr ? values_seen(asked) : owned_quality(asked);
   if (asked.sort == "person" || asked.proposition == "who")
     return answer(i_do_not_know());
   if (root().sort != "ascription")
@@ -70,9 +88,9 @@ Response Responder::to_question_w() {
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
-  if (asked.sort == "quality")
-    return quality(asked.proposition, other);
-  if (asked.sort == "entity" && other.sort == "quality") {
+  if (is_quality(asked))
+    return quality(asked, other);
+  if (asked.sort == "entity" && is_quality(other)) {
     // "What is the colour of the ball?"
     return owned_quality(other);
   }
@@ -85,6 +103,37 @@ Response Responder::to_question_w() {
       (is_definite(other) || asks_for_scope))
     return what(other);
   return about(asked);
+}
+
+/// "Which colours do you see?", "how many colours are there?"
+Response Responder::values_seen(const Nominal& asked) {
+  const auto kind = asked.proposition == "kind" ? std::optional{FeatureKind::shape}
+                                                : kind_of_quality(asked.proposition);
+  for (auto& [mode, name] : asked.relations)
+    if (const auto* x = find_nominal(form_, name);
+        mode != "Quantity" && x != nullptr && x->proposition != "different")
+      throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
+  if (!kind)
+    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
+  std::vector<std::string> values;
+  for (auto& id : scene_.things()) {
+    auto words = scene_.words(id, *kind);
+    if (words.empty() && is_count(asked))
+      return answer(i_do_not_know());
+    if (!words.empty() && std::ranges::find(values, words.front()) == values.end())
+      values.push_back(words.front());
+  }
+  if (is_count(asked))
+    return answer(exists(counted(values.size(), part_of(form_, asked.name))));
+  if (values.empty())
+    return answer(i_do_not_know());
+  std::vector<LogicalForm> all;
+  for (auto& word : values)
+    all.push_back(kind == FeatureKind::shape ? indefinite(word)
+                                             : property(asked.proposition, word));
+  if (kind == FeatureKind::shape)
+    return answer(exists(listed(std::move(all))));
+  return answer(ascribe(pronoun(values.size() == 1 ? "it" : "they"), listed(std::move(all))));
 }
 
 /// Of which things the whole question is true.
@@ -107,6 +156,8 @@ Response Responder::count(const Fitting& found, const Nominal& phrase, const Nom
   const auto number = found.count();
   if (number.certain == 0 && number.possible > 0)
     return answer(i_do_not_know());
+  if (auto share = share_of(number, phrase, scope))
+    return answer(std::move(*share), exists(counted(number, indefinite("thing"))));
   auto thing = part_of(form_, phrase.name);
   auto simpler = exists(counted(number, indefinite("thing")));
   const auto* mode = scope == nullptr ? nullptr : attribute_mode(*scope);
@@ -117,13 +168,34 @@ Response Responder::count(const Fitting& found, const Nominal& phrase, const Nom
   return answer(exists(counted(number, std::move(thing))), std::move(simpler));
 }
 
+/// "Two of the three cubes are red", if it is asked how many of them are.
+std::optional<LogicalForm> Responder::share_of(const Count& number, const Nominal& phrase,
+                                               const Nominal* scope) {
+  const auto* whole = dependent(form_, phrase, "PartOf");
+  if (whole == nullptr || scope == nullptr || scope->sort == "thing" || is_negated(root()) ||
+      number.certain != number.possible || number.certain == 0 || is_pronoun(*whole) ||
+      !is_definite(*whole))
+    return std::nullopt;
+  const auto all = evaluation_.meant(*whole).size();
+  if (number.certain >= all)
+    return std::nullopt;
+  auto part = indefinite("one");
+  part.nominals.front().features = {{"Number", number.certain == 1 ? "sg" : "pl"}};
+  auto those = counted(all, part_of(form_, whole->name));
+  those.nominals.front().features.push_back({"Delimitation", "unique"});
+  part = with(std::move(part), "PartOf", those);
+  part = with(std::move(part), "Quantity", property("number", number_word(number.certain)));
+  return ascribe(part, part_of(form_, scope->name));
+}
+
 Response Responder::list(const Things& things) const {
   if (things.empty())
     return answer(exists(none_of(indefinite("thing"))));
-  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  std::vector<LogicalForm> descriptions;
   for (auto& id : things)
-    result.sentences.push_back({exists(indefinite_description(scene_, id))});
-  return result;
+    descriptions.push_back(indefinite_description(scene_, id));
+  return answer(exists(listed(std::move(descriptions))),
+                exists(counted(things.size(), indefinite("thing"))));
 }
 
 Response Responder::quality(const std::string& name, const Nominal& of) {
@@ -133,16 +205,18 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, name};
   Things things;
-  if (of.sort == "conjunction") {
-    for (const auto* mode : {"First", "Next"})
-      for (auto& id : evaluation_.meant(need(of, mode)))
-        things.push_back(id);
-  } else
+  if (of.sort == "conjunction")
+    things = evaluation_.members(of);
+  else if (feature(of, "Delimitation") == "all")
+    things = evaluation_.described(of).certain;
+  else
     things = evaluation_.meant(of);
+  if (things.size() > 1)
+    return qualities(things, name, *kind);
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (auto& id : things) {
     auto words = scene_.words(id, *kind);
-    auto thing = things.size() == 1 ? pronoun("it") : referring_expression(scene_, id);
+    auto thing = pronoun("it");
     if (words.empty())
       return answer(i_do_not_know());
     auto value =
@@ -152,6 +226,42 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
       {scene_.is_sure(id, *kind) ? std::move(sentence) : unsure(std::move(sentence))});
   }
   return result;
+}
+
+/// "Both are red", "the large cube is red. The small cube is green.", or "they are red and green"
+/// if nothing else tells them apart.
+Response Responder::qualities(const Things& things, const std::string& name, FeatureKind kind) {
+  std::vector<std::string> values;
+  std::set<std::string> distinct;
+  bool is_sure = true;
+  for (auto& id : things) {
+    auto words = scene_.words(id, kind);
+    if (words.empty())
+      return answer(i_do_not_know());
+    values.push_back(words.front());
+    distinct.insert(words.front());
+    is_sure = is_sure && scene_.is_sure(id, kind);
+  }
+  auto value_of = [&](const std::string& word) {
+    return kind == FeatureKind::shape ? indefinite(word) : property(name, word);
+  };
+  auto said = [&](LogicalForm sentence) {
+    return is_sure ? std::move(sentence) : unsure(std::move(sentence));
+  };
+  if (distinct.size() == 1) {
+    auto value = kind == FeatureKind::shape ? plural(values.front()) : value_of(values.front());
+    return answer(said(ascribe(all_of_them(things.size()), value)));
+  }
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  for (std::size_t i = 0; i < things.size(); ++i)
+    if (auto thing = definite_description(scene_, things[i], kind))
+      result.sentences.push_back({said(ascribe(*thing, value_of(values[i])))});
+  if (result.sentences.size() == things.size())
+    return result;
+  std::vector<LogicalForm> all;
+  for (auto& word : distinct)
+    all.push_back(value_of(word));
+  return answer(said(ascribe(pronoun("they"), listed(std::move(all)))));
 }
 
 Response Responder::what(const Nominal& phrase) {
@@ -168,7 +278,13 @@ Response Responder::where(const Nominal& phrase) {
   if (phrase.sort == "person")
     return answer(i_do_not_know());
   Response result{RhetoricalRelation::answer, {}, {}, {}};
-  auto things = evaluation_.meant(phrase);
+  // "Where do you see a cube?" asks for all of them.
+  const bool is_any = phrase.sort == "thing" && !is_definite_phrase(phrase);
+  auto things = phrase.sort == "conjunction" ? evaluation_.members(phrase)
+                : is_any                     ? evaluation_.described(phrase).certain
+                                             : evaluation_.meant(phrase);
+  if (things.empty())
+    throw Uninterpretable{Uninterpretable::Reason::nothing_like, phrase.name};
   for (auto& id : things) {
     auto thing = things.size() == 1 ? pronoun("it") : referring_expression(scene_, id);
     auto facts = scene_.spatial_facts(id);
@@ -194,6 +310,9 @@ Response Responder::yes_or_no(Truth truth) {
 Response Responder::to_question_yn() {
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
+  // "Is it red or is it blue?"
+  if (root().sort == "conjunction" && root().proposition == "or")
+    return choice_of_clauses();
   // "Is it red or blue?"
   if (root().sort == "ascription" && restriction != nullptr && scope != nullptr &&
       scope->sort == "conjunction" && scope->proposition == "or" && is_definite(*restriction) &&
@@ -209,7 +328,7 @@ Response Responder::to_question_yn() {
       root().sort == "existence" ? dependent(form_, root(), "Subject") : nullptr;
     if (subject != nullptr && subject->sort == "thing" && !is_general_noun(subject->proposition) &&
         !is_pronoun(*subject) && !shape_of_noun(subject->proposition))
-      return answer(nothing_like(*subject));
+      return answer(nothing_like(*subject), i_do_not_see(indefinite(subject->proposition)));
     return yes_or_no(truth);
   }
   if (root().sort != "ascription" || restriction == nullptr || scope == nullptr ||
@@ -244,12 +363,14 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
   auto& id = things.front();
   std::vector<const Nominal*> so;
   bool is_clear = true;
-  for (const auto* mode : {"First", "Next"}) {
-    auto& one = need(alternatives, mode);
+  for (const auto* rest = &alternatives; rest != nullptr;) {
+    const bool is_last = rest->sort != "conjunction" || rest->proposition != "or";
+    const auto& one = is_last ? *rest : need(*rest, "First");
     auto truth = evaluation_.is(id, one, &subject);
     is_clear = is_clear && truth != Truth::unknown;
     if (truth == Truth::yes)
       so.push_back(&one);
+    rest = is_last ? nullptr : &need(*rest, "Next");
   }
   if (so.empty() && !is_clear)
     return answer(i_do_not_know());
@@ -257,9 +378,32 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
     return answer(with_marker("no", as_it_is(id, pronoun("it"), need(alternatives, "First"))),
                   marker("no"));
   Response result{RhetoricalRelation::answer, {}, {}, {}};
-  for (const auto* one : so)
-    result.sentences.push_back({ascribe(pronoun("it"), part_of(form_, one->name)), marker("yes")});
+  for (const auto* one : so) {
+    auto sentence = ascribe(pronoun("it"), part_of(form_, one->name));
+    if (feature(alternatives, "Coordination") == "either")
+      sentence = with_marker("yes", std::move(sentence));
+    result.sentences.push_back({std::move(sentence), marker("yes")});
+  }
   return result;
+}
+
+/// Says which of two clauses is so.
+Response Responder::choice_of_clauses() {
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  bool is_clear = true;
+  for (const auto* mode : {"First", "Next"}) {
+    auto& one = need(root(), mode);
+    const auto truth = evaluation_.clause(one);
+    is_clear = is_clear && truth != Truth::unknown;
+    if (truth != Truth::yes)
+      continue;
+    auto said = part_of(form_, one.name);
+    std::erase_if(said.nominals.front().features, [](auto& x) { return x.name == "Mood"; });
+    result.sentences.push_back({std::move(said), marker("yes")});
+  }
+  if (!result.sentences.empty())
+    return result;
+  return is_clear ? answer(marker("no")) : answer(i_do_not_know());
 }
 
 /// "It is blue", in the terms of what was said of it.

@@ -78,7 +78,7 @@ Antecedents antecedents_in(const LogicalForm& form,
     } else if (is_deictic(x)) {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
-    } else if (is_pronoun(x))
+    } else if (is_pronoun(x) || is_anaphoric(x))
       found = latest(moves, is_plural(x));
     if (!found.empty())
       result.emplace(x.name, std::move(found));

@@ -21,6 +21,7 @@ constexpr std::array replies{
   Reply{"identity", "I am a robot that sees what lies on the table and talks about it."},
   Reply{"wellbeing", "I am fine, thank you."},
   Reply{"age", "I do not know."},
+  Reply{"certainty", "Yes, as far as I can see."},
   Reply{"ability", "I can tell you what lies on the table: what there is, what it looks like, how "
                    "many there are, and where. You can also tell me what things are."},
   Reply{"help", "Ask me about what lies on the table, for example: What do you see? What colour is "

@@ -66,6 +66,20 @@ std::string description(int depth, int& names) {
 
 } // namespace
 
+TEST(Realiser, SaysListsInOneSentence) {
+  const auto a = [](const std::string& name, const std::string& noun) {
+    return "(" + name + ":thing ^ " + noun + " ^ <Number>sg ^ <Delimitation>existential)";
+  };
+  EXPECT_EQ(say("@e:existence(be ^ <Subject>(c:conjunction ^ and ^ <First>" + a("x", "ball") +
+                " ^ <Next>(d:conjunction ^ and ^ <First>" + a("y", "cube") + " ^ <Next>" +
+                a("z", "object") + ")))"),
+            "There is a ball, a cube and an object.");
+  EXPECT_EQ(say("@e:ascription(be ^ <Cop-Restr>(t:thing ^ they ^ <Number>pl) ^ "
+                "<Cop-Scope>(c:conjunction ^ and ^ <First>(x:colour ^ red) ^ <Next>(y:colour ^ "
+                "blue)))"),
+            "They are red and blue.");
+}
+
 TEST(Realiser, Answers) {
   const std::string be = "@e:ascription(be ^ ";
   EXPECT_EQ(say(be + it + " ^ <Cop-Scope>(c:colour ^ blue))"), "It is blue.");

@@ -37,15 +37,23 @@ struct ReadReply {
   };
 
   Kind kind = Kind::strange;
+  /// The first sentence says what there is.
+  bool is_existence = false;
   /// How many there are, if it says so by a number.
   std::optional<std::size_t> number;
   bool is_at_least = false;
-  /// What there is, or what it is: one for each sentence that has an indefinite article.
+  /// What there is, or what it is: what has an indefinite article.
   std::vector<Described> described;
   /// The words for colours, sizes and shapes in "it is ...".
   std::vector<std::string> ascribed;
   /// "It is not ...".
   bool is_denied = false;
+  /// All that has an article, such as what a place is told by.
+  std::vector<Described> mentioned;
+  /// The words that something is said to be.
+  std::vector<std::string> colours;
+  std::vector<std::string> shapes;
+  std::vector<std::string> sizes;
 };
 
 ReadReply read_reply(std::string_view text);

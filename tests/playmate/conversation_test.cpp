@@ -50,7 +50,7 @@ TEST(Conversation, IsAboutWhatIsThere) {
   EXPECT_THAT(sayings(system),
               ElementsAre("Hello.", "It is blue.", "It is to the left of the triangle.",
                           "There are two red things.", "Which red thing do you mean?", "No.",
-                          "There is a small green cube.", "There is a small red ball.", "Yes.",
+                          "There is a small green cube and a small red ball.", "Yes.",
                           "I do not see a cup.", "Bye."));
   auto dialogue = system.expect_entry("DialogueStructure in communication")
                     ->value.as<communication::DialogueStructure>();

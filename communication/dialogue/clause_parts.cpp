@@ -1,0 +1,235 @@
+#include "castor/communication/dialogue/clause_parts.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+Nominal* find_in(LogicalForm& form, std::string_view name) {
+  auto found = std::ranges::find(form.nominals, name, &Nominal::name);
+  return found == form.nominals.end() ? nullptr : &*found;
+}
+
+void erase_relation(Nominal& x, std::string_view mode) {
+  std::erase_if(x.relations, [mode](auto& relation) { return relation.mode == mode; });
+}
+
+void erase_feature(Nominal& x, std::string_view name) {
+  std::erase_if(x.features, [name](auto& feature) { return feature.name == name; });
+}
+
+bool is_thing(const Nominal* x) {
+  return x != nullptr && (x->sort == "thing" || x->sort == "entity");
+}
+
+/// The thing that a clause asks for, or else what it is about.
+const Nominal* topic_of(const LogicalForm& form, const Nominal& clause) {
+  for (const auto* mode : {"Wh-Restr", "Subject", "Cop-Restr", "Patient"})
+    if (const auto* x = dependent(form, clause, mode); is_thing(x))
+      return x;
+  return nullptr;
+}
+
+/// Whether things or some of them are named, rather than qualities.
+bool are_things(const LogicalForm& form, const Nominal& x) {
+  if (x.sort != "conjunction")
+    return x.sort == "thing";
+  const auto* first = dependent(form, x, "First");
+  return first != nullptr && are_things(form, *first);
+}
+
+/// Adds what is said of a nominal to what is said of another.
+void merge(LogicalForm& form, const std::string& from, const std::string& to) {
+  const auto added = find_in(form, from)->relations;
+  for (auto& relation : added)
+    find_in(form, to)->relations.push_back(relation);
+  for (auto& x : form.nominals)
+    for (auto& relation : x.relations)
+      if (relation.dependent == from)
+        relation.dependent = to;
+  std::erase_if(form.nominals, [&from](auto& x) { return x.name == from; });
+}
+
+void place_relative_clause(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* said = dependent(form, *root, "Extraposed");
+  const auto* topic = said == nullptr ? nullptr : topic_of(form, *root);
+  if (topic == nullptr || is_pronoun(*topic))
+    return;
+  const auto from = said->name;
+  const auto to = topic->name;
+  erase_relation(*find_in(form, form.root), "Extraposed");
+  merge(form, from, to);
+}
+
+void place_alternatives(LogicalForm& form) {
+  auto* root = find_in(form, form.root);
+  const auto* alternatives = dependent(form, *root, "Alternatives");
+  const auto* asked = dependent(form, *root, "Wh-Restr");
+  if (alternatives == nullptr || asked == nullptr)
+    return;
+  const auto name = alternatives->name;
+  // What colour something is does not depend on those that are named.
+  const bool is_choice = is_thing(asked) && are_things(form, *alternatives);
+  erase_relation(*root, "Alternatives");
+  if (is_choice)
+    find_in(form, asked->name)->relations.push_back({"PartOf", name});
+}
+
+/// "Except for the ball, is anything red?" is about the other things.
+void place_exception(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* excepted = dependent(form, *root, "Except");
+  const auto* topic = excepted == nullptr ? nullptr : topic_of(form, *root);
+  if (topic == nullptr || dependent(form, *root, "Wh-Restr") != nullptr || is_definite(*topic))
+    return;
+  const auto name = excepted->name;
+  const auto to = topic->name;
+  erase_relation(*find_in(form, form.root), "Except");
+  find_in(form, to)->relations.push_back({"Except", name});
+}
+
+/// "A cube, a ball or a disc" is any of them: the word before the last one is meant before all.
+void join_lists(LogicalForm& form) {
+  for (std::size_t rest = form.nominals.size(); rest > 0; --rest)
+    for (auto& x : form.nominals) {
+      const auto* next = x.proposition == "list" ? dependent(form, x, "Next") : nullptr;
+      if (next != nullptr && next->sort == "conjunction" && next->proposition != "list")
+        x.proposition = next->proposition;
+    }
+}
+
+/// "Which of those is the smaller one?": the smaller one of those.
+void restrict_selection(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = dependent(form, *root, "Wh-Restr");
+  const auto* whole = asked == nullptr ? nullptr : dependent(form, *asked, "PartOf");
+  const auto* scope = dependent(form, *root, "Cop-Scope");
+  if (whole == nullptr || scope == nullptr || scope == asked || scope->proposition != "one" ||
+      dependent(form, *scope, "Selection") == nullptr ||
+      dependent(form, *scope, "PartOf") != nullptr)
+    return;
+  const auto name = whole->name;
+  find_in(form, scope->name)->relations.push_back({"PartOf", name});
+}
+
+/// "I count one ball, how many do you count?" is about balls.
+void inherit_from_preface(LogicalForm& form, const Nominal& preface) {
+  const auto* topic = topic_of(form, preface);
+  const auto* asked = dependent(form, *find_nominal(form, form.root), "Wh-Restr");
+  if (topic == nullptr || asked == nullptr || asked->proposition != "one" ||
+      dependent(form, *asked, "PartOf") != nullptr || is_pronoun(*topic))
+    return;
+  const auto like = *topic;
+  auto& one = *find_in(form, asked->name);
+  one.proposition = like.proposition;
+  for (auto& relation : like.relations)
+    if (relation.mode != "Quantity")
+      one.relations.push_back(relation);
+}
+
+void complete_by_preface(LogicalForm& form) {
+  const auto* preface = dependent(form, *find_nominal(form, form.root), "Preface");
+  if (preface == nullptr)
+    return;
+  if (!is_elliptical(form)) {
+    inherit_from_preface(form, *preface);
+    return;
+  }
+  const auto name = preface->name;
+  if (auto whole = completed(form, part_of(form, name)))
+    form = std::move(*whole);
+}
+
+} // namespace
+
+std::vector<LogicalForm> questions_in(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root == nullptr || root->sort != "conjunction" || feature(*root, "Mood") != "int")
+    return {};
+  const auto* first = dependent(form, *root, "First");
+  const auto* next = dependent(form, *root, "Next");
+  const auto asks_for_something = [&](const Nominal* x) {
+    return x != nullptr && dependent(form, *x, "Wh-Restr") != nullptr;
+  };
+  if (first == nullptr || next == nullptr ||
+      (!asks_for_something(first) && !asks_for_something(next)))
+    return {};
+  auto second = form;
+  find_in(second, next->name)->relations.push_back({"Preface", first->name});
+  return {part_of(form, first->name), part_of(second, next->name)};
+}
+
+bool is_elliptical(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  return root != nullptr && root->sort == "ellipsis";
+}
+
+LogicalForm reunited(LogicalForm form) {
+  if (find_nominal(form, form.root) == nullptr)
+    return form;
+  join_lists(form);
+  place_relative_clause(form);
+  place_alternatives(form);
+  place_exception(form);
+  complete_by_preface(form);
+  restrict_selection(form);
+  return form;
+}
+
+std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm before) {
+  const auto word = find_nominal(elliptical, elliptical.root)->proposition;
+  auto* root = find_in(before, before.root);
+  if (root == nullptr || (root->sort != "existence" && root->sort != "ascription"))
+    return std::nullopt;
+  const auto* topic = topic_of(before, *root);
+  if (topic == nullptr || is_pronoun(*topic) || is_the_table(*topic))
+    return std::nullopt;
+  const auto name = topic->name;
+  const bool is_about_known = is_definite(*topic);
+  const bool asks_which = word == "which" || word == "how-many";
+  if (asks_which && is_about_known && !is_plural(*topic))
+    return std::nullopt;
+  auto& asked = *find_in(before, name);
+  for (const auto* what : {"Delimitation", "Focus", "Polarity"})
+    erase_feature(asked, what);
+  erase_relation(asked, "Quantity");
+  if (!asks_which) {
+    asked.features.push_back({"Delimitation", "unique"});
+    LogicalForm question{"ellipsis", {}, 0};
+    const bool asks_where = word == "where";
+    question.nominals.push_back({"asked", asks_where ? "region" : "quality", word, {}, {}});
+    question.nominals.push_back(
+      {"ellipsis",
+       "ascription",
+       "be",
+       {{"Mood", "int"}},
+       {{"Wh-Restr", "asked"}, {"Cop-Restr", name}, {"Cop-Scope", "asked"}}});
+    for (auto& x : part_of(before, name).nominals)
+      question.nominals.push_back(x);
+    return question;
+  }
+  for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
+    erase_feature(*root, what);
+  root->features.push_back({"Mood", "int"});
+  erase_relation(*root, "Wh-Restr");
+  root->relations.push_back({"Wh-Restr", name});
+  if (word == "how-many") {
+    asked.relations.push_back({"Quantity", "how-many"});
+    erase_feature(asked, "Number");
+    asked.features.push_back({"Number", "pl"});
+    before.nominals.push_back({"how-many", "number", "how-many", {}, {}});
+  }
+  return before;
+}
+
+} // namespace castor::communication

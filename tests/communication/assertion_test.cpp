@@ -1,0 +1,51 @@
+#include "castor/communication/dialogue/assertion.hpp"
+#include "castor/communication/lexicon/english_lexicon.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/parser.hpp"
+#include "castor/tests/communication/table_scene.hpp"
+#include "castor/tests/communication/table_talk.hpp"
+
+#include <gtest/gtest.h>
+
+namespace castor::communication::test {
+
+namespace {
+
+using binding::FeatureKind;
+
+Telling told(const std::string& said) {
+  static Parser parser{english_lexicon()};
+  const auto readings = parser.readings(said);
+  EXPECT_FALSE(readings.empty()) << said;
+  if (readings.empty())
+    return Telling::nothing;
+  auto& form = readings.front();
+  return telling_of(*find_nominal(form, form.root), form);
+}
+
+} // namespace
+
+TEST(Assertions, AreToldOfWhatTheyAreAbout) {
+  for (const auto* said : {"The ball is a toy.", "There is a toy.", "This is a toy."})
+    EXPECT_EQ(told(said), Telling::of_one) << said;
+  for (const auto* said : {"Every cube is a toy.", "All cubes are toys.", "Both balls are toys.",
+                           "The cubes are toys.", "Cubes are toys."})
+    EXPECT_EQ(told(said), Telling::of_each) << said;
+  for (const auto* said : {"Most balls are toys.", "Two balls are toys.", "No ball is a toy.",
+                           "Only the ball is a toy.", "There are three toys.", "There is no toy.",
+                           "I do not think that the ball is a toy."})
+    EXPECT_EQ(told(said), Telling::nothing) << said;
+}
+
+TEST(Assertions, AreAcceptedIfSomethingIsLearnt) {
+  TableScene table;
+  for (const auto* id : {"one", "two", "three"})
+    table.put(id, {feature(FeatureKind::shape, "cube"), feature(FeatureKind::size, "small")}, 0, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); }};
+  EXPECT_EQ(talk.say("Every cube is a toy.").text, "Ok.");
+  EXPECT_EQ(talk.say("Most cubes are toys.").text, "I do not know whether that is so.");
+  EXPECT_EQ(talk.say("Most cubes are small.").text, "Ok.");
+  EXPECT_EQ(talk.say("What is this?").text, "Which thing do you mean?");
+}
+
+} // namespace castor::communication::test
