@@ -78,15 +78,29 @@ Truth Evaluation::ascription(const Nominal& e) {
   auto& scope = need(e, "Cop-Scope");
   const bool negated = is_negated(e);
   if (subject.sort == "quality") {
-    auto result = about_qualities(subject, scope);
+    // "Only one colour touches the wall."
+    auto result = dependent(form_, subject, "Quantity") != nullptr && has_containers()
+                    ? there_are(subject, [&](const std::string& id) { return is(id, scope); })
+                    : about_qualities(subject, scope);
     return negated ? negation(result) : result;
   }
   if (scope.sort == "comparison" && dependent(form_, scope, "Than") == nullptr) {
-    auto result = collectively(subject, scope);
+    // "Two towers are the same height": of however many there are.
+    const bool is_of_some = subject.sort == "thing" && !is_definite(subject) && has_containers() &&
+                            dependent(form_, subject, "Quantity") != nullptr;
+    auto result = is_of_some ? collectively(subject, scope, [](auto&) { return Truth::yes; })
+                             : collectively(subject, scope);
     return negated ? negation(result) : result;
   }
   if (scope.sort == "region" && scope.proposition == "near-each-other") {
     auto result = are_near_each_other(subject);
+    return negated ? negation(result) : result;
+  }
+  // "Two blocks are stacked on each other."
+  if (scope.sort == "region" && is_mutual(scope)) {
+    auto result = quantified(subject, [&](const std::string& id) {
+      return is_with_the_others(id, subject, scope).value_or(Truth::unknown);
+    });
     return negated ? negation(result) : result;
   }
   if (auto together = are_in_one(subject, scope))
@@ -94,10 +108,16 @@ Truth Evaluation::ascription(const Nominal& e) {
   return quantified(
     subject,
     [&](const std::string& id) {
-      auto result = e.proposition == "have" ? has(id, scope) : is(id, scope, &subject);
+      auto result = is_so_of(e, id);
       return negated ? denial(id, scope, result, &subject) : result;
     },
     landmarks_of(scope));
+}
+
+Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
+  auto& scope = need(ascription, "Cop-Scope");
+  return ascription.proposition == "have" ? has(id, scope)
+                                          : is(id, scope, &need(ascription, "Cop-Restr"));
 }
 
 /// "The cube has a ball beside it", "the ball has a different colour".
@@ -170,7 +190,9 @@ Truth Evaluation::existence(const Nominal& subject) {
     auto& other = need(subject, "Next");
     if (const auto* region = dependent(form_, other, "Location"))
       if (const auto* whole = dependent(form_, *region, "Anchor");
-          whole != nullptr && feature(*whole, "Delimitation") == "same") {
+          whole != nullptr &&
+          (feature(*whole, "Delimitation") == "same" ||
+           (within_.empty() && is_container_phrase(*whole) && !is_definite(*whole)))) {
         auto all = subject;
         all.relations.push_back({"Location", region->name});
         return in_each(all, *region, *whole);
@@ -178,13 +200,33 @@ Truth Evaluation::existence(const Nominal& subject) {
     if (dependent(form_, one, "Accompaniment") != nullptr && is_container_noun(one.proposition) &&
         !is_container_noun(other.proposition) && subject.proposition == "and")
       return there_are(one, [&](const std::string& id) { return contains(id, other); });
-    auto first = existence(need(subject, "First"));
-    auto next = existence(need(subject, "Next"));
+    if (auto related = one_and_its_own(one, other); related && subject.proposition == "and")
+      return *related;
+    auto first = existence(one);
+    auto next = existence(other);
     if (subject.proposition == "nor")
       return both(negation(first), negation(next));
     return subject.proposition == "or" ? either(first, next) : both(first, next);
   }
   return there_are(subject, [](auto&) { return Truth::yes; });
+}
+
+/// "A box and a ball on it": "it" is the box.
+std::optional<Truth> Evaluation::one_and_its_own(const Nominal& one, const Nominal& other) {
+  if (one.sort != "thing" || is_plural(one))
+    return std::nullopt;
+  const auto phrase = part_of(form_, other.name);
+  const auto pronoun = std::ranges::find_if(phrase.nominals, [&](auto& x) {
+    return x.proposition == "it" && is_pronoun(x) && !bound_.contains(x.name) &&
+           antecedents_of(x.name).empty();
+  });
+  if (pronoun == phrase.nominals.end())
+    return std::nullopt;
+  return there_are(one, [&](const std::string& id) {
+    ScopedBinding binding{bound_, pronoun->name};
+    binding.set(id);
+    return existence(other);
+  });
 }
 
 /// Whether one number is greater than another, or what else the word says.

@@ -89,7 +89,7 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          !is_plural(*anchor) && !is_the_table(*anchor))
+          !is_plural(*anchor) && !is_the_table(*anchor) && !is_side_of_container(*anchor))
         add(meant(*anchor));
   return result;
 }

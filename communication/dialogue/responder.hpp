@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,13 @@ private:
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice(const Nominal& subject, const Nominal& alternatives);
+
+  // -- why a statement is not so (response_reasons.cpp)
+  std::optional<LogicalForm> reason();
+  std::optional<LogicalForm> exception(const Nominal& subject, const Nominal& scope);
+  std::optional<LogicalForm> what_it_has(const std::string& id, const LogicalForm& owner,
+                                         const Nominal& what);
+  std::optional<LogicalForm> by_position(const std::string& id, const std::string& noun);
 
   // -- replies
   LogicalForm nothing_like(const Nominal& phrase) const;

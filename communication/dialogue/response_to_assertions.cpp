@@ -26,6 +26,8 @@ Response Responder::to_assertion() {
   auto truth = judge_assertion(root(), form_, evaluation_);
   if (truth != Truth::no)
     return accept();
+  if (auto why = reason())
+    return correct(with_marker("no", *std::move(why)));
   if (root().sort == "existence" || root().sort == "perception") {
     auto& subject = need(root(), root().sort == "existence" ? "Subject" : "Patient");
     if (!is_negated(root()) && subject.sort == "thing") {
@@ -43,7 +45,12 @@ Response Responder::to_assertion() {
       !is_definite(*restriction) || is_plural(*restriction) ||
       !feature(*restriction, "Focus").empty())
     return correct(marker("no"));
-  auto things = evaluation_.meant(*restriction);
+  Things things;
+  try {
+    things = evaluation_.meant(*restriction);
+  } catch (const Uninterpretable&) {
+    // It is so of none of those that may be meant.
+  }
   if (things.size() != 1)
     return correct(marker("no"));
   if (is_negated(root()) || is_negated(*scope))
