@@ -193,6 +193,7 @@ Truth Evaluation::existence(const Nominal& subject) {
           whole != nullptr &&
           (feature(*whole, "Delimitation") == "same" ||
            (within_.empty() && is_container_phrase(*whole) && !is_definite(*whole)))) {
+        const ScopedElement place{modifiers_, other.name + ' ' + region->name};
         auto all = subject;
         all.relations.push_back({"Location", region->name});
         return in_each(all, *region, *whole);
@@ -211,16 +212,22 @@ Truth Evaluation::existence(const Nominal& subject) {
   return there_are(subject, [](auto&) { return Truth::yes; });
 }
 
-/// "A box and a ball on it": "it" is the box.
+/// The "it" in a phrase that stands for nothing said before; null if there is none.
+const Nominal* Evaluation::pronoun_in(const Nominal& phrase) {
+  for (auto& x : part_of(form_, phrase.name).nominals)
+    if (x.proposition == "it" && is_pronoun(x) && !bound_.contains(x.name) &&
+        antecedents_of(x.name).empty())
+      return find_nominal(form_, x.name);
+  return nullptr;
+}
+
+/// "A box and a ball on it": "it" is the box. Nothing for "a ball and a cube in it".
 std::optional<Truth> Evaluation::one_and_its_own(const Nominal& one, const Nominal& other) {
-  if (one.sort != "thing" || is_plural(one))
+  const auto* pronoun = pronoun_in(other);
+  if (one.sort != "thing" || is_plural(one) || pronoun == nullptr)
     return std::nullopt;
-  const auto phrase = part_of(form_, other.name);
-  const auto pronoun = std::ranges::find_if(phrase.nominals, [&](auto& x) {
-    return x.proposition == "it" && is_pronoun(x) && !bound_.contains(x.name) &&
-           antecedents_of(x.name).empty();
-  });
-  if (pronoun == phrase.nominals.end())
+  const auto* region = dependent(form_, other, "Location");
+  if (region != nullptr && region->proposition == "in" && !is_container_phrase(one))
     return std::nullopt;
   return there_are(one, [&](const std::string& id) {
     ScopedBinding binding{bound_, pronoun->name};

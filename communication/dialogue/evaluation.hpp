@@ -113,6 +113,7 @@ private:
   Truth ascription(const Nominal& e);
   Truth about_qualities(const Nominal& subject, const Nominal& scope);
   Truth existence(const Nominal& subject);
+  const Nominal* pronoun_in(const Nominal& phrase);
   std::optional<Truth> one_and_its_own(const Nominal& one, const Nominal& other);
   static Truth compared(const std::string& word, const Count& a, const Count& b);
   Truth compared_counts(const Nominal& subject, const Nominal& quantity);
@@ -124,6 +125,7 @@ private:
   // -- containers and what is in them (evaluation_containers.cpp)
   bool is_in_each(const Nominal& container);
   Truth there_are(const Nominal& subject, const Property& scope);
+  Nominal with_bound_of(const Nominal& first, Nominal next);
   Truth has_end(const std::string& container, const Nominal& end);
   Truth contains(const std::string& container, const Nominal& what);
   Truth only_these(const Nominal& phrases, const Nominal& first, const Property& scope);
@@ -152,6 +154,7 @@ private:
 
   // -- places in containers (evaluation_places.cpp)
   bool is_side_of_container(const Nominal& phrase);
+  bool is_end_of_some(const Nominal& phrase);
   std::optional<Truth> is_in_container_part(const std::string& id, const Nominal& region);
   Truth touches(const std::string& id, const Nominal& region, const Nominal& anchor);
   Truth touches_side(const std::string& id, const Nominal& side, double slack);

@@ -87,7 +87,10 @@ Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
   for (auto& [mode, name] : subject.relations) {
     const auto* region = mode == "Location" ? find_nominal(form_, name) : nullptr;
     const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
-    if (whole != nullptr && within_.empty() && is_container_phrase(*whole) && is_in_each(*whole))
+    // "Two blue squares in a box" are in one box.
+    if (whole != nullptr && within_.empty() && is_container_phrase(*whole) &&
+        (is_in_each(*whole) || (region->proposition == "in" && is_plural(subject) &&
+                                feature(*whole, "Delimitation") == "existential")))
       return in_each(subject, *region, *whole);
   }
   if (subject.sort == "quality") {
@@ -110,8 +113,20 @@ Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
 
 Truth Evaluation::contains(const std::string& container, const Nominal& what) {
   if (what.sort == "conjunction" && feature(what, "Focus") != "only") {
+    if (const auto* it = pronoun_in(need(what, "Next"));
+        it != nullptr && what.proposition == "and") {
+      ScopedValue within{within_, container};
+      if (auto related = one_and_its_own(need(what, "First"), need(what, "Next")))
+        return *related;
+      ScopedBinding binding{bound_, it->name};
+      binding.set(container);
+      return both(contains(container, need(what, "First")),
+                  contains(container, need(what, "Next")));
+    }
     auto first = contains(container, need(what, "First"));
-    auto next = contains(container, need(what, "Next"));
+    auto next = contains(container, with_bound_of(need(what, "First"), need(what, "Next")));
+    if (what.proposition == "nor")
+      return both(negation(first), negation(next));
     return what.proposition == "or" ? either(first, next) : both(first, next);
   }
   if (what.sort == "place")
@@ -132,7 +147,8 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
     return compared_counts(what, *quantity);
   auto result = has_some_of_each(what);
   if (what.sort == "thing" && feature(what, "Delimitation") == "all" &&
-      dependent(form_, what, "Quantity") == nullptr && !items(container).empty())
+      dependent(form_, what, "Quantity") == nullptr && !items(container).empty() &&
+      collective_modifier(what) == nullptr)
     // "A tower with all yellow blocks."
     for (auto& id : items(container))
       result = both(result, fits(id, what));
@@ -150,6 +166,18 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
       result = both(result, there_are(alone, [](auto&) { return Truth::yes; }));
   }
   return result;
+}
+
+/// "At least one circle and one square": at least one of both.
+Nominal Evaluation::with_bound_of(const Nominal& first, Nominal next) {
+  const auto* quantity = dependent(form_, first, "Quantity");
+  const auto* other = dependent(form_, next, "Quantity");
+  if (quantity != nullptr && other != nullptr && quantity->proposition == other->proposition &&
+      feature(*quantity, "Bound") == "at_least" && feature(*other, "Bound").empty())
+    for (auto& x : next.relations)
+      if (x.mode == "Quantity")
+        x.dependent = quantity->name;
+  return next;
 }
 
 /// "A tower with a black base".
@@ -323,6 +351,9 @@ bool Evaluation::is_after_noun(const Nominal& phrase, const std::string& modifie
 
 /// "With four blocks", "of black colour", "with a ball beside it".
 Truth Evaluation::accompanied(const std::string& id, const Nominal& phrase, const Nominal& what) {
+  // "Three items including a circle": it is in the same container.
+  if (what.sort == "thing" && !is_container(id) && !within_.empty() && !has_pronoun(what))
+    return contains(within_, what);
   if (what.sort != "quality" || is_container(id))
     return has(id, what);
   auto result = Truth::yes;
@@ -358,15 +389,18 @@ Truth Evaluation::discourse(const Nominal& first, const Nominal& next) {
     });
   if (!is_about_it)
     return both(clause(first), clause(next));
-  return there_are(*subject, [&](const std::string& id) {
-    if ((is_pronoun(*topic) && !is_plural(*topic)) || topic->proposition == subject->proposition) {
-      ScopedBinding binding{bound_, topic->name};
-      binding.set(id);
-      return clause(next);
-    }
-    ScopedValue within{within_, id};
-    return clause(next);
-  });
+  // "There is only one ball, and it is red": there is no other ball either.
+  const auto alone = feature(*subject, "Focus") == "only" ? existence(*subject) : Truth::yes;
+  return both(alone, there_are(*subject, [&](const std::string& id) {
+                if ((is_pronoun(*topic) && !is_plural(*topic)) ||
+                    topic->proposition == subject->proposition) {
+                  ScopedBinding binding{bound_, topic->name};
+                  binding.set(id);
+                  return clause(next);
+                }
+                ScopedValue within{within_, id};
+                return clause(next);
+              }));
 }
 
 /// "The black one" of a container; there need be none.

@@ -87,6 +87,14 @@ bool Evaluation::is_side_of_container(const Nominal& phrase) {
   return (side_of(phrase) != nullptr || is_corner(phrase)) && has_containers();
 }
 
+/// "The base of a tower": whichever is at the base of one.
+bool Evaluation::is_end_of_some(const Nominal& phrase) {
+  const auto* region = dependent(form_, phrase, "Location");
+  const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
+  return whole != nullptr && is_definite(phrase) && is_container_phrase(*whole) &&
+         !is_definite(*whole) && (region->proposition == "base" || region->proposition == "top");
+}
+
 /// Places that only what is in containers has: at the top or the base of a tower, in contact with a
 /// side of a box. Nothing for other places.
 std::optional<Truth> Evaluation::is_in_container_part(const std::string& id,

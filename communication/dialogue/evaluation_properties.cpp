@@ -70,7 +70,7 @@ Truth Evaluation::is(const std::string& id, const Nominal& scope, const Nominal*
   else if (scope.sort == "possession")
     result = has(id, need(scope, "Thing"));
   else if (scope.sort == "thing" || scope.sort == "entity") {
-    result = is_one_of(id, scope);
+    result = is_end_of_some(scope) ? fits(id, scope) : is_one_of(id, scope);
     if (feature(scope, "Delimitation") == "none")
       result = negation(result);
   } else
