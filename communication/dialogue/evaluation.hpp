@@ -125,6 +125,7 @@ private:
   // -- containers and what is in them (evaluation_containers.cpp)
   bool is_in_each(const Nominal& container);
   Truth there_are(const Nominal& subject, const Property& scope);
+  Truth contains_both(const std::string& container, const Nominal& both_of);
   Nominal with_bound_of(const Nominal& first, Nominal next);
   Truth has_end(const std::string& container, const Nominal& end);
   Truth contains(const std::string& container, const Nominal& what);

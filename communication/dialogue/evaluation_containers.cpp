@@ -112,23 +112,8 @@ Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
 }
 
 Truth Evaluation::contains(const std::string& container, const Nominal& what) {
-  if (what.sort == "conjunction" && feature(what, "Focus") != "only") {
-    if (const auto* it = pronoun_in(need(what, "Next"));
-        it != nullptr && what.proposition == "and") {
-      ScopedValue within{within_, container};
-      if (auto related = one_and_its_own(need(what, "First"), need(what, "Next")))
-        return *related;
-      ScopedBinding binding{bound_, it->name};
-      binding.set(container);
-      return both(contains(container, need(what, "First")),
-                  contains(container, need(what, "Next")));
-    }
-    auto first = contains(container, need(what, "First"));
-    auto next = contains(container, with_bound_of(need(what, "First"), need(what, "Next")));
-    if (what.proposition == "nor")
-      return both(negation(first), negation(next));
-    return what.proposition == "or" ? either(first, next) : both(first, next);
-  }
+  if (what.sort == "conjunction" && feature(what, "Focus") != "only")
+    return contains_both(container, what);
   if (what.sort == "place")
     return has_end(container, what);
   const auto* quantity = dependent(form_, what, "Quantity");
@@ -168,6 +153,30 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
   return result;
 }
 
+/// "A circle and a square", "a ball and a cube in it", "a circle or a square".
+Truth Evaluation::contains_both(const std::string& container, const Nominal& both_of) {
+  auto first = need(both_of, "First");
+  auto next = need(both_of, "Next");
+  // What is said of both is said of each.
+  for (auto& x : both_of.relations)
+    if (x.mode != "First" && x.mode != "Next")
+      for (auto* one : {&first, &next})
+        one->relations.push_back(x);
+  if (const auto* it = pronoun_in(next); it != nullptr && both_of.proposition == "and") {
+    ScopedValue within{within_, container};
+    if (auto related = one_and_its_own(first, next))
+      return *related;
+    ScopedBinding binding{bound_, it->name};
+    binding.set(container);
+    return both(contains(container, first), contains(container, next));
+  }
+  auto has_first = contains(container, first);
+  auto has_next = contains(container, with_bound_of(first, next));
+  if (both_of.proposition == "nor")
+    return both(negation(has_first), negation(has_next));
+  return both_of.proposition == "or" ? either(has_first, has_next) : both(has_first, has_next);
+}
+
 /// "At least one circle and one square": at least one of both.
 Nominal Evaluation::with_bound_of(const Nominal& first, Nominal next) {
   const auto* quantity = dependent(form_, first, "Quantity");
@@ -190,7 +199,7 @@ Truth Evaluation::has_end(const std::string& container, const Nominal& end) {
   for (auto& id : items(container)) {
     auto truth = is_at_end(id, container, is_top);
     for (auto& [mode, name] : end.relations)
-      if (const auto* x = find_nominal(form_, name))
+      if (const auto* x = find_nominal(form_, name); x != nullptr && !is_pronoun(*x))
         truth = both(truth, modified(id, end, mode, *x));
     result = either(result, truth);
   }
@@ -352,7 +361,8 @@ bool Evaluation::is_after_noun(const Nominal& phrase, const std::string& modifie
 /// "With four blocks", "of black colour", "with a ball beside it".
 Truth Evaluation::accompanied(const std::string& id, const Nominal& phrase, const Nominal& what) {
   // "Three items including a circle": it is in the same container.
-  if (what.sort == "thing" && !is_container(id) && !within_.empty() && !has_pronoun(what))
+  if ((what.sort == "thing" || what.sort == "conjunction") && !is_container(id) &&
+      !within_.empty() && !has_pronoun(what))
     return contains(within_, what);
   if (what.sort != "quality" || is_container(id))
     return has(id, what);

@@ -106,6 +106,8 @@ std::optional<Truth> Evaluation::is_in_container_part(const std::string& id,
       not_understood(place);
     return touches(id, region, *anchor);
   }
+  if (place == "at" && anchor != nullptr && anchor->sort == "conjunction")
+    not_understood(place);
   if ((place == "near" || place == "next_to") && anchor != nullptr &&
       (is_corner(*anchor) || side_of(*anchor) != nullptr))
     return touches_side(id, *anchor, nearly_contact);

@@ -68,6 +68,8 @@ Truth Evaluation::collectively(const Nominal& phrase, const Nominal& modifier,
                 distinct_values(things, modifier));
   }
   auto& quality = need(modifier, "Quality");
+  if (dependent(form_, quality, "Location") != nullptr)
+    not_understood(quality.proposition);
   std::map<std::string, std::size_t> groups;
   for (auto& id : things) {
     auto value = value_of(id, quality);
