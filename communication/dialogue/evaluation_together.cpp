@@ -23,11 +23,13 @@ constexpr std::string_view colour_of_top = "top-colour";
 
 /// "Blocks of the same colour", "items of only one colour": not said of each of them.
 const Nominal* Evaluation::collective_modifier(const Nominal& phrase) {
-  if (phrase.sort != "thing" || !is_plural(phrase) || bound_.contains(phrase.name))
+  if (phrase.sort != "thing" || bound_.contains(phrase.name))
     return nullptr;
   for (auto& [mode, name] : phrase.relations) {
     const auto* x = find_nominal(form_, name);
-    if (x == nullptr)
+    // "One item of every colour": there are several.
+    if (x == nullptr ||
+        (!is_plural(phrase) && (mode != "Accompaniment" || feature(*x, "Delimitation") != "all")))
       continue;
     if (mode == "Members")
       return x;
