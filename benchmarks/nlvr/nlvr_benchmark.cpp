@@ -1,19 +1,25 @@
 /// Whether the robot judges the statements of NLVR as people do: each is said to it as an assertion
-/// about a scene as vision would have put it into working memory.
+/// about a scene in working memory: as the record of the picture has it, and as vision sees the
+/// picture.
 ///
-///     nlvr_benchmark FOLDER [--part looked-at] [--failures]
+///     nlvr_benchmark FOLDER [--part looked-at] [--failures] [--structure]
 ///
-/// FOLDER has dev.json. Its directories 0 to 2 are looked at while the grammar is written, the
-/// others only counted: `--failures` lists what was judged otherwise in the looked-at part alone.
+/// FOLDER has dev.json and images/. Its directories 0 to 2 are looked at while the grammar is
+/// written, the others only counted: `--failures` lists what was judged otherwise in the looked-at
+/// part alone. `--structure` leaves the pictures out.
 
+#include "castor/benchmarks/nlvr/nlvr_pictures.hpp"
 #include "castor/benchmarks/nlvr/nlvr_scenes.hpp"
+#include "castor/perception/vision/camera/image_source_file.hpp"
 #include "castor/tests/communication/table_talk.hpp"
 
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -63,40 +69,44 @@ bool is_looked_at(const nlvr::Statement& x) {
   return x.directory == "0" || x.directory == "1" || x.directory == "2";
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+struct Options {
   std::filesystem::path folder;
   bool lists_failures = false;
   bool only_looked_at = false;
+  bool only_structure = false;
+};
+
+/// Without a folder if the arguments are wrong.
+Options options_of(int argc, char** argv) {
+  Options result;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument == "--failures")
-      lists_failures = true;
+      result.lists_failures = true;
+    else if (argument == "--structure")
+      result.only_structure = true;
     else if (argument == "--part" && i + 1 < argc && std::string_view{argv[i + 1]} == "looked-at") {
-      only_looked_at = true;
+      result.only_looked_at = true;
       ++i;
-    } else if (!argument.starts_with("--") && folder.empty())
-      folder = argument;
+    } else if (!argument.starts_with("--") && result.folder.empty())
+      result.folder = argument;
     else
-      folder.clear();
+      return {};
   }
-  if (folder.empty()) {
-    std::fprintf(stderr, "usage: nlvr_benchmark FOLDER [--part looked-at] [--failures]\n");
-    return 2;
-  }
-  const auto file = folder / "dev.json";
-  if (!std::filesystem::exists(file)) {
-    std::printf("SKIP: there is no %s; it is in https://github.com/lil-lab/nlvr\n", file.c_str());
-    return 0;
-  }
+  return result;
+}
+
+/// The boxes of a statement in its kind of scene.
+using Boxes = std::function<std::vector<nlvr::Items>(const nlvr::Statement&)>;
+
+void judge(const std::vector<nlvr::Statement>& statements, const Boxes& boxes,
+           const Options& options) {
   Confusion looked_at;
   Confusion other;
   std::chrono::duration<double, std::milli> time{};
-  for (auto& x : nlvr::read_statements(file)) {
-    if (only_looked_at && !is_looked_at(x))
-      continue;
-    communication::test::TableTalk talk{[&x](auto& asked) { return x.scene.reply(asked); }};
+  for (auto& x : statements) {
+    const auto scene = nlvr::scene_of(boxes(x));
+    communication::test::TableTalk talk{[&scene](auto& asked) { return scene.reply(asked); }};
     const auto begin = std::chrono::steady_clock::now();
     const auto reply = talk.say(x.sentence);
     time += std::chrono::steady_clock::now() - begin;
@@ -104,14 +114,61 @@ int main(int argc, char** argv) {
     auto& confusion = is_looked_at(x) ? looked_at : other;
     ++(x.is_true ? confusion.of_true : confusion.of_false)[static_cast<std::size_t>(verdict)];
     const bool is_right = verdict == (x.is_true ? Verdict::accepted : Verdict::contradicted);
-    if (lists_failures && is_looked_at(x) && !is_right)
+    if (options.lists_failures && is_looked_at(x) && !is_right)
       std::printf("%s %s: %s => %s\n", x.identifier.c_str(), x.is_true ? "true" : "false",
                   x.sentence.c_str(), reply.text.c_str());
   }
   print("looked at", looked_at);
-  if (!only_looked_at)
+  if (!options.only_looked_at)
     print("others", other);
   const auto all = looked_at.all() + other.all();
   std::printf("%.2f ms per sentence\n", all == 0 ? 0 : time.count() / static_cast<double>(all));
+}
+
+void print(const nlvr::Agreement& x) {
+  std::printf("items drawn %zu, seen %zu, recall %.1f %%, precision %.1f %%\n", x.drawn, x.seen,
+              percent(x.found, x.drawn), percent(x.found, x.seen));
+  std::printf("of those found: colour %.1f %%, shape %.1f %%, size %.1f %%\n",
+              percent(x.same_colour, x.found), percent(x.same_shape, x.found),
+              percent(x.same_size, x.found));
+  std::printf("pictures seen as drawn %zu of %zu\n", x.same_pictures, x.pictures);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const auto options = options_of(argc, argv);
+  if (options.folder.empty()) {
+    std::fprintf(stderr,
+                 "usage: nlvr_benchmark FOLDER [--part looked-at] [--failures] [--structure]\n");
+    return 2;
+  }
+  const auto file = options.folder / "dev.json";
+  if (!std::filesystem::exists(file)) {
+    std::printf("SKIP: there is no %s; it is in https://github.com/lil-lab/nlvr\n", file.c_str());
+    return 0;
+  }
+  auto statements = nlvr::read_statements(file);
+  if (options.only_looked_at)
+    std::erase_if(statements, [](auto& x) { return !is_looked_at(x); });
+  std::printf("from structure\n");
+  judge(
+    statements, [](auto& x) { return x.boxes; }, options);
+  const auto images = options.folder / "images";
+  if (options.only_structure || !std::filesystem::exists(images))
+    return 0;
+  std::printf("from pictures\n");
+  nlvr::Agreement agreement;
+  judge(
+    statements,
+    [&](auto& x) {
+      // Statements are made of the first of six orders of the boxes.
+      const auto picture = images / ("dev-" + x.identifier + "-0.png");
+      auto seen = nlvr::see_boxes(vision::read_image(picture, {}));
+      nlvr::compare(x.boxes, seen, agreement);
+      return seen;
+    },
+    options);
+  print(agreement);
   return 0;
 }

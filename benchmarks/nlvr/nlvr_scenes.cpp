@@ -1,6 +1,7 @@
 #include "castor/benchmarks/nlvr/nlvr_scenes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,15 +11,15 @@ namespace castor::nlvr {
 namespace {
 
 using communication::test::PicturedItem;
+using communication::test::PictureScene;
 using nlohmann::json;
 
-/// Side of a box, pixels, and how large a pixel is, metres.
-constexpr double box_side = 100;
-constexpr double pixel = 0.001;
+/// Side of a box in the records, pixels, and how large a pixel is, metres.
+constexpr double side_in_pixels = 100;
+constexpr double pixel = box_side / side_in_pixels;
 
-/// Size of the blocks that towers are made of, and the gap between two of them; pixels.
-constexpr double block_size = 20;
-constexpr double block_distance = 21;
+/// By so much blocks of a tower may be beside each other, or apart; metres.
+constexpr double gap_in_tower = 0.002;
 
 std::string colour_of(const std::string& colour) {
   if (colour == "Yellow")
@@ -30,22 +31,22 @@ std::string colour_of(const std::string& colour) {
 PicturedItem item_of(const json& x) {
   const double size = x.at("size");
   return {x.at("type"), colour_of(x.at("color")), x.at("x_loc").get<double>() * pixel,
-          (box_side - x.at("y_loc").get<double>() - size) * pixel, size * pixel};
+          (side_in_pixels - x.at("y_loc").get<double>() - size) * pixel, size * pixel};
 }
 
-/// Blocks of one size above each other, from the floor on.
-bool is_tower(const json& box) {
-  std::vector<double> heights;
+bool is_about(double a, double b) {
+  return std::abs(a - b) <= gap_in_tower;
+}
+
+bool is_tower(Items box) {
+  std::ranges::sort(box, {}, &PicturedItem::z);
+  double top = 0;
   for (auto& x : box) {
-    if (x.at("type") != "square" || x.at("size") != block_size ||
-        x.at("x_loc") != box.front().at("x_loc"))
+    if (x.shape != "square" || !is_about(x.x, box.front().x) ||
+        !is_about(x.size, box.front().size) || !is_about(x.z, top))
       return false;
-    heights.push_back(box_side - block_size - x.at("y_loc").get<double>());
+    top = x.z + x.size;
   }
-  std::ranges::sort(heights);
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    if (heights[i] != static_cast<double>(i) * block_distance)
-      return false;
   return true;
 }
 
@@ -63,18 +64,23 @@ std::vector<Statement> read_statements(const std::filesystem::path& file) {
     x.is_true = record.at("label") == "true";
     x.identifier = record.at("identifier");
     x.directory = record.at("directory");
-    auto& boxes = record.at("structured_rep");
-    // A box without anything in it is one of a picture of towers if the others are.
-    const bool is_stacked = std::ranges::all_of(boxes, is_tower);
-    for (auto& box : boxes) {
-      std::vector<PicturedItem> items;
+    for (auto& box : record.at("structured_rep")) {
+      auto& items = x.boxes.emplace_back();
       for (auto& item : box)
         items.push_back(item_of(item));
-      x.scene.add_box(items, box_side * pixel, is_stacked);
     }
     result.push_back(std::move(x));
   }
   return result;
+}
+
+PictureScene scene_of(const std::vector<Items>& boxes) {
+  // A box without anything in it is one of a picture of towers if the others are.
+  const bool is_stacked = std::ranges::all_of(boxes, is_tower);
+  PictureScene scene;
+  for (auto& items : boxes)
+    scene.add_box(items, box_side, is_stacked);
+  return scene;
 }
 
 } // namespace castor::nlvr

@@ -153,6 +153,12 @@ LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_s
   return form;
 }
 
+LogicalForm possess(const LogicalForm& what, const LogicalForm& scope) {
+  auto form = ascribe(what, scope);
+  root_of(form).proposition = "have";
+  return form;
+}
+
 LogicalForm exists(const LogicalForm& what) {
   auto form = single("existence", "be");
   attach(form, "Subject", what);

@@ -61,6 +61,9 @@ LogicalForm with(LogicalForm thing, const std::string& mode, const LogicalForm& 
 /// "`what` is `scope`", or "is not".
 LogicalForm ascribe(const LogicalForm& what, const LogicalForm& scope, bool is_so = true);
 
+/// "`what` has `scope`."
+LogicalForm possess(const LogicalForm& what, const LogicalForm& scope);
+
 /// "There is `what`."
 LogicalForm exists(const LogicalForm& what);
 

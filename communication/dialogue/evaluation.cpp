@@ -84,30 +84,51 @@ Truth Evaluation::ascription(const Nominal& e) {
   auto& scope = need(e, "Cop-Scope");
   const bool negated = is_negated(e);
   if (subject.sort == "quality") {
-    auto result = about_qualities(subject, scope);
+    // "Only one colour touches the wall."
+    auto result = dependent(form_, subject, "Quantity") != nullptr && has_containers()
+                    ? there_are(subject, [&](const std::string& id) { return is(id, scope); })
+                    : about_qualities(subject, scope);
     return negated ? negation(result) : result;
   }
   if (scope.sort == "comparison" && dependent(form_, scope, "Than") == nullptr) {
-    auto result = collectively(subject, scope);
+    // "Two towers are the same height": of however many there are.
+    const bool is_of_some = subject.sort == "thing" && !is_definite(subject) && has_containers() &&
+                            dependent(form_, subject, "Quantity") != nullptr;
+    auto result = is_of_some ? collectively(subject, scope, [](auto&) { return Truth::yes; })
+                             : collectively(subject, scope);
     return negated ? negation(result) : result;
   }
   if (scope.sort == "region" && scope.proposition == "near-each-other") {
     auto result = are_near_each_other(subject);
     return negated ? negation(result) : result;
   }
+  // "Two blocks are stacked on each other."
+  if (scope.sort == "region" && is_mutual(scope)) {
+    auto result = quantified(subject, [&](const std::string& id) {
+      return is_with_the_others(id, subject, scope).value_or(Truth::unknown);
+    });
+    return negated ? negation(result) : result;
+  }
   if (auto together = are_in_one(subject, scope))
     return negated ? negation(*together) : *together;
-  // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
-  const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
-                            !is_plural(subject) && !bound_.contains(subject.name);
   return quantified(
     subject,
     [&](const std::string& id) {
-      auto result =
-        e.proposition == "have" ? has(id, scope) : is(id, scope, is_among_all ? nullptr : &subject);
+      auto result = is_so_of(e, id);
       return negated ? denial(id, scope, result, &subject) : result;
     },
     landmarks_of(scope));
+}
+
+Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
+  auto& scope = need(ascription, "Cop-Scope");
+  if (ascription.proposition == "have")
+    return has(id, scope);
+  auto& subject = need(ascription, "Cop-Restr");
+  // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
+  const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
+                            !is_plural(subject) && !bound_.contains(subject.name);
+  return is(id, scope, is_among_all ? nullptr : &subject);
 }
 
 /// "The cube has a ball beside it", "the ball has a different colour".
@@ -181,7 +202,10 @@ Truth Evaluation::existence(const Nominal& subject) {
     auto& other = need(subject, "Next");
     if (const auto* region = dependent(form_, other, "Location"))
       if (const auto* whole = dependent(form_, *region, "Anchor");
-          whole != nullptr && feature(*whole, "Delimitation") == "same") {
+          whole != nullptr &&
+          (feature(*whole, "Delimitation") == "same" ||
+           (within_.empty() && is_container_phrase(*whole) && !is_definite(*whole)))) {
+        const ScopedElement place{modifiers_, other.name + ' ' + region->name};
         auto all = subject;
         all.relations.push_back({"Location", region->name});
         return in_each(all, *region, *whole);
@@ -189,13 +213,39 @@ Truth Evaluation::existence(const Nominal& subject) {
     if (dependent(form_, one, "Accompaniment") != nullptr && is_container_noun(one.proposition) &&
         !is_container_noun(other.proposition) && subject.proposition == "and")
       return there_are(one, [&](const std::string& id) { return contains(id, other); });
-    auto first = existence(need(subject, "First"));
-    auto next = existence(need(subject, "Next"));
+    if (auto related = one_and_its_own(one, other); related && subject.proposition == "and")
+      return *related;
+    auto first = existence(one);
+    auto next = existence(other);
     if (subject.proposition == "nor")
       return both(negation(first), negation(next));
     return subject.proposition == "or" ? either(first, next) : both(first, next);
   }
   return there_are(subject, [](auto&) { return Truth::yes; });
+}
+
+/// The "it" in a phrase that stands for nothing said before; null if there is none.
+const Nominal* Evaluation::pronoun_in(const Nominal& phrase) {
+  for (auto& x : part_of(form_, phrase.name).nominals)
+    if (x.proposition == "it" && is_pronoun(x) && !bound_.contains(x.name) &&
+        antecedents_of(x.name).empty())
+      return find_nominal(form_, x.name);
+  return nullptr;
+}
+
+/// "A box and a ball on it": "it" is the box. Nothing for "a ball and a cube in it".
+std::optional<Truth> Evaluation::one_and_its_own(const Nominal& one, const Nominal& other) {
+  const auto* pronoun = pronoun_in(other);
+  if (one.sort != "thing" || is_plural(one) || pronoun == nullptr)
+    return std::nullopt;
+  const auto* region = dependent(form_, other, "Location");
+  if (region != nullptr && region->proposition == "in" && !is_container_phrase(one))
+    return std::nullopt;
+  return there_are(one, [&](const std::string& id) {
+    ScopedBinding binding{bound_, pronoun->name};
+    binding.set(id);
+    return existence(other);
+  });
 }
 
 /// Whether one number is greater than another, or what else the word says.

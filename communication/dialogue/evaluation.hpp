@@ -103,6 +103,15 @@ public:
   Truth quantified(const Nominal& phrase, const std::function<Truth(const std::string&)>& scope,
                    const std::vector<std::string>& landmarks = {});
 
+  /// Whether an ascription is so of a thing, if that is its subject.
+  Truth is_so_of(const Nominal& ascription, const std::string& id);
+
+  /// "A box", "one of the towers": what things are in.
+  bool is_container_phrase(const Nominal& phrase);
+
+  /// How many of the things that a phrase describes are in a container.
+  Count number_inside(const std::string& container, const Nominal& phrase);
+
 private:
   using Property = std::function<Truth(const std::string&)>;
   using Things = std::vector<std::string>;
@@ -112,6 +121,8 @@ private:
   Truth ascription(const Nominal& e);
   Truth about_qualities(const Nominal& subject, const Nominal& scope);
   Truth existence(const Nominal& subject);
+  const Nominal* pronoun_in(const Nominal& phrase);
+  std::optional<Truth> one_and_its_own(const Nominal& one, const Nominal& other);
   static Truth compared(const std::string& word, const Count& a, const Count& b);
   Truth compared_counts(const Nominal& subject, const Nominal& quantity);
   Truth collectively(const Nominal& subject, const Nominal& comparison);
@@ -121,10 +132,14 @@ private:
   // -- containers and what is in them (evaluation_containers.cpp)
   bool is_in_each(const Nominal& container);
   Truth there_are(const Nominal& subject, const Property& scope);
+  Truth contains_both(const std::string& container, const Nominal& both_of);
+  Nominal with_bound_of(const Nominal& first, Nominal next);
+  Truth has_end(const std::string& container, const Nominal& end);
   Truth contains(const std::string& container, const Nominal& what);
   Truth only_these(const Nominal& phrases, const Nominal& first, const Property& scope);
   Truth in_each(const Nominal& subject, const Nominal& region, const Nominal& container);
   std::optional<Truth> are_in_one(const Nominal& subject, const Nominal& scope);
+  std::optional<Truth> of_own_things(const Nominal& phrase, const Property& scope);
   std::optional<Truth> agreed_by_all(const Nominal& phrase, const Property& scope);
   Truth has_some_of_each(const Nominal& what);
   static bool is_after_noun(const Nominal& phrase, const std::string& modifier);
@@ -138,7 +153,7 @@ private:
   std::optional<Truth> is_named_by_sense(const std::string& id, const Nominal& phrase);
   Things items(const std::string& container);
 
-  // -- what is said of several things together (evaluation_containers.cpp)
+  // -- what is said of several things together (evaluation_together.cpp)
   const Nominal* collective_modifier(const Nominal& phrase);
   Truth collectively(const Nominal& phrase, const Nominal& modifier, const Property& scope);
   Truth distinct_values(const Things& things, const Nominal& quality);
@@ -146,6 +161,8 @@ private:
   Truth differs_from_context(const std::string& id, const Nominal& comparison);
 
   // -- places in containers (evaluation_places.cpp)
+  bool is_side_of_container(const Nominal& phrase);
+  bool is_end_of_some(const Nominal& phrase);
   std::optional<Truth> is_in_container_part(const std::string& id, const Nominal& region);
   Truth touches(const std::string& id, const Nominal& region, const Nominal& anchor);
   Truth touches_side(const std::string& id, const Nominal& side, double slack);
@@ -154,6 +171,7 @@ private:
   Truth of_own_container(const std::string& id, const Nominal& container, const Property& scope);
   Truth is_between_some(const std::string& id, const Nominal& anchor);
   Truth is_in_middle(const std::string& id, const std::string& container);
+  bool is_mutual(const Nominal& region);
   std::optional<Truth> is_with_the_others(const std::string& id, const Nominal& phrase,
                                           const Nominal& region);
 

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace castor::communication {
@@ -14,10 +12,6 @@ namespace castor::communication {
 namespace {
 
 using binding::FeatureKind;
-
-/// "Base-colour" speaks of the colour of the block at the base.
-constexpr std::string_view colour_of_base = "base-colour";
-constexpr std::string_view colour_of_top = "top-colour";
 
 } // namespace
 
@@ -41,6 +35,13 @@ bool Evaluation::is_container_noun(const std::string& noun) {
     return is_container(id) &&
            scene_.has(id, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes;
   });
+}
+
+/// "A box", "one of the towers".
+bool Evaluation::is_container_phrase(const Nominal& phrase) {
+  const auto* group = dependent(form_, phrase, "PartOf");
+  return phrase.sort == "thing" &&
+         is_container_noun((group == nullptr ? phrase : *group).proposition);
 }
 
 /// Other than what the phrase may mean while a container is spoken about.
@@ -86,8 +87,10 @@ Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
   for (auto& [mode, name] : subject.relations) {
     const auto* region = mode == "Location" ? find_nominal(form_, name) : nullptr;
     const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
-    if (whole != nullptr && within_.empty() && is_container_noun(whole->proposition) &&
-        is_in_each(*whole))
+    // "Two blue squares in a box" are in one box.
+    if (whole != nullptr && within_.empty() && is_container_phrase(*whole) &&
+        (is_in_each(*whole) || (region->proposition == "in" && is_plural(subject) &&
+                                feature(*whole, "Delimitation") == "existential")))
       return in_each(subject, *region, *whole);
   }
   if (subject.sort == "quality") {
@@ -109,18 +112,28 @@ Truth Evaluation::there_are(const Nominal& subject, const Property& scope) {
 }
 
 Truth Evaluation::contains(const std::string& container, const Nominal& what) {
-  if (what.sort == "conjunction" && feature(what, "Focus") != "only") {
-    auto first = contains(container, need(what, "First"));
-    auto next = contains(container, need(what, "Next"));
-    return what.proposition == "or" ? either(first, next) : both(first, next);
+  if (what.sort == "conjunction" && feature(what, "Focus") != "only")
+    return contains_both(container, what);
+  if (what.sort == "place")
+    return has_end(container, what);
+  const auto* quantity = dependent(form_, what, "Quantity");
+  const auto* than = quantity == nullptr || quantity->sort != "comparison"
+                       ? nullptr
+                       : dependent(form_, *quantity, "Than");
+  // "More items than the second box."
+  if (than != nullptr && is_container_phrase(*than)) {
+    const auto number = number_inside(container, what);
+    return quantified(*than, [&](const std::string& other) {
+      return compared(quantity->proposition, number, number_inside(other, what));
+    });
   }
   ScopedValue within{within_, container};
-  if (const auto* quantity = dependent(form_, what, "Quantity");
-      quantity != nullptr && quantity->sort == "comparison")
+  if (quantity != nullptr && quantity->sort == "comparison")
     return compared_counts(what, *quantity);
   auto result = has_some_of_each(what);
   if (what.sort == "thing" && feature(what, "Delimitation") == "all" &&
-      dependent(form_, what, "Quantity") == nullptr && !items(container).empty())
+      dependent(form_, what, "Quantity") == nullptr && !items(container).empty() &&
+      collective_modifier(what) == nullptr)
     // "A tower with all yellow blocks."
     for (auto& id : items(container))
       result = both(result, fits(id, what));
@@ -138,6 +151,65 @@ Truth Evaluation::contains(const std::string& container, const Nominal& what) {
       result = both(result, there_are(alone, [](auto&) { return Truth::yes; }));
   }
   return result;
+}
+
+/// "A circle and a square", "a ball and a cube in it", "a circle or a square".
+Truth Evaluation::contains_both(const std::string& container, const Nominal& both_of) {
+  auto first = need(both_of, "First");
+  auto next = need(both_of, "Next");
+  // What is said of both is said of each.
+  for (auto& x : both_of.relations)
+    if (x.mode != "First" && x.mode != "Next")
+      for (auto* one : {&first, &next})
+        one->relations.push_back(x);
+  if (const auto* it = pronoun_in(next); it != nullptr && both_of.proposition == "and") {
+    ScopedValue within{within_, container};
+    if (auto related = one_and_its_own(first, next))
+      return *related;
+    ScopedBinding binding{bound_, it->name};
+    binding.set(container);
+    return both(contains(container, first), contains(container, next));
+  }
+  auto has_first = contains(container, first);
+  auto has_next = contains(container, with_bound_of(first, next));
+  if (both_of.proposition == "nor")
+    return both(negation(has_first), negation(has_next));
+  return both_of.proposition == "or" ? either(has_first, has_next) : both(has_first, has_next);
+}
+
+/// "At least one circle and one square": at least one of both.
+Nominal Evaluation::with_bound_of(const Nominal& first, Nominal next) {
+  const auto* quantity = dependent(form_, first, "Quantity");
+  const auto* other = dependent(form_, next, "Quantity");
+  if (quantity != nullptr && other != nullptr && quantity->proposition == other->proposition &&
+      feature(*quantity, "Bound") == "at_least" && feature(*other, "Bound").empty())
+    for (auto& x : next.relations)
+      if (x.mode == "Quantity")
+        x.dependent = quantity->name;
+  return next;
+}
+
+/// "A tower with a black base".
+Truth Evaluation::has_end(const std::string& container, const Nominal& end) {
+  const bool is_top = end.proposition == "top";
+  if ((!is_top && end.proposition != "base" && end.proposition != "bottom") ||
+      !scene_.knows_relation("on") || dependent(form_, end, "Quantity") != nullptr)
+    not_understood(end.proposition);
+  auto result = Truth::no;
+  for (auto& id : items(container)) {
+    auto truth = is_at_end(id, container, is_top);
+    for (auto& [mode, name] : end.relations)
+      if (const auto* x = find_nominal(form_, name); x != nullptr && !is_pronoun(*x))
+        truth = both(truth, modified(id, end, mode, *x));
+    result = either(result, truth);
+  }
+  return result;
+}
+
+/// How many of the things that a phrase describes are in a container.
+Count Evaluation::number_inside(const std::string& container, const Nominal& phrase) {
+  ScopedValue within{within_, container};
+  return described(phrase).count();
 }
 
 /// "Only two yellow and one black item are touching the wall": nothing else is.
@@ -173,23 +245,74 @@ Truth Evaluation::in_each(const Nominal& subject, const Nominal& region, const N
 /// Containers that things are in one by one.
 bool Evaluation::is_in_each(const Nominal& container) {
   const auto delimited = feature(container, "Delimitation");
+  // "No ball in any of the boxes".
+  if (delimited == "any")
+    return false;
   return delimited == "all" || delimited == "same" ||
          dependent(form_, container, "Quantity") != nullptr ||
          dependent(form_, container, "PartOf") != nullptr;
 }
 
-/// "All blue items are in the same box."
+/// "All blue items are in the same box", "exactly five items are in one of the boxes": together.
 std::optional<Truth> Evaluation::are_in_one(const Nominal& subject, const Nominal& scope) {
-  const auto* anchor = scope.sort == "region" ? dependent(form_, scope, "Anchor") : nullptr;
-  if (anchor == nullptr || feature(*anchor, "Delimitation") != "same")
+  const auto* anchor = scope.sort == "region" && scope.proposition == "in"
+                         ? dependent(form_, scope, "Anchor")
+                         : nullptr;
+  if (anchor == nullptr || bound_.contains(subject.name) || !is_in_each(*anchor))
     return std::nullopt;
+  auto are_in = [&](const std::string& container) {
+    return quantified(subject, [&](const std::string& id) {
+      return scene_.is_related(binding::containment_label, id, container);
+    });
+  };
+  if (feature(*anchor, "Delimitation") != "same") {
+    const auto* group = dependent(form_, *anchor, "PartOf");
+    const bool may_be_container =
+      is_container_phrase(*anchor) || (group != nullptr && group->proposition == "square");
+    return may_be_container && within_.empty() && !is_negated(scope)
+             ? std::optional{quantified(*anchor, are_in)}
+             : std::nullopt;
+  }
   auto result = Truth::no;
   const auto candidates = described(*anchor);
   for (auto& container : candidates.best())
-    result = either(result, quantified(subject, [&](const std::string& id) {
-                      return scene_.is_related(binding::containment_label, id, container);
-                    }));
+    result = either(result, are_in(container));
   return result;
+}
+
+/// "The base of a tower is blue", "all blocks in one tower are": of each container that is meant
+/// its own.
+std::optional<Truth> Evaluation::of_own_things(const Nominal& phrase, const Property& scope) {
+  const bool is_universal = feature(phrase, "Delimitation") == "all";
+  if ((!is_definite_phrase(phrase) && !is_universal) || is_pronoun(phrase) || !within_.empty())
+    return std::nullopt;
+  for (auto& [mode, name] : phrase.relations) {
+    const auto* region = mode == "Location" ? find_nominal(form_, name) : nullptr;
+    const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
+    if (whole == nullptr || is_negated(*region) || is_pronoun(*whole) ||
+        (is_definite(*whole) && !is_plural(*whole)) || !is_container_phrase(*whole))
+      continue;
+    auto& place = region->proposition;
+    const bool is_end = place == "base" || place == "top";
+    if (!is_end && (place != "in" || is_definite(*whole)))
+      continue;
+    auto own = phrase;
+    std::erase_if(own.relations, [&](auto& x) { return x.dependent == name; });
+    return quantified(*whole, [&](const std::string& container) {
+      ScopedValue within{within_, container};
+      Count so;
+      Count not_so;
+      for (auto& id : items(container)) {
+        if (fits(id, own) != Truth::yes ||
+            (is_end && is_at_end(id, container, place == "top") != Truth::yes))
+          continue;
+        so.add(scope(id));
+        not_so.add(negation(scope(id)));
+      }
+      return both(is_within(so, {1}), is_within(not_so, {0, 0}));
+    });
+  }
+  return std::nullopt;
 }
 
 /// What is so of all things that one phrase may mean, so that it need not be known which one is
@@ -237,6 +360,10 @@ bool Evaluation::is_after_noun(const Nominal& phrase, const std::string& modifie
 
 /// "With four blocks", "of black colour", "with a ball beside it".
 Truth Evaluation::accompanied(const std::string& id, const Nominal& phrase, const Nominal& what) {
+  // "Three items including a circle": it is in the same container.
+  if ((what.sort == "thing" || what.sort == "conjunction") && !is_container(id) &&
+      !within_.empty() && !has_pronoun(what))
+    return contains(within_, what);
   if (what.sort != "quality" || is_container(id))
     return has(id, what);
   auto result = Truth::yes;
@@ -262,17 +389,28 @@ Truth Evaluation::discourse(const Nominal& first, const Nominal& next) {
   const bool is_about_it = subject != nullptr && subject->sort == "thing" && is_known &&
                            !is_negated(first) &&
                            (is_pronoun(*topic) || is_container_noun(subject->proposition));
+  // "One tower has three blocks, and the base is blue."
+  const auto* owner = first.sort == "ascription" ? dependent(form_, first, "Cop-Restr") : nullptr;
+  if (owner != nullptr && is_known && is_container_phrase(*owner) && !is_definite(*owner) &&
+      !is_negated(first) && !is_pronoun(*topic) && first.proposition == "have")
+    return quantified(*owner, [&](const std::string& id) {
+      ScopedValue within{within_, id};
+      return both(has(id, need(first, "Cop-Scope")), clause(next));
+    });
   if (!is_about_it)
     return both(clause(first), clause(next));
-  return there_are(*subject, [&](const std::string& id) {
-    if ((is_pronoun(*topic) && !is_plural(*topic)) || topic->proposition == subject->proposition) {
-      ScopedBinding binding{bound_, topic->name};
-      binding.set(id);
-      return clause(next);
-    }
-    ScopedValue within{within_, id};
-    return clause(next);
-  });
+  // "There is only one ball, and it is red": there is no other ball either.
+  const auto alone = feature(*subject, "Focus") == "only" ? existence(*subject) : Truth::yes;
+  return both(alone, there_are(*subject, [&](const std::string& id) {
+                if ((is_pronoun(*topic) && !is_plural(*topic)) ||
+                    topic->proposition == subject->proposition) {
+                  ScopedBinding binding{bound_, topic->name};
+                  binding.set(id);
+                  return clause(next);
+                }
+                ScopedValue within{within_, id};
+                return clause(next);
+              }));
 }
 
 /// "The black one" of a container; there need be none.
@@ -293,143 +431,6 @@ Truth Evaluation::definite_inside(const Nominal& phrase, const Property& scope) 
   for (auto& id : things)
     result = is_plural(phrase) ? both(result, scope(id)) : either(result, scope(id));
   return result;
-}
-
-// -- what is said of several things together
-
-/// "Blocks of the same colour", "items of only one colour": not said of each of them.
-const Nominal* Evaluation::collective_modifier(const Nominal& phrase) {
-  if (phrase.sort != "thing" || !is_plural(phrase) || bound_.contains(phrase.name))
-    return nullptr;
-  for (auto& [mode, name] : phrase.relations) {
-    const auto* x = find_nominal(form_, name);
-    if (x == nullptr)
-      continue;
-    if (mode == "Members")
-      return x;
-    // "That are the same colour".
-    if (const auto* scope = dependent(form_, *x, "Cop-Scope");
-        mode == "GenRelation" && scope != nullptr && scope->sort == "comparison" &&
-        dependent(form_, *scope, "Than") == nullptr &&
-        dependent(form_, *x, "Cop-Restr") == find_nominal(form_, phrase.name))
-      return scope;
-    if (mode == "Property" && x->sort == "comparison" &&
-        dependent(form_, *x, "Quality") != nullptr && dependent(form_, *x, "Than") == nullptr)
-      return x;
-    if (mode == "Accompaniment" && x->sort == "quality" && !is_container_noun(phrase.proposition) &&
-        (dependent(form_, *x, "Quantity") != nullptr || feature(*x, "Delimitation") == "all"))
-      return x;
-  }
-  return nullptr;
-}
-
-Truth Evaluation::collectively(const Nominal& phrase, const Nominal& modifier,
-                               const Property& scope) {
-  Things things;
-  const auto candidates = described(phrase);
-  for (auto& id : candidates.best())
-    if (scope(id) == Truth::yes)
-      things.push_back(id);
-  if (!scene_.open_questions().empty())
-    return Truth::unknown;
-  const auto* quantity = dependent(form_, phrase, "Quantity");
-  auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
-  const bool is_definite_or_all = is_definite(phrase) || feature(phrase, "Delimitation") == "all";
-  if (modifier.sort == "ascription")
-    return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{1})),
-                clause(modifier));
-  if (modifier.sort == "quality") {
-    const auto number = Count{things.size(), things.size()};
-    return both(is_within(number, range.value_or(NumberRange{1})),
-                distinct_values(things, modifier));
-  }
-  auto& quality = need(modifier, "Quality");
-  std::map<std::string, std::size_t> groups;
-  for (auto& id : things) {
-    auto value = value_of(id, quality);
-    if (!value)
-      return Truth::unknown;
-    ++groups[*value];
-  }
-  std::size_t largest = 0;
-  for (auto& [value, size] : groups)
-    largest = std::max(largest, size);
-  if (modifier.proposition == "same") {
-    if (is_definite_or_all)
-      return truth_of(groups.size() == 1);
-    return is_within({largest, largest}, range.value_or(NumberRange{2}));
-  }
-  if (modifier.proposition != "different")
-    not_understood(modifier.proposition);
-  return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{2})),
-              truth_of(largest == 1));
-}
-
-/// "Only one colour", "all three colours".
-Truth Evaluation::distinct_values(const Things& things, const Nominal& quality) {
-  std::set<std::string> values;
-  for (auto& id : things)
-    if (auto value = value_of(id, quality))
-      values.insert(*value);
-  const Count number{values.size(), values.size()};
-  if (const auto* quantity = dependent(form_, quality, "Quantity")) {
-    auto range = number_range(*quantity);
-    if (quantity->proposition == "several" || quantity->proposition == "multiple")
-      range = NumberRange{2};
-    if (!range)
-      not_understood(quantity->proposition);
-    return is_within(number, *range);
-  }
-  if (feature(quality, "Delimitation") == "all") {
-    std::set<std::string> all;
-    for (auto& id : scene_.things())
-      if (!is_container(id))
-        if (auto value = value_of(id, quality))
-          all.insert(*value);
-    return truth_of(values == all);
-  }
-  return is_within(number, {is_plural(quality) ? std::size_t{2} : std::size_t{1}});
-}
-
-/// A thing's colour, its number of blocks...
-std::optional<std::string> Evaluation::value_of(const std::string& id, const Nominal& quality) {
-  auto& name = quality.proposition;
-  if (name == "height" || name == "number" || (name == "size" && is_container(id))) {
-    const auto* owner = dependent(form_, quality, "Owner");
-    std::size_t number = 0;
-    for (auto& item : items(id))
-      number += owner == nullptr || fits(item, *owner) == Truth::yes ? 1 : 0;
-    return is_container(id) ? std::optional{std::to_string(number)} : std::nullopt;
-  }
-  const bool is_top = name == colour_of_top || name == "top";
-  if (is_top || name == colour_of_base || name == "base" || name == "bottom") {
-    for (auto& item : items(id))
-      if (is_at_end(item, id, is_top) == Truth::yes)
-        return value_of(item, {"", "quality", "colour", {}, {}});
-    return std::nullopt;
-  }
-  auto kind = name == "kind" ? FeatureKind::shape : kind_of_quality(name);
-  if (!kind)
-    not_understood(name);
-  auto words = scene_.words(id, *kind);
-  if (!words.empty())
-    return words.front();
-  std::set<std::string> values;
-  for (auto& item : items(id))
-    for (auto& word : scene_.words(item, *kind))
-      values.insert(word);
-  return values.size() == 1 ? std::optional{*values.begin()} : std::nullopt;
-}
-
-/// "A block over a different coloured block".
-Truth Evaluation::differs_from_context(const std::string& id, const Nominal& comparison) {
-  auto& quality = need(comparison, "Quality");
-  auto shared = shares(id, related_, quality.proposition);
-  if (comparison.proposition == "same")
-    return shared;
-  if (comparison.proposition != "different")
-    not_understood(comparison.proposition);
-  return negation(shared);
 }
 
 } // namespace castor::communication

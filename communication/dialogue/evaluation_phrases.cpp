@@ -230,7 +230,7 @@ Truth Evaluation::quantified(const Nominal& phrase, const Property& scope,
     return result;
   // Nothing else is so.
   for (auto& id : scene_.things())
-    if (!is_container(id) || is_one_of(id, phrase) != Truth::no)
+    if (!is_outside(id, phrase) && (!is_container(id) || is_one_of(id, phrase) != Truth::no))
       result = both(result, either(negation(scope(id)), is_one_of(id, phrase)));
   return result;
 }
@@ -253,6 +253,8 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     return definite_inside(phrase, scope);
   if (const auto* modifier = collective_modifier(phrase))
     return collectively(phrase, *modifier, scope);
+  if (auto owned = of_own_things(phrase, scope))
+    return *owned;
   if (is_definite_phrase(phrase)) {
     if (auto agreed = agreed_by_all(phrase, scope))
       return *agreed;
@@ -454,6 +456,11 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
   }
   if (mode == "Owner" || mode == "Name")
     not_understood(x.proposition);
+  // "One black and two blue blocks" is no block that is black and two blue ones.
+  if (mode == "Property" && x.sort == "conjunction")
+    for (const auto* part : {"First", "Next"})
+      if (need(x, part).sort == "thing")
+        not_understood(x.proposition);
   // "Two different boxes" are two.
   if (mode == "Property" && x.sort == "property" && x.proposition == "different")
     return Truth::yes;

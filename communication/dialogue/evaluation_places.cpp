@@ -82,6 +82,19 @@ bool lies_between(const Body& x, const Body& a, const Body& b) {
 
 } // namespace
 
+/// "The edge", "a corner": no thing of its own.
+bool Evaluation::is_side_of_container(const Nominal& phrase) {
+  return (side_of(phrase) != nullptr || is_corner(phrase)) && has_containers();
+}
+
+/// "The base of a tower": whichever is at the base of one.
+bool Evaluation::is_end_of_some(const Nominal& phrase) {
+  const auto* region = dependent(form_, phrase, "Location");
+  const auto* whole = region == nullptr ? nullptr : dependent(form_, *region, "Anchor");
+  return whole != nullptr && is_definite(phrase) && is_container_phrase(*whole) &&
+         !is_definite(*whole) && (region->proposition == "base" || region->proposition == "top");
+}
+
 /// Places that only what is in containers has: at the top or the base of a tower, in contact with a
 /// side of a box. Nothing for other places.
 std::optional<Truth> Evaluation::is_in_container_part(const std::string& id,
@@ -93,6 +106,8 @@ std::optional<Truth> Evaluation::is_in_container_part(const std::string& id,
       not_understood(place);
     return touches(id, region, *anchor);
   }
+  if (place == "at" && anchor != nullptr && anchor->sort == "conjunction")
+    not_understood(place);
   if ((place == "near" || place == "next_to") && anchor != nullptr &&
       (is_corner(*anchor) || side_of(*anchor) != nullptr))
     return touches_side(id, *anchor, nearly_contact);
@@ -145,6 +160,15 @@ Truth Evaluation::touches(const std::string& id, const Nominal& region, const No
     auto first = touches(id, region, need(anchor, "First"));
     auto next = touches(id, region, need(anchor, "Next"));
     return anchor.proposition == "or" ? either(first, next) : both(first, next);
+  }
+  // "One of the sides".
+  if (const auto* sides_of_it = dependent(form_, anchor, "PartOf");
+      sides_of_it != nullptr && is_side_of_container(*sides_of_it)) {
+    auto some = *sides_of_it;
+    if (const auto* quantity = dependent(form_, anchor, "Quantity");
+        quantity != nullptr && quantity->proposition != "one")
+      some.relations.push_back({"Quantity", quantity->name});
+    return touches(id, region, some);
   }
   const bool is_close = region.proposition == "touching";
   if (is_corner(anchor))
@@ -285,19 +309,32 @@ Truth Evaluation::is_in_middle(const std::string& id, const std::string& contain
   return Truth::yes;
 }
 
+/// Where things are to one another.
+bool Evaluation::is_mutual(const Nominal& region) {
+  auto& place = region.proposition;
+  return region.sort == "region" &&
+         (place == "stacked-together" || place == "touching-each-other" ||
+          (place == "near-each-other" && has_containers()));
+}
+
 /// "Two blocks stacked together", "circles touching each other": each is so of another of them.
 std::optional<Truth> Evaluation::is_with_the_others(const std::string& id, const Nominal& phrase,
                                                     const Nominal& region) {
-  const bool is_stacked = region.proposition == "stacked-together";
-  if (region.sort != "region" || (!is_stacked && region.proposition != "touching-each-other"))
+  if (!is_mutual(region))
     return std::nullopt;
+  auto& place = region.proposition;
+  if (!is_plural(phrase) && phrase.sort != "conjunction")
+    not_understood(place);
+  const bool is_stacked =
+    place == "stacked-together" || (place == "near-each-other" && scene_.knows_relation("on"));
   auto result = Truth::no;
   for (auto& other : scene_.things()) {
     if (other == id || is_container(other))
       continue;
     auto together =
       is_stacked ? either(scene_.is_related("on", id, other), scene_.is_related("on", other, id))
-                 : touches_thing(id, other, contact);
+      : place == "near-each-other" ? scene_.is_related("near", id, other)
+                                   : touches_thing(id, other, contact);
     if (together != Truth::no)
       result = either(result, both(together, fits_but_for(other, phrase, region)));
   }

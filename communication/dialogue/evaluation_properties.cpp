@@ -70,7 +70,7 @@ Truth Evaluation::is(const std::string& id, const Nominal& scope, const Nominal*
   else if (scope.sort == "possession")
     result = has(id, need(scope, "Thing"));
   else if (scope.sort == "thing" || scope.sort == "entity") {
-    result = is_one_of(id, scope);
+    result = is_end_of_some(scope) ? fits(id, scope) : is_one_of(id, scope);
     if (feature(scope, "Delimitation") == "none")
       result = negation(result);
   } else
@@ -89,7 +89,7 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          !is_plural(*anchor) && !is_the_table(*anchor))
+          !is_plural(*anchor) && !is_the_table(*anchor) && !is_side_of_container(*anchor))
         add(meant(*anchor));
   return result;
 }

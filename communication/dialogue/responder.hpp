@@ -62,6 +62,14 @@ private:
   Response values_seen(const Nominal& asked);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 
+  // -- why a statement is not so (response_reasons.cpp)
+  std::optional<LogicalForm> reason(const Nominal& said);
+  std::optional<LogicalForm> exception(const Nominal& said, const Nominal& subject,
+                                       const Nominal& scope);
+  std::optional<LogicalForm> what_it_has(const std::string& id, const LogicalForm& owner,
+                                         const Nominal& what);
+  std::optional<LogicalForm> by_position(const std::string& id, const std::string& noun);
+
   // -- replies
   LogicalForm nothing_like(const Nominal& phrase) const;
   LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;

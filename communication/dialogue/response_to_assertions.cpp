@@ -29,6 +29,8 @@ Response Responder::to_assertion(const Nominal& said) {
     return {RhetoricalRelation::answer, {}, "I do not know whether that is so.", {}};
   if (truth != Truth::no)
     return accept();
+  if (auto why = reason(said))
+    return correct(with_marker("no", *std::move(why)));
   if (said.sort == "existence" || said.sort == "perception") {
     auto& subject = need(said, said.sort == "existence" ? "Subject" : "Patient");
     if (!is_negated(said) && subject.sort == "thing") {
@@ -46,7 +48,12 @@ Response Responder::to_assertion(const Nominal& said) {
       !is_definite(*restriction) || is_plural(*restriction) ||
       !feature(*restriction, "Focus").empty())
     return correct(marker("no"));
-  auto things = evaluation_.meant(*restriction);
+  Things things;
+  try {
+    things = evaluation_.meant(*restriction);
+  } catch (const Uninterpretable&) {
+    // It is so of none of those that may be meant.
+  }
   if (things.size() != 1)
     return correct(marker("no"));
   if (is_negated(said) || is_negated(*scope))

@@ -16,6 +16,9 @@ constexpr std::size_t shortest_word = 3;
 /// In shorter words, another letter makes another word.
 constexpr std::size_t shortest_with_another_letter = 5;
 
+/// Shorter words of which that is not so: they are said too often for a rare word to be meant.
+constexpr std::array frequent_words{"with", "that", "have", "over", "each", "from", "than", "blue"};
+
 bool is_without_one_letter(std::string_view longer, std::string_view shorter) {
   if (longer.size() != shorter.size() + 1)
     return false;
@@ -38,8 +41,10 @@ bool is_a_letter_off(std::string_view word, std::string_view known) {
   if (begin + 1 < word.size() && word[begin] == known[begin + 1] &&
       word[begin + 1] == known[begin] && rest(word, 2) == rest(known, 2))
     return true;
-  return begin < word.size() && word.size() >= shortest_with_another_letter &&
-         rest(word, 1) == rest(known, 1);
+  const bool may_have_another_letter =
+    word.size() >= shortest_with_another_letter ||
+    (begin > 0 && std::ranges::find(frequent_words, known) != frequent_words.end());
+  return begin < word.size() && may_have_another_letter && rest(word, 1) == rest(known, 1);
 }
 
 /// Words that others are often written together with.
@@ -86,10 +91,13 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
         return word + letter;
     return {};
   }
-  for (auto& known : lexicon.suggestions(word, 8))
-    if (is_a_letter_off(word, known))
-      return known;
-  return {};
+  auto known = lexicon.suggestions(word, 8);
+  std::erase_if(known, [&](auto& x) { return !is_a_letter_off(word, x); });
+  // The first letter is seldom wrong.
+  auto found = std::ranges::find(known, word.front(), [](auto& x) { return x.front(); });
+  if (found != known.end())
+    return *found;
+  return known.empty() ? std::string{} : known.front();
 }
 
 } // namespace

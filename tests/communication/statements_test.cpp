@@ -98,6 +98,38 @@ TEST(Statements, SayWhatATowerConsistsOf) {
                     {"All towers have a blue block.", false}});
 }
 
+TEST(Statements, SayHowHighTowersAreAndWhereTheyBeginAndEnd) {
+  expect(towers(), {{"There is a tower of height three.", true},
+                    {"There is only one tower that is exactly three blocks high.", true},
+                    {"There is a tower with three or more blocks.", true},
+                    {"There is a tower topped with a black block.", false},
+                    {"There is one tower that starts with a blue block.", true},
+                    {"There is a tower with a black base and a yellow top.", true},
+                    {"The base of a tower is yellow.", true},
+                    {"The top of at least two towers is blue.", false},
+                    {"Two blue blocks are stacked on each other.", true},
+                    {"Exactly two of the towers have the same height.", false}});
+}
+
+TEST(Statements, SayWhatIsInOneContainer) {
+  expect(boxes(), {{"All yellow items are in one box.", false},
+                   {"Exactly three items are inside one of the boxes.", true},
+                   {"There is a black circle and a blue square in one box.", true},
+                   {"All the items in one box are triangles.", true},
+                   {"In one box there are only triangles.", true},
+                   {"There is no blue circle in any of the boxes.", true},
+                   {"There is no black circle in any of the boxes.", false},
+                   {"The third box contains more items than the first box.", true},
+                   {"The first box contains more items than the second box.", false},
+                   {"One box has exactly three items, and the circle is black.", true},
+                   {"There is a box with two items, the square is blue.", true}});
+}
+
+TEST(Statements, GoOnAboutAnIndefiniteThing) {
+  expect(towers(), {{"There is a black block and a blue block on top of it.", true},
+                    {"There is a black block and a yellow block on top of it.", false}});
+}
+
 TEST(Statements, SayWhatIsOnWhat) {
   expect(towers(), {{"There is a blue block on a black block.", true},
                     {"There is a yellow block above a black block.", false},
@@ -115,7 +147,11 @@ TEST(Statements, SayWhatTouchesWalls) {
                    {"There is a yellow triangle touching the bottom of a box.", true},
                    {"There is a yellow triangle touching the top.", false},
                    {"The blue square is touching the left wall.", false},
-                   {"There are two black circles touching an edge.", false}});
+                   {"There are two black circles touching an edge.", false},
+                   {"The blue square is touching one of the sides.", true},
+                   {"At least three yellow items do not touch the edge.", true},
+                   {"Exactly one black circle is away from the edges.", true},
+                   {"Only one color touches the bottom.", true}});
   EXPECT_EQ(judgement(towers(), "There is only one color touching the wall."), "false");
 }
 
@@ -149,6 +185,26 @@ TEST(Statements, AreContradictedWithAReason) {
   EXPECT_EQ(reply(towers(), "There are two black blocks."), "No, there is one black block.");
   EXPECT_EQ(reply(towers(), "There are two blue blocks."), "No, there are three blue blocks.");
   EXPECT_EQ(reply(boxes(), "There is a blue circle."), "I do not see a blue circle.");
+}
+
+TEST(Statements, AreContradictedByTheContainerThatIsOtherwise) {
+  EXPECT_EQ(reply(boxes(), "Every box has two items."), "No, the third box has three objects.");
+  EXPECT_EQ(reply(boxes(), "The second box has three triangles."),
+            "No, the second box has two triangles.");
+  EXPECT_EQ(reply(boxes(), "Each box has a black circle."),
+            "No, the second box has no black circle.");
+  EXPECT_EQ(reply(boxes(), "All boxes have only yellow items."),
+            "No, the leftmost box has a black circle.");
+  EXPECT_EQ(reply(towers(), "All towers have a blue block."),
+            "No, the third tower has no blue block.");
+}
+
+TEST(Statements, AreContradictedByHowManyAreSo) {
+  EXPECT_EQ(reply(towers(), "Two towers have a black block."), "No, one tower has a black block.");
+  EXPECT_EQ(reply(towers(), "One of the towers has a blue block."),
+            "No, two of the towers have a blue block.");
+  EXPECT_EQ(reply(boxes(), "All yellow items are squares."),
+            "No, two yellow objects are not squares.");
 }
 
 TEST(Statements, AreAcceptedIfTheyAreSoOfWhateverMayBeMeant) {

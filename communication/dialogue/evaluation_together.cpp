@@ -1,0 +1,163 @@
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using binding::FeatureKind;
+
+/// "Base-colour" speaks of the colour of the block at the base.
+constexpr std::string_view colour_of_base = "base-colour";
+constexpr std::string_view colour_of_top = "top-colour";
+
+} // namespace
+
+// -- what is said of several things together
+
+/// "Blocks of the same colour", "items of only one colour": not said of each of them.
+const Nominal* Evaluation::collective_modifier(const Nominal& phrase) {
+  if (phrase.sort != "thing" || bound_.contains(phrase.name))
+    return nullptr;
+  for (auto& [mode, name] : phrase.relations) {
+    const auto* x = find_nominal(form_, name);
+    // "One item of every colour": there are several.
+    if (x == nullptr ||
+        (!is_plural(phrase) && (mode != "Accompaniment" || feature(*x, "Delimitation") != "all")))
+      continue;
+    if (mode == "Members")
+      return x;
+    // "That are the same colour".
+    if (const auto* scope = dependent(form_, *x, "Cop-Scope");
+        mode == "GenRelation" && scope != nullptr && scope->sort == "comparison" &&
+        dependent(form_, *scope, "Than") == nullptr &&
+        dependent(form_, *x, "Cop-Restr") == find_nominal(form_, phrase.name))
+      return scope;
+    if (mode == "Property" && x->sort == "comparison" &&
+        dependent(form_, *x, "Quality") != nullptr && dependent(form_, *x, "Than") == nullptr)
+      return x;
+    if (mode == "Accompaniment" && x->sort == "quality" && !is_container_noun(phrase.proposition) &&
+        (dependent(form_, *x, "Quantity") != nullptr || feature(*x, "Delimitation") == "all"))
+      return x;
+  }
+  return nullptr;
+}
+
+Truth Evaluation::collectively(const Nominal& phrase, const Nominal& modifier,
+                               const Property& scope) {
+  Things things;
+  const auto candidates = described(phrase);
+  for (auto& id : candidates.best())
+    if (scope(id) == Truth::yes)
+      things.push_back(id);
+  if (!scene_.open_questions().empty())
+    return Truth::unknown;
+  const auto* quantity = dependent(form_, phrase, "Quantity");
+  auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  const bool is_definite_or_all = is_definite(phrase) || feature(phrase, "Delimitation") == "all";
+  if (modifier.sort == "ascription")
+    return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{1})),
+                clause(modifier));
+  if (modifier.sort == "quality") {
+    const auto number = Count{things.size(), things.size()};
+    return both(is_within(number, range.value_or(NumberRange{1})),
+                distinct_values(things, modifier));
+  }
+  auto& quality = need(modifier, "Quality");
+  if (dependent(form_, quality, "Location") != nullptr)
+    not_understood(quality.proposition);
+  std::map<std::string, std::size_t> groups;
+  for (auto& id : things) {
+    auto value = value_of(id, quality);
+    if (!value)
+      return Truth::unknown;
+    ++groups[*value];
+  }
+  std::size_t largest = 0;
+  for (auto& [value, size] : groups)
+    largest = std::max(largest, size);
+  if (modifier.proposition == "same") {
+    if (is_definite_or_all)
+      return truth_of(groups.size() == 1);
+    return is_within({largest, largest}, range.value_or(NumberRange{2}));
+  }
+  if (modifier.proposition != "different")
+    not_understood(modifier.proposition);
+  return both(is_within({things.size(), things.size()}, range.value_or(NumberRange{2})),
+              truth_of(largest == 1));
+}
+
+/// "Only one colour", "all three colours".
+Truth Evaluation::distinct_values(const Things& things, const Nominal& quality) {
+  std::set<std::string> values;
+  for (auto& id : things)
+    if (auto value = value_of(id, quality))
+      values.insert(*value);
+  const Count number{values.size(), values.size()};
+  if (const auto* quantity = dependent(form_, quality, "Quantity")) {
+    auto range = number_range(*quantity);
+    if (quantity->proposition == "several" || quantity->proposition == "multiple")
+      range = NumberRange{2};
+    if (!range)
+      not_understood(quantity->proposition);
+    return is_within(number, *range);
+  }
+  if (feature(quality, "Delimitation") == "all") {
+    std::set<std::string> all;
+    for (auto& id : scene_.things())
+      if (!is_container(id))
+        if (auto value = value_of(id, quality))
+          all.insert(*value);
+    return truth_of(values == all);
+  }
+  return is_within(number, {is_plural(quality) ? std::size_t{2} : std::size_t{1}});
+}
+
+/// A thing's colour, its number of blocks...
+std::optional<std::string> Evaluation::value_of(const std::string& id, const Nominal& quality) {
+  auto& name = quality.proposition;
+  if (name == "height" || name == "number" || (name == "size" && is_container(id))) {
+    const auto* owner = dependent(form_, quality, "Owner");
+    std::size_t number = 0;
+    for (auto& item : items(id))
+      number += owner == nullptr || fits(item, *owner) == Truth::yes ? 1 : 0;
+    return is_container(id) ? std::optional{std::to_string(number)} : std::nullopt;
+  }
+  const bool is_top = name == colour_of_top || name == "top";
+  if (is_top || name == colour_of_base || name == "base" || name == "bottom") {
+    for (auto& item : items(id))
+      if (is_at_end(item, id, is_top) == Truth::yes)
+        return value_of(item, {"", "quality", "colour", {}, {}});
+    return std::nullopt;
+  }
+  auto kind = name == "kind" ? FeatureKind::shape : kind_of_quality(name);
+  if (!kind)
+    not_understood(name);
+  auto words = scene_.words(id, *kind);
+  if (!words.empty())
+    return words.front();
+  std::set<std::string> values;
+  for (auto& item : items(id))
+    for (auto& word : scene_.words(item, *kind))
+      values.insert(word);
+  return values.size() == 1 ? std::optional{*values.begin()} : std::nullopt;
+}
+
+/// "A block over a different coloured block".
+Truth Evaluation::differs_from_context(const std::string& id, const Nominal& comparison) {
+  auto& quality = need(comparison, "Quality");
+  auto shared = shares(id, related_, quality.proposition);
+  if (comparison.proposition == "same")
+    return shared;
+  if (comparison.proposition != "different")
+    not_understood(comparison.proposition);
+  return negation(shared);
+}
+
+} // namespace castor::communication
