@@ -7,14 +7,17 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "castor/benchmarks/clevr/clevr_camera.hpp"
 #include "castor/benchmarks/clevr/clevr_truth.hpp"
+#include "castor/benchmarks/clevr/damage.hpp"
 #include "castor/benchmarks/clevr/matching.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/outline_fit.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
@@ -40,26 +43,60 @@ Image mirrored(const Image& image) {
   return vision::to_image(result);
 }
 
-/// \param shapes of the objects that `labels` count from 0.
-void add_samples(const Image& image, const cv::Mat_<int>& labels,
-                 const std::vector<std::size_t>& shapes, double weight, std::size_t scene,
-                 std::vector<Sample>& samples) {
-  std::vector<vision::ROI> regions;
-  for (const auto& segment : vision::segment(image))
-    regions.push_back(make_roi(image, segment));
-  std::vector<const vision::ROI*> pointers;
-  for (const auto& region : regions)
-    pointers.push_back(&region);
-  for (const auto& match : match_regions(pointers, labels, shapes.size(), sample_overlap)) {
-    const vision::ROI& roi = regions[match.region];
-    const std::size_t shape = shapes[match.object];
-    for (const auto& evidence : {measure_shape(roi.region, roi.mask),
-                                 measure_shape(mirrored(roi.region), mirrored(roi.mask))}) {
-      if (!evidence.empty())
-        samples.push_back({evidence, shape, weight, scene});
+/// Measures regions whose shape is known.
+class Measurer {
+public:
+  /// \param damages number of damaged variants of each region; together they weigh as much as the
+  ///        region itself.
+  Measurer(int damages, double weight) : damages_(damages), weight_(weight) {
+    // nop
+  }
+
+  /// \param camera the region is compared with what this one would see.
+  /// \param shapes of the objects that `labels` count from 0.
+  void add(const Image& image, const vision::Camera& camera, const cv::Mat_<int>& labels,
+           const std::vector<std::size_t>& shapes, std::size_t scene) {
+    std::mt19937 random(static_cast<std::uint32_t>(scene));
+    std::vector<vision::ROI> regions;
+    for (const auto& segment : vision::segment(image))
+      regions.push_back(make_roi(image, segment));
+    std::vector<const vision::ROI*> pointers;
+    for (const auto& region : regions)
+      pointers.push_back(&region);
+    for (const auto& match : match_regions(pointers, labels, shapes.size(), sample_overlap)) {
+      const vision::ROI& region = regions[match.region];
+      const std::size_t shape = shapes[match.object];
+      add_views(region, camera, shape, weight_, scene);
+      for (int i = 0; i < damages_; ++i)
+        add_views(damaged(region, image, random), camera, shape, weight_ / damages_, scene);
     }
   }
-}
+
+  std::vector<Sample> take() { return std::move(samples_); }
+
+private:
+  /// With and without the camera, and mirrored, which changes nothing in how well shapes fit.
+  void add_views(const vision::ROI& region, const vision::Camera& camera, std::size_t shape,
+                 double weight, std::size_t scene) {
+    if (region.region.bytes.empty())
+      return;
+    const Image mirrored_region = mirrored(region.region);
+    const Image mirrored_mask = mirrored(region.mask);
+    const auto fit = measure_fit(region, camera);
+    for (auto& evidence :
+         {measure_shape(region.region, region.mask, fit),
+          measure_shape(mirrored_region, mirrored_mask, fit),
+          samples_.size() % 2 == 0 ? measure_shape(region.region, region.mask)
+                                   : measure_shape(mirrored_region, mirrored_mask)}) {
+      if (!evidence.empty())
+        samples_.push_back({evidence, shape, weight, scene});
+    }
+  }
+
+  int damages_;
+  double weight_;
+  std::vector<Sample> samples_;
+};
 
 /// Makes up tables.
 class TableMaker {
@@ -97,6 +134,14 @@ public:
     return vision::look_at(
       {level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation)},
       {between(-0.05, 0.05), between(-0.05, 0.05), 0}, between(28, 45), 320, 240);
+  }
+
+  /// A calibration of that camera that is a little off.
+  vision::Camera misjudged(vision::Camera camera) {
+    camera.pose.position.x += between(-0.02, 0.02);
+    camera.pose.position.y += between(-0.02, 0.02);
+    camera.pose.position.z += between(-0.02, 0.02);
+    return camera;
   }
 
   vision::RenderOptions options() {
@@ -156,7 +201,7 @@ std::size_t shape_index(TabletopShape shape) {
 } // namespace
 
 std::vector<Sample> clevr_samples(std::span<const Scene> scenes, double weight) {
-  std::vector<Sample> samples;
+  Measurer measurer(clevr_damages, weight);
   for (std::size_t index = 0; index < scenes.size(); ++index) {
     const Scene& scene = scenes[index];
     const cv::Mat pixels = cv::imread(scene.image.string());
@@ -169,14 +214,15 @@ std::vector<Sample> clevr_samples(std::span<const Scene> scenes, double weight) 
     std::vector<std::size_t> shapes;
     for (const auto& object : scene.objects)
       shapes.push_back(shape_index(object.shape));
-    add_samples(vision::to_image(pixels), visible_objects(scene, camera, pixels.size()), shapes,
-                weight, index, samples);
+    // Whoever is to recognise things does not know how CLEVR has moved its camera.
+    measurer.add(vision::to_image(pixels), make_camera({}, pixels.cols, pixels.rows, 1),
+                 visible_objects(scene, camera, pixels.size()), shapes, index);
   }
-  return samples;
+  return measurer.take();
 }
 
 std::vector<Sample> rendered_samples(int count, std::uint32_t seed, std::size_t first_scene) {
-  std::vector<Sample> samples;
+  Measurer measurer(rendered_damages, 1);
   TableMaker maker(seed);
   for (int i = 0; i < count; ++i) {
     const auto scene = maker.scene();
@@ -189,9 +235,10 @@ std::vector<Sample> rendered_samples(int count, std::uint32_t seed, std::size_t 
     std::vector<std::size_t> shapes;
     for (const auto& object : scene.objects)
       shapes.push_back(shape_index(object.shape));
-    add_samples(image, labels, shapes, 1, first_scene + static_cast<std::size_t>(i), samples);
+    measurer.add(image, maker.misjudged(camera), labels, shapes,
+                 first_scene + static_cast<std::size_t>(i));
   }
-  return samples;
+  return measurer.take();
 }
 
 } // namespace castor::clevr

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/outline_fit.hpp"
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
 
 namespace castor::vision {
@@ -34,7 +35,10 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
   RegionFeatures features;
   features.colours = name_colour(roi.region, roi.mask, options.colour);
   features.colour_evidence = measure_colour(roi.region, roi.mask, options.colour);
-  features.shape_evidence = measure_shape(roi.region, roi.mask);
+  std::vector<double> fit;
+  if (camera != nullptr)
+    fit = measure_fit(roi, *camera);
+  features.shape_evidence = measure_shape(roi.region, roi.mask, fit);
   features.shapes = classify_shape(features.shape_evidence, options.shape, network);
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
