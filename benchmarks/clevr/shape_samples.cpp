@@ -105,18 +105,25 @@ public:
     // nop
   }
 
+  /// Chooses anew what kind of scene the next calls make: every other one is of solids on an even
+  /// grey ground in the light of several lamps, as a studio has them.
+  void begin_scene() { studio_ = !studio_; }
+
   vision::TabletopSnapshot scene() {
     vision::TabletopSnapshot scene;
     using Material = vision::TableLook::Material;
-    scene.table.material = std::array{Material::wood, Material::cloth, Material::plain}[index(3)];
-    const auto grey = static_cast<std::uint8_t>(between(70, 240));
-    scene.table.colour = index(2) == 0 ? vision::SceneColour{grey, grey, grey} : colour();
+    scene.table.material =
+      studio_ ? Material::plain
+              : std::array{Material::wood, Material::cloth, Material::plain}[index(3)];
+    const auto grey = static_cast<std::uint8_t>(between(studio_ ? 110 : 70, studio_ ? 190 : 240));
+    scene.table.colour =
+      studio_ || index(2) == 0 ? vision::SceneColour{grey, grey, grey} : colour();
     scene.light = {between(-1.5, 1.5), between(-1.5, 1.5), between(1.2, 2.5)};
     scene.noise = between(0.5, 3);
     scene.seed = random_();
-    const auto count = 3 + index(5);
+    const auto count = 3 + index(studio_ ? 7 : 5);
     for (int attempt = 0; attempt < 60 && scene.objects.size() < count; ++attempt) {
-      const auto candidate = object();
+      const auto candidate = studio_ ? solid() : object();
       const bool free =
         std::none_of(scene.objects.begin(), scene.objects.end(),
                      [&](const auto& other) { return vision::overlap(candidate, other); });
@@ -127,13 +134,14 @@ public:
   }
 
   vision::Camera camera() {
-    const double elevation = between(18, 70) * std::numbers::pi / 180;
+    const double elevation = between(studio_ ? 20 : 18, studio_ ? 42 : 70) * std::numbers::pi / 180;
     const double azimuth = between(0, 2 * std::numbers::pi);
-    const double distance = between(0.55, 1.2);
+    const double distance = studio_ ? between(0.85, 1.15) : between(0.55, 1.2);
     const double level = distance * std::cos(elevation);
     return vision::look_at(
       {level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation)},
-      {between(-0.05, 0.05), between(-0.05, 0.05), 0}, between(28, 45), 320, 240);
+      {between(-0.05, 0.05), between(-0.05, 0.05), 0},
+      between(studio_ ? 34 : 28, studio_ ? 42 : 45), 320, 240);
   }
 
   /// A calibration of that camera that is a little off.
@@ -144,14 +152,20 @@ public:
     return camera;
   }
 
-  vision::RenderOptions options() {
+  /// Light for a scene of so many objects.
+  vision::RenderOptions options(std::size_t objects) {
     vision::RenderOptions options;
-    options.lamp_intensity = between(0.5, 0.9);
+    options.lamp_intensity = between(0.4, 0.9);
     options.ambient_intensity = between(0.15, 0.5);
     options.lamp_radius = between(0.02, 0.3);
     options.gloss = between(0, 0.6);
     options.shadow_samples = 8;
     options.edge_samples = 4;
+    for (std::size_t i = index(4); i > 0; --i)
+      options.fill_lamps.push_back({between(-2, 2), between(-2, 2), between(0.8, 2.5)});
+    options.fill_intensity = between(0.05, 0.3);
+    for (std::size_t i = 0; i < objects; ++i)
+      options.mirroring.push_back(index(studio_ ? 2 : 4) == 0 ? between(0.2, 0.8) : 0);
     return options;
   }
 
@@ -167,6 +181,21 @@ private:
   vision::SceneColour colour() {
     const auto channel = [this] { return static_cast<std::uint8_t>(between(20, 245)); };
     return {channel(), channel(), channel()};
+  }
+
+  /// A cube, a sphere or a cylinder as high as it is wide.
+  vision::TabletopObject solid() {
+    constexpr std::array shapes{TabletopShape::cube, TabletopShape::cylinder,
+                                TabletopShape::sphere};
+    vision::TabletopObject object;
+    object.shape = shapes[index(shapes.size())];
+    object.colour = colour();
+    object.x = between(-0.26, 0.26);
+    object.y = between(-0.26, 0.26);
+    object.turned_degrees = between(0, 360);
+    const double side = index(2) == 0 ? between(0.055, 0.07) : between(0.1, 0.13);
+    object.size = {side, side, side};
+    return object;
   }
 
   vision::TabletopObject object() {
@@ -191,6 +220,7 @@ private:
   }
 
   std::mt19937 random_;
+  bool studio_ = false;
 };
 
 std::size_t shape_index(TabletopShape shape) {
@@ -225,9 +255,10 @@ std::vector<Sample> rendered_samples(int count, std::uint32_t seed, std::size_t 
   Measurer measurer(rendered_damages, 1);
   TableMaker maker(seed);
   for (int i = 0; i < count; ++i) {
+    maker.begin_scene();
     const auto scene = maker.scene();
     const auto camera = maker.camera();
-    const Image image = render(scene, camera, maker.options());
+    const Image image = render(scene, camera, maker.options(scene.objects.size()));
     const Image truth = render_labels(scene, camera);
     cv::Mat_<int> labels;
     vision::as_mat(truth).convertTo(labels, CV_32S);

@@ -17,7 +17,7 @@ namespace castor::vision {
 namespace {
 
 /// In units of the radius of the disc of the region's area.
-constexpr double tolerance = 0.12;
+constexpr double tolerance = 0.08;
 constexpr double across_edge = 0.14;
 /// Of the thickness of flat pieces, in units of the width.
 constexpr double thin = 0.06;

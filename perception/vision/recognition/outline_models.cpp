@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/camera/eigen_bridge.hpp"
@@ -67,6 +67,73 @@ std::vector<Vector3d> ring(const Stand& stand, double height) {
   }
   return points;
 }
+
+/// What is hidden falls short of its outline; what sticks out was taken for a part of it. That is
+/// rarer.
+constexpr double hidden_loss = 0.6;
+
+/// Iteratively reweighted least squares.
+class Aligner {
+public:
+  /// \param start the middle of the half of the directions that the first estimate is from,
+  ///        degrees; all of them if negative.
+  Aligner(const Support& model, const Support& outline, double tolerance, double start)
+    : model_(model), outline_(outline), tolerance_(tolerance) {
+    const double angle = start * std::numbers::pi / 180;
+    const Direction middle{std::cos(angle), -std::sin(angle)};
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      const auto& direction = support_directions()[i];
+      const bool counts = start < 0 || direction.x * middle.x + direction.y * middle.y > -0.05;
+      weights_[i] = counts ? 1 : 0;
+    }
+  }
+
+  void improve(int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+      solve();
+      weigh();
+    }
+  }
+
+  const Alignment& alignment() const { return alignment_; }
+
+private:
+  void solve() {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const auto& direction = support_directions()[i];
+      const Vector3d row(model_[i], direction.x, direction.y);
+      const Vector3d weighted = weights_[i] * row;
+      normal += weighted * row.transpose();
+      right += outline_[i] * weighted;
+    }
+    const Vector3d solution = normal.inverse() * right;
+    alignment_ = {solution.x(), {solution.y(), solution.z()}, 0};
+  }
+
+  void weigh() {
+    double sum = 0;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const auto& direction = support_directions()[i];
+      const double excess = alignment_.scale * model_[i] + direction.x * alignment_.shift.x +
+                            direction.y * alignment_.shift.y - outline_[i];
+      const double share = excess > 0 ? hidden_loss : 1;
+      const double squared = excess * excess / (tolerance_ * tolerance_);
+      // The loss of S. Geman and D. McClure (1987).
+      const double kept = 1 / (1 + squared);
+      weights_[i] = share * kept * kept;
+      sum += share * squared * kept;
+    }
+    alignment_.deviation = tolerance_ * std::sqrt(sum / static_cast<double>(outline_.size()));
+  }
+
+  const Support& model_;
+  const Support& outline_;
+  double tolerance_;
+  Support weights_;
+  Alignment alignment_;
+};
 
 } // namespace
 
@@ -183,35 +250,19 @@ std::optional<OutlineModel> model_sphere(const Camera& camera, const Stand& stan
 }
 
 Alignment align(const Support& model, const Support& outline, double tolerance) {
-  constexpr int rounds = 4;
-  const auto& directions = support_directions();
-  Support weights;
-  weights.fill(1);
-  Alignment result;
-  const auto difference = [&](std::size_t i) {
-    return result.scale * model[i] + directions[i].x * result.shift.x +
-           directions[i].y * result.shift.y - outline[i];
-  };
-  for (int round = 0; round < rounds; ++round) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Vector3d right = Vector3d::Zero();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vector3d row(model[i], directions[i].x, directions[i].y);
-      normal += weights[i] * row * row.transpose();
-      right += weights[i] * outline[i] * row;
-    }
-    const Vector3d solution = normal.ldlt().solve(right);
-    result = {solution.x(), {solution.y(), solution.z()}, 0};
-    double sum = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const double squared = std::pow(difference(i) / tolerance, 2);
-      // The loss of S. Geman and D. McClure (1987).
-      weights[i] = 1 / std::pow(1 + squared, 2);
-      sum += squared / (1 + squared);
-    }
-    result.deviation = tolerance * std::sqrt(sum / static_cast<double>(outline.size()));
+  // From above, what is nearer hides the lower parts of things; or one side.
+  constexpr std::array<double, 4> starts{-1, 90, 30, 150};
+  constexpr int first_rounds = 2;
+  constexpr int last_rounds = 3;
+  std::optional<Aligner> best;
+  for (const double start : starts) {
+    Aligner aligner(model, outline, tolerance, start);
+    aligner.improve(first_rounds);
+    if (!best || aligner.alignment().deviation < best->alignment().deviation)
+      best.emplace(aligner);
   }
-  return result;
+  best->improve(last_rounds);
+  return best->alignment();
 }
 
 } // namespace castor::vision
