@@ -31,7 +31,7 @@ constexpr std::array shapes_of_nouns{
 
 constexpr std::array shapes_of_adjectives{Words{"square", "square"}, Words{"cubical", "cube"},
                                           Words{"rectangular", "rectangle"},
-                                          Words{"triangular", "triangle"}};
+                                          Words{"triangular", "triangle"}, Words{"round", "round"}};
 
 constexpr std::array relations_of_words{Words{"near", "near"},   Words{"next_to", "near"},
                                         Words{"left", "left"},   Words{"right", "right"},

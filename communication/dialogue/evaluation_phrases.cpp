@@ -310,10 +310,17 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   return has_shape(id, *shape);
 }
 
-/// A shape that looks like another may be meant where nothing else can be.
+/// A shape that looks like another may be meant where nothing else can be. Balls and discs are
+/// round; of what is only known to be round, vision cannot tell more.
 Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
+  const auto known = scene_.words(id, FeatureKind::shape);
+  const auto is_known = [&](const char* word) {
+    return std::ranges::find(known, word) != known.end();
+  };
+  if (shape == "round" && (is_known("sphere") || is_known("circle")))
+    return Truth::yes;
   auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
-  if (result == Truth::unknown && !is_lenient_ && !scene_.words(id, FeatureKind::shape).empty())
+  if (result == Truth::unknown && !is_lenient_ && !known.empty() && !is_known("round"))
     return Truth::no;
   return result;
 }
