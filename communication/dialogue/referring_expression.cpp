@@ -18,8 +18,8 @@ struct Property {
   const char* sort;
 };
 
-constexpr std::array properties{Property{FeatureKind::shape, "Shape", "shape"},
-                                Property{FeatureKind::colour, "Colour", "colour"},
+constexpr std::array properties{Property{FeatureKind::colour, "Colour", "colour"},
+                                Property{FeatureKind::shape, "Shape", "shape"},
                                 Property{FeatureKind::size, "Size", "size"},
                                 Property{FeatureKind::material, "Material", "material"}};
 
