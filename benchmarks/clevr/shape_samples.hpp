@@ -14,9 +14,9 @@ inline constexpr double sample_overlap = 0.5;
 
 /// Training data of the committed network: number and seed of rendered pictures, and weight of an
 /// object in a CLEVR image relative to them; number of damaged variants of each region.
-inline constexpr int rendered_scenes = 2000;
+inline constexpr int rendered_scenes = 1000;
 inline constexpr std::uint32_t rendered_seed = 7;
-inline constexpr double clevr_weight = 30;
+inline constexpr double clevr_weight = 20;
 inline constexpr int clevr_damages = 4;
 inline constexpr int rendered_damages = 1;
 

@@ -187,14 +187,14 @@ cv::Mat_<std::uint8_t> inner(const cv::Mat_<std::uint8_t>& mask, int rim) {
 }
 
 /// The pixels of a surface that count, and how bright white may be in their light.
-struct Surface {
+struct SurfacePixels {
   std::vector<cv::Vec3b> pixels;
   std::vector<double> whites;
   cv::Vec3d tint = cv::Vec3d::all(1);
 };
 
 /// No pixels for an empty mask.
-Surface surface_of(const Image& region, const Image& mask, const ColourOptions& options) {
+SurfacePixels surface_pixels(const Image& region, const Image& mask, const ColourOptions& options) {
   if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
     throw std::invalid_argument("the mask must have 1 channel and the region's size");
   cv::Mat_<cv::Vec3b> pixels;
@@ -218,7 +218,7 @@ Surface surface_of(const Image& region, const Image& mask, const ColourOptions& 
   }
   const double darkest = quantile(levels, options.darkest);
   const double brightest = quantile(levels, options.brightest);
-  Surface surface;
+  SurfacePixels surface;
   for (const auto& pixel : all) {
     const double level = brightness(pixel);
     if (level >= darkest && level <= brightest)
@@ -260,7 +260,7 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
   // So many pixels say as much as all of them.
   constexpr std::size_t enough = 300;
   Shares votes{};
-  const Surface surface = surface_of(region, mask, options);
+  const SurfacePixels surface = surface_pixels(region, mask, options);
   if (surface.pixels.empty())
     return {};
   const std::size_t stride = surface.pixels.size() / enough + 1;
@@ -288,7 +288,7 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
 
 std::vector<double> measure_colour(const Image& region, const Image& mask,
                                    const ColourOptions& options) {
-  const Surface surface = surface_of(region, mask, options);
+  const SurfacePixels surface = surface_pixels(region, mask, options);
   if (surface.pixels.empty() || surface.whites.empty())
     return {};
   std::vector<cv::Vec3d> colours;
