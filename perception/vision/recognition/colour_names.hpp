@@ -28,8 +28,8 @@ struct ColourOptions {
   /// Differences between the channels of about this size (linear light) may be noise, or the colour
   /// of the light: they hardly count, so that what is black stays black.
   double least_chroma = 0.02;
-  /// Colour of the ground, as saturation of the gamma encoded colour, that is its own; up to half of
-  /// this it is the colour of the light, and the surface's colour is corrected for it.
+  /// Colour of the ground, as saturation of the gamma encoded colour, that is its own; up to half
+  /// of this it is the colour of the light, and the surface's colour is corrected for it.
   double coloured_ground = 0.3;
   /// Share of white light that a surface of any colour reflects specularly, which makes it paler
   /// than its paint. Glass and plastics (refractive index 1.5) reflect 0.04 of light at normal
