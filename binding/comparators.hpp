@@ -21,10 +21,12 @@ struct ComparatorOptions {
   /// an empty text means no superconcept, as for a room.
   std::map<std::string, std::string> is_a = {
     {"location", ""}, {"place", ""}, {"room", ""}, {"area", ""}, {"person", ""}};
-  /// Shapes that one thing may show from different sides: whether they agree is unknown.
+  /// Shapes that one thing may show from different sides, or that say more or less of it: whether
+  /// they agree is unknown.
   std::set<std::pair<std::string, std::string>> alike = {
     {"cube", "square"},      {"cube", "rectangle"}, {"cylinder", "circle"},
-    {"square", "rectangle"}, {"sphere", "circle"},  {"cylinder", "rectangle"}};
+    {"square", "rectangle"}, {"sphere", "circle"},  {"cylinder", "rectangle"},
+    {"round", "sphere"},     {"round", "circle"}};
 };
 
 /// Whether agreeing features of these kinds are evidence for binding, not only able to exclude each

@@ -1,14 +1,15 @@
 // What the vision core makes of CLEVR images.
 //
-//     clevr_benchmark DIR [--output DIR] [--leave-one-out]
-//     clevr_benchmark DIR --calibrations DIR
+//     clevr_benchmark DIR... [--output DIR] [--leave-one-out | --leave-one-source-out]
+//     clevr_benchmark DIR... --calibrations DIR
 //
 // DIR holds images and scene graphs in any of CLEVR's layouts. An object is found if a region
 // covers the part of it that is visible with an overlap (intersection by union) of at least 0.5,
 // one to one; what is visible is computed from the scene graph. Colour, shape and size are counted
 // over the objects found. With --leave-one-out, the shape classifier and the camera for each image
-// are estimated anew without that image. --calibrations only writes that camera for each image, as
-// a file for the component Camera: DIR/NAME.camera for NAME.png.
+// are estimated anew without that image; with --leave-one-source-out, for the images of each DIR
+// without all of that DIR. --calibrations only writes the camera without that image, as a file for
+// the component Camera: DIR/NAME.camera for NAME.png.
 
 #include <cstdio>
 #include <exception>
@@ -17,24 +18,28 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "castor/benchmarks/clevr/cross_validation.hpp"
 #include "castor/benchmarks/clevr/evaluation.hpp"
-#include "castor/benchmarks/clevr/shape_samples.hpp"
 
 namespace {
 
 using namespace castor;
 using namespace castor::clevr;
 
+enum class Without { nothing, image, source };
+
 struct Arguments {
-  std::filesystem::path folder;
+  std::vector<std::filesystem::path> folders;
   std::optional<std::filesystem::path> output;
   std::optional<std::filesystem::path> calibrations;
-  bool leave_one_out = false;
+  Without without = Without::nothing;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -42,39 +47,22 @@ Arguments parse(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--leave-one-out")
-      arguments.leave_one_out = true;
+      arguments.without = Without::image;
+    else if (argument == "--leave-one-source-out")
+      arguments.without = Without::source;
     else if (argument == "--output" && i + 1 < argc)
       arguments.output = argv[++i];
     else if (argument == "--calibrations" && i + 1 < argc)
       arguments.calibrations = argv[++i];
-    else if (!argument.starts_with("--") && arguments.folder.empty())
-      arguments.folder = argument;
+    else if (!argument.starts_with("--"))
+      arguments.folders.push_back(argument);
     else
       throw std::invalid_argument("cannot use the argument " + argument);
   }
-  if (arguments.folder.empty())
-    throw std::invalid_argument(
-      "usage: clevr_benchmark DIR [--output DIR] [--leave-one-out] | --calibrations DIR");
+  if (arguments.folders.empty())
+    throw std::invalid_argument("usage: clevr_benchmark DIR... [--output DIR] [--leave-one-out | "
+                                "--leave-one-source-out] | --calibrations DIR");
   return arguments;
-}
-
-/// The camera that explains all scenes but `left_out`.
-CameraGuess usual_camera(const std::vector<Scene>& scenes, const Scene* left_out) {
-  std::vector<const Scene*> others;
-  cv::Size size;
-  for (const auto& scene : scenes) {
-    if (&scene == left_out)
-      continue;
-    const cv::Mat image = cv::imread(scene.image.string());
-    if (size.empty())
-      size = image.size();
-    // Pixel coordinates of images of another size do not fit together.
-    if (image.size() == size)
-      others.push_back(&scene);
-  }
-  if (others.empty())
-    return {};
-  return fit_camera(others, {}, 1.0, size.width, size.height);
 }
 
 /// For each image, the camera that explains the others best.
@@ -84,45 +72,15 @@ void write_calibrations(const std::vector<Scene>& scenes, const std::filesystem:
     const cv::Size size = cv::imread(scene.image.string()).size();
     const auto path = folder / (scene.image.stem().string() + ".camera");
     std::ofstream file{path};
-    file << camera_file(usual_camera(scenes, &scene), size.width, size.height, metres_per_unit);
+    std::vector<const Scene*> others;
+    for (const auto& other : scenes)
+      if (&other != &scene)
+        others.push_back(&other);
+    file << camera_file(usual_camera(others), size.width, size.height, metres_per_unit);
     if (!file.flush())
       throw std::runtime_error("cannot write " + path.string());
   }
 }
-
-/// Evaluates each image with what was learned from the others.
-class LeaveOneOut {
-public:
-  explicit LeaveOneOut(const std::vector<Scene>& scenes)
-    : scenes_(scenes), seen_(clevr_samples(scenes, clevr_weight)),
-      rendered_(rendered_samples(rendered_scenes, rendered_seed, scenes.size())) {
-    // nop
-  }
-
-  vision::ShapeNetwork network_without(std::size_t scene) const {
-    std::vector<const Sample*> samples;
-    for (const auto& sample : rendered_)
-      samples.push_back(&sample);
-    for (const auto& sample : seen_) {
-      if (sample.scene != scene)
-        samples.push_back(&sample);
-    }
-    return train(samples, {});
-  }
-
-  std::vector<Outcome> run(const vision::RegionOptions& options) const {
-    std::vector<Outcome> outcomes;
-    for (std::size_t i = 0; i < scenes_.size(); ++i)
-      outcomes.push_back(
-        evaluate(scenes_[i], usual_camera(scenes_, &scenes_[i]), options, network_without(i)));
-    return outcomes;
-  }
-
-private:
-  const std::vector<Scene>& scenes_;
-  std::vector<Sample> seen_;
-  std::vector<Sample> rendered_;
-};
 
 void annotate(const Outcome& outcome, const std::filesystem::path& folder) {
   constexpr int zoom = 3;
@@ -171,8 +129,9 @@ void print_mistakes(const Outcome& outcome) {
     const std::string said =
       region.size.value + " " + region.colour.value + " " + region.shape.value;
     if (is != said)
-      std::printf("%s: %s %s is called %s\n", image.c_str(), object.material.c_str(), is.c_str(),
-                  said.c_str());
+      std::printf("%s: %s %s is called %s (%.2f %.2f %.2f)\n", image.c_str(),
+                  object.material.c_str(), is.c_str(), said.c_str(), region.size.confidence,
+                  region.colour.confidence, region.shape.confidence);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Object& object = outcome.scene->objects[i];
@@ -188,6 +147,18 @@ void print_mistakes(const Outcome& outcome) {
   }
 }
 
+/// How often words are right that are said with a confidence of this tenth.
+void print_reliability(const std::string& kind, const Reliability& reliability) {
+  std::printf("\n%-12s%8s%12s%8s\n", kind.c_str(), "words", "confidence", "right");
+  for (const auto& bin : reliability) {
+    if (bin.right.all == 0)
+      continue;
+    const auto all = static_cast<double>(bin.right.all);
+    std::printf("%-12s%8zu%12.3f%8.3f\n", "", bin.right.all, bin.confidence / all,
+                static_cast<double>(bin.right.hits) / all);
+  }
+}
+
 void print(const Summary& summary, std::size_t images) {
   std::printf("\n%zu images, %zu objects, %zu regions\n", images, summary.recall.all,
               summary.precision.all);
@@ -197,6 +168,8 @@ void print(const Summary& summary, std::size_t images) {
   print("recall (centre in a region's box)", summary.box_recall);
   print("colour of those found", summary.colour);
   print("shape of those found", summary.shape);
+  for (const auto& [material, shape] : summary.shape_by_material)
+    print(("  of " + material).c_str(), shape);
   print("size of those found", summary.size);
   if (summary.recall.hits > 0)
     std::printf("%-34s %5.3f\n", "mean overlap of those found",
@@ -206,6 +179,8 @@ void print(const Summary& summary, std::size_t images) {
   for (std::size_t i = 0; i < summary.shapes.size(); ++i)
     std::printf("%-10s%8zu%10zu%8zu%8zu\n", names[i], summary.shapes[i][0], summary.shapes[i][1],
                 summary.shapes[i][2], summary.shapes[i][3]);
+  for (const auto& [kind, reliability] : summary.reliability)
+    print_reliability(kind, reliability);
   if (!summary.milliseconds.empty()) {
     const auto last = summary.milliseconds.size() - 1;
     std::printf("\nms per image, one thread: median %.1f, 95th percentile %.1f\n",
@@ -215,25 +190,27 @@ void print(const Summary& summary, std::size_t images) {
 
 void run(const Arguments& arguments) {
   cv::setNumThreads(1);
-  const auto scenes = load_scenes(arguments.folder);
-  if (scenes.empty())
-    throw std::runtime_error("no scene with an image below " + arguments.folder.string());
+  std::vector<Scene> scenes;
+  std::vector<std::size_t> groups;
+  for (std::size_t source = 0; source < arguments.folders.size(); ++source) {
+    const auto& folder = arguments.folders[source];
+    auto found = load_scenes(folder);
+    if (found.empty())
+      throw std::runtime_error("no scene with an image below " + folder.string());
+    for (auto& scene : found) {
+      groups.push_back(arguments.without == Without::source ? source : scenes.size());
+      scenes.push_back(std::move(scene));
+    }
+  }
   if (arguments.calibrations) {
     write_calibrations(scenes, *arguments.calibrations);
     return;
   }
   vision::RegionOptions options;
   options.shape.candidates = {"cube", "cylinder", "sphere"};
-  // The first call of some OpenCV functions builds tables; that is not the time of any image.
-  const CameraGuess usual = usual_camera(scenes, nullptr);
-  evaluate(scenes.front(), usual, options, vision::trained_shape_network());
-  std::vector<Outcome> outcomes;
-  if (arguments.leave_one_out) {
-    outcomes = LeaveOneOut(scenes).run(options);
-  } else {
-    for (const auto& scene : scenes)
-      outcomes.push_back(evaluate(scene, usual, options, vision::trained_shape_network()));
-  }
+  const auto outcomes = arguments.without == Without::nothing
+                          ? evaluate_all(scenes, options)
+                          : cross_validate(scenes, groups, options);
   for (const auto& outcome : outcomes) {
     print_mistakes(outcome);
     if (arguments.output) {
@@ -241,6 +218,15 @@ void run(const Arguments& arguments) {
       annotate(outcome, *arguments.output);
     }
   }
+  if (arguments.without == Without::source)
+    for (std::size_t source = 0; source < arguments.folders.size(); ++source) {
+      std::vector<Outcome> own;
+      for (std::size_t i = 0; i < scenes.size(); ++i)
+        if (groups[i] == source)
+          own.push_back(outcomes[i]);
+      std::printf("\n%s, with what was learned from the others", arguments.folders[source].c_str());
+      print(summarize(own), own.size());
+    }
   print(summarize(outcomes), scenes.size());
 }
 

@@ -53,6 +53,17 @@ std::size_t solid_index(const std::string& shape) {
   return static_cast<std::size_t>(std::find(solids.begin(), solids.end(), shape) - solids.begin());
 }
 
+void add_word(const std::string& kind, const vision::Hypothesis& said, const std::string& is,
+              Tally& tally, Summary& summary) {
+  const bool right = said.value == is;
+  tally.add(right);
+  auto& bins = summary.reliability[kind];
+  const auto place = static_cast<std::size_t>(10 * said.confidence);
+  auto& bin = bins[std::min(place, bins.size() - 1)];
+  bin.confidence += said.confidence;
+  bin.right.add(right);
+}
+
 } // namespace
 
 Outcome evaluate(const Scene& scene, const CameraGuess& usual, const vision::RegionOptions& options,
@@ -100,9 +111,10 @@ Summary summarize(const std::vector<Outcome>& outcomes) {
       const Object& object = objects[match.object];
       const vision::Region& region = outcome.regions[match.region];
       summary.overlap_sum += match.overlap;
-      summary.colour.add(region.colour.value == object.colour);
-      summary.shape.add(region.shape.value == object.shape);
-      summary.size.add(region.size.value == object.size);
+      add_word("colour", region.colour, object.colour, summary.colour, summary);
+      add_word("shape", region.shape, object.shape, summary.shape, summary);
+      add_word("size", region.size, object.size, summary.size, summary);
+      summary.shape_by_material[object.material].add(region.shape.value == object.shape);
       const std::size_t truth = solid_index(object.shape);
       if (truth < summary.shapes.size())
         ++summary.shapes[truth][solid_index(region.shape.value)];

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "castor/benchmarks/clevr/clevr_camera.hpp"
@@ -52,6 +54,16 @@ struct Tally {
   }
 };
 
+/// Words that were said with about the same confidence.
+struct ConfidenceBin {
+  /// Sum of their confidences.
+  double confidence = 0;
+  Tally right;
+};
+
+/// By tenths of confidence.
+using Reliability = std::array<ConfidenceBin, 10>;
+
 /// Sums over all images.
 struct Summary {
   Tally recall;
@@ -62,6 +74,9 @@ struct Summary {
   Tally colour;
   Tally shape;
   Tally size;
+  std::map<std::string, Tally> shape_by_material;
+  /// By kind of word: colour, shape, size.
+  std::map<std::string, Reliability> reliability;
   /// By true shape, then by the decision: cube, cylinder, sphere, anything else.
   std::array<std::array<std::size_t, 4>, 3> shapes{};
   std::vector<double> milliseconds;

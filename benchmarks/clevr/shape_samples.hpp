@@ -13,12 +13,15 @@ namespace castor::clevr {
 inline constexpr double sample_overlap = 0.5;
 
 /// Training data of the committed network: number and seed of rendered pictures, and weight of an
-/// object in a CLEVR image relative to them.
+/// object in a CLEVR image relative to them; number of damaged variants of each region.
 inline constexpr int rendered_scenes = 1000;
 inline constexpr std::uint32_t rendered_seed = 7;
 inline constexpr double clevr_weight = 20;
+inline constexpr int clevr_damages = 4;
+inline constexpr int rendered_damages = 1;
 
-/// Samples of the objects in CLEVR images as segmented, each also mirrored.
+/// Samples of the objects in CLEVR images as segmented, each also mirrored, damaged, and without
+/// what needs a camera.
 /// \param weight of each sample.
 /// \throws std::runtime_error if an image cannot be read.
 std::vector<Sample> clevr_samples(std::span<const Scene> scenes, double weight);

@@ -26,7 +26,7 @@ struct TrainingOptions {
   std::size_t batch = 32;
   double learning_rate = 3e-3;
   /// Weight decay per step, times the learning rate.
-  double decay = 0.1;
+  double decay = 0.03;
   std::uint32_t seed = 1;
 };
 

@@ -32,7 +32,7 @@ constexpr std::array shapes_of_nouns{
 
 constexpr std::array shapes_of_adjectives{Words{"square", "square"}, Words{"cubical", "cube"},
                                           Words{"rectangular", "rectangle"},
-                                          Words{"triangular", "triangle"}};
+                                          Words{"triangular", "triangle"}, Words{"round", "round"}};
 
 constexpr std::array flat_shapes{"circle", "square", "triangle", "rectangle"};
 

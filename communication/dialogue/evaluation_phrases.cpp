@@ -370,10 +370,12 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   return has_shape(id, *shape);
 }
 
-/// A shape that looks like another may be meant where nothing else can be.
+/// A shape that looks like another may be meant where nothing else can be. Of what is only known to
+/// be round, vision cannot tell more.
 Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
+  const auto known = scene_.words(id, FeatureKind::shape);
   auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
-  if (result != Truth::unknown || scene_.words(id, FeatureKind::shape).empty())
+  if (result != Truth::unknown || known.empty() || known.front() == "round")
     return result;
   // What is known to be a solid is no disc, while what looks like a disc may be a ball.
   if (!is_lenient_ || (is_flat_shape(shape) && scene_.is_sure(id, FeatureKind::shape)))

@@ -151,10 +151,10 @@ Truth Evaluation::looks(const std::string& id, const std::string& how) {
     return Truth::unknown;
   const auto& shape = words.front();
   if (how == "flat")
-    return truth_of(is_flat_shape(shape));
+    return shape == "round" ? Truth::unknown : truth_of(is_flat_shape(shape));
   if (shape == "cylinder")
     return Truth::unknown;
-  return truth_of(shape == "sphere" || shape == "circle");
+  return truth_of(shape == "sphere" || shape == "circle" || shape == "round");
 }
 
 // -- space

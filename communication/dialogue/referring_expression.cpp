@@ -19,6 +19,7 @@ struct Property {
 };
 
 constexpr std::array properties{Property{FeatureKind::colour, "Colour", "colour"},
+                                Property{FeatureKind::shape, "Shape", "shape"},
                                 Property{FeatureKind::size, "Size", "size"},
                                 Property{FeatureKind::material, "Material", "material"}};
 
@@ -29,12 +30,18 @@ std::string first_word(const SceneKnowledge& scene, const std::string& id, Featu
 
 std::string noun_of(const SceneKnowledge& scene, const std::string& id) {
   auto shape = first_word(scene, id, FeatureKind::shape);
-  if (!shape.empty())
+  if (!shape.empty() && shape != "round")
     return shape == "sphere" ? "ball" : shape;
   for (auto& word : scene.words(id, FeatureKind::concept_name))
     if (word != "thing")
       return word;
   return "thing";
+}
+
+/// The word for a property that is said by an adjective. There is a noun for each shape but one.
+std::string adjective(const SceneKnowledge& scene, const std::string& id, FeatureKind kind) {
+  auto word = first_word(scene, id, kind);
+  return kind == FeatureKind::shape && word != "round" ? std::string{} : word;
 }
 
 LogicalForm with_property(LogicalForm thing, const Property& property, const std::string& word) {
@@ -51,11 +58,11 @@ std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& 
     std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
   auto result = definite(noun);
   for (auto& x : properties) {
-    auto word = first_word(scene, union_id, x.kind);
+    auto word = adjective(scene, union_id, x.kind);
     if (others.empty() || word.empty() || x.kind == besides)
       continue;
     const auto excluded =
-      std::erase_if(others, [&](auto& other) { return first_word(scene, other, x.kind) != word; });
+      std::erase_if(others, [&](auto& other) { return adjective(scene, other, x.kind) != word; });
     if (excluded > 0)
       result = with_property(std::move(result), x, word);
   }
@@ -67,7 +74,7 @@ std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& 
 LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
   auto result = indefinite(noun_of(scene, union_id));
   for (auto& x : properties)
-    if (auto word = first_word(scene, union_id, x.kind); !word.empty())
+    if (auto word = adjective(scene, union_id, x.kind); !word.empty())
       result = with_property(std::move(result), x, word);
   return result;
 }

@@ -219,8 +219,8 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
     auto thing = pronoun("it");
     if (words.empty())
       return answer(i_do_not_know());
-    auto value =
-      *kind == FeatureKind::shape ? indefinite(words.front()) : property(name, words.front());
+    const bool has_noun = *kind == FeatureKind::shape && words.front() != "round";
+    auto value = has_noun ? indefinite(words.front()) : property(name, words.front());
     auto sentence = ascribe(thing, value);
     result.sentences.push_back(
       {scene_.is_sure(id, *kind) ? std::move(sentence) : unsure(std::move(sentence))});

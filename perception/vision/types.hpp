@@ -96,6 +96,8 @@ struct Camera {
   double k3 = 0;
   double t1 = 0;
   double t2 = 0;
+  /// Not calibrated: all but the size is assumed, so that where things are is not really known.
+  bool is_assumed = false;
 
   friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -227,7 +229,7 @@ CASTOR_REFLECT(Image, width, height, channels, bytes)
 CASTOR_REFLECT(ImageBox, center, width, height)
 CASTOR_REFLECT(ObjectBox, centroid, size)
 CASTOR_REFLECT(Hypothesis, value, confidence)
-CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, t1, t2)
+CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, t1, t2, is_assumed)
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
 CASTOR_REFLECT(ScenePicture, image, camera, time)

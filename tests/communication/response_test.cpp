@@ -185,6 +185,18 @@ TEST_F(Responses, DoNotGuess) {
   EXPECT_EQ(say("What is at the edge of the table?"), "I do not know.");
 }
 
+TEST_F(Responses, SayNoMoreThanThatAThingIsRound) {
+  table.put("disc or ball",
+            {feature(FeatureKind::colour, "orange"), feature(FeatureKind::shape, "round")}, 0.3,
+            0.3);
+  EXPECT_EQ(say("What shape is the orange thing?"), "It is round.");
+  EXPECT_EQ(say("What is the orange thing?"), "It is an orange round thing.");
+  EXPECT_EQ(say("Is the orange thing round?"), "Yes.");
+  EXPECT_EQ(say("Is the orange thing a ball?"), "I do not know.");
+  EXPECT_EQ(say("Is the orange thing a cube?"), "No.");
+  EXPECT_EQ(say("Is the red ball round?"), "Yes.");
+}
+
 TEST_F(Responses, SayHowSureTheyAre) {
   table.put("lump",
             {feature(FeatureKind::colour, "yellow"),

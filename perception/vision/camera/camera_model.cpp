@@ -144,7 +144,9 @@ Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degr
 }
 
 Camera nominal_camera(int width, int height) {
-  return look_at({0, -0.75, 0.70}, {0, 0, 0}, 50, width, height);
+  Camera camera = look_at({0, -0.75, 0.70}, {0, 0, 0}, 50, width, height);
+  camera.is_assumed = true;
+  return camera;
 }
 
 std::optional<Point2> project(const Camera& camera, const Point3& point) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -93,34 +94,80 @@ double brightness(const cv::Vec3b& pixel) {
   return std::max({pixel[0], pixel[1], pixel[2]}) / 255.0;
 }
 
-/// How bright white would be in this light.
-double white_brightness(const cv::Mat_<cv::Vec3b>& pixels, const cv::Mat_<std::uint8_t>& mask,
-                        const ColourOptions& options) {
-  std::vector<double> ground;
+constexpr double gamma_exponent = 2.2;
+
+cv::Vec3d to_light(const cv::Vec3d& encoded) {
+  cv::Vec3d light;
+  for (int c = 0; c < 3; ++c)
+    light[c] = std::pow(encoded[c], gamma_exponent);
+  return light;
+}
+
+/// What is around a region.
+struct Surroundings {
+  /// Its median brightness; nothing if there is none, or if it is too dark to tell.
+  std::optional<double> level;
+  /// Colour of the light, as far as it can be told: linear, the strongest channel is 1.
+  cv::Vec3d light = cv::Vec3d::all(1);
+};
+
+Surroundings surroundings_of(const cv::Mat_<cv::Vec3b>& pixels, const cv::Mat_<std::uint8_t>& mask,
+                             const ColourOptions& options) {
+  std::array<std::vector<double>, 3> channels;
+  std::vector<double> levels;
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) {
-      if (mask(y, x) == 0)
-        ground.push_back(brightness(pixels(y, x)));
+      if (mask(y, x) != 0)
+        continue;
+      levels.push_back(brightness(pixels(y, x)));
+      for (int c = 0; c < 3; ++c)
+        channels[static_cast<std::size_t>(c)].push_back(pixels(y, x)[c] / 255.0);
     }
   }
-  if (ground.empty())
-    return 1;
-  const double level = quantile(ground, 0.5);
+  Surroundings result;
+  if (levels.empty())
+    return result;
+  const double level = quantile(levels, 0.5);
   if (level < options.darkest_ground)
-    return 1;
-  return std::clamp(level / options.ground_brightness, options.min_light, 1.0);
+    return result;
+  result.level = level;
+  const cv::Vec3d colour(quantile(channels[0], 0.5), quantile(channels[1], 0.5),
+                         quantile(channels[2], 0.5));
+  const double most = std::max({colour[0], colour[1], colour[2]});
+  const double saturation = 1 - std::min({colour[0], colour[1], colour[2]}) / most;
+  // The more colour a ground has, the likelier it is its own and not the light's.
+  const double share =
+    std::clamp((options.coloured_ground - saturation) / (options.coloured_ground / 2), 0.0, 1.0);
+  const cv::Vec3d light = to_light(colour / most);
+  for (int c = 0; c < 3; ++c)
+    result.light[c] = std::pow(light[c], share);
+  return result;
 }
 
 /// The light that the paint itself sends back, in [0, 1] of white; gamma encoded before and after.
-cv::Vec3d paint(const cv::Vec3b& pixel, double white, const ColourOptions& options) {
-  constexpr double gamma = 2.2;
-  cv::Vec3d light;
+///
+/// \param white how bright white would be in this light.
+/// \param tint the light's colour.
+cv::Vec3d paint(const cv::Vec3b& pixel, double white, const cv::Vec3d& tint,
+                const ColourOptions& options) {
+  cv::Vec3d light = to_light(cv::Vec3d(pixel[0], pixel[1], pixel[2]) / (255 * white));
   for (int c = 0; c < 3; ++c)
-    light[c] = std::pow(pixel[c] / (255 * white), gamma);
+    light[c] /= tint[c];
+  const double most = std::max({light[0], light[1], light[2]});
   const double least = std::min({light[0], light[1], light[2]});
-  const double gloss = std::min(options.gloss, options.max_gloss * least);
+  // As N. Wiener's filter keeps of a signal in noise.
+  const double signal = std::pow(most - least, 2);
+  const double kept = signal / (signal + std::pow(options.least_chroma, 2));
   for (int c = 0; c < 3; ++c)
-    light[c] = std::pow(std::min((light[c] - gloss) / (1 - gloss), 1.0), 1 / gamma);
+    light[c] = most - kept * (most - light[c]);
+  const double gloss =
+    std::min(options.gloss, options.max_gloss * std::min({light[0], light[1], light[2]}));
+  for (int c = 0; c < 3; ++c)
+    light[c] = (light[c] - gloss) / (1 - gloss);
+  // Too bright ones keep their hue.
+  const double scale = std::max(1.0, std::max({light[0], light[1], light[2]}));
+  for (int c = 0; c < 3; ++c)
+    light[c] = std::pow(light[c] / scale, 1 / gamma_exponent);
   return light;
 }
 
@@ -139,9 +186,15 @@ cv::Mat_<std::uint8_t> inner(const cv::Mat_<std::uint8_t>& mask, int rim) {
   return result;
 }
 
-/// The paint of the pixels that count; nothing for an empty mask.
-std::vector<cv::Vec3d> paints(const Image& region, const Image& mask,
-                              const ColourOptions& options) {
+/// The pixels of a surface that count, and how bright white may be in their light.
+struct SurfacePixels {
+  std::vector<cv::Vec3b> pixels;
+  std::vector<double> whites;
+  cv::Vec3d tint = cv::Vec3d::all(1);
+};
+
+/// No pixels for an empty mask.
+SurfacePixels surface_pixels(const Image& region, const Image& mask, const ColourOptions& options) {
   if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
     throw std::invalid_argument("the mask must have 1 channel and the region's size");
   cv::Mat_<cv::Vec3b> pixels;
@@ -153,26 +206,31 @@ std::vector<cv::Vec3d> paints(const Image& region, const Image& mask,
   if (pixels.empty() || cv::countNonZero(belongs) == 0)
     return {};
   const cv::Mat_<std::uint8_t> counts = inner(belongs, options.rim);
-  std::vector<cv::Vec3b> surface;
+  std::vector<cv::Vec3b> all;
   std::vector<double> levels;
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) {
       if (counts(y, x) != 0) {
-        surface.push_back(pixels(y, x));
+        all.push_back(pixels(y, x));
         levels.push_back(brightness(pixels(y, x)));
       }
     }
   }
   const double darkest = quantile(levels, options.darkest);
   const double brightest = quantile(levels, options.brightest);
-  const double white = white_brightness(pixels, belongs, options);
-  std::vector<cv::Vec3d> result;
-  for (const auto& pixel : surface) {
+  SurfacePixels surface;
+  for (const auto& pixel : all) {
     const double level = brightness(pixel);
     if (level >= darkest && level <= brightest)
-      result.push_back(paint(pixel, white, options));
+      surface.pixels.push_back(pixel);
   }
-  return result;
+  const auto around = surroundings_of(pixels, belongs, options);
+  surface.tint = around.light;
+  // No paint is brighter than white.
+  const double least = std::min(1.0, std::max(options.min_light, brightest));
+  for (const double assumed : options.ground_brightness)
+    surface.whites.push_back(around.level ? std::clamp(*around.level / assumed, least, 1.0) : 1.0);
+  return surface;
 }
 
 } // namespace
@@ -199,14 +257,20 @@ std::vector<double> colour_shares(const std::vector<double>& bgr) {
 
 std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
                                     const ColourOptions& options) {
+  // So many pixels say as much as all of them.
+  constexpr std::size_t enough = 300;
   Shares votes{};
-  const auto colours = paints(region, mask, options);
-  if (colours.empty())
+  const SurfacePixels surface = surface_pixels(region, mask, options);
+  if (surface.pixels.empty())
     return {};
-  for (const auto& colour : colours) {
-    const Shares shares = shares_of(colour[0], colour[1], colour[2]);
-    for (std::size_t name = 0; name < names; ++name)
-      votes[name] += shares[name];
+  const std::size_t stride = surface.pixels.size() / enough + 1;
+  for (const double white : surface.whites) {
+    for (std::size_t i = 0; i < surface.pixels.size(); i += stride) {
+      const cv::Vec3d colour = paint(surface.pixels[i], white, surface.tint, options);
+      const Shares shares = shares_of(colour[0], colour[1], colour[2]);
+      for (std::size_t name = 0; name < names; ++name)
+        votes[name] += shares[name];
+    }
   }
   double sum = 0;
   for (const double vote : votes)
@@ -224,9 +288,13 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
 
 std::vector<double> measure_colour(const Image& region, const Image& mask,
                                    const ColourOptions& options) {
-  const auto colours = paints(region, mask, options);
-  if (colours.empty())
+  const SurfacePixels surface = surface_pixels(region, mask, options);
+  if (surface.pixels.empty() || surface.whites.empty())
     return {};
+  std::vector<cv::Vec3d> colours;
+  for (const auto& pixel : surface.pixels)
+    colours.push_back(
+      paint(pixel, surface.whites[surface.whites.size() / 2], surface.tint, options));
   cv::Mat bgr;
   cv::Mat(colours).convertTo(bgr, CV_32F);
   cv::Mat lab;

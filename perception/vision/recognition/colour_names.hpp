@@ -17,13 +17,20 @@ struct ColourOptions {
   /// Width of the border along the outline that is not used, because it is mixed with the ground;
   /// pixels.
   int rim = 2;
-  /// Assumed brightness of the ground around the region (a tabletop or a sheet), from which the
-  /// light is estimated.
-  double ground_brightness = 0.78;
+  /// Assumed brightnesses of the ground around the region (a grey floor, a tabletop, a sheet), from
+  /// which the light is estimated. Which of them it is is not known: all count the same for names.
+  std::vector<double> ground_brightness{0.65, 0.75, 0.85};
   /// Ground darker than this (such as black velvet) is not used: the image is taken unchanged.
   double darkest_ground = 0.25;
-  /// Colours are brightened at most by the reciprocal of this.
+  /// Colours are brightened at most by the reciprocal of this, nor so that the surface would be
+  /// brighter than white.
   double min_light = 0.5;
+  /// Differences between the channels of about this size (linear light) may be noise, or the colour
+  /// of the light: they hardly count, so that what is black stays black.
+  double least_chroma = 0.02;
+  /// Colour of the ground, as saturation of the gamma encoded colour, that is its own; up to half
+  /// of this it is the colour of the light, and the surface's colour is corrected for it.
+  double coloured_ground = 0.3;
   /// Share of white light that a surface of any colour reflects specularly, which makes it paler
   /// than its paint. Glass and plastics (refractive index 1.5) reflect 0.04 of light at normal
   /// incidence and 0.09 of diffuse light, by Fresnel's equations.
@@ -49,8 +56,8 @@ std::vector<double> colour_shares(const std::vector<double>& bgr);
 std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
                                     const ColourOptions& options = {});
 
-/// Mean L*, a* and b* of the paint, over the pixels that name_colour() uses; evidence for learned
-/// colour names.
+/// Mean L*, a* and b* of the paint, over the pixels that name_colour() uses and for the middle one
+/// of the assumed brightnesses of the ground; evidence for learned colour names.
 ///
 /// \returns nothing for an empty mask.
 /// \throws std::invalid_argument as name_colour() does.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/outline_fit.hpp"
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
 
 namespace castor::vision {
@@ -34,8 +35,14 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
   RegionFeatures features;
   features.colours = name_colour(roi.region, roi.mask, options.colour);
   features.colour_evidence = measure_colour(roi.region, roi.mask, options.colour);
-  features.shape_evidence = measure_shape(roi.region, roi.mask);
-  features.shapes = classify_shape(features.shape_evidence, options.shape, network);
+  std::vector<double> fit;
+  ShapeOptions shape = options.shape;
+  if (camera != nullptr && !camera->is_assumed)
+    fit = measure_fit(roi, *camera);
+  else
+    shape.tells_round_apart = false;
+  features.shape_evidence = measure_shape(roi.region, roi.mask, fit);
+  features.shapes = classify_shape(features.shape_evidence, shape, network);
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
     features.extent = extent_on_table(*camera, roi.contour, flat).value_or(ObjectBox{});

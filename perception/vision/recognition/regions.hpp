@@ -26,7 +26,8 @@ struct RegionOptions {
 ROI make_roi(const Image& image, const Segment& segment);
 
 /// Measures the features of a region. The extent is all zero without a camera, or if the region is
-/// not on the visible table.
+/// not on the visible table. Without a camera, or with an assumed one, a ball and a disc are not
+/// told apart.
 RegionFeatures measure_region(const ROI& roi, const Camera* camera = nullptr,
                               const RegionOptions& options = {},
                               const ShapeNetwork& network = trained_shape_network());

@@ -12,6 +12,20 @@ namespace {
 
 constexpr int trained_hidden = 24;
 
+/// Balls and discs as one hypothesis, if there are both.
+void join_round(std::vector<Hypothesis>& shapes) {
+  const auto is_round = [](const Hypothesis& x) {
+    return x.value == "sphere" || x.value == "circle";
+  };
+  if (std::count_if(shapes.begin(), shapes.end(), is_round) < 2)
+    return;
+  Hypothesis joint{round_shape, 0};
+  for (const auto& shape : shapes)
+    joint.confidence += is_round(shape) ? shape.confidence : 0;
+  std::erase_if(shapes, is_round);
+  shapes.push_back(joint);
+}
+
 } // namespace
 
 const std::vector<std::string>& shape_vocabulary() {
@@ -89,6 +103,8 @@ std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
     throw std::invalid_argument("classify_shape: no candidate is of the vocabulary");
   for (auto& hypothesis : result)
     hypothesis.confidence /= total;
+  if (!options.tells_round_apart)
+    join_round(result);
   std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.confidence > b.confidence;
   });

@@ -8,6 +8,9 @@
 
 namespace castor::vision {
 
+/// What is said of a ball or a disc where they cannot be told apart.
+inline constexpr const char* round_shape = "round";
+
 /// Names of the shapes: solids, then flat pieces on the table.
 const std::vector<std::string>& shape_vocabulary();
 
@@ -39,6 +42,9 @@ struct ShapeOptions {
   std::vector<std::string> candidates{};
   /// If the best shape has less confidence than this, "unknown" comes before it.
   double min_confidence = 0.4;
+  /// Whether the camera is known. If not, a ball ("sphere") and a disc ("circle") look the same,
+  /// and are both `round_shape`, unless only one of them is a candidate.
+  bool tells_round_apart = true;
 };
 
 /// Shape names of a region, the likeliest first; confidences sum to 1.

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "castor/perception/vision/opencv_bridge.hpp"
+#include "castor/perception/vision/recognition/outline_fit.hpp"
 
 namespace castor::vision {
 
@@ -169,6 +170,7 @@ std::vector<std::string> make_names() {
     names.push_back("light_" + std::to_string(i));
   names.insert(names.end(), {"variation", "step_upper", "smooth_upper", "step_lower",
                              "smooth_lower", "step_rows", "smooth_rows"});
+  names.insert(names.end(), fit_measurements().begin(), fit_measurements().end());
   return names;
 }
 
@@ -179,7 +181,10 @@ const std::vector<std::string>& shape_measurements() {
   return names;
 }
 
-std::vector<double> measure_shape(const Image& region, const Image& mask) {
+std::vector<double> measure_shape(const Image& region, const Image& mask,
+                                  std::span<const double> fit) {
+  if (!fit.empty() && fit.size() != fit_measurements().size())
+    throw std::invalid_argument("measure_shape: the fit has the wrong number of measurements");
   if (mask.channels != 1 || mask.width != region.width || mask.height != region.height)
     throw std::invalid_argument("measure_shape: the mask must have 1 channel and the region's "
                                 "size");
@@ -197,6 +202,8 @@ std::vector<double> measure_shape(const Image& region, const Image& mask) {
   Brightness light;
   grey.convertTo(light, CV_32F);
   measure_light(light, belongs, result);
+  result.insert(result.end(), fit.begin(), fit.end());
+  result.resize(shape_measurements().size(), 0);
   return result;
 }
 

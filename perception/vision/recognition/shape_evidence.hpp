@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,18 @@ namespace castor::vision {
 ///   step_N       the largest step between adjacent columns (of 8) of the upper and of the lower
 ///                half, and between adjacent rows, in units of the mean brightness
 ///   smooth_N     the share that this step has in all the steps there
+///   fit_measurements() follow
 const std::vector<std::string>& shape_measurements();
 
 /// Measures a region; one number per name of shape_measurements(), all finite.
 ///
 /// \param region the pixels of the region's box, 1 or 3 channels.
 /// \param mask mask of the region: 1 channel, the same size, not 0 inside.
+/// \param fit from measure_fit(); if empty, as where the camera is not known, all 0.
 /// \returns empty if the mask has fewer than 12 pixels, or all on a line.
-/// \throws std::invalid_argument unless both are images of the same size.
-std::vector<double> measure_shape(const Image& region, const Image& mask);
+/// \throws std::invalid_argument unless both are images of the same size, and `fit` has as many
+///         numbers as there are fit_measurements().
+std::vector<double> measure_shape(const Image& region, const Image& mask,
+                                  std::span<const double> fit = {});
 
 } // namespace castor::vision

@@ -84,6 +84,8 @@ public:
       bodies_.push_back({body, to_linear(object.colour), window_of(body, camera),
                          shadow_patch(object, lamp_, options.lamp_radius), sky_patch(body)});
     }
+    for (const auto& lamp : options.fill_lamps)
+      fill_lamps_.push_back(to_eigen(lamp));
     // Points on a disc that faces the table's middle, evenly spread along a golden-angle spiral.
     const Vector3d towards_lamp = lamp_.normalized();
     const Vector3d aside = std::abs(towards_lamp.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
@@ -99,17 +101,9 @@ public:
   Sight look(const EigenRay& ray, const Point2& pixel) const {
     Sight sight;
     look_at_table(ray, sight);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!bodies_[i].window.holds(pixel))
-        continue;
-      const auto hit = bodies_[i].body.hit(ray);
-      if (!hit || hit->distance >= sight.distance)
-        continue;
-      sight.object = static_cast<int>(i);
-      sight.surface = surfaces_per_object * (sight.object + 1) + hit->face;
-      sight.distance = hit->distance;
-      sight.normal = hit->normal;
-    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (bodies_[i].window.holds(pixel))
+        look_at_body(ray, i, sight);
     return sight;
   }
 
@@ -120,10 +114,20 @@ public:
       return {};
     const EigenRay ray = to_eigen(*seen);
     const Sight sight = look(ray, pixel);
-    return {vignette(pixel) * shade(ray, sight, random), sight.surface};
+    return {vignette(pixel) * shade(ray, sight, random, true), sight.surface};
   }
 
 private:
+  void look_at_body(const EigenRay& ray, std::size_t index, Sight& sight) const {
+    const auto hit = bodies_[index].body.hit(ray);
+    if (!hit || hit->distance >= sight.distance)
+      return;
+    sight.object = static_cast<int>(index);
+    sight.surface = surfaces_per_object * (sight.object + 1) + hit->face;
+    sight.distance = hit->distance;
+    sight.normal = hit->normal;
+  }
+
   void look_at_table(const EigenRay& ray, Sight& sight) const {
     // Nearly all of the picture is the table's top, well within its edges.
     const double distance = -ray.origin().z() / ray.direction().z();
@@ -146,7 +150,9 @@ private:
     return 1 - options_.vignetting * 2 * (x * x + y * y);
   }
 
-  LinearColour shade(const EigenRay& ray, const Sight& sight, std::uint64_t random) const {
+  /// \param mirrors whether objects mirror what is around them.
+  LinearColour shade(const EigenRay& ray, const Sight& sight, std::uint64_t random,
+                     bool mirrors) const {
     if (sight.surface == room_surface)
       return shade_room(ray);
     const Vector3d point = ray.pointAt(sight.distance);
@@ -160,7 +166,13 @@ private:
         options_.lamp_intensity * lamp_distance_ / distance * lit_fraction(point, sight, random);
     if (sight.surface == table_surface)
       return shade_table(ray, sight, point, lamp_light * std::max(facing, 0.0));
-    return shade_object(ray, sight, lamp_direction, lamp_light, facing, point);
+    const LinearColour own = shade_object(ray, sight, lamp_direction, lamp_light, facing, point);
+    const auto object = static_cast<std::size_t>(sight.object);
+    const double share = object < options_.mirroring.size() ? options_.mirroring[object] : 0;
+    if (!mirrors || !(share > 0))
+      return own;
+    return (1 - share) * own +
+           share * (bodies_[object].reflectance * mirrored(ray, sight, point, random));
   }
 
   LinearColour shade_room(const EigenRay& ray) const {
@@ -184,7 +196,10 @@ private:
     for (const auto& object : bodies_)
       if (object.sky.holds(point))
         open -= covered_sky(point, object.body);
-    return (options_.ambient_intensity * std::max(open, 0.15) + lamp_light) *
+    double fill_light = 0;
+    for (const auto& lamp : fill_lamps_)
+      fill_light += options_.fill_intensity * std::max(0.0, (lamp - point).normalized().z());
+    return (options_.ambient_intensity * std::max(open, 0.15) + lamp_light + fill_light) *
            texture_.at(point.x(), point.y(), footprint);
   }
 
@@ -197,15 +212,46 @@ private:
     const double height = std::clamp(point.z() / (2 * object.body.radius()), 0.0, 1.0);
     const double bounce = (1 - sky) * (0.35 + 0.65 * height) * 0.8;
     const LinearColour white{1, 1, 1};
+    double diffuse = lamp_light * std::max(facing, 0.0);
+    double highlight = highlight_of(ray, sight, lamp_direction, lamp_light);
+    for (const auto& lamp : fill_lamps_) {
+      const Vector3d direction = (lamp - point).normalized();
+      diffuse += options_.fill_intensity * std::max(0.0, sight.normal.dot(direction));
+      highlight += highlight_of(ray, sight, direction, options_.fill_intensity);
+    }
     const LinearColour arriving =
-      (options_.ambient_intensity * sky + lamp_light * std::max(facing, 0.0)) * white +
+      (options_.ambient_intensity * sky + diffuse) * white +
       (bounce * (options_.ambient_intensity + 0.5 * options_.lamp_intensity)) * texture_.average();
-    const Vector3d halfway = (lamp_direction - ray.direction()).normalized();
-    const double highlight = facing > 0
-                               ? options_.gloss * lamp_light *
-                                   std::pow(std::max(0.0, sight.normal.dot(halfway)), shininess)
-                               : 0.0;
     return arriving * object.reflectance + highlight * white;
+  }
+
+  double highlight_of(const EigenRay& ray, const Sight& sight, const Vector3d& lamp_direction,
+                      double lamp_light) const {
+    if (!(sight.normal.dot(lamp_direction) > 0))
+      return 0;
+    const Vector3d halfway = (lamp_direction - ray.direction()).normalized();
+    return options_.gloss * lamp_light *
+           std::pow(std::max(0.0, sight.normal.dot(halfway)), shininess);
+  }
+
+  /// The light that comes to `point` from where a mirror there shows.
+  LinearColour mirrored(const EigenRay& ray, const Sight& sight, const Vector3d& point,
+                        std::uint64_t random) const {
+    constexpr double off_the_surface = 1e-5;
+    const Vector3d direction =
+      ray.direction() - 2 * ray.direction().dot(sight.normal) * sight.normal;
+    const EigenRay onwards(point + off_the_surface * sight.normal, direction.normalized());
+    return shade(onwards, look_around(onwards, sight.object), random, false);
+  }
+
+  /// What the ray meets first, but for the object `self` that it comes from, which is convex.
+  Sight look_around(const EigenRay& ray, int self) const {
+    Sight sight;
+    look_at_table(ray, sight);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (static_cast<int>(i) != self)
+        look_at_body(ray, i, sight);
+    return sight;
   }
 
   /// How much of the light from all around a body keeps off a point of the table: that of the
@@ -265,6 +311,7 @@ private:
   TableTexture texture_;
   Vector3d lamp_;
   double lamp_distance_;
+  std::vector<Vector3d> fill_lamps_;
   double pixel_angle_;
   Vector3d lamp_u_;
   Vector3d lamp_v_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 #include "castor/perception/vision/types.hpp"
@@ -21,6 +22,12 @@ struct RenderOptions {
   double ambient_intensity = 0.32;
   /// Gloss of the objects, 0 for matt ones.
   double gloss = 0.25;
+  /// Share of the light of each object that its surface mirrors, in the colour of the object, as
+  /// metals do; by the object's index, 0 beyond the end. What is mirrored does not mirror.
+  std::vector<double> mirroring{};
+  /// Further lamps that cast no shadows; metres. Light from each at the table's middle.
+  std::vector<Point3> fill_lamps{};
+  double fill_intensity = 0.2;
   /// Loss of brightness in the corners of the picture, in [0, 1].
   double vignetting = 0.12;
   /// Rays per pixel at edges; 1 leaves them jagged.

@@ -61,7 +61,7 @@ private:
   std::span<const std::string> words_;
 };
 
-/// Defaults as in nominal_camera().
+/// Defaults as in nominal_camera(); here they are what is rendered.
 struct CameraPlace {
   Point3 eye{0, -0.75, 0.70};
   Point3 target;

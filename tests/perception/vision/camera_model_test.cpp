@@ -226,7 +226,10 @@ TEST(CameraFile, IsRead) {
 
 TEST(CameraFile, MayBeAGuess) {
   const auto text = "fov 50\nsize 800 600\neye 0 -0.75 0.70\ntarget 0 0 0\n";
-  EXPECT_EQ(parse_camera(text, "guess").camera, nominal_camera(800, 600));
+  Camera same = nominal_camera(800, 600);
+  EXPECT_TRUE(same.is_assumed);
+  same.is_assumed = false;
+  EXPECT_EQ(parse_camera(text, "guess").camera, same);
 }
 
 TEST(CameraFile, TellsOfAllProblemsAtOnce) {

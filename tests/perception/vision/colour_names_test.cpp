@@ -24,9 +24,9 @@ struct Patch {
   Image mask;
 };
 
-/// A ball of a paint under a lamp with intensity `light`, on a sheet of the reflectance 0.6 (both
+/// A ball of a paint under a lamp of this colour, on a ground of this reflectance (all of them
 /// linear), with a highlight and a dark side.
-Patch ball(const cv::Vec3d& paint_bgr, double light) {
+Patch ball_on(const cv::Vec3d& ground_bgr, const cv::Vec3d& paint_bgr, const cv::Vec3d& light) {
   constexpr int side = 60;
   cv::Mat_<cv::Vec3b> pixels(side, side);
   cv::Mat_<std::uint8_t> mask(side, side, std::uint8_t{0});
@@ -37,14 +37,14 @@ Patch ball(const cv::Vec3d& paint_bgr, double light) {
     for (int x = 0; x < side; ++x) {
       const double u = (x - 29.5) / 25;
       const double v = (y - 29.5) / 25;
-      cv::Vec3d colour = cv::Vec3d::all(0.6 * light);
+      cv::Vec3d colour = ground_bgr.mul(light);
       if (u * u + v * v <= 1) {
         mask(y, x) = 255;
         const double w = std::sqrt(1 - u * u - v * v);
         const double facing = std::max(0.0, 0.5 * w - 0.3 * u - 0.8 * v);
         const double highlight = std::pow(facing, 40);
         const double gloss = 0.04 + highlight;
-        colour = paint_bgr * (light * (0.3 + 0.8 * facing)) + cv::Vec3d::all(light * gloss);
+        colour = (paint_bgr * (0.3 + 0.8 * facing) + cv::Vec3d::all(gloss)).mul(light);
       }
       for (int c = 0; c < 3; ++c)
         pixels(y, x)[c] = encode(colour[c]);
@@ -52,6 +52,23 @@ Patch ball(const cv::Vec3d& paint_bgr, double light) {
   }
   return {to_image(pixels), to_image(mask)};
 }
+
+/// The same on a white sheet in white light.
+Patch ball(const cv::Vec3d& paint_bgr, double light) {
+  return ball_on(cv::Vec3d::all(0.6), paint_bgr, cv::Vec3d::all(light));
+}
+
+std::string best_name(const Patch& patch) {
+  const auto names = name_colour(patch.region, patch.mask);
+  return names.empty() ? "" : names.front().value;
+}
+
+constexpr double dim = 0.4;
+const cv::Vec3d white_sheet(0.6, 0.6, 0.6);
+const cv::Vec3d grey_table(0.25, 0.25, 0.25);
+const cv::Vec3d brown_wood(0.1, 0.2, 0.35);
+const cv::Vec3d blue_cloth(0.3, 0.12, 0.08);
+const cv::Vec3d green_cloth(0.1, 0.2, 0.08);
 
 TEST(ColourNames, names_the_plain_colours) {
   EXPECT_EQ(name_of(255, 0, 0), "red");
@@ -113,6 +130,43 @@ TEST(ColourNames, sees_paint_in_any_light) {
       EXPECT_EQ(names[0].value, name) << "in light " << light;
     }
   }
+}
+
+TEST(ColourNames, tells_orange_from_yellow_on_any_ground) {
+  const cv::Vec3d orange(0.02, 0.22, 0.85);
+  for (const auto& ground : {white_sheet, grey_table, brown_wood, blue_cloth, green_cloth})
+    for (const double light : {0.6, 0.8, 1.0})
+      EXPECT_EQ(best_name(ball_on(ground, orange, cv::Vec3d::all(light))), "orange")
+        << ground << " in light " << light;
+}
+
+TEST(ColourNames, tells_brown_from_orange) {
+  const cv::Vec3d brown(0.02, 0.07, 0.17);
+  for (const auto& ground : {white_sheet, grey_table, brown_wood, blue_cloth})
+    for (const double light : {dim, 0.7, 1.0})
+      EXPECT_EQ(best_name(ball_on(ground, brown, cv::Vec3d::all(light))), "brown")
+        << ground << " in light " << light;
+}
+
+TEST(ColourNames, tells_black_from_blue_in_light_of_any_colour) {
+  const cv::Vec3d black(0.012, 0.012, 0.012);
+  const cv::Vec3d blue(0.3, 0.06, 0.02);
+  const cv::Vec3d sky(1.15, 1, 0.85);
+  const cv::Vec3d lamp(0.7, 0.9, 1.1);
+  for (const auto& light : {sky, lamp, dim * sky, dim * lamp}) {
+    EXPECT_EQ(best_name(ball_on(white_sheet, black, light)), "black") << light;
+    // Whether a dark ground is dark, or a bright one in little light, cannot be told.
+    const auto on_grey = best_name(ball_on(grey_table, black, light));
+    EXPECT_TRUE(on_grey == "black" || on_grey == "grey") << on_grey << light;
+    for (const auto& ground : {white_sheet, grey_table})
+      EXPECT_EQ(best_name(ball_on(ground, blue, light)), "blue") << ground << light;
+  }
+}
+
+TEST(ColourNames, are_less_sure_where_the_light_decides) {
+  const Patch between = ball({0.03, 0.19, 0.5}, 0.8);
+  const auto names = name_colour(between.region, between.mask);
+  EXPECT_LT(names.front().confidence, 0.8) << names.front().value;
 }
 
 TEST(ColourNames, ranks_names_and_sums_to_one) {

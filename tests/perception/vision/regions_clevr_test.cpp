@@ -1,9 +1,13 @@
 // The whole chain on CLEVR images, where there are any.
 
+#include <algorithm>
 #include <filesystem>
+#include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "castor/benchmarks/clevr/damage.hpp"
 #include "castor/benchmarks/clevr/evaluation.hpp"
 #include "castor/benchmarks/clevr/relations.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
@@ -38,6 +42,31 @@ TEST(RegionsOnClevr, are_found_named_and_related) {
   const auto relations = judge_relations(outcomes, make_camera(CameraGuess{}, 320, 240, 1));
   ASSERT_GT(relations.all.all, 0u);
   EXPECT_GE(share(relations.all), 0.98);
+}
+
+TEST(DamagedRegions, are_much_of_the_region_and_look_like_one) {
+  constexpr int side = 80;
+  vision::Image image{side, side, 3, std::vector<std::uint8_t>(3 * side * side, 90)};
+  vision::Segment segment;
+  segment.box = {{40, 40}, 31, 31};
+  segment.mask = {31, 31, 1, std::vector<std::uint8_t>(31 * 31, 255)};
+  const auto region = make_roi(image, segment);
+  std::mt19937 random(5);
+  std::size_t changed = 0;
+  for (int i = 0; i < 50; ++i) {
+    const auto other = damaged(region, image, random);
+    if (other.region.bytes.empty())
+      continue;
+    EXPECT_EQ(other.mask.width, other.region.width);
+    EXPECT_EQ(other.mask.height, other.region.height);
+    EXPECT_FALSE(other.contour.empty());
+    const auto pixels = std::count_if(other.mask.bytes.begin(), other.mask.bytes.end(),
+                                      [](auto x) { return x != 0; });
+    EXPECT_GT(pixels, 31 * 31 / 20);
+    EXPECT_LT(pixels, 31 * 31 * 2);
+    changed += pixels != 31 * 31 ? 1 : 0;
+  }
+  EXPECT_GT(changed, 40U);
 }
 
 TEST(CameraOfClevr, is_the_same_in_its_file) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -63,6 +64,27 @@ TEST(Regions, have_no_size_without_a_camera) {
   EXPECT_EQ(regions[0].colour.value, "red");
   EXPECT_EQ(regions[0].size.value, "unknown");
   EXPECT_EQ(regions[0].roi.features.extent, ObjectBox{});
+}
+
+TEST(Regions, are_only_round_where_the_camera_is_not_known) {
+  const Camera known = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 480, 360);
+  const Camera assumed = nominal_camera(480, 360);
+  for (const auto& [shape, name] :
+       {std::pair(TabletopShape::sphere, "sphere"), std::pair(TabletopShape::disc, "circle")}) {
+    TabletopSnapshot scene;
+    scene.table.material = TableLook::Material::plain;
+    scene.table.colour = {200, 200, 200};
+    scene.objects = {thing(shape, {30, 60, 190}, 0, 0, 0.08)};
+    const Image image = render(scene, known);
+    const auto measured = find_regions(image, &known);
+    ASSERT_EQ(measured.size(), 1U) << name;
+    EXPECT_EQ(measured[0].shape.value, name);
+    for (const Camera* camera : {static_cast<const Camera*>(nullptr), &assumed}) {
+      const auto guessed = find_regions(image, camera);
+      ASSERT_EQ(guessed.size(), 1U) << name;
+      EXPECT_EQ(guessed[0].shape.value, "round") << name;
+    }
+  }
 }
 
 TEST(Regions, show_the_pixels_of_their_box) {

@@ -116,6 +116,22 @@ TEST(ShapeClassifier, keeps_to_the_candidates) {
                std::invalid_argument);
 }
 
+TEST(ShapeClassifier, says_round_where_balls_and_discs_look_the_same) {
+  const auto shapes = classify_shape(measure(disc(20)), {.tells_round_apart = false});
+  EXPECT_EQ(shapes.front().value, round_shape);
+  double sum = 0;
+  for (const auto& shape : shapes) {
+    EXPECT_NE(shape.value, "sphere");
+    EXPECT_NE(shape.value, "circle");
+    sum += shape.confidence;
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+  // What is known not to be flat is a ball.
+  const auto solids = classify_shape(
+    measure(disc(20)), {.candidates = {"cube", "sphere"}, .tells_round_apart = false});
+  EXPECT_EQ(solids.front().value, "sphere");
+}
+
 TEST(ShapeClassifier, refuses_evidence_of_another_kind) {
   const std::vector<double> evidence{1, 2, 3};
   EXPECT_THROW(classify_shape(evidence), std::invalid_argument);

@@ -160,6 +160,35 @@ TEST(Renderer, FollowsTheLensOfTheCamera) {
             4);
 }
 
+TEST(Renderer, MirrorsWhatIsAround) {
+  const auto [snapshot, camera] = setup_of("camera 0 -0.62 0.55 looking-at 0 0.03 0 fov 42\n"
+                                           "image 320 240\n"
+                                           "white cube at 0 0.05 size 0.1\n"
+                                           "red sphere at 0 -0.07 size 0.06\n");
+  const Point3 on_the_front{0, 0, 0.05};
+  const auto matt = colour_at(render_without_noise(snapshot, camera), camera, on_the_front);
+  RenderOptions options;
+  options.mirroring = {0.8};
+  const auto shiny =
+    colour_at(render_without_noise(snapshot, camera, options), camera, on_the_front);
+  EXPECT_LT(matt[2], 1.2 * matt[0]);
+  EXPECT_GT(shiny[2], 1.3 * shiny[0]);
+}
+
+TEST(Renderer, HasLampsWithoutShadows) {
+  const auto [snapshot, camera] = setup_of(six_objects);
+  RenderOptions options;
+  const Point3 bare{-0.05, 0.2, 0};
+  const auto before = colour_at(render_without_noise(snapshot, camera, options), camera, bare);
+  options.lamp_intensity = 0.4;
+  const auto dim = colour_at(render_without_noise(snapshot, camera, options), camera, bare);
+  options.fill_lamps = {{0.5, -0.5, 1}, {-0.5, -0.5, 1}};
+  options.fill_intensity = 0.2;
+  const auto filled = colour_at(render_without_noise(snapshot, camera, options), camera, bare);
+  EXPECT_LT(brightness(dim), brightness(before) - 60);
+  EXPECT_GT(brightness(filled), brightness(dim) + 60);
+}
+
 TEST(Renderer, RefusesCamerasWithoutImage) {
   EXPECT_THROW(render({}, Camera{}), std::invalid_argument);
   RenderOptions options;

@@ -62,7 +62,9 @@ TEST(TabletopScene, IsReadFromAFewLines) {
 
 TEST(TabletopScene, HasASettingWithoutASingleLine) {
   const auto scene = scene_of("");
-  EXPECT_EQ(scene.camera, nominal_camera(640, 480));
+  Camera expected = nominal_camera(640, 480);
+  expected.is_assumed = false;
+  EXPECT_EQ(scene.camera, expected);
   EXPECT_EQ(scene.setting, TabletopSnapshot{});
   EXPECT_EQ(scene.change_times(), std::vector<SceneTime>{0s});
 }
