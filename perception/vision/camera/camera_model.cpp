@@ -147,6 +147,14 @@ Camera nominal_camera(int width, int height) {
   return look_at({0, -0.75, 0.70}, {0, 0, 0}, 50, width, height);
 }
 
+bool is_nominal(const Camera& camera) {
+  if (camera.width <= 0 || camera.height <= 0)
+    return false;
+  Camera assumed = nominal_camera(camera.width, camera.height);
+  assumed.number = camera.number;
+  return camera == assumed;
+}
+
 std::optional<Point2> project(const Camera& camera, const Point3& point) {
   const Vector3d body =
     to_eigen(camera.pose.rotation).conjugate() * (to_eigen(point) - to_eigen(camera.pose.position));

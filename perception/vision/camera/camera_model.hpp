@@ -53,6 +53,9 @@ Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degr
 /// 0.75 m before the middle of the table and 0.70 m above it, looking at that middle.
 Camera nominal_camera(int width, int height);
 
+/// Whether the camera, apart from its number, is the one that is assumed without a calibration.
+bool is_nominal(const Camera& camera);
+
 /// Projection of `point`, in pixels; it may be outside of the image. Nothing if the point is behind
 /// the camera, or so far off its axis that the lens model folds the image over itself.
 std::optional<Point2> project(const Camera& camera, const Point3& point);

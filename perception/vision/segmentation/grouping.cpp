@@ -220,7 +220,7 @@ bool is_inset(AreaGraph& graph, int id, const SegmentationOptions& options) {
   // Most of the boundary must be with the host.
   if (shared <= 0.5)
     return false;
-  if (area.pixels() < options.min_area * graph.labels().size())
+  if (area.pixels() < options.piece_area * graph.labels().size())
     return true;
   return open < options.inset_ground &&
          area.pixels() < options.inset_area * graph.area(host).pixels() &&

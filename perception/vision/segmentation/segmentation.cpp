@@ -47,10 +47,22 @@ void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
 /// What is known of the ground.
 enum class Ground { unknown, seen, learned };
 
-bool is_object(const Area& area, double image_pixels, Ground ground,
-               const SegmentationOptions& options) {
-  const double share = area.pixels() / image_pixels;
-  if (share < options.min_area || (ground != Ground::learned && share > options.max_area))
+/// Fragments of things, of their shadows and of what they mirror are small as well, but they are
+/// beside those things.
+bool is_fragment(const AreaGraph& graph, int id, const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  const Contact* outline = graph.contact(id, graph.ground());
+  return area.pixels() < options.piece_area * graph.labels().size() &&
+         (outline == nullptr || outline->length < options.alone * area.boundary());
+}
+
+bool is_object(const AreaGraph& graph, int id, Ground ground, const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  const double share = area.pixels() / graph.labels().size();
+  if (area.pixels() < options.min_pixels || share < options.min_area ||
+      (ground != Ground::learned && share > options.max_area))
+    return false;
+  if (ground != Ground::unknown && is_fragment(graph, id, options))
     return false;
   // Pixels on the border of the image, against all pixel pairs along the outline.
   if (area.border > options.max_border * (area.boundary() + area.border))
@@ -104,7 +116,7 @@ std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& pi
                                 const SegmentationOptions& options) {
   std::vector<Segment> segments;
   for (int id = 0; id < graph.count(); ++id) {
-    if (!graph.is_part(id) || !is_object(graph.area(id), graph.labels().size(), ground, options))
+    if (!graph.is_part(id) || !is_object(graph, id, ground, options))
       continue;
     if (auto found = make_segment(graph.area(id), picture, image))
       segments.push_back(std::move(*found));

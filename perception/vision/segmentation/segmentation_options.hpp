@@ -82,8 +82,15 @@ struct SegmentationOptions {
   /// thing) if at most this share of its boundary meets the ground and most of it the neighbour.
   double inset_area = 0.35;
   double inset_ground = 0.3;
-  /// Objects are at least and at most this large.
-  double min_area = 0.001;
+  /// Whatever its outline, a piece smaller than this share of the image is part of the neighbour
+  /// that most of its boundary is with. It is an object only if the ground has this share of its
+  /// boundary.
+  double piece_area = 0.001;
+  double alone = 0.8;
+  /// Objects have at least this many pixels in the working image, and at least and at most these
+  /// shares of the image.
+  int min_pixels = 60;
+  double min_area = 0;
   double max_area = 0.4;
   /// Objects with a larger share of their outline on the border of the image are dropped: what is
   /// cut off is not seen well enough. 1 keeps them all.

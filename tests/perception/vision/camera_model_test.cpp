@@ -138,6 +138,15 @@ TEST(NominalCamera, SeesTheTableAnd50Degrees) {
   EXPECT_TRUE(near(*back_project(camera, {399.5, 299.5}), {0, 0, 0}, 1e-9));
 }
 
+TEST(NominalCamera, IsToldFromACalibratedOne) {
+  Camera camera = nominal_camera(800, 600);
+  camera.number = 2;
+  EXPECT_TRUE(is_nominal(camera));
+  camera.fx += 1;
+  EXPECT_FALSE(is_nominal(camera));
+  EXPECT_FALSE(is_nominal(Camera{}));
+}
+
 TEST(CameraProperties, ProjectionAndBackProjectionAreInverse) {
   EXPECT_TRUE(rc::check([] {
     const Camera camera =
