@@ -156,15 +156,25 @@ void join_surfaces(AreaGraph& graph, const SegmentationOptions& options) {
   }
 }
 
-/// Whether the colour alone tells: on a coloured ground no paint looks like that ground in the
-/// dark.
-bool has_shadow_colour(const AreaGraph& graph, int id, const Contact& caster,
-                       const SegmentationOptions& options) {
+/// Whether the colour alone tells: on a coloured ground, few things have the very colour of what
+/// they are on, only darker, and lie at another thing that has not.
+bool has_shadow_colour(const AreaGraph& graph, int id, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
-  return ground_colourfulness(area) > options.colour_angle &&
-         surface_of(area).angle <= options.shadow_angle &&
-         surface_of(graph.area(caster.area)).angle > options.colour_angle &&
-         caster.length >= options.shadow_contact * area.boundary();
+  const Surface surface = surface_of(area);
+  if (ground_colourfulness(area) < options.grey_angle || surface.angle > options.shadow_angle ||
+      surface.brightness > options.shadow_depth || surface.brightness < options.shadow_brightness)
+    return false;
+  int touched = 0;
+  for (const auto& contact : area.contacts) {
+    if (contact.area == graph.ground())
+      continue;
+    const double angle = surface_of(graph.area(contact.area)).angle;
+    if (angle > options.caster_angle + 1.5 * surface.angle)
+      touched += contact.length;
+  }
+  const Contact* outline = graph.contact(id, graph.ground());
+  return touched >= options.shadow_contact * area.boundary() && outline != nullptr &&
+         outline->length >= options.shadow_open * area.boundary();
 }
 
 bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& options) {
@@ -178,8 +188,6 @@ bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& option
       surface.brightness < options.shadow_brightness)
     return false;
   const Contact& contact = *graph.contact(id, caster_id);
-  if (has_shadow_colour(graph, id, contact, options))
-    return true;
   const Area& caster = graph.area(caster_id);
   const double softness = outline->mean_contrast() / contact.mean_contrast();
   const bool caster_is_coloured = surface_of(caster).angle > options.colour_angle;
@@ -193,12 +201,13 @@ bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& option
          compactness(area, graph.labels().width()) < options.shadow_compactness;
 }
 
-void join_shadows(AreaGraph& graph, const SegmentationOptions& options) {
+template <class Predicate>
+void join_shadows(AreaGraph& graph, Predicate is_one) {
   bool found = true;
   while (found) {
     found = false;
     for (int id = 0; id < graph.count(); ++id) {
-      if (graph.is_part(id) && is_shadow(graph, id, options)) {
+      if (graph.is_part(id) && is_one(id)) {
         graph.join(graph.ground(), id);
         found = true;
       }
@@ -337,8 +346,12 @@ void join_ground(AreaGraph& graph, const Grid<std::uint8_t>& foreground) {
 void group(AreaGraph& graph, const SegmentationOptions& options) {
   join_crumbs(graph, options);
   join_ground_like(graph, options);
+  // Before they are joined to what casts them.
+  join_shadows(graph, [&](int id) { return has_shadow_colour(graph, id, options); });
   join_surfaces(graph, options);
-  join_shadows(graph, options);
+  join_shadows(graph, [&](int id) {
+    return has_shadow_colour(graph, id, options) || is_shadow(graph, id, options);
+  });
   join_insets(graph, options);
   join_surfaces(graph, options);
 }

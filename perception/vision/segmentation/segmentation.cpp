@@ -48,12 +48,13 @@ void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
 enum class Ground { unknown, seen, learned };
 
 /// Fragments of things, of their shadows and of what they mirror are small as well, but they are
-/// beside those things.
+/// beside those things, or thin.
 bool is_fragment(const AreaGraph& graph, int id, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
   const Contact* outline = graph.contact(id, graph.ground());
   return area.pixels() < options.piece_area * graph.labels().size() &&
-         (outline == nullptr || outline->length < options.alone * area.boundary());
+         (outline == nullptr || outline->length < options.alone * area.boundary() ||
+          compactness(area, graph.labels().width()) < options.piece_compactness);
 }
 
 bool is_object(const AreaGraph& graph, int id, Ground ground, const SegmentationOptions& options) {

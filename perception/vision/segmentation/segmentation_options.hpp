@@ -73,20 +73,27 @@ struct SegmentationOptions {
   double shadow_compactness = 0.65;
   /// Beside a thing that is itself a shade of the ground, a shadow must be softer by this factor.
   double shadow_softness = 0.55;
-  /// On a coloured ground beside a thing of another colour, a darker area that has the ground's own
-  /// colour to within this angle is a shadow whatever its size, shape and edges, if it meets that
-  /// thing along this share of its boundary: few things have the very colour of what they are on.
+  /// On a ground at least this far from grey, a darker area that has the ground's own colour to
+  /// within `shadow_angle` and is at most this bright is a shadow whatever its size, shape and
+  /// edges, if areas whose colour is further from the ground's by `caster_angle` meet it along
+  /// `shadow_contact` of its boundary, and the ground along `shadow_open`. On grey ground it may as
+  /// well be a grey thing.
+  double grey_angle = 8.0;
   double shadow_angle = 3.0;
+  double shadow_depth = 0.85;
+  double caster_angle = 1.5;
   double shadow_contact = 0.15;
+  double shadow_open = 0.4;
   /// A piece of less than `inset_area` times its neighbour is part of it (a highlight, a mirrored
   /// thing) if at most this share of its boundary meets the ground and most of it the neighbour.
   double inset_area = 0.35;
   double inset_ground = 0.3;
   /// Whatever its outline, a piece smaller than this share of the image is part of the neighbour
   /// that most of its boundary is with. It is an object only if the ground has this share of its
-  /// boundary.
+  /// boundary, and if it is at least as compact as this (1: a disc).
   double piece_area = 0.001;
   double alone = 0.8;
+  double piece_compactness = 0.3;
   /// Objects have at least this many pixels in the working image, and at least and at most these
   /// shares of the image.
   int min_pixels = 60;
