@@ -13,6 +13,7 @@
 #include "castor/perception/vision/segmentation/area_graph.hpp"
 #include "castor/perception/vision/segmentation/ground_colour.hpp"
 #include "castor/perception/vision/segmentation/grouping.hpp"
+#include "castor/perception/vision/segmentation/neck.hpp"
 #include "castor/perception/vision/segmentation/surface.hpp"
 #include "castor/perception/vision/segmentation/watershed.hpp"
 #include "castor/perception/vision/segmentation/working_picture.hpp"
@@ -71,13 +72,13 @@ bool is_object(const AreaGraph& graph, int id, Ground ground, const Segmentation
   return ground != Ground::seen || ground_difference(area) >= options.ground_difference;
 }
 
-/// The mask of `area` in image pixels, cut to its box, and the outline.
-std::optional<Segment> make_segment(const Area& area, const WorkingPicture& picture,
+/// The mask of the area with these cells in image pixels, cut to its box, and the outline.
+std::optional<Segment> make_segment(const std::vector<int>& cells, const WorkingPicture& picture,
                                     const Image& image) {
   const int width = picture.colour.width();
   std::vector<cv::Point> points;
-  points.reserve(area.cells.size());
-  for (const int cell : area.cells)
+  points.reserve(cells.size());
+  for (const int cell : cells)
     points.emplace_back(cell % width, cell / width);
   cv::Rect box = cv::boundingRect(points);
   cv::Mat_<std::uint8_t> mask(box.size(), std::uint8_t{0});
@@ -119,8 +120,11 @@ std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& pi
   for (int id = 0; id < graph.count(); ++id) {
     if (!graph.is_part(id) || !is_object(graph, id, ground, options))
       continue;
-    if (auto found = make_segment(graph.area(id), picture, image))
-      segments.push_back(std::move(*found));
+    for (const auto& cells :
+         divide_at_necks(graph.area(id).cells, graph.labels().width(), options.neck)) {
+      if (auto found = make_segment(cells, picture, image))
+        segments.push_back(std::move(*found));
+    }
   }
   std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
     return std::tie(a.box.center.y, a.box.center.x) < std::tie(b.box.center.y, b.box.center.x);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace castor::vision {
 
 /// Options for close-ups, in which textured objects fill the frame: the image is shrunk until their
@@ -17,6 +19,27 @@ struct CloseUpOptions {
   double min_area = 0.02;
   double max_area = 0.7;
   double max_border = 0.45;
+};
+
+/// Options for dividing an area at its necks; pixels are those of the working image, and solidity
+/// is the share of its convex hull that an area fills.
+struct NeckOptions {
+  /// Areas of more solidity are one thing.
+  double convex = 0.94;
+  /// Outlines are straightened by up to this; pixels.
+  double tolerance = 1.5;
+  /// An inward corner turns by at least this; degrees. Outlines with more such corners are not of
+  /// things that touch each other.
+  double min_turn = 20;
+  std::size_t max_corners = 12;
+  /// Minimum of a part: pixels, share of the whole, solidity.
+  int min_pixels = 40;
+  double min_share = 0.12;
+  double min_solidity = 0.9;
+  /// A neck is at most this long, as a share of the width of the narrower part.
+  double max_length = 0.8;
+  /// Share that the parts leave of the space that the whole leaves in its hull.
+  double max_rest = 0.45;
 };
 
 /// Options of the segmentation. Contrasts are CIE L*a*b* units per pixel of the smoothed working
@@ -105,6 +128,8 @@ struct SegmentationOptions {
   /// How far the colours of an area without edges may spread (standard deviation; L*a*b* units) if
   /// it is to be one surface.
   double ground_spread = 20.0;
+  /// Options for dividing things of one colour that touch each other.
+  NeckOptions neck;
   /// Options used instead where no ground is found because texture hides the edges.
   CloseUpOptions close_up;
 };
