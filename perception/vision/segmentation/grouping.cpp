@@ -315,6 +315,22 @@ int widest_on_border(const AreaGraph& graph) {
   return widest;
 }
 
+/// Whether a large area is a thing that the ground goes around, or is seen through, and no sheet
+/// with things on it.
+bool is_large_thing(const AreaGraph& graph, int id, int ground,
+                    const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  if (area.border > 0)
+    return false;
+  int open = 0;
+  for (const auto& contact : area.contacts) {
+    if (contact.area == ground ||
+        lab_difference(graph.area(contact.area), graph.area(ground)) < options.ground_difference)
+      open += contact.length;
+  }
+  return open >= options.large_alone * area.boundary();
+}
+
 void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
   const int ground = widest_on_border(graph);
   const double border = 2.0 * (graph.labels().width() + graph.labels().height());
@@ -322,7 +338,8 @@ void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
   graph.set_ground(ground);
   for (int id = 0; id < graph.count(); ++id) {
     const bool wide = graph.area(id).border > options.ground_border * border;
-    const bool large = graph.area(id).pixels() > options.ground_area * size;
+    const bool large = graph.area(id).pixels() > options.ground_area * size &&
+                       !is_large_thing(graph, id, ground, options);
     if (graph.is_part(id) && (wide || large))
       graph.join(ground, id);
   }

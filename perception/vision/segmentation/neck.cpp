@@ -38,7 +38,7 @@ double diameter(const Mask& mask) {
   return 2 * radius;
 }
 
-Part make_part(std::vector<cv::Point> points, const Mask& mask) {
+Part make_neck_part(std::vector<cv::Point> points, const Mask& mask) {
   Part part;
   part.solidity = static_cast<double>(points.size()) / hull_pixels(points);
   part.width = diameter(mask);
@@ -69,8 +69,8 @@ std::vector<cv::Point> inward_corners(const Mask& mask, const NeckOptions& optio
 }
 
 /// The two parts on either side of the line; nothing if it does not divide the mask in two.
-std::optional<std::pair<Part, Part>> cut(const Mask& mask, const cv::Point& from,
-                                         const cv::Point& to) {
+std::optional<std::pair<Part, Part>> cut_along(const Mask& mask, const cv::Point& from,
+                                               const cv::Point& to) {
   Mask divided = mask.clone();
   cv::line(divided, from, to, 0, 1, cv::LINE_8);
   cv::Mat_<int> labels;
@@ -78,7 +78,7 @@ std::optional<std::pair<Part, Part>> cut(const Mask& mask, const cv::Point& from
   if (cv::connectedComponents(divided, labels, 4, CV_32S) != 3)
     return std::nullopt;
   std::vector<cv::Point> points[2];
-  Mask masks[2] = {Mask::zeros(mask.size()), Mask::zeros(mask.size())};
+  Mask masks[2] = {Mask(mask.size(), std::uint8_t{0}), Mask(mask.size(), std::uint8_t{0})};
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask(y, x) == 0)
@@ -89,8 +89,8 @@ std::optional<std::pair<Part, Part>> cut(const Mask& mask, const cv::Point& from
       masks[side](y, x) = 255;
     }
   }
-  return std::pair(make_part(std::move(points[0]), masks[0]),
-                   make_part(std::move(points[1]), masks[1]));
+  return std::pair(make_neck_part(std::move(points[0]), masks[0]),
+                   make_neck_part(std::move(points[1]), masks[1]));
 }
 
 bool are_things(const std::pair<Part, Part>& parts, double whole_solidity, double length,
@@ -106,8 +106,8 @@ bool are_things(const std::pair<Part, Part>& parts, double whole_solidity, doubl
          open <= options.max_rest * (1 - whole_solidity) * whole;
 }
 
-std::vector<std::vector<cv::Point>> divide(const std::vector<cv::Point>& points,
-                                           const NeckOptions& options) {
+std::vector<std::vector<cv::Point>> divide_points(const std::vector<cv::Point>& points,
+                                                  const NeckOptions& options) {
   const auto whole = static_cast<double>(points.size());
   const double solidity = whole / hull_pixels(points);
   if (whole < 2 * options.min_pixels || solidity > options.convex)
@@ -115,7 +115,7 @@ std::vector<std::vector<cv::Point>> divide(const std::vector<cv::Point>& points,
   const cv::Rect box = cv::boundingRect(points);
   // A rim of 0 all around, so that the border of the mask is a boundary too.
   const cv::Point offset = box.tl() - cv::Point(1, 1);
-  Mask mask = Mask::zeros(box.height + 2, box.width + 2);
+  Mask mask(box.height + 2, box.width + 2, std::uint8_t{0});
   for (const auto& point : points)
     mask(point - offset) = 255;
   const auto corners = inward_corners(mask, options);
@@ -128,7 +128,7 @@ std::vector<std::vector<cv::Point>> divide(const std::vector<cv::Point>& points,
       const double length = cv::norm(corners[i] - corners[j]);
       if (best && length >= shortest)
         continue;
-      auto parts = cut(mask, corners[i], corners[j]);
+      auto parts = cut_along(mask, corners[i], corners[j]);
       if (parts && are_things(*parts, solidity, length, options)) {
         best = std::move(parts);
         shortest = length;
@@ -155,7 +155,7 @@ std::vector<std::vector<int>> divide_at_necks(const std::vector<int>& cells, int
   for (const int cell : cells)
     points.emplace_back(cell % width, cell / width);
   std::vector<std::vector<int>> result;
-  for (const auto& part : divide(points, options)) {
+  for (const auto& part : divide_points(points, options)) {
     auto& part_cells = result.emplace_back();
     part_cells.reserve(part.size());
     for (const auto& point : part)

@@ -152,7 +152,7 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
   options.smoothing = close_up.smoothing;
   options.noise_factor = close_up.noise_factor;
   options.min_area = std::max(options.min_area, close_up.min_area);
-  options.max_area = std::max(options.max_area, close_up.max_area);
+  options.max_area = std::min(options.max_area, close_up.max_area);
   options.max_border = std::max(options.max_border, close_up.max_border);
   const WorkingPicture picture = make_working_picture(image, options);
   AreaGraph graph = divide(picture, close_up.edge_factor);

@@ -60,10 +60,12 @@ struct SegmentationOptions {
   double edge_factor = 3.0;
   /// Areas with fewer pixels than this are joined to the most similar neighbour.
   int crumb_pixels = 12;
-  /// An area this large is ground (a sheet, a tabletop in view with its rim), and so is one with
-  /// this share of the image's border.
+  /// An area this large is ground (a sheet, a tabletop in view with its rim), unless it is clear of
+  /// the image's border and has `large_alone` of its boundary with the ground around it: there is
+  /// nothing on it then. So is one with this share of the image's border.
   double ground_area = 0.3;
   double ground_border = 0.1;
+  double large_alone = 0.97;
   /// Minimum difference of an object from the ground around it; L*a*b* units.
   double ground_difference = 4.0;
   /// Two areas may be of one surface if their colours differ by at most this angle, where a
@@ -121,7 +123,7 @@ struct SegmentationOptions {
   /// shares of the image.
   int min_pixels = 60;
   double min_area = 0;
-  double max_area = 0.4;
+  double max_area = 0.85;
   /// Objects with a larger share of their outline on the border of the image are dropped: what is
   /// cut off is not seen well enough. 1 keeps them all.
   double max_border = 0.2;

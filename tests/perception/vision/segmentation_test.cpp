@@ -229,6 +229,28 @@ TEST(Segmentation, drops_what_is_too_small) {
   EXPECT_TRUE(segments_of(picture, options).empty());
 }
 
+TEST(Segmentation, finds_a_thing_that_fills_most_of_the_picture) {
+  cv::Mat picture = shaded_sheet();
+  const cv::Rect thing(30, 20, 260, 200);
+  cv::rectangle(picture, thing, {40, 40, 180}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], thing));
+  SegmentationOptions options;
+  options.max_area = 0.4;
+  EXPECT_TRUE(segments_of(picture, options).empty());
+}
+
+TEST(Segmentation, takes_a_large_sheet_with_things_on_it_for_ground) {
+  cv::Mat picture = shaded_sheet();
+  cv::rectangle(picture, {30, 20, 260, 200}, {90, 160, 90}, cv::FILLED);
+  const cv::Rect thing(120, 90, 40, 40);
+  cv::rectangle(picture, thing, {40, 40, 180}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], thing));
+}
+
 TEST(Segmentation, drops_what_the_border_cuts_off_unless_told_otherwise) {
   cv::Mat picture = shaded_sheet();
   cv::circle(picture, {160, 239}, 25, {40, 40, 180}, cv::FILLED);
