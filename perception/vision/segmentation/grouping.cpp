@@ -268,9 +268,16 @@ void join_insets(AreaGraph& graph, const SegmentationOptions& options) {
   join_to_neighbours(graph, [&](int id) { return is_inset(graph, id, options); });
 }
 
+/// Whether two areas are of different colours, whatever their lightness, which textures vary most.
+bool differ_in_hue(const Area& a, const Area& b, const SegmentationOptions& options) {
+  return std::min(a.pixels(), b.pixels()) >= options.hue_pixels &&
+         chroma_difference(a, b) > options.hue_difference;
+}
+
 } // namespace
 
-void join_weak(AreaGraph& graph, double max_contrast) {
+void join_weak(AreaGraph& graph, double max_contrast, double clear_contrast,
+               const SegmentationOptions& options) {
   struct Candidate {
     double contrast;
     int a;
@@ -300,6 +307,9 @@ void join_weak(AreaGraph& graph, double max_contrast) {
     const Contact* contact = graph.contact(next.a, next.b);
     if (contact == nullptr || contact->length != next.length)
       continue; // The boundary has grown since; it is in the queue again as it is now.
+    if (next.contrast > clear_contrast &&
+        differ_in_hue(graph.area(next.a), graph.area(next.b), options))
+      continue;
     const int survivor = graph.join(next.a, next.b);
     for (const auto& changed : graph.area(survivor).contacts)
       push(survivor, changed);

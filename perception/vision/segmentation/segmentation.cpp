@@ -61,8 +61,10 @@ bool is_fragment(const AreaGraph& graph, int id, const SegmentationOptions& opti
 bool is_object(const AreaGraph& graph, int id, Ground ground, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
   const double share = area.pixels() / graph.labels().size();
+  const double largest =
+    area.border == 0 ? options.max_area : std::min(options.max_area, options.max_cut_area);
   if (area.pixels() < options.min_pixels || share < options.min_area ||
-      (ground != Ground::learned && share > options.max_area))
+      (ground != Ground::learned && share > largest))
     return false;
   if (ground != Ground::unknown && is_fragment(graph, id, options))
     return false;
@@ -132,10 +134,12 @@ std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& pi
   return segments;
 }
 
-AreaGraph divide(const WorkingPicture& picture, double edge_factor) {
+AreaGraph divide(const WorkingPicture& picture, double edge_factor,
+                 const SegmentationOptions& options) {
   const float flat = picture.flat_contrast;
   AreaGraph graph(watershed(picture.contrast, flat, flood_step * flat), picture);
-  join_weak(graph, edge_factor * static_cast<double>(flat));
+  join_weak(graph, edge_factor * static_cast<double>(flat), edge_factor * options.flat_contrast,
+            options);
   return graph;
 }
 
@@ -153,9 +157,10 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
   options.noise_factor = close_up.noise_factor;
   options.min_area = std::max(options.min_area, close_up.min_area);
   options.max_area = std::min(options.max_area, close_up.max_area);
+  options.max_cut_area = close_up.max_cut_area;
   options.max_border = std::max(options.max_border, close_up.max_border);
   const WorkingPicture picture = make_working_picture(image, options);
-  AreaGraph graph = divide(picture, close_up.edge_factor);
+  AreaGraph graph = divide(picture, close_up.edge_factor, options);
   const int widest = widest_on_border(graph);
   const double border = 2.0 * (graph.labels().width() + graph.labels().height());
   if (graph.area(widest).border <= close_up.ground_border * border) {
@@ -173,7 +178,7 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
 std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
                              const BackgroundModel* background) {
   const WorkingPicture picture = make_working_picture(image, options);
-  AreaGraph graph = divide(picture, options.edge_factor);
+  AreaGraph graph = divide(picture, options.edge_factor, options);
   if (background != nullptr) {
     Grid<std::uint8_t> foreground = background->foreground(image);
     join_ground(graph, shrink(foreground, picture.colour.width(), picture.colour.height()));

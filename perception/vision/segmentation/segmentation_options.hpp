@@ -18,6 +18,7 @@ struct CloseUpOptions {
   /// As in SegmentationOptions; most things in a close-up are large and many are cut off.
   double min_area = 0.02;
   double max_area = 0.7;
+  double max_cut_area = 0.7;
   double max_border = 0.45;
 };
 
@@ -58,6 +59,10 @@ struct SegmentationOptions {
   /// Two areas are one while their mean contrast along the common boundary is below this multiple
   /// of the flat contrast.
   double edge_factor = 3.0;
+  /// Where texture has raised the flat contrast, areas with at least so many pixels and so
+  /// different in hue stay apart nevertheless; a* and b* units.
+  int hue_pixels = 30;
+  double hue_difference = 14;
   /// Areas with fewer pixels than this are joined to the most similar neighbour.
   int crumb_pixels = 12;
   /// An area this large is ground (a sheet, a tabletop in view with its rim), unless it is clear of
@@ -120,10 +125,11 @@ struct SegmentationOptions {
   double alone = 0.8;
   double piece_compactness = 0.3;
   /// Objects have at least this many pixels in the working image, and at least and at most these
-  /// shares of the image.
+  /// shares of the image; those that its border cuts off at most `max_cut_area`.
   int min_pixels = 60;
   double min_area = 0;
   double max_area = 0.85;
+  double max_cut_area = 0.4;
   /// Objects with a larger share of their outline on the border of the image are dropped: what is
   /// cut off is not seen well enough. 1 keeps them all.
   double max_border = 0.2;

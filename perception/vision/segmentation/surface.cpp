@@ -69,6 +69,11 @@ double lab_difference(const Area& a, const Area& b) {
   return mean_difference(a.lab, a.pixels(), b.lab, b.pixels());
 }
 
+double chroma_difference(const Area& a, const Area& b) {
+  return std::hypot(a.lab[1] / a.pixels() - b.lab[1] / b.pixels(),
+                    a.lab[2] / a.pixels() - b.lab[2] / b.pixels());
+}
+
 double ground_difference(const Area& area) {
   return mean_difference(area.lab, area.pixels(), area.ground_lab, area.pixels());
 }

@@ -28,6 +28,9 @@ double surface_difference(const Surface& a, const Surface& b, double saturation_
 /// Difference of the mean colours; L*a*b* units.
 double lab_difference(const Area& a, const Area& b);
 
+/// Difference of the mean colours without lightness; a* and b* units.
+double chroma_difference(const Area& a, const Area& b);
+
 /// Difference of the area from the ground at its place; L*a*b* units.
 double ground_difference(const Area& area);
 
