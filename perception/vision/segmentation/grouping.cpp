@@ -161,8 +161,11 @@ void join_surfaces(AreaGraph& graph, const SegmentationOptions& options) {
 bool has_shadow_colour(const AreaGraph& graph, int id, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
   const Surface surface = surface_of(area);
-  if (ground_colourfulness(area) < options.grey_angle || surface.angle > options.shadow_angle ||
+  const bool grey = ground_colourfulness(area) < options.grey_angle;
+  if (surface.angle > (grey ? options.grey_shadow_angle : options.shadow_angle) ||
       surface.brightness > options.shadow_depth || surface.brightness < options.shadow_brightness)
+    return false;
+  if (grey && shade_range(area, graph.shade()) > options.shadow_range)
     return false;
   int touched = 0;
   for (const auto& contact : area.contacts) {
@@ -174,7 +177,8 @@ bool has_shadow_colour(const AreaGraph& graph, int id, const SegmentationOptions
   }
   const Contact* outline = graph.contact(id, graph.ground());
   return touched >= options.shadow_contact * area.boundary() && outline != nullptr &&
-         outline->length >= options.shadow_open * area.boundary();
+         outline->length >=
+           (grey ? options.grey_shadow_open : options.shadow_open) * area.boundary();
 }
 
 bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& options) {

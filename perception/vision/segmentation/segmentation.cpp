@@ -42,7 +42,7 @@ void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
   Grid<Colour> lab(ground.width(), ground.height());
   cv::Mat lab_mat = as_mat(lab);
   cv::cvtColor(as_mat(ground), lab_mat, cv::COLOR_BGR2Lab);
-  graph.set_ground_colours(ground, lab);
+  graph.set_ground_colours(ground, lab, picture.lab);
 }
 
 /// What is known of the ground.

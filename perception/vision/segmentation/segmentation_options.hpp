@@ -103,17 +103,20 @@ struct SegmentationOptions {
   double shadow_compactness = 0.65;
   /// Beside a thing that is itself a shade of the ground, a shadow must be softer by this factor.
   double shadow_softness = 0.55;
-  /// On a ground at least this far from grey, a darker area that has the ground's own colour to
-  /// within `shadow_angle` and is at most this bright is a shadow whatever its size, shape and
-  /// edges, if areas whose colour is further from the ground's by `caster_angle` meet it along
-  /// `shadow_contact` of its boundary, and the ground along `shadow_open`. On grey ground it may as
-  /// well be a grey thing.
+  /// A darker area that has the ground's own colour to within `shadow_angle` and is at most this
+  /// bright is a shadow whatever its size, shape and edges, if areas whose colour is further from
+  /// the ground's by `caster_angle` meet it along `shadow_contact` of its boundary, and the ground
+  /// along `shadow_open`. On a ground nearer to grey than `grey_angle` it may as well be a grey
+  /// thing: the limits are narrower, and its shades must be within `shadow_range` of each other.
   double grey_angle = 8.0;
   double shadow_angle = 3.0;
+  double grey_shadow_angle = 1.5;
+  double shadow_range = 0.05;
   double shadow_depth = 0.85;
   double caster_angle = 1.5;
   double shadow_contact = 0.15;
   double shadow_open = 0.4;
+  double grey_shadow_open = 0.5;
   /// A piece of less than `inset_area` times its neighbour is part of it (a highlight, a mirrored
   /// thing) if at most this share of its boundary meets the ground and most of it the neighbour.
   double inset_area = 0.35;

@@ -89,6 +89,19 @@ double colour_spread(const Area& area, const Grid<Colour>& lab) {
   return std::sqrt(squares / area.pixels());
 }
 
+double shade_range(const Area& area, const Grid<float>& shade) {
+  std::vector<float> shades;
+  shades.reserve(area.cells.size());
+  for (const int cell : area.cells)
+    shades.push_back(shade[cell]);
+  const auto quarter = static_cast<std::ptrdiff_t>(shades.size() / 4);
+  std::nth_element(shades.begin(), shades.begin() + quarter, shades.end());
+  const float low = shades[static_cast<std::size_t>(quarter)];
+  const auto three = static_cast<std::ptrdiff_t>(3 * shades.size() / 4);
+  std::nth_element(shades.begin(), shades.begin() + three, shades.end());
+  return static_cast<double>(shades[static_cast<std::size_t>(three)] - low);
+}
+
 Extent extent_of(const Area& area, int width) {
   const auto [first, last] = std::minmax_element(area.cells.begin(), area.cells.end());
   return {*first / width, *last / width};

@@ -37,6 +37,10 @@ double ground_difference(const Area& area);
 /// The standard deviation of the colours within an area; L*a*b* units.
 double colour_spread(const Area& area, const Grid<Colour>& lab);
 
+/// How unevenly an area is lit, as the range of the middle half of its pixels' shades; near 0 for a
+/// piece of the ground in less light.
+double shade_range(const Area& area, const Grid<float>& shade);
+
 /// The first and the last row of an area.
 struct Extent {
   int top = 0;
