@@ -109,9 +109,9 @@ struct SegmentationOptions {
   /// along `shadow_open`. On a ground nearer to grey than `grey_angle` it may as well be a grey
   /// thing: the limits are narrower, and its shades must be within `shadow_range` of each other.
   double grey_angle = 8.0;
-  double shadow_angle = 3.0;
+  double shadow_angle = 4.0;
   double grey_shadow_angle = 1.5;
-  double shadow_range = 0.05;
+  double shadow_range = 0.055;
   double shadow_depth = 0.85;
   double caster_angle = 1.5;
   double shadow_contact = 0.15;
