@@ -1,6 +1,7 @@
 #include "castor/perception/vision/segmentation/segmentation.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -79,6 +80,45 @@ TEST(SegmentationOfTables, takes_hard_shadows_on_coloured_grounds_for_ground) {
   hard.lamp_radius = 0.01;
   EXPECT_TRUE(finds_all(long_shadows(TableLook::Material::wood, {190, 150, 110}), 0.85, hard));
   EXPECT_TRUE(finds_all(long_shadows(TableLook::Material::cloth, {60, 110, 70}), 0.85, hard));
+}
+
+TEST(SegmentationOfTables, takes_hard_shadows_on_a_grey_ground_for_ground) {
+  auto scene = table(TableLook::Material::plain, {200, 200, 200});
+  scene.light = {-0.9, 0.3, 0.8};
+  scene.objects = {thing(TabletopShape::cylinder, {30, 60, 190}, -0.14, 0.05),
+                   thing(TabletopShape::sphere, {180, 30, 30}, 0.12, -0.05)};
+  RenderOptions hard;
+  hard.lamp_radius = 0.01;
+  EXPECT_TRUE(finds_all(scene, 0.85, hard));
+}
+
+TEST(SegmentationOfTables, keeps_a_grey_thing_before_a_coloured_one_on_a_grey_ground) {
+  auto scene = table(TableLook::Material::plain, {200, 200, 200});
+  scene.objects = {thing(TabletopShape::cube, {180, 30, 30}, 0.0, 0.08),
+                   thing(TabletopShape::sphere, {90, 90, 90}, 0.03, -0.02)};
+  EXPECT_TRUE(finds_all(scene, 0.7));
+}
+
+TEST(SegmentationOfTables, finds_things_with_soft_outlines_on_a_textured_ground) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(70, 110, 150));
+  cv::circle(picture, {160, 120}, 45, {140, 120, 60}, cv::FILLED);
+  cv::GaussianBlur(picture, picture, cv::Size(), 3);
+  cv::Mat texture(picture.size(), CV_32F);
+  cv::RNG(5).fill(texture, cv::RNG::NORMAL, 0, 60);
+  cv::GaussianBlur(texture, texture, cv::Size(), 1.5);
+  cv::circle(texture, {160, 120}, 45, 0, cv::FILLED);
+  texture.convertTo(texture, CV_16S);
+  cv::Mat grey;
+  cv::merge(std::vector<cv::Mat>(3, texture), grey);
+  cv::add(picture, grey, picture, cv::noArray(), CV_8UC3);
+  const auto found = segment(to_image(picture));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].box.center.x, 160, 5);
+  EXPECT_NEAR(found[0].box.center.y, 120, 5);
+  EXPECT_NEAR(found[0].box.width, 90, 14);
+  SegmentationOptions options;
+  options.hue_difference = 1000;
+  EXPECT_TRUE(segment(to_image(picture), options).empty()) << "the texture raises the limit";
 }
 
 TEST(SegmentationOfTables, takes_soft_shadows_for_ground) {
