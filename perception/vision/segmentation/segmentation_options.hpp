@@ -126,7 +126,7 @@ struct SegmentationOptions {
   /// boundary, and if it is at least as compact as this (1: a disc).
   double piece_area = 0.001;
   double alone = 0.8;
-  double piece_compactness = 0.3;
+  double piece_compactness = 0.45;
   /// Objects have at least this many pixels in the working image, and at least and at most these
   /// shares of the image; those that its border cuts off at most `max_cut_area`.
   int min_pixels = 60;
