@@ -12,7 +12,7 @@ namespace castor::vision {
 
 namespace {
 
-using Mask = cv::Mat_<std::uint8_t>;
+using NeckMask = cv::Mat_<std::uint8_t>;
 
 /// A part of the mask: its pixels, where it is from, and how convex and wide it is.
 struct Part {
@@ -30,7 +30,7 @@ double hull_pixels(const std::vector<cv::Point>& points) {
   return cv::contourArea(hull) + cv::arcLength(hull, true) / 2 + 1;
 }
 
-double diameter(const Mask& mask) {
+double diameter(const NeckMask& mask) {
   cv::Mat distance;
   cv::distanceTransform(mask, distance, cv::DIST_L2, 5);
   double radius = 0;
@@ -38,7 +38,7 @@ double diameter(const Mask& mask) {
   return 2 * radius;
 }
 
-Part make_neck_part(std::vector<cv::Point> points, const Mask& mask) {
+Part make_neck_part(std::vector<cv::Point> points, const NeckMask& mask) {
   Part part;
   part.solidity = static_cast<double>(points.size()) / hull_pixels(points);
   part.width = diameter(mask);
@@ -47,7 +47,7 @@ Part make_neck_part(std::vector<cv::Point> points, const Mask& mask) {
 }
 
 /// Corners at which the outline turns inwards by at least `angle` degrees.
-std::vector<cv::Point> inward_corners(const Mask& mask, const NeckOptions& options) {
+std::vector<cv::Point> inward_corners(const NeckMask& mask, const NeckOptions& options) {
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   if (contours.size() != 1)
@@ -69,16 +69,17 @@ std::vector<cv::Point> inward_corners(const Mask& mask, const NeckOptions& optio
 }
 
 /// The two parts on either side of the line; nothing if it does not divide the mask in two.
-std::optional<std::pair<Part, Part>> cut_along(const Mask& mask, const cv::Point& from,
+std::optional<std::pair<Part, Part>> cut_along(const NeckMask& mask, const cv::Point& from,
                                                const cv::Point& to) {
-  Mask divided = mask.clone();
+  NeckMask divided = mask.clone();
   cv::line(divided, from, to, 0, 1, cv::LINE_8);
   cv::Mat_<int> labels;
   // Diagonal neighbours are no neighbours, or they would meet across the line.
   if (cv::connectedComponents(divided, labels, 4, CV_32S) != 3)
     return std::nullopt;
   std::vector<cv::Point> points[2];
-  Mask masks[2] = {Mask(mask.size(), std::uint8_t{0}), Mask(mask.size(), std::uint8_t{0})};
+  NeckMask masks[2] = {NeckMask(mask.size(), std::uint8_t{0}),
+                       NeckMask(mask.size(), std::uint8_t{0})};
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask(y, x) == 0)
@@ -115,7 +116,7 @@ std::vector<std::vector<cv::Point>> divide_points(const std::vector<cv::Point>& 
   const cv::Rect box = cv::boundingRect(points);
   // A rim of 0 all around, so that the border of the mask is a boundary too.
   const cv::Point offset = box.tl() - cv::Point(1, 1);
-  Mask mask(box.height + 2, box.width + 2, std::uint8_t{0});
+  NeckMask mask(box.height + 2, box.width + 2, std::uint8_t{0});
   for (const auto& point : points)
     mask(point - offset) = 255;
   const auto corners = inward_corners(mask, options);
