@@ -49,8 +49,14 @@ bool SceneWatch::differs(const Image& grey) const {
     return false;
   cv::Mat difference;
   cv::absdiff(as_mat(grey), as_mat(*last_), difference);
-  const auto count = cv::countNonZero(difference > options_.pixel_threshold);
-  return count > options_.changed_share * static_cast<double>(difference.total());
+  cv::Mat changed = difference > options_.pixel_threshold;
+  if (cv::countNonZero(changed) > options_.changed_share * static_cast<double>(changed.total()))
+    return true;
+  if (options_.changed_square <= 0)
+    return false;
+  cv::erode(changed, changed,
+            cv::Mat::ones(options_.changed_square, options_.changed_square, CV_8U));
+  return cv::countNonZero(changed) > 0;
 }
 
 } // namespace castor::vision

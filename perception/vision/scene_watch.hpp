@@ -11,6 +11,9 @@ struct SceneWatchOptions {
   int pixel_threshold = 20;
   /// A frame has changed if more than this share of its pixels have.
   double changed_share = 0.003;
+  /// Or if a square of this many pixels a side has changed all over: a thing of 1 cm has come or
+  /// gone, unlike the pixels of noise, which are scattered. 0: squares do not count.
+  int changed_square = 4;
   /// Number of frames without change after which the scene is still.
   int still_frames = 3;
   /// Whether the first frame counts as a change.
@@ -18,7 +21,8 @@ struct SceneWatchOptions {
 };
 
 /// Detects from the differences between frames that a scene changes and comes to rest again. The
-/// rule and its numbers are those of the original system's change detector.
+/// rule and its numbers are those of the original system's change detector, except for
+/// `changed_square`.
 class SceneWatch {
 public:
   explicit SceneWatch(SceneWatchOptions options = {}) : options_(options) {}

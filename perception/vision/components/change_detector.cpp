@@ -32,6 +32,7 @@ class ChangeDetector final : public UnmanagedComponent {
     SceneWatchOptions options;
     options.pixel_threshold = threshold_;
     options.changed_share = share_;
+    options.changed_square = square_;
     options.still_frames = still_frames_;
     options.first_frame_counts = first_frame_ || has_predecessor_;
     SceneWatch watch{options};
@@ -62,6 +63,9 @@ class ChangeDetector final : public UnmanagedComponent {
                          "grey levels by which a changed pixel differs, of 255"};
   Option<double> share_{this, "share", SceneWatchOptions{}.changed_share,
                         "share of changed pixels in a changed picture"};
+  Option<int> square_{
+    this, "square", SceneWatchOptions{}.changed_square,
+    "side of a square that is enough if all of it has changed, pixels; 0: none is"};
   Option<int> still_frames_{this, "still-frames", SceneWatchOptions{}.still_frames,
                             "pictures without change after which the scene is still"};
   Option<bool> first_frame_{this, "first-frame", SceneWatchOptions{}.first_frame_counts,

@@ -6,6 +6,7 @@
 #include "castor/perception/vision/segmentation/background_model.hpp"
 #include "castor/perception/vision/segmentation/region_matching.hpp"
 #include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/segmentation/size_limits.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -23,7 +24,8 @@ namespace {
 /// Cuts a still scene into regions of interest, and keeps one SceneObject behind each.
 class Segmentor final : public ManagedComponent {
   void configure() override {
-    segmentation_.min_area = min_area_;
+    limits_.min_area = min_area_;
+    limits_.min_length = min_length_;
     segmentation_.max_area = max_area_;
     segmentation_.working_side = working_side_;
     segmentation_.max_border = max_border_;
@@ -82,8 +84,8 @@ class Segmentor final : public ManagedComponent {
 
   void look(const Address& scene) {
     auto frame = pull<CameraFrame>(camera_);
-    auto segments =
-      segment(frame->image, segmentation_, background_model_ ? &*background_model_ : nullptr);
+    auto segments = segment_table(frame->image, &frame->camera, limits_, segmentation_,
+                                  background_model_ ? &*background_model_ : nullptr);
     std::vector<ROI> fresh;
     std::vector<ImageBox> fresh_boxes;
     for (auto& x : segments) {
@@ -240,8 +242,12 @@ class Segmentor final : public ManagedComponent {
   Option<std::string> background_{this, "background", "",
                                   "pictures of the empty scene (folder or video); none if empty"};
   Option<int> background_images_{this, "background-images", 30, "how many of them to learn from"};
-  Option<double> min_area_{this, "min-area", SegmentationOptions{}.min_area,
-                           "smallest region kept, as a share of the picture"};
+  Option<double> min_area_{
+    this, "min-area", SizeLimits{}.min_area,
+    "smallest region kept, as a share of the picture; 0: by min-length where "
+    "the camera is calibrated, else a fixed number of pixels"};
+  Option<double> min_length_{this, "min-length", SizeLimits{}.min_length,
+                             "longest side on the table of the smallest thing kept, metres"};
   Option<double> max_area_{this, "max-area", SegmentationOptions{}.max_area,
                            "largest region kept, as a share of the picture"};
   Option<double> max_border_{this, "max-border", SegmentationOptions{}.max_border,
@@ -258,6 +264,7 @@ class Segmentor final : public ManagedComponent {
     "and has not changed if its mean colour differs by fewer grey levels"};
 
   SegmentationOptions segmentation_;
+  SizeLimits limits_;
   std::optional<BackgroundModel> background_model_;
   TaskId task_;
 };

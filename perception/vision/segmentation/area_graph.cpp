@@ -138,7 +138,11 @@ const Contact* AreaGraph::contact(int a, int b) const {
   return found == contacts.end() ? nullptr : &*found;
 }
 
-void AreaGraph::set_ground_colours(const Grid<Colour>& colour, const Grid<Colour>& lab) {
+void AreaGraph::set_ground_colours(const Grid<Colour>& colour, const Grid<Colour>& lab,
+                                   const Grid<Colour>& own_lab) {
+  shade_ = Grid<float>(lab.width(), lab.height());
+  for (int cell = 0; cell < lab.size(); ++cell)
+    shade_[cell] = own_lab[cell][0] / std::max(1.0F, lab[cell][0]);
   for (int id = 0; id < count(); ++id) {
     if (!is_part(id))
       continue;

@@ -77,8 +77,15 @@ public:
   int ground() const { return ground_; }
   void set_ground(int id) { ground_ = id; }
 
-  /// Sets every area's colours of the ground at its place.
-  void set_ground_colours(const Grid<Colour>& colour, const Grid<Colour>& lab);
+  /// Sets every area's colours of the ground at its place, and the shade of every pixel.
+  /// \param colour,lab of the ground at every pixel.
+  /// \param own_lab the picture's own L*a*b*.
+  void set_ground_colours(const Grid<Colour>& colour, const Grid<Colour>& lab,
+                          const Grid<Colour>& own_lab);
+
+  /// The lightness L* of every pixel as a share of the ground's at its place; empty until the
+  /// colours of the ground are set.
+  const Grid<float>& shade() const { return shade_; }
 
   HullRest hull_rest(int a, int b);
 
@@ -87,6 +94,7 @@ private:
   const std::vector<Corner>& hull(int id);
 
   Grid<int> labels_;
+  Grid<float> shade_;
   std::vector<Area> areas_;
   int ground_ = -1;
 };

@@ -156,15 +156,29 @@ void join_surfaces(AreaGraph& graph, const SegmentationOptions& options) {
   }
 }
 
-/// Whether the colour alone tells: on a coloured ground no paint looks like that ground in the
-/// dark.
-bool has_shadow_colour(const AreaGraph& graph, int id, const Contact& caster,
-                       const SegmentationOptions& options) {
+/// Whether the colour alone tells: on a coloured ground, few things have the very colour of what
+/// they are on, only darker, and lie at another thing that has not.
+bool has_shadow_colour(const AreaGraph& graph, int id, const SegmentationOptions& options) {
   const Area& area = graph.area(id);
-  return ground_colourfulness(area) > options.colour_angle &&
-         surface_of(area).angle <= options.shadow_angle &&
-         surface_of(graph.area(caster.area)).angle > options.colour_angle &&
-         caster.length >= options.shadow_contact * area.boundary();
+  const Surface surface = surface_of(area);
+  const bool grey = ground_colourfulness(area) < options.grey_angle;
+  if (surface.angle > (grey ? options.grey_shadow_angle : options.shadow_angle) ||
+      surface.brightness > options.shadow_depth || surface.brightness < options.shadow_brightness)
+    return false;
+  if (grey && shade_range(area, graph.shade()) > options.shadow_range)
+    return false;
+  int touched = 0;
+  for (const auto& contact : area.contacts) {
+    if (contact.area == graph.ground())
+      continue;
+    const double angle = surface_of(graph.area(contact.area)).angle;
+    if (angle > options.caster_angle + 1.5 * surface.angle)
+      touched += contact.length;
+  }
+  const Contact* outline = graph.contact(id, graph.ground());
+  return touched >= options.shadow_contact * area.boundary() && outline != nullptr &&
+         outline->length >=
+           (grey ? options.grey_shadow_open : options.shadow_open) * area.boundary();
 }
 
 bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& options) {
@@ -178,8 +192,6 @@ bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& option
       surface.brightness < options.shadow_brightness)
     return false;
   const Contact& contact = *graph.contact(id, caster_id);
-  if (has_shadow_colour(graph, id, contact, options))
-    return true;
   const Area& caster = graph.area(caster_id);
   const double softness = outline->mean_contrast() / contact.mean_contrast();
   const bool caster_is_coloured = surface_of(caster).angle > options.colour_angle;
@@ -193,12 +205,13 @@ bool is_shadow(const AreaGraph& graph, int id, const SegmentationOptions& option
          compactness(area, graph.labels().width()) < options.shadow_compactness;
 }
 
-void join_shadows(AreaGraph& graph, const SegmentationOptions& options) {
+template <class Predicate>
+void join_shadows(AreaGraph& graph, Predicate is_one) {
   bool found = true;
   while (found) {
     found = false;
     for (int id = 0; id < graph.count(); ++id) {
-      if (graph.is_part(id) && is_shadow(graph, id, options)) {
+      if (graph.is_part(id) && is_one(id)) {
         graph.join(graph.ground(), id);
         found = true;
       }
@@ -220,7 +233,7 @@ bool is_inset(AreaGraph& graph, int id, const SegmentationOptions& options) {
   // Most of the boundary must be with the host.
   if (shared <= 0.5)
     return false;
-  if (area.pixels() < options.min_area * graph.labels().size())
+  if (area.pixels() < options.piece_area * graph.labels().size())
     return true;
   return open < options.inset_ground &&
          area.pixels() < options.inset_area * graph.area(host).pixels() &&
@@ -259,9 +272,16 @@ void join_insets(AreaGraph& graph, const SegmentationOptions& options) {
   join_to_neighbours(graph, [&](int id) { return is_inset(graph, id, options); });
 }
 
+/// Whether two areas are of different colours, whatever their lightness, which textures vary most.
+bool differ_in_hue(const Area& a, const Area& b, const SegmentationOptions& options) {
+  return std::min(a.pixels(), b.pixels()) >= options.hue_pixels &&
+         chroma_difference(a, b) > options.hue_difference;
+}
+
 } // namespace
 
-void join_weak(AreaGraph& graph, double max_contrast) {
+void join_weak(AreaGraph& graph, double max_contrast, double clear_contrast,
+               const SegmentationOptions& options) {
   struct Candidate {
     double contrast;
     int a;
@@ -291,6 +311,9 @@ void join_weak(AreaGraph& graph, double max_contrast) {
     const Contact* contact = graph.contact(next.a, next.b);
     if (contact == nullptr || contact->length != next.length)
       continue; // The boundary has grown since; it is in the queue again as it is now.
+    if (next.contrast > clear_contrast &&
+        differ_in_hue(graph.area(next.a), graph.area(next.b), options))
+      continue;
     const int survivor = graph.join(next.a, next.b);
     for (const auto& changed : graph.area(survivor).contacts)
       push(survivor, changed);
@@ -306,6 +329,22 @@ int widest_on_border(const AreaGraph& graph) {
   return widest;
 }
 
+/// Whether a large area is a thing that the ground goes around, or is seen through, and no sheet
+/// with things on it.
+bool is_large_thing(const AreaGraph& graph, int id, int ground,
+                    const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  if (area.border > 0)
+    return false;
+  int open = 0;
+  for (const auto& contact : area.contacts) {
+    if (contact.area == ground ||
+        lab_difference(graph.area(contact.area), graph.area(ground)) < options.ground_difference)
+      open += contact.length;
+  }
+  return open >= options.large_alone * area.boundary();
+}
+
 void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
   const int ground = widest_on_border(graph);
   const double border = 2.0 * (graph.labels().width() + graph.labels().height());
@@ -313,7 +352,8 @@ void join_ground(AreaGraph& graph, const SegmentationOptions& options) {
   graph.set_ground(ground);
   for (int id = 0; id < graph.count(); ++id) {
     const bool wide = graph.area(id).border > options.ground_border * border;
-    const bool large = graph.area(id).pixels() > options.ground_area * size;
+    const bool large = graph.area(id).pixels() > options.ground_area * size &&
+                       !is_large_thing(graph, id, ground, options);
     if (graph.is_part(id) && (wide || large))
       graph.join(ground, id);
   }
@@ -337,8 +377,12 @@ void join_ground(AreaGraph& graph, const Grid<std::uint8_t>& foreground) {
 void group(AreaGraph& graph, const SegmentationOptions& options) {
   join_crumbs(graph, options);
   join_ground_like(graph, options);
+  // Before they are joined to what casts them.
+  join_shadows(graph, [&](int id) { return has_shadow_colour(graph, id, options); });
   join_surfaces(graph, options);
-  join_shadows(graph, options);
+  join_shadows(graph, [&](int id) {
+    return has_shadow_colour(graph, id, options) || is_shadow(graph, id, options);
+  });
   join_insets(graph, options);
   join_surfaces(graph, options);
 }

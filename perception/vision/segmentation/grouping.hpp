@@ -6,8 +6,10 @@
 
 namespace castor::vision {
 
-/// Joins areas across weak boundaries, the weakest first.
-void join_weak(AreaGraph& graph, double max_contrast);
+/// Joins areas across boundaries of at most `max_contrast`, the weakest first; beyond
+/// `clear_contrast` only those that do not differ in hue.
+void join_weak(AreaGraph& graph, double max_contrast, double clear_contrast,
+               const SegmentationOptions& options);
 
 /// The area that holds most of the image's border.
 int widest_on_border(const AreaGraph& graph);

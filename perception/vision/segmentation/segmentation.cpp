@@ -13,6 +13,7 @@
 #include "castor/perception/vision/segmentation/area_graph.hpp"
 #include "castor/perception/vision/segmentation/ground_colour.hpp"
 #include "castor/perception/vision/segmentation/grouping.hpp"
+#include "castor/perception/vision/segmentation/neck.hpp"
 #include "castor/perception/vision/segmentation/surface.hpp"
 #include "castor/perception/vision/segmentation/watershed.hpp"
 #include "castor/perception/vision/segmentation/working_picture.hpp"
@@ -41,16 +42,31 @@ void learn_ground(AreaGraph& graph, const WorkingPicture& picture) {
   Grid<Colour> lab(ground.width(), ground.height());
   cv::Mat lab_mat = as_mat(lab);
   cv::cvtColor(as_mat(ground), lab_mat, cv::COLOR_BGR2Lab);
-  graph.set_ground_colours(ground, lab);
+  graph.set_ground_colours(ground, lab, picture.lab);
 }
 
 /// What is known of the ground.
 enum class Ground { unknown, seen, learned };
 
-bool is_object(const Area& area, double image_pixels, Ground ground,
-               const SegmentationOptions& options) {
-  const double share = area.pixels() / image_pixels;
-  if (share < options.min_area || (ground != Ground::learned && share > options.max_area))
+/// Fragments of things, of their shadows and of what they mirror are small as well, but they are
+/// beside those things, or thin.
+bool is_fragment(const AreaGraph& graph, int id, const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  const Contact* outline = graph.contact(id, graph.ground());
+  return area.pixels() < options.piece_area * graph.labels().size() &&
+         (outline == nullptr || outline->length < options.alone * area.boundary() ||
+          compactness(area, graph.labels().width()) < options.piece_compactness);
+}
+
+bool is_object(const AreaGraph& graph, int id, Ground ground, const SegmentationOptions& options) {
+  const Area& area = graph.area(id);
+  const double share = area.pixels() / graph.labels().size();
+  const double largest =
+    area.border == 0 ? options.max_area : std::min(options.max_area, options.max_cut_area);
+  if (area.pixels() < options.min_pixels || share < options.min_area ||
+      (ground != Ground::learned && share > largest))
+    return false;
+  if (ground != Ground::unknown && is_fragment(graph, id, options))
     return false;
   // Pixels on the border of the image, against all pixel pairs along the outline.
   if (area.border > options.max_border * (area.boundary() + area.border))
@@ -58,13 +74,13 @@ bool is_object(const Area& area, double image_pixels, Ground ground,
   return ground != Ground::seen || ground_difference(area) >= options.ground_difference;
 }
 
-/// The mask of `area` in image pixels, cut to its box, and the outline.
-std::optional<Segment> make_segment(const Area& area, const WorkingPicture& picture,
+/// The mask of the area with these cells in image pixels, cut to its box, and the outline.
+std::optional<Segment> make_segment(const std::vector<int>& cells, const WorkingPicture& picture,
                                     const Image& image) {
   const int width = picture.colour.width();
   std::vector<cv::Point> points;
-  points.reserve(area.cells.size());
-  for (const int cell : area.cells)
+  points.reserve(cells.size());
+  for (const int cell : cells)
     points.emplace_back(cell % width, cell / width);
   cv::Rect box = cv::boundingRect(points);
   cv::Mat_<std::uint8_t> mask(box.size(), std::uint8_t{0});
@@ -104,10 +120,13 @@ std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& pi
                                 const SegmentationOptions& options) {
   std::vector<Segment> segments;
   for (int id = 0; id < graph.count(); ++id) {
-    if (!graph.is_part(id) || !is_object(graph.area(id), graph.labels().size(), ground, options))
+    if (!graph.is_part(id) || !is_object(graph, id, ground, options))
       continue;
-    if (auto found = make_segment(graph.area(id), picture, image))
-      segments.push_back(std::move(*found));
+    for (const auto& cells :
+         divide_at_necks(graph.area(id).cells, graph.labels().width(), options.neck)) {
+      if (auto found = make_segment(cells, picture, image))
+        segments.push_back(std::move(*found));
+    }
   }
   std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
     return std::tie(a.box.center.y, a.box.center.x) < std::tie(b.box.center.y, b.box.center.x);
@@ -115,10 +134,12 @@ std::vector<Segment> objects_of(const AreaGraph& graph, const WorkingPicture& pi
   return segments;
 }
 
-AreaGraph divide(const WorkingPicture& picture, double edge_factor) {
+AreaGraph divide(const WorkingPicture& picture, double edge_factor,
+                 const SegmentationOptions& options) {
   const float flat = picture.flat_contrast;
   AreaGraph graph(watershed(picture.contrast, flat, flood_step * flat), picture);
-  join_weak(graph, edge_factor * static_cast<double>(flat));
+  join_weak(graph, edge_factor * static_cast<double>(flat), edge_factor * options.flat_contrast,
+            options);
   return graph;
 }
 
@@ -135,10 +156,11 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
   options.smoothing = close_up.smoothing;
   options.noise_factor = close_up.noise_factor;
   options.min_area = std::max(options.min_area, close_up.min_area);
-  options.max_area = std::max(options.max_area, close_up.max_area);
+  options.max_area = std::min(options.max_area, close_up.max_area);
+  options.max_cut_area = close_up.max_cut_area;
   options.max_border = std::max(options.max_border, close_up.max_border);
   const WorkingPicture picture = make_working_picture(image, options);
-  AreaGraph graph = divide(picture, close_up.edge_factor);
+  AreaGraph graph = divide(picture, close_up.edge_factor, options);
   const int widest = widest_on_border(graph);
   const double border = 2.0 * (graph.labels().width() + graph.labels().height());
   if (graph.area(widest).border <= close_up.ground_border * border) {
@@ -156,7 +178,7 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
 std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
                              const BackgroundModel* background) {
   const WorkingPicture picture = make_working_picture(image, options);
-  AreaGraph graph = divide(picture, options.edge_factor);
+  AreaGraph graph = divide(picture, options.edge_factor, options);
   if (background != nullptr) {
     Grid<std::uint8_t> foreground = background->foreground(image);
     join_ground(graph, shrink(foreground, picture.colour.width(), picture.colour.height()));

@@ -20,11 +20,13 @@ struct Segment {
 /// Finds the segments of an image, from the top down.
 ///
 /// Contrast divides the image into areas (a watershed, then joining across weak boundaries). The
-/// area that holds most of the image's border, and any other that is as large or as wide as that,
-/// is ground. The ground's colour is interpolated below all other areas, so that shading, shadows
-/// and the hues of objects are compared with the ground at the same place. Other areas are joined
-/// to objects where hue agrees (a surface keeps its hue in light and shade) and where the union is
-/// convex, except for what hides behind other objects.
+/// area that holds most of the image's border is ground, and so is any other that is as wide, or
+/// that is large unless the ground goes around it and nothing else is on it. The ground's colour is
+/// interpolated below all other areas, so that shading, shadows and the hues of objects are
+/// compared with the ground at the same place. Other areas are joined to objects where hue agrees
+/// (a surface keeps its hue in light and shade) and where the union is convex, except for what
+/// hides behind other objects. What is of one colour is divided again where its outline has a neck
+/// between two convex parts. Shadows are ground.
 ///
 /// If the area that would be ground is not of one colour, texture hides the edges, and the image is
 /// divided anew as a close-up. Then only the area that holds most of the border is ground, and if

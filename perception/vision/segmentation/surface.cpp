@@ -69,6 +69,11 @@ double lab_difference(const Area& a, const Area& b) {
   return mean_difference(a.lab, a.pixels(), b.lab, b.pixels());
 }
 
+double chroma_difference(const Area& a, const Area& b) {
+  return std::hypot(a.lab[1] / a.pixels() - b.lab[1] / b.pixels(),
+                    a.lab[2] / a.pixels() - b.lab[2] / b.pixels());
+}
+
 double ground_difference(const Area& area) {
   return mean_difference(area.lab, area.pixels(), area.ground_lab, area.pixels());
 }
@@ -82,6 +87,19 @@ double colour_spread(const Area& area, const Grid<Colour>& lab) {
     }
   }
   return std::sqrt(squares / area.pixels());
+}
+
+double shade_range(const Area& area, const Grid<float>& shade) {
+  std::vector<float> shades;
+  shades.reserve(area.cells.size());
+  for (const int cell : area.cells)
+    shades.push_back(shade[cell]);
+  const auto quarter = static_cast<std::ptrdiff_t>(shades.size() / 4);
+  std::nth_element(shades.begin(), shades.begin() + quarter, shades.end());
+  const float low = shades[static_cast<std::size_t>(quarter)];
+  const auto three = static_cast<std::ptrdiff_t>(3 * shades.size() / 4);
+  std::nth_element(shades.begin(), shades.begin() + three, shades.end());
+  return static_cast<double>(shades[static_cast<std::size_t>(three)] - low);
 }
 
 Extent extent_of(const Area& area, int width) {

@@ -28,11 +28,18 @@ double surface_difference(const Surface& a, const Surface& b, double saturation_
 /// Difference of the mean colours; L*a*b* units.
 double lab_difference(const Area& a, const Area& b);
 
+/// Difference of the mean colours without lightness; a* and b* units.
+double chroma_difference(const Area& a, const Area& b);
+
 /// Difference of the area from the ground at its place; L*a*b* units.
 double ground_difference(const Area& area);
 
 /// The standard deviation of the colours within an area; L*a*b* units.
 double colour_spread(const Area& area, const Grid<Colour>& lab);
+
+/// How unevenly an area is lit, as the range of the middle half of its pixels' shades; near 0 for a
+/// piece of the ground in less light.
+double shade_range(const Area& area, const Grid<float>& shade);
 
 /// The first and the last row of an area.
 struct Extent {

@@ -133,6 +133,7 @@ TEST(ViewingRay, HasNoAnswerForPixelsThatTheLensCannotReach) {
 
 TEST(NominalCamera, SeesTheTableAnd50Degrees) {
   const Camera camera = nominal_camera(800, 600);
+  EXPECT_TRUE(camera.is_assumed);
   EXPECT_EQ(camera.width, 800);
   EXPECT_NEAR(2 * std::atan(300 / camera.fy) * 180 / std::numbers::pi, 50, 1e-9);
   EXPECT_TRUE(near(*back_project(camera, {399.5, 299.5}), {0, 0, 0}, 1e-9));

@@ -52,6 +52,29 @@ TEST(SceneWatch, RestIsCountedFromTheLastChange) {
   EXPECT_EQ(told, "ccccccC.");
 }
 
+/// With a square of `side` pixels of another grey.
+Image frame_with_square(std::uint32_t side) {
+  Image frame = grey_frame(100, 200, 100);
+  for (std::uint32_t y = 40; y < 40 + side; ++y)
+    for (std::uint32_t x = 60 * 3; x < (60 + side) * 3; ++x)
+      frame.bytes[y * frame.width * 3 + x] = 160;
+  return frame;
+}
+
+TEST(SceneWatch, ASmallThingIsAChangeAndScatteredPixelsAreNot) {
+  SceneWatch watch;
+  for (int i = 0; i < 4; ++i)
+    watch.observe(grey_frame(100, 200, 100));
+  Image scattered = grey_frame(100, 200, 100);
+  for (std::uint32_t cell = 0; cell < 200 * 100; cell += 701)
+    scattered.bytes[cell * 3] = scattered.bytes[cell * 3 + 1] = scattered.bytes[cell * 3 + 2] = 160;
+  EXPECT_EQ(reaction(watch, scattered), ".");
+  EXPECT_EQ(reaction(watch, grey_frame(100, 200, 100)), ".");
+  EXPECT_EQ(reaction(watch, frame_with_square(3)), ".");
+  EXPECT_EQ(reaction(watch, grey_frame(100, 200, 100)), ".");
+  EXPECT_EQ(reaction(watch, frame_with_square(5)), "c");
+}
+
 TEST(SceneWatch, NoiseIsNoChange) {
   SceneWatch watch;
   for (int i = 0; i < 4; ++i)

@@ -162,6 +162,27 @@ TEST(Segmentation, divides_overlapping_discs_of_one_colour_along_their_edge) {
   EXPECT_EQ(segments_of(picture).size(), 2U);
 }
 
+TEST(Segmentation, divides_touching_discs_of_one_colour_by_their_shape) {
+  cv::Mat picture = shaded_sheet();
+  cv::circle(picture, {120, 120}, 25, {50, 150, 50}, cv::FILLED);
+  cv::circle(picture, {168, 128}, 25, {50, 150, 50}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(box_is(found[0], {95, 95, 51, 51}));
+  EXPECT_TRUE(box_is(found[1], {143, 103, 51, 51}));
+}
+
+TEST(Segmentation, leaves_a_metal_ball_with_highlights_and_mirrored_things_whole) {
+  cv::Mat picture = shaded_sheet();
+  cv::circle(picture, {150, 120}, 30, {140, 60, 40}, cv::FILLED);
+  cv::ellipse(picture, {150, 136}, {26, 9}, 0, 0, 360, {70, 25, 15}, cv::FILLED);
+  cv::circle(picture, {140, 106}, 6, {250, 240, 235}, cv::FILLED);
+  cv::rectangle(picture, {158, 100, 8, 12}, {220, 180, 160}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], {120, 90, 61, 61}));
+}
+
 TEST(Segmentation, joins_the_lit_and_the_shaded_side_of_a_thing) {
   cv::Mat picture = shaded_sheet();
   cv::rectangle(picture, {100, 80, 25, 50}, {40, 40, 200}, cv::FILLED);
@@ -206,6 +227,28 @@ TEST(Segmentation, drops_what_is_too_small) {
   EXPECT_EQ(segments_of(picture, options).size(), 1U);
   options.min_area = 0.01;
   EXPECT_TRUE(segments_of(picture, options).empty());
+}
+
+TEST(Segmentation, finds_a_thing_that_fills_most_of_the_picture) {
+  cv::Mat picture = shaded_sheet();
+  const cv::Rect thing(30, 20, 260, 200);
+  cv::rectangle(picture, thing, {40, 40, 180}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], thing));
+  SegmentationOptions options;
+  options.max_area = 0.4;
+  EXPECT_TRUE(segments_of(picture, options).empty());
+}
+
+TEST(Segmentation, takes_a_large_sheet_with_things_on_it_for_ground) {
+  cv::Mat picture = shaded_sheet();
+  cv::rectangle(picture, {30, 20, 260, 200}, {90, 160, 90}, cv::FILLED);
+  const cv::Rect thing(120, 90, 40, 40);
+  cv::rectangle(picture, thing, {40, 40, 180}, cv::FILLED);
+  const auto found = segments_of(picture);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(box_is(found[0], thing));
 }
 
 TEST(Segmentation, drops_what_the_border_cuts_off_unless_told_otherwise) {

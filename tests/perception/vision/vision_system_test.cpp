@@ -33,6 +33,16 @@ TEST_F(VisionSystem, SeesWhatIsOnTheTable) {
   EXPECT_TRUE(scenes[0].processed);
 }
 
+TEST_F(VisionSystem, TheFileSaysHowSmallAThingMayBe) {
+  auto small = scene("red cube at -0.1 0 size 0.07\nblue square at 0.1 0 size 0.012\n");
+  EXPECT_EQ(all<SceneObject>(*watch(vision_cast(), {{"source", small}})).size(), 2u);
+  EXPECT_EQ(
+    all<SceneObject>(*watch(vision_cast(), {{"source", small}, {"min_length", "0.03"}})).size(),
+    1u);
+  EXPECT_EQ(
+    all<SceneObject>(*watch(vision_cast(), {{"source", small}, {"min_area", "0.001"}})).size(), 1u);
+}
+
 TEST_F(VisionSystem, ObjectsStayUnknownWithoutTheRecogniser) {
   auto text = with(vision_cast(), "CPP MG recogniser", "");
   auto system = watch(text, {{"source", scene("red cube at 0 0 size 0.07\n")}});
