@@ -14,7 +14,7 @@
 namespace castor::vision {
 namespace {
 
-const Camera camera = look_at({0, -0.62, 0.55}, {0, 0.03, 0}, 42, 640, 480);
+const Camera tilted_camera = look_at({0, -0.62, 0.55}, {0, 0.03, 0}, 42, 640, 480);
 
 TabletopObject thing(TabletopShape shape, const SceneColour& colour, double x, double y) {
   TabletopObject object;
@@ -50,11 +50,11 @@ double overlap_with(const Segment& segment, const cv::Mat& labels, std::size_t o
 /// Whether there is one segment for every object, and they overlap by at least `least`.
 testing::AssertionResult finds_all(const TabletopSnapshot& scene, double least,
                                    const RenderOptions& options = {}) {
-  const auto found = segment(render(scene, camera, options));
+  const auto found = segment(render(scene, tilted_camera, options));
   if (found.size() != scene.objects.size())
     return testing::AssertionFailure()
            << found.size() << " segments for " << scene.objects.size() << " things";
-  const Image labels = render_labels(scene, camera);
+  const Image labels = render_labels(scene, tilted_camera);
   for (std::size_t object = 0; object < scene.objects.size(); ++object) {
     double best = 0;
     for (const auto& segment : found)
