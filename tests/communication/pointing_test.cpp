@@ -78,7 +78,7 @@ TEST_F(PointingAt, MeansTheNearestThingOfTheKindThatIsSaid) {
   EXPECT_EQ(say("What colour is the cube here?"), "It is green.");
   EXPECT_EQ(say("What colour is the cube over there?"), "It is green.");
   EXPECT_EQ(say("Is this small thing blue?"), "Yes.");
-  EXPECT_EQ(say("What is here?"), "There is a small blue ball. There is a small green cube.");
+  EXPECT_EQ(say("What is here?"), "There is a small blue ball and a small green cube.");
   point(-0.3, 0.02);
   EXPECT_EQ(say("What is this?"), "It is a large red cube.");
   EXPECT_EQ(say("What colour is this cube?"), "It is red.");
@@ -86,7 +86,7 @@ TEST_F(PointingAt, MeansTheNearestThingOfTheKindThatIsSaid) {
 
 TEST_F(PointingAt, MeansAllWithinReachBySeveral) {
   point(0.05, 0);
-  EXPECT_EQ(say("What are these?"), "There is a small blue ball. There is a small green cube.");
+  EXPECT_EQ(say("What are these?"), "There is a small blue ball and a small green cube.");
   EXPECT_EQ(say("Are these two things small?"), "Yes.");
   EXPECT_EQ(say("Which of these is green?"), "There is a small green cube.");
   EXPECT_EQ(say("Are these three things small?"), nothing_there);
