@@ -1,6 +1,7 @@
 #include "castor/perception/vision/learning/learned_words_file.hpp"
 
 #include "castor/perception/vision/learning/word_learner.hpp"
+#include "castor/perception/vision/recognition/shape_classifier.hpp"
 #include "castor/perception/vision/text_file.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,11 @@ namespace {
 
 /// Where the mean begins in a line's words.
 constexpr std::size_t mean_at = 7;
+
+const std::string& this_network() {
+  static const std::string result = identity(trained_shape_network());
+  return result;
+}
 
 /// Throws std::invalid_argument, for people.
 LearnedWord parse(const std::vector<std::string>& words) {
@@ -40,6 +46,8 @@ LearnedWord parse(const std::vector<std::string>& words) {
 
 std::string to_text(const std::vector<LearnedWord>& words) {
   std::string result = "# Learned words, with the statistics of their examples.\n";
+  if (std::ranges::any_of(words, [](auto& x) { return x.kind == "shape"; }))
+    result += "network " + this_network() + "\n";
   for (auto& x : words)
     result += fmt::format("{} {}  examples {}  scatter {}  mean {}\n", x.kind, x.word, x.examples,
                           x.scatter, fmt::join(x.mean, " "));
@@ -49,8 +57,16 @@ std::string to_text(const std::vector<LearnedWord>& words) {
 std::vector<LearnedWord> parse_learned_words(std::string_view text, const std::string& file_name) {
   std::vector<LearnedWord> result;
   std::vector<Diagnostic> problems;
+  std::string network;
   for (auto& line : text_lines(text)) {
+    if (line.words.size() == 2 && line.words[0] == "network") {
+      network = line.words[1];
+      continue;
+    }
     try {
+      if (line.words[0] == "shape" && network != this_network())
+        throw std::invalid_argument("this shape was learned with another shape network, whose "
+                                    "numbers mean nothing to this one; it has to be taught again");
       auto word = parse(line.words);
       if (std::any_of(result.begin(), result.end(),
                       [&](auto& x) { return x.kind == word.kind && x.word == word.word; }))

@@ -1,7 +1,11 @@
 #include "castor/perception/vision/recognition/shape_classifier.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
@@ -46,6 +50,16 @@ const ShapeNetwork& trained_shape_network() {
 #include "castor/perception/vision/recognition/shape_table.inc"
                                     }};
   return network;
+}
+
+std::string identity(const ShapeNetwork& network) {
+  // FNV-1a, of the weights' bits.
+  std::uint32_t hash = 2166136261U;
+  for (const float weight : network.weights) {
+    hash ^= std::bit_cast<std::uint32_t>(weight);
+    hash *= 16777619U;
+  }
+  return fmt::format("{:08x}", hash);
 }
 
 std::vector<double> hidden_values(const ShapeNetwork& network, std::span<const double> evidence) {

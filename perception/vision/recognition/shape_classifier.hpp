@@ -30,6 +30,10 @@ struct ShapeNetwork {
 /// The network that comes with Castor; see benchmarks/clevr/train_shapes.cpp for its training.
 const ShapeNetwork& trained_shape_network();
 
+/// A word that differs between networks, whose hidden values cannot be compared: 8 hexadecimal
+/// digits.
+std::string identity(const ShapeNetwork& network);
+
 /// The values of the hidden units for `evidence`.
 std::vector<double> hidden_values(const ShapeNetwork& network, std::span<const double> evidence);
 

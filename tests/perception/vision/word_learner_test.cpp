@@ -164,6 +164,26 @@ TEST(LearnedWordsFile, IsWrittenAndReadAgain) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(LearnedWordsFile, RefusesShapesThatAnotherNetworkHasDescribed) {
+  LearnedWord gizmo{"shape", "gizmo", 1, {}, 0};
+  gizmo.mean.resize(static_cast<std::size_t>(trained_shape_network().hidden));
+  const auto text = to_text({{"colour", "azure", 1, {55, 5, -60}, 0}, gizmo});
+  EXPECT_EQ(parse_learned_words(text, "my.words").size(), 2u);
+  const auto line = "network " + identity(trained_shape_network());
+  ASSERT_NE(text.find(line), std::string::npos) << text;
+  for (const std::string other : {"network 01234567", "# without a network"}) {
+    auto changed = text;
+    changed.replace(changed.find(line), line.size(), other);
+    try {
+      parse_learned_words(changed, "my.words");
+      FAIL() << changed;
+    } catch (const TextFileError& e) {
+      ASSERT_EQ(e.problems().size(), 1u) << e.what();
+      EXPECT_NE(e.problems()[0].message.find("another shape network"), std::string::npos);
+    }
+  }
+}
+
 TEST(LearnedWordsFile, TellsOfEveryLineThatIsWrong) {
   const std::vector<std::string> wrong{
     "colour azure",
