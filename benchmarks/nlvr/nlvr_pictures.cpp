@@ -45,7 +45,8 @@ std::string shape_of(const vision::ROI& roi, const vision::ShapeOptions& options
 }
 
 /// \param side of the picture of the box, pixels
-PicturedItem seen_item(const vision::Region& region, double side, const vision::ShapeOptions& shape) {
+PicturedItem seen_item(const vision::Region& region, double side,
+                       const vision::ShapeOptions& shape) {
   const double pixel = box_side / side;
   const auto box = vision::pixels_of(region.roi.box);
   const double size = std::max(box.width, box.height);
