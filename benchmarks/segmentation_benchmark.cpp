@@ -27,6 +27,8 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace castor::vision {
@@ -273,7 +275,8 @@ void measure(const TableKind& kind, int pictures, unsigned seed) {
 
 std::vector<cv::Mat> grey_pictures_in(const std::string& folder) {
   std::vector<std::filesystem::path> files;
-  for (auto& x : std::filesystem::directory_iterator{folder})
+  std::error_code no_folder;
+  for (auto& x : std::filesystem::directory_iterator{folder, no_folder})
     files.push_back(x.path());
   std::ranges::sort(files);
   std::vector<cv::Mat> result;
