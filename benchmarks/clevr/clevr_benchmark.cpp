@@ -9,7 +9,7 @@
 // over the objects found. With --leave-one-out, the shape classifier and the camera for each image
 // are estimated anew without that image; with --leave-one-source-out, for the images of each DIR
 // without all of that DIR. --calibrations only writes the camera without that image, as a file for
-// the component Camera: DIR/NAME.camera for NAME.png.
+// the component Camera: below that DIR as the image is below its own, NAME.camera for NAME.png.
 
 #include <cstdio>
 #include <exception>
@@ -66,11 +66,16 @@ Arguments parse(int argc, char** argv) {
 }
 
 /// For each image, the camera that explains the others best.
-void write_calibrations(const std::vector<Scene>& scenes, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  for (const auto& scene : scenes) {
+///
+/// \param names path of each image below the folder that it was found in
+void write_calibrations(const std::vector<Scene>& scenes,
+                        const std::vector<std::filesystem::path>& names,
+                        const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto& scene = scenes[i];
     const cv::Size size = cv::imread(scene.image.string()).size();
-    const auto path = folder / (scene.image.stem().string() + ".camera");
+    const auto path = (folder / names[i]).replace_extension(".camera");
+    std::filesystem::create_directories(path.parent_path());
     std::ofstream file{path};
     std::vector<const Scene*> others;
     for (const auto& other : scenes)
@@ -192,6 +197,7 @@ void run(const Arguments& arguments) {
   cv::setNumThreads(1);
   std::vector<Scene> scenes;
   std::vector<std::size_t> groups;
+  std::vector<std::filesystem::path> names;
   for (std::size_t source = 0; source < arguments.folders.size(); ++source) {
     const auto& folder = arguments.folders[source];
     auto found = load_scenes(folder);
@@ -199,11 +205,12 @@ void run(const Arguments& arguments) {
       throw std::runtime_error("no scene with an image below " + folder.string());
     for (auto& scene : found) {
       groups.push_back(arguments.without == Without::source ? source : scenes.size());
+      names.push_back(std::filesystem::relative(scene.image, folder));
       scenes.push_back(std::move(scene));
     }
   }
   if (arguments.calibrations) {
-    write_calibrations(scenes, *arguments.calibrations);
+    write_calibrations(scenes, names, *arguments.calibrations);
     return;
   }
   vision::RegionOptions options;
