@@ -69,6 +69,16 @@ TEST(Assertions, NameThingsThatAreSpokenOfByTheNameLater) {
   EXPECT_EQ(talk.say("What colour is the plate?").text, "It is brown.");
 }
 
+TEST(Assertions, ThatSomethingIsNotSoSayNothingElseOfIt) {
+  TableScene table;
+  table.put("one", {feature(FeatureKind::shape, "cube")}, 0, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); },
+                 [&](auto& name, auto features) { table.tell(name, std::move(features)); }};
+  EXPECT_EQ(talk.say("The cube is not a mug.").text, "Ok.");
+  EXPECT_EQ(talk.say("Is the cube a mug?").text, "No.");
+  EXPECT_EQ(talk.say("Is the cube a toy?").text, "I do not know.");
+}
+
 TEST(Fragments, AreNotSaidOfWhatTheyExclude) {
   TableScene table;
   for (const auto* id : {"one", "two", "three"})
