@@ -69,7 +69,7 @@ TEST(Assertions, NameThingsThatAreSpokenOfByTheNameLater) {
   EXPECT_EQ(talk.say("What colour is the plate?").text, "It is brown.");
 }
 
-TEST(Assertions, ThatSomethingIsNotSoSayNothingElseOfIt) {
+TEST(Assertions, OfWhatAThingIsNotTellNothingElse) {
   TableScene table;
   table.put("one", {feature(FeatureKind::shape, "cube")}, 0, 0);
   TableTalk talk{[&](auto& asked) { return table.reply(asked); },
