@@ -82,7 +82,10 @@ Truth FeatureComparator::compare(const Feature& a, const Feature& b) const {
 }
 
 bool FeatureComparator::confirms(const Feature& known, const Feature& described) const {
-  return compare(described, known) == Truth::yes && !is_more_general(known, described, options_);
+  // What is no mug agrees with a toy, but need not be one.
+  const bool only_agrees = known.negated && !described.negated;
+  return !only_agrees && compare(described, known) == Truth::yes &&
+         !is_more_general(known, described, options_);
 }
 
 const FeatureComparisonCompetence* FeatureComparator::competent_for(const Feature& a,

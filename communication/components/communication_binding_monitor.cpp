@@ -26,7 +26,6 @@ namespace castor::communication {
 namespace {
 
 using binding::BindingProxy;
-using binding::FeatureKind;
 
 /// Binds what is said to what is there, move after move: finds what each move is about, and tells
 /// binding of everything that is asserted.
@@ -123,76 +122,25 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   // -- what is asserted
 
-  /// What disagrees with what is perceived is not told, nor what may be about several things.
-  bool is_not_to_be_told(const DialogueMove& move, const Nominal& root,
-                         const Antecedents& antecedents) {
-    return with_scene(binding(), [&](SceneKnowledge& scene) {
-             Evaluation evaluation{move.content, antecedents, scene};
-             try {
-               return judge_assertion(root, move.content, evaluation);
-             } catch (const Uninterpretable& why) {
-               // What is not clear is asked about, and not told.
-               using Reason = Uninterpretable::Reason;
-               return why.reason == Reason::ambiguous || why.reason == Reason::nothing_pointed_at
-                        ? Truth::no
-                        : Truth::unknown;
-             }
-           }) == Truth::no;
-  }
-
   /// \returns the proxies that binding was told
   std::vector<std::string> tell_of(const std::string& id, const DialogueMove& move,
                                    const MoveReferents& referents) {
-    const auto& form = move.content;
-    const auto* root = find_nominal(form, form.root);
-    if (root == nullptr)
-      return {};
-    const auto telling = telling_of(*root, form);
-    if (telling == Telling::nothing ||
-        is_not_to_be_told(move, *root, from_entry(referents.pronouns)))
-      return {};
-    const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
-    const auto* scope = dependent(form, *root, "Cop-Scope");
-    BindingProxy proxy;
-    // What is said is judged when what is seen has been.
-    proxy.precedence = 1;
-    proxy.features = features_of(form, *thing);
-    if (scope != nullptr)
-      for (auto& x : features_of(form, *scope))
-        add_feature(proxy, is_negated(*root) && x.text != "thing" ? binding::negation_of(x) : x);
-    proxy.features.push_back(
-      binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
-    std::vector<std::string> meant;
-    // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
-    if (!is_deictic(*thing) || is_known(referents, *thing))
-      for (auto& x : referents.referents)
-        if (x.nominal == thing->name)
-          meant = x.proxies;
-    if (telling == Telling::of_one) {
-      if (meant.size() == 1)
-        add_feature(proxy, feature(FeatureKind::existing_proxy_id, meant.front()));
-      tell(proxy_id(id), std::move(proxy));
-      return {proxy_id(id)};
-    }
+    auto telling =
+      with_scene(binding(), [&](SceneKnowledge& scene) { return told_by(move, referents, scene); });
     std::vector<std::string> told;
-    for (auto& one : meant) {
-      auto of_it = proxy;
-      add_feature(of_it, feature(FeatureKind::existing_proxy_id, one));
-      told.push_back(proxy_id(id) + '/' + std::to_string(told.size() + 1));
-      tell(told.back(), std::move(of_it));
+    for (auto& features : telling.proxies) {
+      BindingProxy proxy;
+      // What is said is judged when what is seen has been.
+      proxy.precedence = 1;
+      proxy.features = std::move(features);
+      proxy.features.push_back(
+        binding::tether_to({here(id), std::string{type_name<DialogueMove>()}}));
+      told.push_back(telling.telling == Telling::of_one
+                       ? proxy_id(id)
+                       : proxy_id(id) + '/' + std::to_string(told.size() + 1));
+      tell(told.back(), std::move(proxy));
     }
     return told;
-  }
-
-  static bool is_known(const MoveReferents& referents, const Nominal& phrase) {
-    return std::ranges::any_of(referents.pronouns, [&phrase](auto& x) {
-      return x.nominal == phrase.name || x.nominal == phrase.name + std::string{pointed_at};
-    });
-  }
-
-  static void add_feature(BindingProxy& to, const binding::Feature& x) {
-    if (std::ranges::find(to.features, x) == to.features.end())
-      to.features.push_back(x);
   }
 
   /// So that what is said next can be about it.

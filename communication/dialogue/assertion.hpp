@@ -1,7 +1,10 @@
 #pragma once
 
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
+
+#include <vector>
 
 namespace castor::communication {
 
@@ -24,5 +27,19 @@ enum class Telling {
 };
 
 Telling telling_of(const Nominal& root, const LogicalForm& form);
+
+/// What binding is told.
+struct Told {
+  Telling telling = Telling::nothing;
+  /// Features of each of the proxies; those of what is meant refer to a proxy of it.
+  std::vector<std::vector<binding::Feature>> proxies;
+};
+
+/// What an assertion tells binding: nothing if what is seen contradicts it, if it is not clear what
+/// it is about, or if there is nothing that it says of one thing.
+///
+/// \param referents of the move
+/// \pre asked again, as long as `scene` has open questions
+Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnowledge& scene);
 
 } // namespace castor::communication

@@ -81,8 +81,11 @@ void place_alternatives(LogicalForm& form) {
   // What colour something is does not depend on those that are named.
   const bool is_choice = is_thing(asked) && are_things(form, *alternatives);
   erase_relation(*root, "Alternatives");
-  if (is_choice)
-    find_in(form, asked->name)->relations.push_back({"PartOf", name});
+  if (is_choice) {
+    auto& chosen = *find_in(form, asked->name);
+    erase_relation(chosen, "PartOf");
+    chosen.relations.push_back({"PartOf", name});
+  }
 }
 
 /// "Except for the ball, is anything red?" is about the other things.

@@ -303,6 +303,14 @@ bool is_anaphoric(const Nominal& nominal) {
          is_general_noun(nominal.proposition);
 }
 
+bool is_whole(const LogicalForm& form, const Nominal& nominal) {
+  return std::ranges::any_of(form.nominals, [&nominal](auto& x) {
+    return std::ranges::any_of(x.relations, [&nominal](auto& relation) {
+      return relation.mode == "PartOf" && relation.dependent == nominal.name;
+    });
+  });
+}
+
 std::optional<FeatureKind> kind_of_quality(const std::string& name) {
   static const std::map<std::string, FeatureKind> kinds{{"colour", FeatureKind::colour},
                                                         {"size", FeatureKind::size},

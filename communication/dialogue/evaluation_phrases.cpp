@@ -148,6 +148,11 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
       // Something that is shown is the only thing there is, if it is not pointed at.
       if (!is_plural(phrase) && is_deictic(phrase) && scene_.things().size() == 1)
         return {scene_.things(), scene_.things()};
+      // "Which one is larger?" and "how many of these are red?" are about all there is, if nothing
+      // was spoken of.
+      if (feature(phrase, "Recent") == "true" ||
+          (phrase.proposition == "these" && is_whole(form_, phrase)))
+        return {scene_.things(), scene_.things()};
       throw Uninterpretable{Reason::ambiguous, phrase.name};
     }
     return {result, result};
@@ -377,8 +382,8 @@ Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
   auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
   if (result != Truth::unknown || known.empty() || known.front() == "round")
     return result;
-  // What is known to be a solid is no disc, while what looks like a disc may be a ball.
-  if (!is_lenient_ || (is_flat_shape(shape) && scene_.is_sure(id, FeatureKind::shape)))
+  // What is known to be a square is no cube.
+  if (!is_lenient_ || scene_.is_sure(id, FeatureKind::shape))
     return Truth::no;
   return result;
 }

@@ -78,6 +78,8 @@ public:
 
   /// \returns whether there is such a place
   bool run() {
+    if (contrast())
+      return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
       seen_.clear();
@@ -105,6 +107,49 @@ private:
       for (auto& relation : from.relations)
         if (relation.mode == "Quantity" || relation.mode == "PartOf")
           fragment->relations.push_back(relation);
+  }
+
+  /// "How many things are white? And brown ones?" asks how many are brown, "how many things are
+  /// balls? And cubes?" how many are cubes: what a fragment excludes is not said of it.
+  /// \returns whether it is like that
+  bool contrast() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* about = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Restr");
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    if (about == nullptr || scope == nullptr || about->sort != "thing" ||
+        fragment_.sort != "thing" || !is_plural(fragment_) ||
+        (is_definite(fragment_) && dependent(form_, *root, "Wh-Restr") != about))
+      return false;
+    if (scope->sort == "thing") {
+      if (!is_general_noun(about->proposition) || is_general_noun(scope->proposition) ||
+          is_general_noun(fragment_.proposition) || is_definite(*scope) || is_definite(fragment_))
+        return false;
+      replace(scope->name);
+      return true;
+    }
+    const auto of_kind = std::ranges::find_if(fragment_.relations, [&](auto& relation) {
+      const auto* value = find_nominal(form_, relation.dependent);
+      return value != nullptr && value->sort == scope->sort && is_value(*value);
+    });
+    if (of_kind == fragment_.relations.end() || !is_value(*scope))
+      return false;
+    const auto subject = about->name;
+    const auto value = of_kind->dependent;
+    auto& asked = *find(form_, subject);
+    if (!is_general_noun(fragment_.proposition))
+      asked.proposition = fragment_.proposition;
+    for (auto& relation : fragment_.relations)
+      if (relation.dependent != value)
+        asked.relations.push_back(relation);
+    const auto old = scope->name;
+    for (auto& relation : find(form_, form_.root)->relations)
+      if (relation.dependent == old)
+        relation.dependent = value;
+    return true;
+  }
+
+  static bool is_value(const Nominal& x) {
+    return x.sort == "colour" || x.sort == "size" || x.sort == "shape" || x.sort == "material";
   }
 
   /// "What is behind the ball? And left of it?" is about the ball.
@@ -250,11 +295,19 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
     unclear_ = move;
     asked_about_ = response.asked_about;
   }
-  for (const auto* thing : things_spoken_of(move.move.content))
-    if (!is_pronoun(*thing) && !is_general_noun(thing->proposition)) {
-      noun_ = thing->proposition;
-      break;
-    }
+  const auto& form = move.move.content;
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
+  // "How many things are white? How many brown ones?" is about things.
+  if (asked != nullptr && asked->sort == "thing" && asked->proposition != "one" &&
+      is_general_noun(asked->proposition))
+    noun_.clear();
+  else
+    for (const auto* thing : things_spoken_of(form))
+      if (!is_pronoun(*thing) && !is_general_noun(thing->proposition)) {
+        noun_ = thing->proposition;
+        break;
+      }
   if (is_elliptical(move.move.content))
     return;
   if (is_question(move.move))

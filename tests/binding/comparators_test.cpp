@@ -105,6 +105,7 @@ TEST(FeatureComparator, ConfirmsWhatIsSaidInFull) {
   EXPECT_FALSE(comparator.confirms(concept_of("thing"), concept_of("ball")));
   EXPECT_FALSE(comparator.confirms(concept_of("box"), concept_of("ball")));
   EXPECT_TRUE(comparator.confirms(concept_of("box"), negation_of(concept_of("ball"))));
+  EXPECT_FALSE(comparator.confirms(negation_of(concept_of("ball")), concept_of("box")));
   EXPECT_TRUE(comparator.confirms(test::colour("blue"), negation_of(test::colour("red"))));
 }
 

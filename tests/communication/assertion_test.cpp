@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace castor::communication::test {
 
 namespace {
@@ -46,6 +49,49 @@ TEST(Assertions, AreAcceptedIfSomethingIsLearnt) {
   EXPECT_EQ(talk.say("Most cubes are toys.").text, "I do not know whether that is so.");
   EXPECT_EQ(talk.say("Most cubes are small.").text, "Ok.");
   EXPECT_EQ(talk.say("What is this?").text, "Which thing do you mean?");
+}
+
+TEST(Assertions, NameThingsThatAreSpokenOfByTheNameLater) {
+  TableScene table;
+  table.put("one", {feature(FeatureKind::shape, "cylinder"), feature(FeatureKind::colour, "white")},
+            0, 0);
+  table.put("two", {feature(FeatureKind::shape, "circle"), feature(FeatureKind::colour, "brown")},
+            0.3, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); },
+                 [&](auto& name, auto features) { table.tell(name, std::move(features)); }};
+  EXPECT_EQ(talk.say("What colour is the mug?").text, "I do not see a mug.");
+  EXPECT_EQ(talk.say("The mug is large.").text, "I do not see a mug.");
+  EXPECT_EQ(talk.say("How many things are there?").text, "There are two things.");
+  EXPECT_EQ(talk.say("The cylinder is a mug.").text, "Ok.");
+  EXPECT_EQ(talk.say("What colour is the mug?").text, "It is white.");
+  EXPECT_EQ(talk.say("The mug is red.").text, "No, it is white.");
+  EXPECT_EQ(talk.say("The disc is called a plate.").text, "Ok.");
+  EXPECT_EQ(talk.say("What colour is the plate?").text, "It is brown.");
+}
+
+TEST(Assertions, OfWhatAThingIsNotTellNothingElse) {
+  TableScene table;
+  table.put("one", {feature(FeatureKind::shape, "cube")}, 0, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); },
+                 [&](auto& name, auto features) { table.tell(name, std::move(features)); }};
+  EXPECT_EQ(talk.say("The cube is not a mug.").text, "Ok.");
+  EXPECT_EQ(talk.say("Is the cube a mug?").text, "No.");
+  EXPECT_EQ(talk.say("Is the cube a toy?").text, "I do not know.");
+}
+
+TEST(Fragments, AreNotSaidOfWhatTheyExclude) {
+  TableScene table;
+  for (const auto* id : {"one", "two", "three"})
+    table.put(id,
+              {feature(FeatureKind::shape, id[0] == 'o' ? "sphere" : "cube"),
+               feature(FeatureKind::colour, id[1] == 'w' ? "red" : "white"),
+               feature(FeatureKind::size, "small")},
+              0, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); }};
+  EXPECT_EQ(talk.say("How many things are white?").text, "There are two white things.");
+  EXPECT_EQ(talk.say("And red ones?").text, "There is one red thing.");
+  EXPECT_EQ(talk.say("How many things are cubes?").text, "There are two things.");
+  EXPECT_EQ(talk.say("And balls?").text, "There is one thing.");
 }
 
 } // namespace castor::communication::test

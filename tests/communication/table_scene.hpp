@@ -33,6 +33,12 @@ public:
               binding::test::relation_from("spatial", relation, "at " + target, "at " + landmark));
   }
 
+  /// Somebody says so of something.
+  void tell(const std::string& name, std::vector<binding::Feature> features) {
+    core_.set(name, binding::test::with_precedence(
+                      binding::test::proxy_from("communication", std::move(features)), 1));
+  }
+
   binding::ReferenceReply reply(const std::vector<binding::Description>& descriptions) const {
     binding::ReferenceReply result;
     for (auto& x : descriptions) {

@@ -1,5 +1,6 @@
 #include "castor/tests/communication/table_talk.hpp"
 
+#include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -9,6 +10,7 @@
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
+#include <string>
 #include <utility>
 
 namespace castor::communication::test {
@@ -74,6 +76,9 @@ Reply TableTalk::say_sentence(const std::string& text) {
   referents.referents = with_knowledge(binding_, [&](SceneKnowledge& scene) {
     return referents_of(reading_of(meant.move, response.reading), meant.antecedents, scene);
   });
+  referents.pronouns = to_entry(meant.antecedents);
+  if (meant.move.type == DialogueMoveType::assertion)
+    tell_of(meant.move, referents);
   history_.push_back(std::move(referents));
   reply.move = meant.move.type;
   reply.relation = response.relation;
@@ -88,6 +93,15 @@ Reply TableTalk::say_sentence(const std::string& text) {
     reply.text += (reply.text.empty() ? "" : " ") + said.value_or("<no words>");
   }
   return reply;
+}
+
+void TableTalk::tell_of(const DialogueMove& move, const MoveReferents& referents) {
+  if (!tell_)
+    return;
+  auto told = with_knowledge(
+    binding_, [&](SceneKnowledge& scene) { return told_by(move, referents, scene); });
+  for (auto& features : told.proxies)
+    tell_("said " + std::to_string(told_++), std::move(features));
 }
 
 } // namespace castor::communication::test

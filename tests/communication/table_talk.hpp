@@ -7,10 +7,12 @@
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::communication::test {
@@ -33,7 +35,12 @@ public:
   /// Answers what binding is asked.
   using Binding = std::function<binding::ReferenceReply(const std::vector<binding::Description>&)>;
 
-  explicit TableTalk(Binding binding) : binding_(std::move(binding)) {}
+  /// Is told what is asserted, under a name.
+  using Tell = std::function<void(const std::string&, std::vector<binding::Feature>)>;
+
+  /// \param tell nobody is told anything without
+  explicit TableTalk(Binding binding, Tell tell = {})
+    : binding_(std::move(binding)), tell_(std::move(tell)) {}
 
   /// \returns the reply to the last sentence
   Reply say(const std::string& text);
@@ -44,11 +51,15 @@ public:
 private:
   Reply say_sentence(const std::string& text);
 
+  void tell_of(const DialogueMove& move, const MoveReferents& referents);
+
   Binding binding_;
+  Tell tell_;
   QuestionContext questions_;
   std::vector<MoveReferents> history_;
   std::optional<Pointing> pointing_;
   std::uint64_t gestures_ = 0;
+  std::size_t told_ = 0;
 };
 
 } // namespace castor::communication::test
