@@ -144,7 +144,7 @@ enum class InterpretationState {
 /// are stored once; every alternative lists its readings, so pruning means removing readings.
 struct PackedLogicalForm {
   EntryPointer<PhonString> utterance;
-  /// Words of the utterance.
+  /// The utterance as it was said; a question mark at its end makes a question of a statement.
   std::string text;
   /// How many utterances came before it.
   std::int32_t turn = 0;

@@ -23,6 +23,14 @@ bool is_clause(const LogicalForm& form, const Nominal& x) {
          x.sort == "action";
 }
 
+/// "The disc is orange?" asks whether it is.
+LogicalForm as_question(LogicalForm statement) {
+  for (auto& x : statement.nominals)
+    if (x.name == statement.root && is_clause(statement, x) && feature(x, "Mood").empty())
+      x.features.push_back({"Mood", "int"});
+  return statement;
+}
+
 } // namespace
 
 DialogueMoveType dialogue_move_type(const LogicalForm& form) {
@@ -60,6 +68,8 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
     if (said.size() != 1)
       continue;
     said.front() = reunited(std::move(said.front()));
+    if (form.text.ends_with('?'))
+      said.front() = as_question(std::move(said.front()));
     if (move.content.nominals.empty()) {
       move.type = dialogue_move_type(said.front());
       move.content = std::move(said.front());

@@ -51,6 +51,21 @@ TEST(Assertions, AreAcceptedIfSomethingIsLearnt) {
   EXPECT_EQ(talk.say("What is this?").text, "Which thing do you mean?");
 }
 
+TEST(Assertions, AreQuestionsWithAQuestionMark) {
+  TableScene table;
+  table.put("one", {feature(FeatureKind::shape, "cube"), feature(FeatureKind::colour, "red")}, 0,
+            0);
+  table.put("two", {feature(FeatureKind::shape, "sphere"), feature(FeatureKind::colour, "blue")},
+            0.3, 0);
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); }};
+  EXPECT_EQ(talk.say("The cube is red.").text, "Ok.");
+  EXPECT_EQ(talk.say("The cube is red?").text, "Yes.");
+  EXPECT_EQ(talk.say("The cube is small?").text, "I do not know.");
+  EXPECT_EQ(talk.say("There is a green thing?").text, "No.");
+  EXPECT_EQ(talk.say("The cube is red and the ball is blue?").text, "Yes.");
+  EXPECT_EQ(talk.say("All things are red?").text, "No.");
+}
+
 TEST(Assertions, NameThingsThatAreSpokenOfByTheNameLater) {
   TableScene table;
   table.put("one", {feature(FeatureKind::shape, "cylinder"), feature(FeatureKind::colour, "white")},

@@ -47,6 +47,7 @@ Reply TableTalk::say_sentence(const std::string& text) {
   auto form = parse.form();
   if (auto with_pause = parsed_with_pause(parser, words, form))
     form = std::move(*with_pause);
+  form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
   Reply reply;
   if (!form.unparsable.empty() || form.readings.empty()) {
