@@ -77,11 +77,12 @@ Telling telling_of(const Nominal& root, const LogicalForm& form) {
 Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnowledge& scene) {
   const auto& form = move.content;
   const auto* root = find_nominal(form, form.root);
-  Told result;
-  if (root == nullptr || telling_of(*root, form) == Telling::nothing ||
+  if (root == nullptr)
+    return {};
+  Told result{telling_of(*root, form), {}};
+  if (result.telling == Telling::nothing ||
       is_not_to_be_told(form, *root, from_entry(referents.pronouns), scene))
-    return result;
-  result.telling = telling_of(*root, form);
+    return {};
   const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
   auto features = features_of(form, *thing);
   if (const auto* scope = dependent(form, *root, "Cop-Scope"))

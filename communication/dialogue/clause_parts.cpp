@@ -14,11 +14,6 @@ namespace castor::communication {
 
 namespace {
 
-Nominal* find_in(LogicalForm& form, std::string_view name) {
-  auto found = std::ranges::find(form.nominals, name, &Nominal::name);
-  return found == form.nominals.end() ? nullptr : &*found;
-}
-
 void erase_relation(Nominal& x, std::string_view mode) {
   std::erase_if(x.relations, [mode](auto& relation) { return relation.mode == mode; });
 }
@@ -49,9 +44,9 @@ bool are_things(const LogicalForm& form, const Nominal& x) {
 
 /// Adds what is said of a nominal to what is said of another.
 void merge(LogicalForm& form, const std::string& from, const std::string& to) {
-  const auto added = find_in(form, from)->relations;
+  const auto added = find_nominal(form, from)->relations;
   for (auto& relation : added)
-    find_in(form, to)->relations.push_back(relation);
+    find_nominal(form, to)->relations.push_back(relation);
   for (auto& x : form.nominals)
     for (auto& relation : x.relations)
       if (relation.dependent == from)
@@ -67,12 +62,12 @@ void place_relative_clause(LogicalForm& form) {
     return;
   const auto from = said->name;
   const auto to = topic->name;
-  erase_relation(*find_in(form, form.root), "Extraposed");
+  erase_relation(*find_nominal(form, form.root), "Extraposed");
   merge(form, from, to);
 }
 
 void place_alternatives(LogicalForm& form) {
-  auto* root = find_in(form, form.root);
+  auto* root = find_nominal(form, form.root);
   const auto* alternatives = dependent(form, *root, "Alternatives");
   const auto* asked = dependent(form, *root, "Wh-Restr");
   if (alternatives == nullptr || asked == nullptr)
@@ -82,7 +77,7 @@ void place_alternatives(LogicalForm& form) {
   const bool is_choice = is_thing(asked) && are_things(form, *alternatives);
   erase_relation(*root, "Alternatives");
   if (is_choice) {
-    auto& chosen = *find_in(form, asked->name);
+    auto& chosen = *find_nominal(form, asked->name);
     erase_relation(chosen, "PartOf");
     chosen.relations.push_back({"PartOf", name});
   }
@@ -97,8 +92,8 @@ void place_exception(LogicalForm& form) {
     return;
   const auto name = excepted->name;
   const auto to = topic->name;
-  erase_relation(*find_in(form, form.root), "Except");
-  find_in(form, to)->relations.push_back({"Except", name});
+  erase_relation(*find_nominal(form, form.root), "Except");
+  find_nominal(form, to)->relations.push_back({"Except", name});
 }
 
 /// "A cube, a ball or a disc" is any of them: the word before the last one is meant before all.
@@ -122,7 +117,7 @@ void restrict_selection(LogicalForm& form) {
       dependent(form, *scope, "PartOf") != nullptr)
     return;
   const auto name = whole->name;
-  find_in(form, scope->name)->relations.push_back({"PartOf", name});
+  find_nominal(form, scope->name)->relations.push_back({"PartOf", name});
 }
 
 /// "I count one ball, how many do you count?" is about balls.
@@ -133,7 +128,7 @@ void inherit_from_preface(LogicalForm& form, const Nominal& preface) {
       dependent(form, *asked, "PartOf") != nullptr || is_pronoun(*topic))
     return;
   const auto like = *topic;
-  auto& one = *find_in(form, asked->name);
+  auto& one = *find_nominal(form, asked->name);
   one.proposition = like.proposition;
   for (auto& relation : like.relations)
     if (relation.mode != "Quantity")
@@ -168,7 +163,7 @@ std::vector<LogicalForm> questions_in(const LogicalForm& form) {
       (!asks_for_something(first) && !asks_for_something(next)))
     return {};
   auto second = form;
-  find_in(second, next->name)->relations.push_back({"Preface", first->name});
+  find_nominal(second, next->name)->relations.push_back({"Preface", first->name});
   return {part_of(form, first->name), part_of(second, next->name)};
 }
 
@@ -191,7 +186,7 @@ LogicalForm reunited(LogicalForm form) {
 
 std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm before) {
   const auto word = find_nominal(elliptical, elliptical.root)->proposition;
-  auto* root = find_in(before, before.root);
+  auto* root = find_nominal(before, before.root);
   if (root == nullptr || (root->sort != "existence" && root->sort != "ascription"))
     return std::nullopt;
   const auto* topic = topic_of(before, *root);
@@ -202,7 +197,7 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
   const bool asks_which = word == "which" || word == "how-many";
   if (asks_which && is_about_known && !is_plural(*topic))
     return std::nullopt;
-  auto& asked = *find_in(before, name);
+  auto& asked = *find_nominal(before, name);
   for (const auto* what : {"Delimitation", "Focus", "Polarity"})
     erase_feature(asked, what);
   erase_relation(asked, "Quantity");

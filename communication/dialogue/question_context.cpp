@@ -41,18 +41,13 @@ std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& ant
   return prefix + other.root;
 }
 
-Nominal* find(LogicalForm& form, const std::string& name) {
-  auto found = std::ranges::find(form.nominals, name, &Nominal::name);
-  return found == form.nominals.end() ? nullptr : &*found;
-}
-
 /// What was meant, once somebody has said "the red one" to "which ball do you mean?": it is the
 /// ball that was spoken of, and red.
 bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
              const Antecedents& antecedents) {
   const auto name = append(question.move.content, said, question.antecedents, antecedents);
-  auto* asked = find(question.move.content, nominal);
-  const auto* fragment = find(question.move.content, name);
+  auto* asked = find_nominal(question.move.content, nominal);
+  const auto* fragment = find_nominal(question.move.content, name);
   if (asked == nullptr || fragment == nullptr || fragment->sort != "thing")
     return false;
   // "This one."
@@ -99,7 +94,7 @@ private:
 
   /// "The red one" is a thing of the kind that was spoken of.
   void inherit(const Nominal& from) {
-    auto* fragment = find(form_, fragment_.name);
+    auto* fragment = find_nominal(form_, fragment_.name);
     if (fragment->proposition == "one" && !is_pronoun(from))
       fragment->proposition = from.proposition;
     // "How many balls are red? And how many are green?" is about as many.
@@ -135,14 +130,14 @@ private:
       return false;
     const auto subject = about->name;
     const auto value = of_kind->dependent;
-    auto& asked = *find(form_, subject);
+    auto& asked = *find_nominal(form_, subject);
     if (!is_general_noun(fragment_.proposition))
       asked.proposition = fragment_.proposition;
     for (auto& relation : fragment_.relations)
       if (relation.dependent != value)
         asked.relations.push_back(relation);
     const auto old = scope->name;
-    for (auto& relation : find(form_, form_.root)->relations)
+    for (auto& relation : find_nominal(form_, form_.root)->relations)
       if (relation.dependent == old)
         relation.dependent = value;
     return true;
@@ -155,7 +150,7 @@ private:
   /// "What is behind the ball? And left of it?" is about the ball.
   void keep_anchor(const Nominal& old) {
     const auto* anchor = dependent(form_, old, "Anchor");
-    for (auto& relation : find(form_, fragment_.name)->relations) {
+    for (auto& relation : find_nominal(form_, fragment_.name)->relations) {
       const auto* pronoun = find_nominal(form_, relation.dependent);
       if (anchor != nullptr && relation.mode == "Anchor" && pronoun != nullptr &&
           is_pronoun(*pronoun))
@@ -227,7 +222,7 @@ bool is_about_any(const LogicalForm& fragment) {
 bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents) {
   auto& form = question.move.content;
   const auto name = append(form, said, question.antecedents, antecedents);
-  const auto* fragment = find(form, name);
+  const auto* fragment = find_nominal(form, name);
   return fragment != nullptr && Substitution{form, *fragment}.run();
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace castor::communication {
 
@@ -253,6 +254,10 @@ const Nominal* find_nominal(const LogicalForm& form, std::string_view name) {
   const auto place = std::find_if(form.nominals.begin(), form.nominals.end(),
                                   [name](const Nominal& nominal) { return nominal.name == name; });
   return place == form.nominals.end() ? nullptr : &*place;
+}
+
+Nominal* find_nominal(LogicalForm& form, std::string_view name) {
+  return const_cast<Nominal*>(find_nominal(std::as_const(form), name));
 }
 
 const Nominal* dependent(const LogicalForm& form, const Nominal& nominal, std::string_view mode) {

@@ -36,6 +36,7 @@ LogicalForm parse_logical_form(std::string_view text);
 std::string to_string(const LogicalForm& form);
 
 const Nominal* find_nominal(const LogicalForm& form, std::string_view name);
+Nominal* find_nominal(LogicalForm& form, std::string_view name);
 
 /// The dependent of a nominal's first relation `mode`; null if there is none.
 const Nominal* dependent(const LogicalForm& form, const Nominal& nominal, std::string_view mode);
