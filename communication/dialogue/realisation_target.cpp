@@ -1,6 +1,8 @@
 #include "castor/communication/dialogue/realisation_target.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace castor::communication {
 
@@ -98,32 +100,32 @@ bool RealisationTarget::is_same(const Predication& pattern, const Predication& t
 }
 
 void RealisationTarget::match(const LexicalEntry& entry, std::size_t next,
-                              std::vector<TargetIndex>& variables, EntryUse& use,
+                              std::vector<TargetIndex>& variables, const EntryUse& use,
                               std::vector<EntryUse>& found) const {
   if (next == entry.predications.size()) {
-    auto complete = use;
+    found.push_back(use);
     for (const auto variable : entry.indices)
-      complete.indices.push_back(variables[variable] == unbound ? -1 - variable
-                                                                : variables[variable]);
-    found.push_back(std::move(complete));
+      found.back().indices.push_back(variables[variable] == unbound ? -1 - variable
+                                                                    : variables[variable]);
     return;
   }
   const auto& pattern = entry.predications[next];
+  const bool is_relation = pattern.kind == Predication::Kind::relation;
+  const auto before = std::pair(variables[pattern.nominal], variables[pattern.dependent]);
   for (std::size_t i = 0; i < predications_.size(); ++i) {
     const auto& target = predications_[i];
     const auto bit = std::uint64_t{1} << i;
     if ((use.coverage & bit) != 0 || !is_same(pattern, target, entry))
       continue;
-    auto bound = variables;
-    if (!bind(bound[pattern.nominal], target.nominal) ||
-        (pattern.kind == Predication::Kind::relation &&
-         !bind(bound[pattern.dependent], target.dependent)))
-      continue;
-    auto longer = use;
-    longer.coverage |= bit;
-    if (entry.phrase == quoted_word && target.value >= lexicon_.symbols().size())
-      longer.text = "'" + quotations_[target.value - lexicon_.symbols().size()] + "'";
-    match(entry, next + 1, bound, longer, found);
+    if (bind(variables[pattern.nominal], target.nominal) &&
+        (!is_relation || bind(variables[pattern.dependent], target.dependent))) {
+      auto longer = use;
+      longer.coverage |= bit;
+      if (entry.phrase == quoted_word && target.value >= lexicon_.symbols().size())
+        longer.text = "'" + quotations_[target.value - lexicon_.symbols().size()] + "'";
+      match(entry, next + 1, variables, longer, found);
+    }
+    std::tie(variables[pattern.nominal], variables[pattern.dependent]) = before;
   }
 }
 

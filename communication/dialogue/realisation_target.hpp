@@ -39,13 +39,15 @@ public:
 
   TargetIndex root() const { return root_; }
 
+  const std::vector<Predication>& predications() const { return predications_; }
+
   /// All uses of an entry for a part of the target; for words without meaning one use of no
   /// coverage.
   std::vector<EntryUse> uses(const LexicalEntry& entry) const;
 
 private:
   void match(const LexicalEntry& entry, std::size_t next, std::vector<TargetIndex>& variables,
-             EntryUse& use, std::vector<EntryUse>& found) const;
+             const EntryUse& use, std::vector<EntryUse>& found) const;
   bool is_same(const Predication& pattern, const Predication& target,
                const LexicalEntry& entry) const;
   Symbol symbol(const std::string& text, bool may_be_quoted);

@@ -11,6 +11,7 @@
 #include <map>
 #include <queue>
 #include <set>
+#include <span>
 #include <sstream>
 
 namespace castor::communication {
@@ -82,9 +83,10 @@ enum class Combining { application, all };
 
 class Realisation {
 public:
-  Realisation(const RealisationTarget& target, CombinatoryGrammar& grammar, std::size_t limit,
-              Combining combining)
-    : target_(target), grammar_(grammar), limit_(limit), combining_(combining) {
+  /// \param words all that may be of use, in the lexicon's order
+  Realisation(const RealisationTarget& target, std::span<const std::uint32_t> words,
+              CombinatoryGrammar& grammar, std::size_t limit, Combining combining)
+    : target_(target), words_(words), grammar_(grammar), limit_(limit), combining_(combining) {
     // nop
   }
 
@@ -119,7 +121,7 @@ private:
   /// Of entries that say the same, the first.
   void add_words() {
     std::set<std::tuple<std::string, CategoryId, std::vector<Predication>>> said;
-    for (std::uint32_t number = 0; number < grammar_.lexicon.entries().size(); ++number) {
+    for (const auto number : words_) {
       const auto& entry = grammar_.lexicon.entry(number);
       auto uses = target_.uses(entry);
       if (uses.empty() || !said.emplace(entry.family, entry.category, entry.predications).second)
@@ -189,6 +191,7 @@ private:
   }
 
   const RealisationTarget& target_;
+  std::span<const std::uint32_t> words_;
   CombinatoryGrammar& grammar_;
   std::size_t limit_;
   Combining combining_;
@@ -271,7 +274,7 @@ std::optional<FinalList> final_list(const LogicalForm& form) {
 } // namespace
 
 Realiser::Realiser(std::shared_ptr<const Lexicon> lexicon, RealiserLimits limits)
-  : lexicon_(std::move(lexicon)), limits_(limits), grammar_(*lexicon_) {
+  : lexicon_(std::move(lexicon)), limits_(limits), grammar_(*lexicon_), entries_(*lexicon_) {
   // nop
 }
 
@@ -296,9 +299,10 @@ std::optional<std::string> Realiser::realise_whole(const LogicalForm& form) {
   const RealisationTarget target(form, *lexicon_);
   if (!target.is_sayable())
     return std::nullopt;
+  const auto words = entries_.candidates(target.predications());
   for (const auto combining : {Combining::application, Combining::all})
-    if (const auto words = Realisation(target, grammar_, limits_.edges, combining).find())
-      return written(*words, dialogue_move_type(form));
+    if (const auto said = Realisation(target, words, grammar_, limits_.edges, combining).find())
+      return written(*said, dialogue_move_type(form));
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/communication/dialogue/entry_index.hpp"
 #include "castor/communication/parsing/chart.hpp"
 #include "castor/communication/types.hpp"
 
@@ -33,6 +34,7 @@ private:
   std::shared_ptr<const Lexicon> lexicon_;
   RealiserLimits limits_;
   CombinatoryGrammar grammar_;
+  EntryIndex entries_;
 };
 
 } // namespace castor::communication

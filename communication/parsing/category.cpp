@@ -1,5 +1,6 @@
 #include "castor/communication/parsing/category.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace castor::communication {
@@ -50,9 +51,19 @@ Category without_last_argument(const Category& category, std::size_t count) {
   return shorter;
 }
 
+bool may_unify(const AtomicCategory& a, const AtomicCategory& b) {
+  if (a.name != b.name)
+    return false;
+  for (std::size_t i = 0; i < max_features; ++i)
+    if (a.features[i] > 0 && b.features[i] > 0 && a.features[i] != b.features[i])
+      return false;
+  return true;
+}
+
 FeatureValue FeatureSubstitution::resolve(FeatureValue value) const {
   while (value < 0) {
-    const auto known = values_.find(value);
+    const auto known = std::find_if(values_.begin(), values_.end(),
+                                    [value](const auto& x) { return x.first == value; });
     if (known == values_.end())
       break;
     value = known->second;
@@ -69,9 +80,9 @@ bool FeatureSubstitution::unify(const AtomicCategory& a, const AtomicCategory& b
     if (x == y || x == 0 || y == 0)
       continue;
     if (x < 0)
-      values_[x] = y;
+      values_.emplace_back(x, y);
     else if (y < 0)
-      values_[y] = x;
+      values_.emplace_back(y, x);
     else
       return false;
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace castor::communication {
@@ -62,6 +63,10 @@ struct Argument {
 /// The category without its outermost argument.
 Category without_last_argument(const Category& category, std::size_t count = 1);
 
+/// Whether no feature keeps the two from being unified, as long as it has no variables: a cheap
+/// test that unification fails.
+bool may_unify(const AtomicCategory& a, const AtomicCategory& b);
+
 /// Values of feature variables.
 class FeatureSubstitution {
 public:
@@ -74,7 +79,8 @@ private:
   bool unify(const AtomicCategory& a, const AtomicCategory& b);
   FeatureValue resolve(FeatureValue value) const;
 
-  std::unordered_map<FeatureValue, FeatureValue> values_;
+  /// Variables and their values; there are few.
+  std::vector<std::pair<FeatureValue, FeatureValue>> values_;
 };
 
 /// The same category with other variables: `offset` is added to their numbers.

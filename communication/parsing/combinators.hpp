@@ -49,10 +49,25 @@ public:
   CategoryId raised(CategoryId category, const AtomicCategory& result);
 
 private:
+  /// What shows of most pairs of categories that they cannot be combined, without unifying them.
+  struct Outline {
+    AtomicCategory result;
+    std::uint32_t arguments = 0;
+    /// Of the outermost argument, if there is any.
+    SlashDirection direction = SlashDirection::forward;
+    std::uint32_t wanted_arguments = 0;
+    AtomicCategory wanted;
+  };
+
+  static Outline outline(const Category& category);
+  static bool may_apply(const Outline& function, const Outline& argument, SlashDirection direction);
+  const std::vector<Combination>& found_or_made(CategoryId left, CategoryId right);
   void apply(const Category& function, const Category& argument, SlashDirection direction,
              std::vector<Combination>& found);
 
   CategoryTable& categories_;
+  /// By category; for the first categories of the table.
+  std::vector<Outline> outlines_;
   std::unordered_map<std::uint64_t, std::vector<Combination>> known_;
 };
 
