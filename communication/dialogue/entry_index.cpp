@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <string_view>
 
 namespace castor::communication {
 
@@ -11,8 +12,11 @@ EntryIndex::EntryIndex(const Lexicon& lexicon) {
   for (const auto& entry : lexicon.entries())
     for (const auto& predication : entry.predications)
       ++frequency[key_of(predication)];
+  std::set<std::tuple<std::string_view, CategoryId, std::vector<Predication>>> known;
   for (std::uint32_t number = 0; number < lexicon.entries().size(); ++number) {
     const auto& entry = lexicon.entry(number);
+    if (!known.emplace(entry.family, entry.category, entry.predications).second)
+      continue;
     if (entry.predications.empty() || entry.phrase == quoted_word) {
       always_.push_back(number);
       continue;

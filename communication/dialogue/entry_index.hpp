@@ -11,7 +11,8 @@
 namespace castor::communication {
 
 /// The entries of a lexicon by what they mean, to find those that may express a given meaning
-/// without looking at all of them.
+/// without looking at all of them. Of the entries of a family that have the same category and mean
+/// the same, it has the first only.
 class EntryIndex {
 public:
   explicit EntryIndex(const Lexicon& lexicon);

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
 #include <limits>
-#include <map>
 #include <queue>
 #include <set>
 #include <span>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace castor::communication {
 
@@ -26,12 +28,23 @@ struct PartialSentence {
   CategoryId category = 0;
   std::vector<TargetIndex> indices;
   std::uint64_t coverage = 0;
-  std::string text;
   /// Words, less the weights of their entries.
   double cost = 0;
   /// Of equal costs, words are said in the lexicon's order.
   std::vector<std::uint32_t> entries;
+  /// The words of one entry; empty if the sentence has parts.
+  std::string text;
+  /// Null if there are none.
+  const PartialSentence* left = nullptr;
+  const PartialSentence* right = nullptr;
 };
+
+std::string text_of(const PartialSentence& sentence) {
+  if (sentence.left == nullptr)
+    return sentence.text;
+  const auto text = text_of(*sentence.left);
+  return sentence.right == nullptr ? text : text + ' ' + text_of(*sentence.right);
+}
 
 std::size_t word_count(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
@@ -39,41 +52,67 @@ std::size_t word_count(const std::string& text) {
 
 /// Gives every free index the number that it has in order, so that equal sentences look equal.
 void canonicalise(std::vector<TargetIndex>& indices) {
-  std::map<TargetIndex, TargetIndex> numbers;
+  std::vector<TargetIndex> free;
   for (auto& index : indices)
-    if (index < 0)
-      index = numbers.emplace(index, -1 - static_cast<TargetIndex>(numbers.size())).first->second;
+    if (index < 0) {
+      const auto known = std::find(free.begin(), free.end(), index);
+      const auto number = static_cast<TargetIndex>(known - free.begin());
+      if (known == free.end())
+        free.push_back(index);
+      index = -1 - number;
+    }
 }
+
+/// What free indices of two parts are bound to when these are combined.
+class IndexSubstitution {
+public:
+  /// \returns false if these are different nominals
+  bool unify(TargetIndex a, TargetIndex b) {
+    a = resolve(a);
+    b = resolve(b);
+    if (a == b)
+      return true;
+    if (a >= 0 && b >= 0)
+      return false;
+    bound_.emplace_back(a < 0 ? a : b, a < 0 ? b : a);
+    return true;
+  }
+
+  TargetIndex resolve(TargetIndex index) const {
+    while (index < 0) {
+      const auto known =
+        std::ranges::find(bound_, index, [](const auto& pair) { return pair.first; });
+      if (known == bound_.end())
+        break;
+      index = known->second;
+    }
+    return index;
+  }
+
+private:
+  std::vector<std::pair<TargetIndex, TargetIndex>> bound_;
+};
 
 /// The indices of a combination; nothing if two that meet are different nominals.
 std::optional<std::vector<TargetIndex>> unite(const std::vector<TargetIndex>& function,
-                                              std::vector<TargetIndex> argument,
+                                              const std::vector<TargetIndex>& argument,
                                               std::size_t result_atoms) {
-  constexpr TargetIndex apart = 1000;
-  for (auto& index : argument)
-    if (index < 0)
-      index -= apart;
-  std::map<TargetIndex, TargetIndex> bound;
-  const auto resolve = [&bound](TargetIndex index) {
-    for (auto known = bound.find(index); known != bound.end(); known = bound.find(index))
-      index = known->second;
-    return index;
+  // Lower than those of the function.
+  const auto of_argument = [&argument](std::size_t i) {
+    constexpr TargetIndex apart = 1000;
+    return argument[i] < 0 ? argument[i] - apart : argument[i];
   };
+  IndexSubstitution same;
   const auto shared = function.size() - result_atoms;
-  for (std::size_t i = 0; i < shared; ++i) {
-    const auto a = resolve(function[result_atoms + i]);
-    const auto b = resolve(argument[i]);
-    if (a == b)
-      continue;
-    if (a >= 0 && b >= 0)
+  for (std::size_t i = 0; i < shared; ++i)
+    if (!same.unify(function[result_atoms + i], of_argument(i)))
       return std::nullopt;
-    bound[a < 0 ? a : b] = a < 0 ? b : a;
-  }
   std::vector<TargetIndex> result;
+  result.reserve(result_atoms + argument.size() - shared);
   for (std::size_t i = 0; i < result_atoms; ++i)
-    result.push_back(resolve(function[i]));
+    result.push_back(same.resolve(function[i]));
   for (std::size_t i = shared; i < argument.size(); ++i)
-    result.push_back(resolve(argument[i]));
+    result.push_back(same.resolve(of_argument(i)));
   canonicalise(result);
   return result;
 }
@@ -93,48 +132,54 @@ public:
   std::optional<std::string> find() {
     add_words();
     while (!agenda_.empty() && done_.size() < limit_) {
-      auto sentence = agenda_.top();
+      const auto& sentence = *agenda_.top();
       agenda_.pop();
       if (is_complete(sentence))
-        return sentence.text;
+        return text_of(sentence);
       if (!seen_.insert({sentence.category, sentence.indices, sentence.coverage}).second)
         continue;
       if (combining_ == Combining::all)
         raise(sentence);
-      done_.push_back(std::move(sentence));
-      for (std::size_t i = 0; i < done_.size(); ++i) {
-        combine(done_[i], done_.back());
-        if (i + 1 < done_.size())
-          combine(done_.back(), done_[i]);
-      }
+      done_.push_back({sentence.coverage, &sentence});
+      for (const auto& [coverage, other] : done_)
+        if ((coverage & sentence.coverage) == 0) {
+          combine(*other, sentence);
+          if (other != &sentence)
+            combine(sentence, *other);
+        }
     }
     return std::nullopt;
   }
 
 private:
   struct CostsMore {
-    bool operator()(const PartialSentence& a, const PartialSentence& b) const {
-      return std::tie(a.cost, a.entries) > std::tie(b.cost, b.entries);
+    bool operator()(const PartialSentence* a, const PartialSentence* b) const {
+      return std::tie(a->cost, a->entries) > std::tie(b->cost, b->entries);
     }
   };
 
-  /// Of entries that say the same, the first.
+  struct Done {
+    std::uint64_t coverage = 0;
+    const PartialSentence* sentence = nullptr;
+  };
+
+  void add(PartialSentence sentence) {
+    made_.push_back(std::move(sentence));
+    agenda_.push(&made_.back());
+  }
+
   void add_words() {
-    std::set<std::tuple<std::string, CategoryId, std::vector<Predication>>> said;
     for (const auto number : words_) {
       const auto& entry = grammar_.lexicon.entry(number);
-      auto uses = target_.uses(entry);
-      if (uses.empty() || !said.emplace(entry.family, entry.category, entry.predications).second)
-        continue;
-      for (auto& use : uses) {
+      for (auto& use : target_.uses(entry)) {
         canonicalise(use.indices);
         const auto cost = static_cast<double>(word_count(use.text)) - entry.weight;
-        agenda_.push({entry.category,
-                      std::move(use.indices),
-                      use.coverage,
-                      std::move(use.text),
-                      cost,
-                      {number}});
+        add({entry.category,
+             std::move(use.indices),
+             use.coverage,
+             cost,
+             {number},
+             std::move(use.text)});
       }
     }
   }
@@ -142,10 +187,7 @@ private:
   bool is_complete(const PartialSentence& sentence) const {
     if (sentence.coverage != target_.all() || sentence.indices.front() != target_.root())
       return false;
-    const auto& roots = grammar_.lexicon.roots();
-    return std::any_of(roots.begin(), roots.end(), [&](const Category& root) {
-      return FeatureSubstitution().unify(root, grammar_.categories[sentence.category]);
-    });
+    return grammar_.is_root(sentence.category);
   }
 
   /// Whether something remains to be said of a nominal that nothing more can be said of.
@@ -157,9 +199,8 @@ private:
     });
   }
 
+  /// \pre nothing is said by both
   void combine(const PartialSentence& left, const PartialSentence& right) {
-    if ((left.coverage & right.coverage) != 0)
-      return;
     for (const auto& how : grammar_.combinators.combine(left.category, right.category)) {
       if (combining_ == Combining::application && is_composition(how.combinator))
         continue;
@@ -172,22 +213,28 @@ private:
         continue;
       auto entries = left.entries;
       entries.insert(entries.end(), right.entries.begin(), right.entries.end());
-      agenda_.push({how.result, std::move(*indices), coverage, left.text + " " + right.text,
-                    left.cost + right.cost, std::move(entries)});
+      add({how.result,
+           std::move(*indices),
+           coverage,
+           left.cost + right.cost,
+           std::move(entries),
+           {},
+           &left,
+           &right});
     }
   }
 
-  void raise(PartialSentence sentence) {
-    const auto category = sentence.category;
-    sentence.cost += raising_cost;
+  void raise(const PartialSentence& sentence) {
     constexpr TargetIndex free_result = std::numeric_limits<TargetIndex>::min() / 2;
-    sentence.indices.insert(sentence.indices.begin(), {free_result, free_result});
-    canonicalise(sentence.indices);
-    for (const auto& rule : grammar_.lexicon.raising())
-      if (FeatureSubstitution().unify(rule.category, grammar_.categories[category])) {
-        sentence.category = grammar_.combinators.raised(category, rule.result);
-        agenda_.push(sentence);
-      }
+    PartialSentence raised{
+      0,  sentence.indices, sentence.coverage, sentence.cost + raising_cost, sentence.entries,
+      {}, &sentence};
+    raised.indices.insert(raised.indices.begin(), {free_result, free_result});
+    canonicalise(raised.indices);
+    for (const auto category : grammar_.raised(sentence.category)) {
+      raised.category = category;
+      add(raised);
+    }
   }
 
   const RealisationTarget& target_;
@@ -195,8 +242,11 @@ private:
   CombinatoryGrammar& grammar_;
   std::size_t limit_;
   Combining combining_;
-  std::priority_queue<PartialSentence, std::vector<PartialSentence>, CostsMore> agenda_;
-  std::vector<PartialSentence> done_;
+  /// A deque, because the others point into it.
+  std::deque<PartialSentence> made_;
+  std::priority_queue<const PartialSentence*, std::vector<const PartialSentence*>, CostsMore>
+    agenda_;
+  std::vector<Done> done_;
   std::set<std::tuple<CategoryId, std::vector<TargetIndex>, std::uint64_t>> seen_;
 };
 

@@ -49,6 +49,24 @@ CombinatoryGrammar::CombinatoryGrammar(const Lexicon& words)
     categories.intern(words.categories()[static_cast<CategoryId>(i)]);
 }
 
+bool CombinatoryGrammar::is_root(CategoryId category) {
+  const auto [place, is_new] = roots_.try_emplace(category, false);
+  if (is_new)
+    place->second = std::ranges::any_of(lexicon.roots(), [&](const Category& root) {
+      return FeatureSubstitution().unify(root, categories[category]);
+    });
+  return place->second;
+}
+
+const std::vector<CategoryId>& CombinatoryGrammar::raised(CategoryId category) {
+  const auto [place, is_new] = raised_.try_emplace(category);
+  if (is_new)
+    for (const auto& rule : lexicon.raising())
+      if (FeatureSubstitution().unify(rule.category, categories[category]))
+        place->second.push_back(combinators.raised(category, rule.result));
+  return place->second;
+}
+
 Chart::Chart(CombinatoryGrammar& grammar, const ChartLimits& limits)
   : grammar_(grammar), limits_(limits) {
   // nop
@@ -58,6 +76,7 @@ bool Chart::add(std::string word) {
   if (words_.size() >= limits_.words)
     return false;
   words_.push_back(std::move(word));
+  look_up_phrases();
   cells_.emplace_back(words_.size());
   for (std::size_t begin = words_.size(); begin-- > 0;)
     fill(begin, words_.size());
@@ -94,21 +113,27 @@ void Chart::fill(std::size_t begin, std::size_t end) {
   prune(found);
 }
 
-/// What the word weighs as one that says nothing, by itself or as a part of such a phrase.
+/// Those that end with the last word.
+void Chart::look_up_phrases() {
+  const auto& lexicon = grammar_.lexicon;
+  fillers_.emplace_back();
+  auto& found = phrases_.emplace_back();
+  const auto longest = std::min(lexicon.longest_phrase_ending_in(words_.back()), words_.size());
+  std::string phrase;
+  for (std::size_t length = 1; length <= longest; ++length) {
+    const auto begin = words_.size() - length;
+    phrase = length == 1 ? words_.back() : words_[begin] + ' ' + phrase;
+    found.push_back(lexicon.find(phrase));
+    if (const auto* weight = lexicon.filler(phrase))
+      for (auto i = begin; i < words_.size(); ++i)
+        if (fillers_[i].length == 0 || fillers_[i].length > length)
+          fillers_[i] = {length, *weight};
+  }
+}
+
 std::optional<double> Chart::filler_weight(std::size_t position) const {
-  const auto longest = std::min(grammar_.lexicon.longest_filler(), words_.size());
-  for (std::size_t length = 1; length <= longest; ++length)
-    for (auto begin = position + 1 - std::min(position + 1, length);
-         begin <= position && begin + length <= words_.size(); ++begin) {
-      if (begin + length <= position)
-        continue;
-      std::string phrase = words_[begin];
-      for (auto i = begin + 1; i < begin + length; ++i)
-        phrase += ' ' + words_[i];
-      if (const auto* weight = grammar_.lexicon.filler(phrase))
-        return *weight;
-    }
-  return limits_.skipping_weight;
+  const auto& filler = fillers_[position];
+  return filler.length > 0 ? filler.weight : limits_.skipping_weight;
 }
 
 /// Fillers belong to the phrase before them, at the beginning of an utterance to the one after.
@@ -129,13 +154,12 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
           break;
         after += *weight;
       }
-      if (last - first > grammar_.lexicon.longest_phrase())
+      const auto& phrases = phrases_[last - 1];
+      const auto length = last - first;
+      if (length > phrases.size())
         continue;
-      std::string phrase = words_[first];
-      for (std::size_t i = first + 1; i < last; ++i)
-        phrase += ' ' + words_[i];
-      for (const auto entry : grammar_.lexicon.find(phrase)) {
-        auto meaning = meaning_of(entry, first, last);
+      for (const auto entry : phrases[length - 1]) {
+        auto meaning = meaning_of(entry, first);
         meaning.weight += before + after;
         insert(grammar_.lexicon.entry(entry).category, Combinator::lexical, std::move(meaning),
                found);
@@ -144,7 +168,7 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
   }
 }
 
-Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t end) {
+Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin) {
   const auto& entry = grammar_.lexicon.entry(number);
   const auto nominal = [&](NominalId variable) {
     return nominal_of_word(begin, variable, variable == 0 && entry.anchored);
@@ -164,8 +188,7 @@ Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t e
   std::sort(meaning.predications.begin(), meaning.predications.end());
   for (const auto variable : entry.indices)
     meaning.indices.push_back(nominal(variable));
-  meaning.choices.push_back(
-    {static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end), number});
+  meaning.entries = 1;
   return meaning;
 }
 
@@ -199,26 +222,21 @@ void Chart::combine(const Edge& left, const Edge& right, const Combination& how,
           meaning->weight += composition_weight;
         if (how.modifies)
           meaning->weight +=
-            modified_word_weight * static_cast<double>(argument.meanings[k].choices.size());
+            modified_word_weight * static_cast<double>(argument.meanings[k].entries);
         insert(how.result, how.combinator, std::move(*meaning), found);
       }
 }
 
 void Chart::add_raised(std::size_t begin, Cell& found) {
+  const auto result = nominal_of_word(begin, raised_variable, false);
   const auto count = found.size();
-  for (const auto& rule : grammar_.lexicon.raising())
-    for (std::size_t i = 0; i < count; ++i) {
-      FeatureSubstitution substitution;
-      if (!substitution.unify(rule.category, grammar_.categories[found[i].category]))
-        continue;
-      const auto category = grammar_.combinators.raised(found[i].category, rule.result);
-      const auto result = nominal_of_word(begin, raised_variable, false);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const auto category : grammar_.raised(found[i].category))
       for (std::size_t k = 0; k < found[i].meanings.size(); ++k) {
         auto meaning = found[i].meanings[k];
         meaning.indices.insert(meaning.indices.begin(), {result, result});
         insert(category, Combinator::type_raising, std::move(meaning), found);
       }
-    }
 }
 
 void Chart::insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found) {

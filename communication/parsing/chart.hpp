@@ -6,7 +6,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace castor::communication {
@@ -38,9 +40,19 @@ struct CombinatoryGrammar {
   CombinatoryGrammar(const CombinatoryGrammar&) = delete;
   CombinatoryGrammar& operator=(const CombinatoryGrammar&) = delete;
 
+  /// Whether an utterance may be of this category.
+  bool is_root(CategoryId category);
+
+  /// The categories that this one may be raised to, one for each rule of the lexicon.
+  const std::vector<CategoryId>& raised(CategoryId category);
+
   const Lexicon& lexicon;
   CategoryTable categories;
   Combinators combinators;
+
+private:
+  std::unordered_map<CategoryId, bool> roots_;
+  std::unordered_map<CategoryId, std::vector<CategoryId>> raised_;
 };
 
 /// All derivations of the words of an utterance, packed: derivations that differ only in their
@@ -69,6 +81,7 @@ private:
   using Cell = std::vector<Edge>;
 
   Cell& cell(std::size_t begin, std::size_t end);
+  void look_up_phrases();
   void fill(std::size_t begin, std::size_t end);
   std::optional<double> filler_weight(std::size_t position) const;
   void add_phrases(std::size_t begin, std::size_t end, Cell& found);
@@ -77,12 +90,23 @@ private:
   void add_raised(std::size_t begin, Cell& found);
   void insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found);
   void prune(Cell& found) const;
-  Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end);
+  Meaning meaning_of(std::uint32_t entry, std::size_t begin);
   Symbol quoted(const std::string& word);
 
   CombinatoryGrammar& grammar_;
   ChartLimits limits_;
+  /// A word that says nothing, by itself or as a part of such a phrase.
+  struct Filler {
+    /// Of the phrase, in words; 0 if it is no filler.
+    std::size_t length = 0;
+    double weight = 0;
+  };
+
   std::vector<std::string> words_;
+  /// By last word, then by length less 1.
+  std::vector<std::vector<std::span<const std::uint32_t>>> phrases_;
+  /// By position; the shortest phrase of each.
+  std::vector<Filler> fillers_;
   /// By end, then by begin.
   std::vector<std::vector<Cell>> cells_;
   /// Quoted words; their symbols follow those of the lexicon.

@@ -30,22 +30,31 @@ bool is_quoted(std::string_view word) {
 
 void Lexicon::add(LexicalEntry entry) {
   const auto number = static_cast<std::uint32_t>(entries_.size());
-  std::istringstream phrase(entry.phrase);
-  std::size_t length = 0;
-  for (std::string word; phrase >> word; ++length)
-    ++words_[word];
-  longest_phrase_ = std::max(longest_phrase_, length);
+  add_words_of(entry.phrase);
   phrases_[entry.phrase].push_back(number);
   entries_.push_back(std::move(entry));
 }
 
 void Lexicon::add_filler(const std::string& phrase, double weight) {
   fillers_[phrase] = weight;
+  add_words_of(phrase);
+}
+
+void Lexicon::add_words_of(const std::string& phrase) {
   std::istringstream in(phrase);
   std::size_t length = 0;
-  for (std::string word; in >> word; ++length)
-    ++words_[word];
-  longest_filler_ = std::max(longest_filler_, length);
+  Word* last = nullptr;
+  for (std::string word; in >> word; ++length) {
+    last = &words_[word];
+    ++last->entries;
+  }
+  if (last != nullptr)
+    last->longest_phrase = std::max(last->longest_phrase, length);
+}
+
+std::size_t Lexicon::longest_phrase_ending_in(const std::string& word) const {
+  const auto known = words_.find(word);
+  return known == words_.end() ? 1 : known->second.longest_phrase;
 }
 
 std::span<const std::uint32_t> Lexicon::find(const std::string& phrase) const {
@@ -80,10 +89,10 @@ std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t
   };
   const std::size_t limit = word.size() < 3 ? 0 : word.size() < 6 ? 1 : 2;
   std::vector<Candidate> candidates;
-  for (const auto& [known, entries] : words_) {
+  for (const auto& [known, use] : words_) {
     const auto distance = edit_distance(word, known, limit);
     if (distance <= limit && known.size() > 1)
-      candidates.push_back({distance, common_letters(word, known), entries, &known});
+      candidates.push_back({distance, common_letters(word, known), use.entries, &known});
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.distance, b.common, b.entries, *a.word) <

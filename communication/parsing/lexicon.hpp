@@ -66,9 +66,6 @@ public:
   /// The weight of a word as a filler; null if it is none.
   const double* filler(const std::string& phrase) const;
 
-  /// In words.
-  std::size_t longest_filler() const { return longest_filler_; }
-
   /// Whether the word is known, at least as part of a phrase.
   bool knows(const std::string& word) const;
 
@@ -80,22 +77,28 @@ public:
   /// Readable name of a category; its text if it has no name.
   std::string name_of(const Category& category) const;
 
-  /// In words.
-  std::size_t longest_phrase() const { return longest_phrase_; }
+  /// Words of the longest phrase, filler or not, that ends with this word; at least 1.
+  std::size_t longest_phrase_ending_in(const std::string& word) const;
 
   const std::vector<Category>& roots() const { return roots_; }
   const std::vector<RaisingRule>& raising() const { return raising_; }
 
 private:
+  void add_words_of(const std::string& phrase);
+
   SymbolTable symbols_;
   CategoryTable categories_;
   std::vector<LexicalEntry> entries_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
   std::unordered_map<std::string, double> fillers_;
-  std::size_t longest_filler_ = 0;
-  /// Number of entries that each word is part of.
-  std::unordered_map<std::string, std::uint32_t> words_;
-  std::size_t longest_phrase_ = 1;
+  struct Word {
+    /// Number of entries that it is part of.
+    std::uint32_t entries = 0;
+    /// Words of the longest phrase that it is the last word of.
+    std::size_t longest_phrase = 1;
+  };
+
+  std::unordered_map<std::string, Word> words_;
   std::vector<Category> roots_;
   std::vector<RaisingRule> raising_;
   std::vector<CategoryName> names_;

@@ -77,6 +77,7 @@ std::optional<Meaning> unite(const Meaning& function, const Meaning& argument,
 
   Meaning result;
   result.weight = function.weight + argument.weight;
+  result.entries = function.entries + argument.entries;
   result.predications.reserve(function.predications.size() + argument.predications.size());
   for (const auto* part : {&function, &argument})
     for (auto predication : part->predications) {
@@ -92,13 +93,12 @@ std::optional<Meaning> unite(const Meaning& function, const Meaning& argument,
       result.predications.end())
     return std::nullopt;
 
+  result.indices.reserve(result_atoms + argument.indices.size() - shared);
   for (std::size_t i = 0; i < result_atoms; ++i)
     result.indices.push_back(same.resolve(function.indices[i]));
   for (std::size_t i = shared; i < argument.indices.size(); ++i)
     result.indices.push_back(same.resolve(argument.indices[i]));
 
-  result.choices = function.choices;
-  result.choices.insert(result.choices.end(), argument.choices.begin(), argument.choices.end());
   return result;
 }
 

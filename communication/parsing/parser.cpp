@@ -44,16 +44,6 @@ std::vector<LogicalForm> Parser::readings(std::string_view utterance) {
   return forms;
 }
 
-bool Parser::is_root(CategoryId category) {
-  const auto [place, is_new] = roots_.try_emplace(category, false);
-  if (is_new)
-    for (const auto& root : lexicon_->roots()) {
-      FeatureSubstitution substitution;
-      place->second = place->second || substitution.unify(root, grammar_.categories[category]);
-    }
-  return place->second;
-}
-
 IncrementalParse::IncrementalParse(Parser& parser)
   : IncrementalParse(parser, parser.options().chart) {
   // nop
@@ -77,7 +67,7 @@ std::vector<const Meaning*> IncrementalParse::meanings() const {
   if (chart_.words().empty())
     return found;
   for (const auto& edge : chart_.edges(0, chart_.words().size()))
-    if (!is_finished_ || parser_.is_root(edge.category))
+    if (!is_finished_ || parser_.grammar().is_root(edge.category))
       for (const auto& meaning : edge.meanings) {
         const bool is_known = std::any_of(found.begin(), found.end(), [&](const Meaning* known) {
           return known->predications == meaning.predications &&
@@ -124,7 +114,7 @@ PackedLogicalForm IncrementalParse::form() const {
 const Edge* IncrementalParse::best_edge(std::size_t begin, std::size_t end) const {
   const Edge* best = nullptr;
   const auto rank = [this](const Edge& edge) {
-    return std::pair(parser_.is_root(edge.category), edge.meanings.front().weight);
+    return std::pair(parser_.grammar().is_root(edge.category), edge.meanings.front().weight);
   };
   for (const auto& edge : chart_.edges(begin, end))
     if (edge.combinator != Combinator::type_raising &&
@@ -149,7 +139,7 @@ std::vector<IncrementalParse::Fragment> IncrementalParse::fragments() const {
       double cost = steps[begin].cost + unknown_word_cost;
       if (edge != nullptr)
         cost = steps[begin].cost + fragment_cost +
-               (parser_.is_root(edge->category) ? 0 : incomplete_fragment_cost);
+               (parser_.grammar().is_root(edge->category) ? 0 : incomplete_fragment_cost);
       if (cost < steps[end].cost)
         steps[end] = {cost, {begin, end, edge}};
     }

@@ -4,7 +4,6 @@
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/types.hpp"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,14 +38,10 @@ public:
 
   CombinatoryGrammar& grammar() { return grammar_; }
 
-  /// Whether an utterance may be of this category.
-  bool is_root(CategoryId category);
-
 private:
   std::shared_ptr<const Lexicon> lexicon_;
   ParserOptions options_;
   CombinatoryGrammar grammar_;
-  std::map<CategoryId, bool> roots_;
 };
 
 /// Incremental parse of an utterance, word by word.
