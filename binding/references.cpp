@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace castor::binding {
@@ -30,6 +31,8 @@ std::optional<std::uint32_t> unknown_of(const DescribedThing& thing, const Bindi
     }
     bool confirmed = false;
     for (const auto& known : of.features) {
+      if (!comparator.may_compare(described.kind, known.kind))
+        continue;
       if (comparator.compare(described, known) == Truth::no)
         return std::nullopt;
       confirmed |= comparator.confirms(known, described);
@@ -49,8 +52,8 @@ public:
   Search(const Description& description, const std::map<std::string, BindingUnion>& unions,
          const FeatureComparator& comparator)
     : description_(description) {
-    for (const auto& x : relations_between(unions))
-      relations_.insert(x);
+    if (!description.relations.empty())
+      relations_ = relations_between(unions);
     for (const auto& thing : description.things) {
       auto& fits = fits_.emplace_back();
       for (const auto& [id, of] : unions) {
@@ -76,7 +79,9 @@ private:
     return std::all_of(
       description_.relations.begin(), description_.relations.end(), [&](const auto& x) {
         return std::max(x.from, x.to) != last ||
-               relations_.contains({x.label, current_.unions[x.from], current_.unions[x.to]});
+               std::ranges::binary_search(
+                 relations_,
+                 UnionRelation{x.label, current_.unions[x.from], current_.unions[x.to]});
       });
   }
 
@@ -99,7 +104,8 @@ private:
   }
 
   const Description& description_;
-  std::set<UnionRelation> relations_;
+  /// Sorted; empty if none is described.
+  std::vector<UnionRelation> relations_;
   /// For each described thing.
   std::vector<std::vector<Fit>> fits_;
   Referents current_;
@@ -109,12 +115,12 @@ private:
 } // namespace
 
 std::vector<UnionRelation> relations_between(const std::map<std::string, BindingUnion>& unions) {
-  std::map<std::string, const std::string*> union_of;
+  std::unordered_map<std::string_view, const std::string*> union_of;
   for (const auto& [id, of] : unions) {
     for (const auto& proxy : of.proxy_ids)
       union_of.emplace(proxy, &id);
   }
-  std::set<UnionRelation> result;
+  std::vector<UnionRelation> result;
   for (const auto& [id, of] : unions) {
     if (of.type != ProxyType::relation)
       continue;
@@ -128,12 +134,15 @@ std::vector<UnionRelation> relations_between(const std::map<std::string, Binding
           const auto source = union_of.find(from.proxy);
           const auto target = union_of.find(to.proxy);
           if (source != union_of.end() && target != union_of.end())
-            result.insert({feature.text, *source->second, *target->second});
+            result.push_back({feature.text, *source->second, *target->second});
         }
       }
     }
   }
-  return {result.begin(), result.end()};
+  std::ranges::sort(result);
+  const auto repeated = std::ranges::unique(result);
+  result.erase(repeated.begin(), repeated.end());
+  return result;
 }
 
 std::vector<Referents> find_referents(const Description& description,

@@ -25,9 +25,9 @@ constexpr double raising_cost = 0.01;
 
 /// Words that are put together, and what they say of the target.
 struct PartialSentence {
+  std::uint64_t coverage = 0;
   CategoryId category = 0;
   std::vector<TargetIndex> indices;
-  std::uint64_t coverage = 0;
   /// Words, less the weights of their entries.
   double cost = 0;
   /// Of equal costs, words are said in the lexicon's order.
@@ -140,9 +140,9 @@ public:
         continue;
       if (combining_ == Combining::all)
         raise(sentence);
-      done_.push_back({sentence.coverage, &sentence});
-      for (const auto& [coverage, other] : done_)
-        if ((coverage & sentence.coverage) == 0) {
+      done_.push_back(&sentence);
+      for (const auto* other : done_)
+        if ((other->coverage & sentence.coverage) == 0) {
           combine(*other, sentence);
           if (other != &sentence)
             combine(sentence, *other);
@@ -158,11 +158,6 @@ private:
     }
   };
 
-  struct Done {
-    std::uint64_t coverage = 0;
-    const PartialSentence* sentence = nullptr;
-  };
-
   void add(PartialSentence sentence) {
     made_.push_back(std::move(sentence));
     agenda_.push(&made_.back());
@@ -174,9 +169,9 @@ private:
       for (auto& use : target_.uses(entry)) {
         canonicalise(use.indices);
         const auto cost = static_cast<double>(word_count(use.text)) - entry.weight;
-        add({entry.category,
+        add({use.coverage,
+             entry.category,
              std::move(use.indices),
-             use.coverage,
              cost,
              {number},
              std::move(use.text)});
@@ -213,9 +208,9 @@ private:
         continue;
       auto entries = left.entries;
       entries.insert(entries.end(), right.entries.begin(), right.entries.end());
-      add({how.result,
+      add({coverage,
+           how.result,
            std::move(*indices),
-           coverage,
            left.cost + right.cost,
            std::move(entries),
            {},
@@ -226,9 +221,10 @@ private:
 
   void raise(const PartialSentence& sentence) {
     constexpr TargetIndex free_result = std::numeric_limits<TargetIndex>::min() / 2;
-    PartialSentence raised{
-      0,  sentence.indices, sentence.coverage, sentence.cost + raising_cost, sentence.entries,
-      {}, &sentence};
+    PartialSentence raised = sentence;
+    raised.cost += raising_cost;
+    raised.left = &sentence;
+    raised.right = nullptr;
     raised.indices.insert(raised.indices.begin(), {free_result, free_result});
     canonicalise(raised.indices);
     for (const auto category : grammar_.raised(sentence.category)) {
@@ -246,7 +242,7 @@ private:
   std::deque<PartialSentence> made_;
   std::priority_queue<const PartialSentence*, std::vector<const PartialSentence*>, CostsMore>
     agenda_;
-  std::vector<Done> done_;
+  std::vector<const PartialSentence*> done_;
   std::set<std::tuple<CategoryId, std::vector<TargetIndex>, std::uint64_t>> seen_;
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 using binding::Feature;
 using binding::FeatureKind;
+using binding::KnownUnion;
+using binding::UnionRelation;
 
 constexpr std::size_t axes = 3;
 
@@ -24,16 +26,13 @@ std::optional<std::vector<double>> numbers_of(const binding::KnownUnion* x, Feat
 } // namespace
 
 Truth SceneKnowledge::has(const std::string& id, const Feature& x) {
-  const binding::Description description{{{{x}}}, {}};
-  for (auto& [asked, referents] : known_)
-    if (asked == description) {
-      for (auto& found : referents)
-        if (found.unions.front() == id)
-          return found.unknown == 0 ? Truth::yes : Truth::unknown;
-      return Truth::no;
-    }
-  ask(description);
-  return Truth::unknown;
+  const auto known = std::ranges::find(known_, x, &KnownFeature::feature);
+  if (known == known_.end()) {
+    ask({{{{x}}}, {}});
+    return Truth::unknown;
+  }
+  const auto found = known->truth.find(id);
+  return found == known->truth.end() ? Truth::no : found->second;
 }
 
 void SceneKnowledge::ask(const binding::Description& description) {
@@ -44,11 +43,14 @@ void SceneKnowledge::ask(const binding::Description& description) {
 
 Truth SceneKnowledge::is_related(const std::string& relation, const std::string& from,
                                  const std::string& to) {
-  return has_learned_ ? truth_of(relations_.contains({relation, from, to})) : Truth::unknown;
+  if (!has_learned_)
+    return Truth::unknown;
+  return truth_of(std::ranges::binary_search(relations_, UnionRelation{relation, from, to}));
 }
 
 bool SceneKnowledge::knows_relation(const std::string& relation) const {
-  return relation_names_.contains(relation);
+  const auto first = std::ranges::lower_bound(relations_, relation, {}, &UnionRelation::label);
+  return first != relations_.end() && first->label == relation;
 }
 
 const std::vector<std::string>& SceneKnowledge::things() {
@@ -59,17 +61,22 @@ const std::vector<std::string>& SceneKnowledge::things() {
 
 void SceneKnowledge::learn(std::span<const binding::Description> asked,
                            binding::ReferenceReply reply) {
-  for (std::size_t i = 0; i < asked.size() && i < reply.referents.size(); ++i)
-    known_.emplace_back(asked[i], std::move(reply.referents[i].readings));
+  for (std::size_t i = 0; i < asked.size() && i < reply.referents.size(); ++i) {
+    auto& learned = known_.emplace_back();
+    learned.feature = asked[i].things.front().features.front();
+    for (auto& found : reply.referents[i].readings)
+      learned.truth.emplace(found.unions.front(), found.unknown == 0 ? Truth::yes : Truth::unknown);
+  }
   open_questions_.clear();
   scene_ = std::move(reply);
+  std::ranges::stable_sort(scene_.unions, {}, &KnownUnion::id);
   has_learned_ = true;
   things_.clear();
   for (auto& x : scene_.unions)
     if (!words(x.id, FeatureKind::concept_name).empty())
       things_.push_back(x.id);
   locations_.clear();
-  std::map<std::string, std::string> thing_at;
+  std::unordered_map<std::string_view, std::string_view> thing_at;
   for (auto& x : scene_.relations)
     if (x.label == binding::position_label) {
       locations_[x.to].push_back(x.from);
@@ -77,16 +84,16 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
     }
   // Things are related by the places where they are, or themselves.
   relations_.clear();
-  relation_names_.clear();
   auto thing = [&thing_at](const std::string& id) {
     auto at = thing_at.find(id);
-    return at == thing_at.end() ? id : at->second;
+    return at == thing_at.end() ? id : std::string{at->second};
   };
   for (auto& x : scene_.relations)
-    if (x.label != binding::position_label) {
-      relations_.insert({x.label, thing(x.from), thing(x.to)});
-      relation_names_.insert(x.label);
-    }
+    if (x.label != binding::position_label)
+      relations_.push_back({x.label, thing(x.from), thing(x.to)});
+  std::ranges::sort(relations_);
+  const auto repeated = std::ranges::unique(relations_);
+  relations_.erase(repeated.begin(), repeated.end());
   contents_.clear();
   containers_.clear();
   for (auto& x : relations_)
@@ -97,9 +104,8 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
 }
 
 const binding::KnownUnion* SceneKnowledge::find(const std::string& union_id) const {
-  auto found = std::find_if(scene_.unions.begin(), scene_.unions.end(),
-                            [&union_id](auto& x) { return x.id == union_id; });
-  return found == scene_.unions.end() ? nullptr : &*found;
+  const auto found = std::ranges::lower_bound(scene_.unions, union_id, {}, &KnownUnion::id);
+  return found == scene_.unions.end() || found->id != union_id ? nullptr : &*found;
 }
 
 std::string SceneKnowledge::proxy_of(const std::string& union_id) const {

@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace castor::communication {
@@ -70,7 +70,7 @@ public:
   /// Descriptions asked for and not known yet.
   const std::vector<binding::Description>& open_questions() const { return open_questions_; }
 
-  /// \pre the reply has as many referents as were asked for
+  /// \pre these are open questions, and the reply has as many referents
   void learn(std::span<const binding::Description> asked, binding::ReferenceReply reply);
 
   /// The unions of things, not of places and relations; empty before anything was learned, which
@@ -113,15 +113,22 @@ private:
   void ask(const binding::Description& description);
 
   bool has_learned_ = false;
-  std::vector<std::pair<binding::Description, std::vector<binding::Referents>>> known_;
+  /// What things a feature is or may be true of, by their ids; of no others.
+  struct KnownFeature {
+    binding::Feature feature;
+    std::unordered_map<std::string, Truth> truth;
+  };
+
+  std::vector<KnownFeature> known_;
+  /// Each is of one thing with one feature.
   std::vector<binding::Description> open_questions_;
+  /// Its unions are sorted by id.
   binding::ReferenceReply scene_;
   std::vector<std::string> things_;
   /// The locations of each thing.
   std::map<std::string, std::vector<std::string>> locations_;
-  /// Between things.
-  std::set<binding::UnionRelation> relations_;
-  std::set<std::string> relation_names_;
+  /// Between things; sorted and distinct.
+  std::vector<binding::UnionRelation> relations_;
   std::map<std::string, std::vector<std::string>> contents_;
   std::map<std::string, std::vector<std::string>> containers_;
 };

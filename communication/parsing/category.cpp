@@ -51,15 +51,6 @@ Category without_last_argument(const Category& category, std::size_t count) {
   return shorter;
 }
 
-bool may_unify(const AtomicCategory& a, const AtomicCategory& b) {
-  if (a.name != b.name)
-    return false;
-  for (std::size_t i = 0; i < max_features; ++i)
-    if (a.features[i] > 0 && b.features[i] > 0 && a.features[i] != b.features[i])
-      return false;
-  return true;
-}
-
 FeatureValue FeatureSubstitution::resolve(FeatureValue value) const {
   while (value < 0) {
     const auto known = std::find_if(values_.begin(), values_.end(),

@@ -65,7 +65,12 @@ Category without_last_argument(const Category& category, std::size_t count = 1);
 
 /// Whether no feature keeps the two from being unified, as long as it has no variables: a cheap
 /// test that unification fails.
-bool may_unify(const AtomicCategory& a, const AtomicCategory& b);
+inline bool may_unify(const AtomicCategory& a, const AtomicCategory& b) {
+  bool differ = a.name != b.name;
+  for (std::size_t i = 0; i < max_features; ++i)
+    differ |= a.features[i] > 0 && b.features[i] > 0 && a.features[i] != b.features[i];
+  return !differ;
+}
 
 /// Values of feature variables.
 class FeatureSubstitution {

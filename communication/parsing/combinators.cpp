@@ -6,9 +6,6 @@ namespace castor::communication {
 
 namespace {
 
-/// Composition reaches over so many arguments: X/Y (Y/Z)/W makes (X/Z)/W.
-constexpr std::size_t max_composition_degree = 2;
-
 /// Larger than any variable's number.
 constexpr FeatureValue apart = 1000;
 
@@ -32,36 +29,19 @@ bool is_composition(Combinator combinator) {
   return combinator >= Combinator::forward_composition;
 }
 
-const std::vector<Combination>& Combinators::combine(CategoryId left, CategoryId right) {
-  while (outlines_.size() < categories_.size())
-    outlines_.push_back(outline(categories_[static_cast<CategoryId>(outlines_.size())]));
-  const auto& a = outlines_[left];
-  const auto& b = outlines_[right];
-  if (may_apply(a, b, SlashDirection::forward) || may_apply(b, a, SlashDirection::backward))
-    return found_or_made(left, right);
-  static const std::vector<Combination> none;
-  return none;
-}
-
-Combinators::Outline Combinators::outline(const Category& category) {
-  Outline result;
-  result.result = category.result;
-  result.arguments = static_cast<std::uint32_t>(category.arguments.size());
-  if (!category.arguments.empty()) {
+void Combinators::add_outlines() {
+  while (outlines_.size() < categories_.size()) {
+    const auto& category = categories_[static_cast<CategoryId>(outlines_.size())];
+    auto& outline = outlines_.emplace_back();
+    outline.result = category.result;
+    outline.arguments = static_cast<std::uint32_t>(category.arguments.size());
+    if (category.arguments.empty())
+      continue;
     const auto& outermost = category.arguments.back();
-    result.direction = outermost.direction;
-    result.wanted_arguments = static_cast<std::uint32_t>(outermost.category.arguments.size());
-    result.wanted = outermost.category.result;
+    outline.direction = outermost.direction;
+    outline.wanted_arguments = static_cast<std::uint32_t>(outermost.category.arguments.size());
+    outline.wanted = outermost.category.result;
   }
-  return result;
-}
-
-bool Combinators::may_apply(const Outline& function, const Outline& argument,
-                            SlashDirection direction) {
-  return function.arguments > 0 && function.direction == direction &&
-         argument.arguments >= function.wanted_arguments &&
-         argument.arguments <= function.wanted_arguments + max_composition_degree &&
-         may_unify(function.wanted, argument.result);
 }
 
 const std::vector<Combination>& Combinators::found_or_made(CategoryId left, CategoryId right) {

@@ -2,6 +2,8 @@
 
 #include "castor/communication/parsing/category.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -34,6 +36,9 @@ struct Combination {
   bool modifies = false;
 };
 
+/// Composition reaches over so many arguments: X/Y (Y/Z)/W makes (X/Z)/W.
+inline constexpr std::size_t max_composition_degree = 2;
+
 /// The combinatory rules: application, and composition over up to two arguments, harmonic and
 /// crossed.
 class Combinators {
@@ -43,7 +48,15 @@ public:
   }
 
   /// All combinations of `left` with its right neighbour.
-  const std::vector<Combination>& combine(CategoryId left, CategoryId right);
+  const std::vector<Combination>& combine(CategoryId left, CategoryId right) {
+    if (std::max(left, right) >= outlines_.size())
+      add_outlines();
+    const auto& a = outlines_[left];
+    const auto& b = outlines_[right];
+    if (may_apply(a, b, SlashDirection::forward) || may_apply(b, a, SlashDirection::backward))
+      return found_or_made(left, right);
+    return none_;
+  }
 
   /// The type-raised category: x becomes `result`/(`result`\x).
   CategoryId raised(CategoryId category, const AtomicCategory& result);
@@ -59,8 +72,15 @@ private:
     AtomicCategory wanted;
   };
 
-  static Outline outline(const Category& category);
-  static bool may_apply(const Outline& function, const Outline& argument, SlashDirection direction);
+  static bool may_apply(const Outline& function, const Outline& argument,
+                        SlashDirection direction) {
+    return function.arguments > 0 && function.direction == direction &&
+           function.wanted_arguments <= argument.arguments &&
+           argument.arguments <= function.wanted_arguments + max_composition_degree &&
+           may_unify(function.wanted, argument.result);
+  }
+
+  void add_outlines();
   const std::vector<Combination>& found_or_made(CategoryId left, CategoryId right);
   void apply(const Category& function, const Category& argument, SlashDirection direction,
              std::vector<Combination>& found);
@@ -68,6 +88,7 @@ private:
   CategoryTable& categories_;
   /// By category; for the first categories of the table.
   std::vector<Outline> outlines_;
+  const std::vector<Combination> none_;
   std::unordered_map<std::uint64_t, std::vector<Combination>> known_;
 };
 
