@@ -68,13 +68,21 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
       learned.truth.emplace(found.unions.front(), found.unknown == 0 ? Truth::yes : Truth::unknown);
   }
   open_questions_.clear();
+  const bool has_new_relations = !has_learned_ || reply.relations != scene_.relations;
   scene_ = std::move(reply);
-  std::ranges::stable_sort(scene_.unions, {}, &KnownUnion::id);
+  if (!std::ranges::is_sorted(scene_.unions, {}, &KnownUnion::id))
+    std::ranges::sort(scene_.unions, {}, &KnownUnion::id);
   has_learned_ = true;
   things_.clear();
   for (auto& x : scene_.unions)
     if (!words(x.id, FeatureKind::concept_name).empty())
       things_.push_back(x.id);
+  if (has_new_relations)
+    relate_things();
+}
+
+/// Things are related by the places where they are, or themselves.
+void SceneKnowledge::relate_things() {
   locations_.clear();
   std::unordered_map<std::string_view, std::string_view> thing_at;
   for (auto& x : scene_.relations)
@@ -82,7 +90,6 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
       locations_[x.to].push_back(x.from);
       thing_at.emplace(x.from, x.to);
     }
-  // Things are related by the places where they are, or themselves.
   relations_.clear();
   auto thing = [&thing_at](const std::string& id) {
     auto at = thing_at.find(id);

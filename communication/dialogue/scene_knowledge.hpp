@@ -111,6 +111,7 @@ private:
   const binding::KnownUnion* find(const std::string& union_id) const;
   std::optional<Place> place_by(const std::string& union_id, binding::FeatureKind kind) const;
   void ask(const binding::Description& description);
+  void relate_things();
 
   bool has_learned_ = false;
   /// What things a feature is or may be true of, by their ids; of no others.

@@ -216,15 +216,22 @@ void Chart::combine(const Edge& left, const Edge& right, const Combination& how,
   const auto& argument = is_forward(how.combinator) ? right : left;
   const auto most = limits_.meanings_per_edge;
   for (std::size_t i = 0; i < function.meanings.size(); ++i)
-    for (std::size_t k = 0; k < argument.meanings.size() && (i + 1) * (k + 1) <= most; ++k)
-      if (auto meaning = unite(function.meanings[i], argument.meanings[k], how.result_atoms)) {
-        if (is_composition(how.combinator))
-          meaning->weight += composition_weight;
-        if (how.modifies)
-          meaning->weight +=
-            modified_word_weight * static_cast<double>(argument.meanings[k].entries);
+    for (std::size_t k = 0; k < argument.meanings.size() && (i + 1) * (k + 1) <= most; ++k) {
+      const auto& a = function.meanings[i];
+      const auto& b = argument.meanings[k];
+      auto weight = a.weight + b.weight;
+      if (is_composition(how.combinator))
+        weight += composition_weight;
+      if (how.modifies)
+        weight += modified_word_weight * static_cast<double>(b.entries);
+      const auto* known = find(how.result, how.combinator, found);
+      if (known != nullptr && is_too_light(*known, weight))
+        continue;
+      if (auto meaning = unite(a, b, how.result_atoms)) {
+        meaning->weight = weight;
         insert(how.result, how.combinator, std::move(*meaning), found);
       }
+    }
 }
 
 void Chart::add_raised(std::size_t begin, Cell& found) {
@@ -239,15 +246,26 @@ void Chart::add_raised(std::size_t begin, Cell& found) {
       }
 }
 
-void Chart::insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found) {
+/// The edge of a category, null if there is none.
+Edge* Chart::find(CategoryId category, Combinator combinator, Cell& found) {
   const auto form = normal_form(combinator);
-  auto place = std::find_if(found.begin(), found.end(), [&](const Edge& edge) {
+  const auto place = std::find_if(found.begin(), found.end(), [&](const Edge& edge) {
     return edge.category == category && normal_form(edge.combinator) == form;
   });
-  if (place == found.end()) {
-    found.push_back({category, combinator, {}});
-    place = found.end() - 1;
-  }
+  return place == found.end() ? nullptr : &*place;
+}
+
+/// Whether an edge has as many meanings as it may have, and all of them are preferred.
+bool Chart::is_too_light(const Edge& edge, double weight) const {
+  return edge.meanings.size() >= limits_.meanings_per_edge && weight <= edge.meanings.back().weight;
+}
+
+void Chart::insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found) {
+  auto* place = find(category, combinator, found);
+  if (place == nullptr)
+    place = &found.emplace_back(Edge{category, combinator, {}});
+  if (is_too_light(*place, meaning.weight))
+    return;
   auto& meanings = place->meanings;
   const auto same = std::find_if(meanings.begin(), meanings.end(), [&](const Meaning& known) {
     return known.predications == meaning.predications && known.indices == meaning.indices;

@@ -88,6 +88,8 @@ private:
   void add_combinations(const Cell& left, const Cell& right, Cell& found);
   void combine(const Edge& left, const Edge& right, const Combination& how, Cell& found);
   void add_raised(std::size_t begin, Cell& found);
+  static Edge* find(CategoryId category, Combinator combinator, Cell& found);
+  bool is_too_light(const Edge& edge, double weight) const;
   void insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found);
   void prune(Cell& found) const;
   Meaning meaning_of(std::uint32_t entry, std::size_t begin);
