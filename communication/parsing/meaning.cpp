@@ -16,23 +16,25 @@ public:
   void unify(NominalId a, NominalId b) {
     a = resolve(a);
     b = resolve(b);
-    if (a != b)
-      pairs_.emplace_back(std::max(a, b), std::min(a, b));
+    if (a == b)
+      return;
+    const auto from = std::max(a, b);
+    const auto to = std::min(a, b);
+    for (auto& pair : pairs_)
+      if (pair.second == from)
+        pair.second = to;
+    pairs_.emplace_back(from, to);
   }
 
   NominalId resolve(NominalId nominal) const {
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const auto& [from, to] : pairs_)
-        if (nominal == from) {
-          nominal = to;
-          changed = true;
-        }
-    }
+    for (const auto& [from, to] : pairs_)
+      if (nominal == from)
+        return to;
     return nominal;
   }
 
 private:
+  /// Nominals and what they stand for; no nominal is on both sides.
   std::vector<std::pair<NominalId, NominalId>> pairs_;
 };
 
