@@ -38,13 +38,13 @@ TEST(EntryIndex, FindsEveryEntryAllOfWhichIsSaidOrOneThatMeansTheSame) {
     const auto found = index.candidates(said);
     EXPECT_TRUE(std::ranges::is_sorted(found));
     for (const auto& entry : english().entries()) {
-      const bool is_expressible = std::ranges::all_of(
-        entry.predications, [&](const auto& x) { return is_said_by(x, said); });
+      const bool is_expressible =
+        std::ranges::all_of(entry.predications, [&](const auto& x) { return is_said_by(x, said); });
       if (!is_expressible)
         continue;
-      EXPECT_TRUE(std::ranges::any_of(found, [&](auto x) {
-        return mean_the_same(english().entry(x), entry);
-      })) << entry.phrase;
+      EXPECT_TRUE(std::ranges::any_of(
+        found, [&](auto x) { return mean_the_same(english().entry(x), entry); }))
+        << entry.phrase;
     }
   }
 }

@@ -63,6 +63,18 @@ TEST(LexiconReader, KnowsPhrasesAndContinuedMeanings) {
             "<Number>sg)))");
 }
 
+TEST(LexiconReader, KnowsTheLongestPhraseThatEndsInAWord) {
+  const auto read = read_lexicon(
+    head + "nouns Noun\n  ball\nwords Noun[sg]\n  big_red_ball=ball\nfiller by_the_way\n",
+    "test.ccg");
+  ASSERT_NE(read.lexicon, nullptr);
+  EXPECT_EQ(read.lexicon->longest_phrase_ending_in("ball"), 3U);
+  EXPECT_EQ(read.lexicon->longest_phrase_ending_in("way"), 3U);
+  EXPECT_EQ(read.lexicon->longest_phrase_ending_in("balls"), 1U);
+  EXPECT_EQ(read.lexicon->longest_phrase_ending_in("red"), 1U);
+  EXPECT_EQ(read.lexicon->longest_phrase_ending_in("unknown"), 1U);
+}
+
 TEST(LexiconReader, PrefersEntriesByTheirWeights) {
   const auto lexicon = head + "words Noun[sg]\n  bank=river{-2} bank=money{-1.5}\n";
   EXPECT_EQ(meaning(lexicon, "bank"), "@w1:thing(money ^ <Number>sg)");
