@@ -45,6 +45,12 @@ TEST(Parser, SaysWhereTheAnalysisBroke) {
   EXPECT_EQ(packed.unparsable[0].reason, "\"the box\" does not go with \"the ball\" before it");
 }
 
+TEST(Parser, TakesNoWordsBetweenQuotationsForAQuotation) {
+  const auto packed = parse("'Bob' is red and 'Ann' is blue");
+  ASSERT_THAT(packed.unparsable, testing::Not(IsEmpty()));
+  EXPECT_EQ(packed.unparsable[0].text, "is red");
+}
+
 TEST(Parser, SaysWhatIsMissing) {
   const auto packed = parse("put the ball");
   ASSERT_THAT(packed.unparsable, SizeIs(1));
