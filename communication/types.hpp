@@ -123,7 +123,8 @@ struct Unparsable {
   friend bool operator==(const Unparsable&, const Unparsable&) = default;
 };
 
-/// A word that is not known, and the one that it was taken for.
+/// A word that is not known, and the one that it was taken for; or words, and nothing, if they were
+/// left out.
 struct SpellingCorrection {
   std::string word;
   std::string meant;

@@ -1,8 +1,8 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/parser.hpp"
-#include "castor/communication/parsing/pauses.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
@@ -87,9 +87,9 @@ class UtteranceParser final : public UnmanagedComponent {
     }
     parse.finish();
     auto form = parse.form();
-    if (auto with_pause = parsed_with_pause(*parser_, words, form))
-      form = std::move(*with_pause);
-    form.corrections = corrections;
+    if (auto other = reparsed(*parser_, words, form))
+      form = std::move(*other);
+    form.corrections.insert(form.corrections.begin(), corrections.begin(), corrections.end());
     return tell(address, std::move(form), *utterance);
   }
 

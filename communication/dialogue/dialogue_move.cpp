@@ -13,16 +13,6 @@ namespace {
 /// Readings beyond the first few are hardly ever meant.
 constexpr std::size_t max_alternatives = 5;
 
-/// Not a phrase: somebody does something or something is so.
-bool is_clause(const LogicalForm& form, const Nominal& x) {
-  if (x.sort == "conjunction") {
-    const auto* first = dependent(form, x, "First");
-    return first != nullptr && is_clause(form, *first);
-  }
-  return x.sort == "ascription" || x.sort == "existence" || x.sort == "perception" ||
-         x.sort == "action";
-}
-
 /// "The disc is orange?" asks whether it is.
 LogicalForm as_question(LogicalForm statement) {
   for (auto& x : statement.nominals)
@@ -32,6 +22,15 @@ LogicalForm as_question(LogicalForm statement) {
 }
 
 } // namespace
+
+bool is_clause(const LogicalForm& form, const Nominal& x) {
+  if (x.sort == "conjunction") {
+    const auto* first = dependent(form, x, "First");
+    return first != nullptr && is_clause(form, *first);
+  }
+  return x.sort == "ascription" || x.sort == "existence" || x.sort == "perception" ||
+         x.sort == "action";
+}
 
 DialogueMoveType dialogue_move_type(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
@@ -79,10 +78,18 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
 }
 
 std::string said_back(const DialogueMove& move) {
-  std::string result;
+  std::string taken;
+  std::string left_out;
   for (auto& x : move.corrections)
-    result += (result.empty() ? "I take '" : ", '") + x.word + "' for '" + x.meant + "'";
-  return result.empty() ? result : result + '.';
+    if (x.meant.empty())
+      left_out += (left_out.empty() ? "I leave out '" : ", '") + x.word + '\'';
+    else
+      taken += (taken.empty() ? "I take '" : ", '") + x.word + "' for '" + x.meant + '\'';
+  if (!taken.empty())
+    taken += '.';
+  if (!left_out.empty())
+    taken += (taken.empty() ? "" : " ") + left_out + '.';
+  return taken;
 }
 
 std::string problem_of(const PackedLogicalForm& form) {

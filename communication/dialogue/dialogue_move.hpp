@@ -13,7 +13,11 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form);
 /// Gives a move the readings of an utterance that is understood, the likeliest as its content.
 void take_readings(const PackedLogicalForm& form, DialogueMove& move);
 
-/// "I take 'squre' for 'square'.", if words of the utterance were taken for others; else empty.
+/// Whether it is not a phrase: somebody does something or something is so.
+bool is_clause(const LogicalForm& form, const Nominal& x);
+
+/// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken
+/// for others or left out; else empty.
 std::string said_back(const DialogueMove& move);
 
 /// What to say of an utterance that is not understood, for people to read.

@@ -57,6 +57,20 @@ std::size_t Lexicon::longest_phrase_ending_in(const std::string& word) const {
   return known == words_.end() ? 1 : known->second.longest_phrase;
 }
 
+void Lexicon::add_to(WordClass word_class, const std::string& phrase) {
+  classes_.emplace(word_class, phrase);
+  std::istringstream in(phrase);
+  std::size_t length = 0;
+  for (std::string word; in >> word; ++length)
+    class_words_.insert(word);
+  if (word_class == WordClass::aside)
+    longest_aside_ = std::max(longest_aside_, length);
+}
+
+bool Lexicon::is_in(WordClass word_class, const std::string& phrase) const {
+  return classes_.contains({word_class, phrase});
+}
+
 std::span<const std::uint32_t> Lexicon::find(const std::string& phrase) const {
   const auto known = phrases_.find(is_quoted(phrase) ? std::string(quoted_word) : phrase);
   if (known == phrases_.end())

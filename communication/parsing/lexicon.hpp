@@ -5,10 +5,12 @@
 #include "castor/communication/parsing/symbols.hpp"
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace castor::communication {
@@ -41,6 +43,18 @@ struct CategoryName {
   std::string name;
 };
 
+/// Words that matter where an utterance is not understood as it stands.
+enum class WordClass {
+  /// Words or phrases that may be left out wherever they stand: "lol", "for the record".
+  aside,
+  /// Words that frames are made of: "my friends tell me that ...".
+  frame,
+  /// Frame words for who speaks or is spoken to.
+  person,
+  /// Words that are never left out: "unless", "almost".
+  decisive
+};
+
 /// Words with their categories and meanings, and the root categories of utterances. Read from a
 /// file by read_lexicon().
 class Lexicon {
@@ -56,6 +70,7 @@ public:
   void add_raising(RaisingRule rule) { raising_.push_back(std::move(rule)); }
   /// Adds a word or phrase that may stand anywhere and has no meaning.
   void add_filler(const std::string& phrase, double weight);
+  void add_to(WordClass word_class, const std::string& phrase);
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
   std::span<const LexicalEntry> entries() const { return entries_; }
@@ -65,6 +80,14 @@ public:
 
   /// The weight of a word as a filler; null if it is none.
   const double* filler(const std::string& phrase) const;
+
+  bool is_in(WordClass word_class, const std::string& phrase) const;
+
+  /// Whether the word is in a class, at least as part of a phrase.
+  bool is_in_a_class(const std::string& word) const { return class_words_.contains(word); }
+
+  /// In words.
+  std::size_t longest_aside() const { return longest_aside_; }
 
   /// Whether the word is known, at least as part of a phrase.
   bool knows(const std::string& word) const;
@@ -91,6 +114,10 @@ private:
   std::vector<LexicalEntry> entries_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
   std::unordered_map<std::string, double> fillers_;
+  std::set<std::pair<WordClass, std::string>> classes_;
+  std::set<std::string> class_words_;
+  std::size_t longest_aside_ = 0;
+
   struct Word {
     /// Number of entries that it is part of.
     std::uint32_t entries = 0;

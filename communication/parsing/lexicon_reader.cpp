@@ -20,8 +20,14 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 /// Variables of an entry are numbered in a byte.
 constexpr std::size_t max_variables = 60;
 
-const std::vector<std::string_view> keywords = {"feature", "root",   "raise", "call",
-                                                "filler",  "family", "words", "nouns"};
+const std::vector<std::string_view> keywords = {"feature",  "root",   "raise", "call",
+                                                "filler",   "aside",  "frame", "person",
+                                                "decisive", "family", "words", "nouns"};
+
+const std::map<std::string_view, WordClass> word_classes = {{"aside", WordClass::aside},
+                                                            {"frame", WordClass::frame},
+                                                            {"person", WordClass::person},
+                                                            {"decisive", WordClass::decisive}};
 
 /// A part of a line, and where it begins.
 struct Piece {
@@ -184,14 +190,24 @@ private:
       read_raising(rest);
     else if (keyword.text == "call")
       read_name(rest);
+    else if (const auto word_class = word_classes.find(keyword.text);
+             word_class != word_classes.end())
+      for (const auto& piece : rest)
+        lexicon_->add_to(word_class->second, phrase_of(piece.text));
     else
       read_fillers(rest);
   }
 
+  static std::string phrase_of(std::string text) {
+    std::ranges::replace(text, '_', ' ');
+    return text;
+  }
+
   static std::string unknown_keyword_remedy(const std::string& word) {
     const auto meant = did_you_mean(word, keywords);
-    return meant.empty() ? "Lines begin with feature, root, raise, call, filler, family, words or "
-                           "nouns; what belongs to them is indented."
+    return meant.empty() ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
+                           "person, decisive, family, words or nouns; what belongs to them is "
+                           "indented."
                          : meant;
   }
 
@@ -234,8 +250,7 @@ private:
   void read_fillers(const std::vector<Piece>& pieces) {
     for (auto piece : pieces) {
       const double weight = take_weight(piece);
-      std::ranges::replace(piece.text, '_', ' ');
-      lexicon_->add_filler(piece.text, weight);
+      lexicon_->add_filler(phrase_of(piece.text), weight);
     }
   }
 

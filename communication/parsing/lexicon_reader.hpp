@@ -16,6 +16,10 @@
 ///     raise np over s[dcl]          # np may also be s[dcl]/(s[dcl]\np)
 ///     call n[sg] a noun             # how to speak of what is missing
 ///     filler please at_all          # words that may stand anywhere and say nothing
+///     aside lol for_the_record      # words left out of what is not understood with them
+///     frame tell believe that       # words of parts that are left out of it, with those of
+///     person i my you               # who speaks or is spoken to
+///     decisive unless almost        # words that are never left out
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

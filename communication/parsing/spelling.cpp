@@ -108,7 +108,7 @@ std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words
   std::vector<std::string> corrected;
   for (std::size_t i = 0; i < words.size(); ++i) {
     auto& word = words[i];
-    if (word == "," || is_quoted(word) || lexicon.knows(word)) {
+    if (word == "," || is_quoted(word) || lexicon.knows(word) || lexicon.is_in_a_class(word)) {
       corrected.push_back(word);
       continue;
     }

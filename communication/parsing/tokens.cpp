@@ -22,28 +22,25 @@ bool ends_with(const std::string& word, std::string_view end) {
   return word.size() > end.size() && std::string_view(word).ends_with(end);
 }
 
-/// Contractions as people type them in a hurry, and what they stand for.
-constexpr std::array<std::array<std::string_view, 3>, 14> hasty{{{"isnt", "is", "n't"},
-                                                                 {"arent", "are", "n't"},
-                                                                 {"doesnt", "does", "n't"},
-                                                                 {"dont", "do", "n't"},
-                                                                 {"didnt", "did", "n't"},
-                                                                 {"cant", "can", "n't"},
-                                                                 {"whats", "what", "'s"},
-                                                                 {"wheres", "where", "'s"},
-                                                                 {"theres", "there", "'s"},
-                                                                 {"thats", "that", "'s"},
-                                                                 {"whos", "who", "'s"},
-                                                                 {"im", "i", "'m"},
-                                                                 {"theyre", "they", "'re"},
-                                                                 {"youre", "you", "'re"}}};
+/// What people type in a hurry, and the one or two words that it stands for.
+constexpr std::array<std::array<std::string_view, 3>, 27> hasty{
+  {{"isnt", "is", "n't"},     {"arent", "are", "n't"},   {"doesnt", "does", "n't"},
+   {"dont", "do", "n't"},     {"didnt", "did", "n't"},   {"cant", "can", "n't"},
+   {"whats", "what", "'s"},   {"wheres", "where", "'s"}, {"theres", "there", "'s"},
+   {"thats", "that", "'s"},   {"whos", "who", "'s"},     {"im", "i", "'m"},
+   {"theyre", "they", "'re"}, {"youre", "you", "'re"},   {"r", "are", ""},
+   {"u", "you", ""},          {"ur", "your", ""},        {"wasnt", "was", "n't"},
+   {"wont", "wo", "n't"},     {"hows", "how", "'s"},     {"ive", "i", "'ve"},
+   {"theyve", "they", "'ve"}, {"gimme", "give", "me"},   {"lemme", "let", "me"},
+   {"wanna", "want", "to"},   {"pls", "please", ""},     {"plz", "please", ""}}};
 
 void append_word(std::string word, std::vector<std::string>& words) {
   const auto contraction =
     std::find_if(hasty.begin(), hasty.end(), [&word](auto& x) { return x.front() == word; });
   if (contraction != hasty.end()) {
     words.emplace_back((*contraction)[1]);
-    words.emplace_back((*contraction)[2]);
+    if (!(*contraction)[2].empty())
+      words.emplace_back((*contraction)[2]);
   } else if (word == "cannot" || word == "can't") {
     words.insert(words.end(), {"can", word == "cannot" ? "not" : "n't"});
   } else if (ends_with(word, "n't")) {

@@ -15,11 +15,12 @@ namespace {
 using Expected = ExpectedReply::Kind;
 using Read = ReadReply::Kind;
 
-/// Without "I take 'bal' for 'ball'."
+/// Without "I take 'bal' for 'ball'." and "I leave out 'my friends say'."
 std::string_view without_correction(std::string_view text) {
-  const auto end = text.find("'. ");
-  return text.starts_with("I take '") && end != std::string_view::npos ? text.substr(end + 3)
-                                                                       : text;
+  for (std::string_view begin : {"I take '", "I leave out '"})
+    if (const auto end = text.find("'. "); text.starts_with(begin) && end != text.npos)
+      text.remove_prefix(end + 3);
+  return text;
 }
 
 std::string noun_of(const std::string& shape) {

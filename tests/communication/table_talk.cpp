@@ -1,12 +1,12 @@
 #include "castor/tests/communication/table_talk.hpp"
 
+#include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/packing.hpp"
-#include "castor/communication/parsing/pauses.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
@@ -45,8 +45,9 @@ Reply TableTalk::say_sentence(const std::string& text) {
     parse.add(word);
   parse.finish();
   auto form = parse.form();
-  if (auto with_pause = parsed_with_pause(parser, words, form))
-    form = std::move(*with_pause);
+  if (auto other = reparsed(parser, words, form))
+    form = std::move(*other);
+  move.corrections.insert(move.corrections.end(), form.corrections.begin(), form.corrections.end());
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
   Reply reply;

@@ -1,0 +1,218 @@
+#include "castor/communication/dialogue/asides.hpp"
+
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/pauses.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// In words. Longer ones say something of their own.
+constexpr std::size_t longest_frame = 12;
+
+/// More words that are not known are no frame.
+constexpr std::size_t most_unknown = 3;
+
+std::string joined(std::span<const std::string> words) {
+  std::string result;
+  for (auto& word : words)
+    if (word != ",")
+      result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+/// Number of words of the longest aside at the beginning; 0 if there is none.
+std::size_t aside_at_begin(std::span<const std::string> words, const Lexicon& lexicon) {
+  for (auto length = std::min(words.size(), lexicon.longest_aside()); length > 0; --length)
+    if (words[length - 1] != "," && lexicon.is_in(WordClass::aside, joined(words.first(length))))
+      return length;
+  return 0;
+}
+
+Words without_asides(std::span<const std::string> words, const Lexicon& lexicon) {
+  Words result;
+  for (std::size_t i = 0; i < words.size();) {
+    const auto length = aside_at_begin(words.subspan(i), lexicon);
+    if (length == 0 && !(words[i] == "," && (result.empty() || result.back() == ",")))
+      result.push_back(words[i]);
+    i += std::max<std::size_t>(length, 1);
+  }
+  while (!result.empty() && result.back() == ",")
+    result.pop_back();
+  return result;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// What a part that may be left out consists of.
+struct Frame {
+  std::size_t unknown = 0;
+  /// Whether somebody speaks or is spoken to: "I", "your".
+  bool has_person = false;
+};
+
+/// Nothing if the part says something that matters.
+std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon& lexicon) {
+  Frame result;
+  if (words.size() > longest_frame)
+    return std::nullopt;
+  const auto is_person_at = [&](std::size_t i) {
+    return i < words.size() && lexicon.is_in(WordClass::person, words[i]);
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (const auto length = aside_at_begin(words.subspan(i), lexicon); length > 0) {
+      i += length - 1;
+      continue;
+    }
+    auto& word = words[i];
+    const bool is_person = is_person_at(i);
+    // "If I may", but not "whether the ball is red".
+    const bool is_polite = is_one_of(word, {"if", "whether"}) && is_person_at(i + 1);
+    if (lexicon.is_in(WordClass::decisive, word))
+      return std::nullopt;
+    const bool is_harmless =
+      word == "," || is_person || is_polite || lexicon.is_in(WordClass::frame, word) ||
+      lexicon.is_in(WordClass::aside, word) || lexicon.filler(word) != nullptr;
+    if (!is_harmless && (lexicon.knows(word) || is_quoted(word)))
+      return std::nullopt;
+    result.unknown += is_harmless ? 0 : 1;
+    result.has_person = result.has_person || is_person;
+  }
+  return result.unknown > most_unknown ? std::nullopt : std::optional{result};
+}
+
+std::optional<PackedLogicalForm> parsed(Parser& parser, const Words& words) {
+  IncrementalParse parse{parser};
+  for (auto word : words)
+    parse.add(std::move(word));
+  parse.finish();
+  auto form = parse.form();
+  if (!form.unparsable.empty() || form.readings.empty())
+    return std::nullopt;
+  return form;
+}
+
+/// Looks for the part of an utterance that is understood by itself.
+class CoreSearch {
+public:
+  CoreSearch(Parser& parser, const Words& words) : parser_(parser), words_(words) {}
+
+  std::optional<PackedLogicalForm> run() {
+    for (const auto end : ends())
+      for (const auto begin : begins(end))
+        if (begin > 0 || end < words_.size())
+          if (auto form = core(begin, end)) {
+            note_left_out(0, begin, *form);
+            note_left_out(end, words_.size(), *form);
+            return form;
+          }
+    return std::nullopt;
+  }
+
+private:
+  const Lexicon& lexicon() const { return parser_.lexicon(); }
+
+  std::optional<Frame> frame(std::size_t begin, std::size_t end) const {
+    return frame_of(std::span{words_}.subspan(begin, end - begin), lexicon());
+  }
+
+  bool is_after_pause(std::size_t position) const { return words_[position - 1] == ","; }
+
+  /// Where the matter may end; least is left out first.
+  std::vector<std::size_t> ends() const {
+    std::vector<std::size_t> result{words_.size()};
+    for (auto i = words_.size(); i-- > 1;)
+      if (words_[i] == ",")
+        if (auto x = frame(i, words_.size()); x && (x->has_person || x->unknown == 0))
+          result.push_back(i);
+    return result;
+  }
+
+  /// Where the matter may begin: with the first word, or after a frame; the longest is left out
+  /// first, since shorter ones leave a part of it.
+  std::vector<std::size_t> begins(std::size_t end) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 1; i < end; ++i)
+      if (auto x = frame(0, i); x && (x->has_person || is_after_pause(i)))
+        result.push_back(i);
+    result.push_back(0);
+    std::ranges::reverse(result);
+    if (result.size() > 2)
+      std::ranges::sort(result.begin() + 1, result.end(), std::greater{});
+    return result;
+  }
+
+  std::optional<PackedLogicalForm> core(std::size_t begin, std::size_t end) {
+    const bool is_after_person = begin > 0 && !is_after_pause(begin);
+    while (begin > 0 && begin < end && is_one_of(words_[begin], {",", "but", "and", "so", "that"}))
+      ++begin;
+    auto words = without_asides(std::span{words_}.subspan(begin, end - begin), lexicon());
+    if (words.empty())
+      return std::nullopt;
+    if (is_after_person && is_asked_for(begin, words.front())) {
+      auto request = words;
+      request.insert(request.begin(), {"tell", "me"});
+      if (auto form = parsed(parser_, request))
+        return form;
+    }
+    auto form = parsed(parser_, words);
+    return form && (!is_after_person || is_clause(*form)) ? std::move(form) : std::nullopt;
+  }
+
+  /// "... whether it is red", "... what colour it is", "... to know the colour of the ball".
+  bool is_asked_for(std::size_t begin, std::string_view next) const {
+    return is_one_of(next, {"whether", "if", "what", "which", "how", "where", "who"}) ||
+           is_one_of(words_[begin - 1], {"know", "learn", "hear", "for", "told"});
+  }
+
+  /// Something that is said or asked, and no thing or request.
+  static bool is_clause(const PackedLogicalForm& form) {
+    const auto parts = unpack(form, form.readings.front().id);
+    const auto* root = find_nominal(parts.front(), parts.front().root);
+    return root != nullptr && feature(*root, "Mood") != "imp" &&
+           (communication::is_clause(parts.front(), *root) || feature(*root, "Mood") == "int");
+  }
+
+  void note_left_out(std::size_t begin, std::size_t end, PackedLogicalForm& form) const {
+    if (begin < end && frame(begin, end)->unknown > 0)
+      form.corrections.push_back({joined(std::span{words_}.subspan(begin, end - begin)), {}});
+  }
+
+  Parser& parser_;
+  const Words& words_;
+};
+
+} // namespace
+
+std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Words& words) {
+  const auto core = without_asides(words, parser.lexicon());
+  if (core.empty())
+    return std::nullopt;
+  if (core.size() < words.size())
+    if (auto form = parsed(parser, core))
+      return form;
+  return CoreSearch{parser, words}.run();
+}
+
+std::optional<PackedLogicalForm> reparsed(Parser& parser, const Words& words,
+                                          const PackedLogicalForm& form) {
+  if (form.unparsable.empty() && !form.readings.empty())
+    return std::nullopt;
+  if (auto result = parsed_with_pause(parser, words, form))
+    return result;
+  return parsed_without_asides(parser, words);
+}
+
+} // namespace castor::communication

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "castor/communication/parsing/parser.hpp"
+#include "castor/communication/types.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// The form of an utterance without what is said beside the matter: "lol, my friends tell me that
+/// the cube is yellow, if I may say so". Nothing if it is not understood without that either.
+///
+/// Left out are the lexicon's asides, wherever they stand, and frames: parts before a clause, or
+/// after a comma at the end, that consist of the lexicon's frame words and of words that are not
+/// known. A known word that is no frame word, such as one about things or "not", is never left out;
+/// neither is a decisive one ("unless", "almost"). Frames with words that are not known are among
+/// the corrections, so that they are said back.
+///
+/// \param words of the utterance, which is not understood as it stands
+std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser,
+                                                       const std::vector<std::string>& words);
+
+/// The form of an utterance that is not understood as it stands: with a pause that was left out, or
+/// without asides. Nothing if it is understood, or neither helps.
+///
+/// \param form of the words as they stand
+std::optional<PackedLogicalForm> reparsed(Parser& parser, const std::vector<std::string>& words,
+                                          const PackedLogicalForm& form);
+
+} // namespace castor::communication
