@@ -233,9 +233,9 @@ SurfacePixels surface_pixels(const Image& region, const Image& mask, const Colou
   return surface;
 }
 
-/// By name: those of one family, orange and brown, or grey, black and white, differ by their
+/// By name: those of one family, orange and brown, or grey and white, differ by their
 /// brightness alone.
-constexpr std::array<std::size_t, names> families{0, 1, 2, 3, 4, 5, 6, 7, 1, 8, 8, 8};
+constexpr std::array<std::size_t, names> families{0, 1, 2, 3, 4, 5, 6, 7, 1, 8, 9, 8};
 
 /// Adds the powers of the shares that families have of the votes, scaled so that they sum to 1. How
 /// bright a surface would be in white light is not known so well: within a family, the shares stay.
