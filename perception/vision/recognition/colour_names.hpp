@@ -22,9 +22,9 @@ struct ColourOptions {
   std::vector<double> ground_brightness{0.55, 0.65, 0.75, 0.85, 0.95};
   /// Exponent of the shares of names, for each of these brightnesses. The shares say how many people
   /// use a name, but the confidence is how often a name is right: above 1, as the things on tables
-  /// are of typical colours. The largest of 1, 1.25, ... with which names that are said of rendered
-  /// tables with a confidence of 0.8 to 0.9 are right in more than nine of ten cases. Names that
-  /// differ by their brightness alone, such as grey and white, count as one here.
+  /// are of typical colours. Chosen so that names that are said of the tables of
+  /// benchmarks/segmentation_benchmark with a confidence of 0.8 to 0.9 are right at least so often.
+  /// Names that differ by their brightness alone, such as grey and white, count as one here.
   double typical_colours = 1.75;
   /// Ground darker than this (such as black velvet) is not used: the image is taken unchanged.
   double darkest_ground = 0.25;
