@@ -133,7 +133,8 @@ struct RegionFeatures {
   std::vector<double> shape_evidence;
   /// Position and size of the region on the table; all zero without a calibration.
   ObjectBox extent;
-  /// Whether the extent was measured with a camera that is not calibrated: lengths are a guess then.
+  /// Whether the extent was measured with a camera that is not calibrated: lengths are a guess
+  /// then.
   bool is_extent_assumed = false;
 };
 

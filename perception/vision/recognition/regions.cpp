@@ -71,8 +71,8 @@ std::vector<Region> find_regions(const Image& image, const Camera* camera,
     region.roi.has_features = true;
     region.colour = best_of(region.roi.features.colours);
     region.shape = best_of(region.roi.features.shapes);
-    region.size = best_of(judge_size(region.roi.features.extent,
-                                     region.roi.features.is_extent_assumed, options.size));
+    region.size = best_of(
+      judge_size(region.roi.features.extent, region.roi.features.is_extent_assumed, options.size));
     regions.push_back(std::move(region));
   }
   return regions;
