@@ -5,7 +5,9 @@
 // PICTURES of each kind (40), drawn from SEED (1). TEXTURES is a folder of grey pictures with which
 // tables are covered in one more kind, such as the brick, grass and gravel of Debian's
 // python3-skimage. A thing is found if a region overlaps its visible part by at least half
-// (intersection over union); any other region is false.
+// (intersection over union); any other region is false. After the kinds of tables, how often the
+// colours of the things found are right that are said with a confidence of this tenth. The name of
+// a paint other than the twelve usual ones is what most people call it.
 #include "castor/benchmarks/clevr/matching.hpp"
 #include "castor/perception/vision/camera/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
@@ -42,6 +44,9 @@ constexpr std::array paints{
   SceneColour{220, 190, 30}, SceneColour{120, 40, 150},  SceneColour{230, 120, 20},
   SceneColour{40, 40, 40},   SceneColour{120, 120, 120}, SceneColour{235, 235, 235},
   SceneColour{110, 65, 30},  SceneColour{30, 150, 150},  SceneColour{240, 130, 170}};
+/// Names of the paints.
+constexpr std::array paint_names{"red",   "blue", "green", "yellow", "purple", "orange",
+                                 "black", "grey", "white", "brown",  "cyan",   "pink"};
 constexpr std::array grounds{SceneColour{190, 166, 134}, SceneColour{90, 100, 110},
                              SceneColour{200, 200, 200}, SceneColour{60, 110, 70},
                              SceneColour{235, 235, 230}, SceneColour{110, 80, 55}};
@@ -55,6 +60,24 @@ constexpr std::array browns{SceneColour{110, 65, 30},   SceneColour{140, 90, 50}
 int distance(const SceneColour& a, const SceneColour& b) {
   return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
+
+std::string name_of(const SceneColour& paint) {
+  for (std::size_t i = 0; i < paints.size(); ++i)
+    if (distance(paints[i], paint) == 0)
+      return paint_names[i];
+  const auto shares = colour_shares({paint.blue / 255.0, paint.green / 255.0, paint.red / 255.0});
+  const auto most = std::ranges::max_element(shares) - shares.begin();
+  return colour_vocabulary()[static_cast<std::size_t>(most)];
+}
+
+/// Names that were said with about the same confidence.
+struct ConfidenceBin {
+  std::size_t all = 0;
+  std::size_t right = 0;
+};
+
+/// By tenths of confidence.
+using Reliability = std::array<ConfidenceBin, 10>;
 
 struct RenderedTable {
   TabletopSnapshot scene;
@@ -232,7 +255,7 @@ struct TableKind {
   std::vector<cv::Mat> textures{};
 };
 
-void measure(const TableKind& kind, int pictures, unsigned seed) {
+void measure(const TableKind& kind, int pictures, unsigned seed, Reliability& colours) {
   TableGenerator generator{seed};
   const Camera camera = look_at({0, -0.62, 0.55}, {0, 0.03, 0}, 42, 640, 480);
   std::size_t things = 0;
@@ -264,6 +287,13 @@ void measure(const TableKind& kind, int pictures, unsigned seed) {
     truth -= 1;
     const auto number = table.scene.objects.size();
     const auto matches = clevr::match_regions(seen, truth, number, least_overlap);
+    for (auto& match : matches) {
+      const auto& roi = rois[match.region];
+      const auto said = best_of(name_colour(roi.region, roi.mask));
+      auto& bin = colours[std::min(static_cast<std::size_t>(10 * said.confidence), std::size_t{9})];
+      ++bin.all;
+      bin.right += said.value == name_of(table.scene.objects[match.object].colour) ? 1 : 0;
+    }
     things += number;
     found += matches.size();
     regions += segments.size();
@@ -318,6 +348,11 @@ int main(int argc, char** argv) {
   }
   fmt::print("{:<44} {:>12} {:>5} {:>14} {:>6}\n", "tables", "found", "false", "pictures right",
              "ms");
+  Reliability colours;
   for (auto& kind : kinds)
-    measure(kind, pictures, seed);
+    measure(kind, pictures, seed, colours);
+  fmt::print("\n{:<44} {:>12}\n", "confidence of colours", "right");
+  for (std::size_t tenth = 0; tenth < colours.size(); ++tenth)
+    if (colours[tenth].all > 0)
+      fmt::print("0.{:<42} {:>4} of {:<4}\n", tenth, colours[tenth].right, colours[tenth].all);
 }

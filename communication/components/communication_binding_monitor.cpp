@@ -2,9 +2,11 @@
 #include "castor/binding/binding_monitor.hpp"
 #include "castor/communication/components/asks_binding.hpp"
 #include "castor/communication/dialogue/assertion.hpp"
+#include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
+#include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -70,12 +72,15 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     const bool is_known = exists(address);
     auto meant = move;
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
-    if (meant.type == DialogueMoveType::assertion) {
-      const auto told = tell_of(id, meant, referents);
+    auto spoken_of = referents;
+    const auto whole = completed(meant, spoken_of);
+    if (whole.type == DialogueMoveType::assertion) {
+      const auto told = tell_of(id, whole, spoken_of);
       publish();
       for (auto& proxy : told)
         wait_until_bound(proxy);
     }
+    previous_ = CompleteMove{whole, from_entry(spoken_of.pronouns)};
     if (is_known)
       return;
     history_.push_back(referents);
@@ -104,6 +109,22 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     });
     move = std::move(meant);
     return result;
+  }
+
+  /// A fragment says what it completes of the move before.
+  /// \param referents become those of the whole
+  DialogueMove completed(const DialogueMove& move, MoveReferents& referents) {
+    const bool is_fragment = move.type == DialogueMoveType::none && move.problem.empty();
+    if (!previous_ || !(is_fragment || is_elliptical(move.content)))
+      return move;
+    const auto antecedents = from_entry(referents.pronouns);
+    return with_scene(binding(), [&](SceneKnowledge& scene) {
+      const auto whole = completed_after(*previous_, move, antecedents, scene);
+      auto reading = reading_of(whole.move, respond(whole.move, whole.antecedents, scene).reading);
+      referents.referents = communication::referents_of(reading, whole.antecedents, scene);
+      referents.pronouns = to_entry(whole.antecedents);
+      return reading;
+    });
   }
 
   /// Where somebody points, unless it was too long ago.
@@ -178,6 +199,8 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   std::set<std::string> moves_;
   std::vector<MoveReferents> history_;
+  /// The last move, as it was meant.
+  std::optional<CompleteMove> previous_;
 };
 
 CASTOR_COMPONENT(CommunicationBindingMonitor,

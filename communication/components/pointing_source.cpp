@@ -12,7 +12,8 @@ namespace castor::communication {
 
 namespace {
 
-/// Points at a place on the table, from the beginning on and as long as nobody points elsewhere.
+/// Points at a place on the table, from its start on, until somebody points elsewhere or it ends: a
+/// journal keeps no gesture of an earlier run.
 class PointingSource final : public UnmanagedComponent {
   void configure() override {
     if (at_->empty())
@@ -24,13 +25,27 @@ class PointingSource final : public UnmanagedComponent {
   }
 
   void start() override {
-    if (!place_)
-      return;
+    while (place_ && is_running() && !point())
+      debug("the earlier gesture is removed");
+  }
+
+  /// False if there was another gesture of this name, which is deleted.
+  bool point() {
+    const auto address = here("pointing");
     try {
-      add(here("pointing"), Pointing{place_->x, place_->y, now().count(), true},
-          {.only_once = true});
+      add(address, Pointing{place_->x, place_->y, now().count(), true}, {.ephemeral = true});
+      return true;
     } catch (const AlreadyExistsOnWM&) {
-      trace("it was pointed there before");
+      remove(address);
+      return false;
+    }
+  }
+
+  void remove(const Address& address) {
+    try {
+      delete_entry(address);
+    } catch (const DoesNotExistOnWM&) {
+      trace("{} is gone already", address.id);
     }
   }
 

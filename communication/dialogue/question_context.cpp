@@ -58,7 +58,11 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
   }
   if (is_pronoun(*fragment))
     return false;
-  if (!is_general_noun(fragment->proposition))
+  // What "this" is has been said now.
+  if (is_pronoun(*asked)) {
+    asked->proposition = fragment->proposition == "one" ? "thing" : fragment->proposition;
+    asked->features = fragment->features;
+  } else if (!is_general_noun(fragment->proposition))
     asked->proposition = fragment->proposition;
   for (auto& relation : fragment->relations)
     asked->relations.push_back(relation);
@@ -281,6 +285,13 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
     result.move.type = DialogueMoveType::question_yn;
   }
   return result;
+}
+
+CompleteMove completed_after(const CompleteMove& before, const DialogueMove& move,
+                             const Antecedents& antecedents, SceneKnowledge& scene) {
+  QuestionContext context;
+  context.note(before, respond(before.move, before.antecedents, scene));
+  return context.complete(move, antecedents);
 }
 
 void QuestionContext::note(const CompleteMove& complete, const Response& response) {

@@ -15,6 +15,11 @@ struct CompleteMove {
   Antecedents antecedents;
 };
 
+/// The move as it is meant after the one before it: "the cube" completes "this is large", which it
+/// was asked about. Counts only if `scene` has no open questions afterwards.
+CompleteMove completed_after(const CompleteMove& before, const DialogueMove& move,
+                             const Antecedents& antecedents, SceneKnowledge& scene);
+
 /// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
 /// mean?", and "and the disc?" after "what colour is the ball?".
 class QuestionContext {

@@ -74,7 +74,9 @@ std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& 
 LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
   auto result = indefinite(noun_of(scene, union_id));
   for (auto& x : properties)
-    if (auto word = adjective(scene, union_id, x.kind); !word.empty())
+    // A size that is not certain is said if it is asked for, or to tell things apart.
+    if (auto word = adjective(scene, union_id, x.kind);
+        !word.empty() && (x.kind != FeatureKind::size || scene.is_sure(union_id, x.kind)))
       result = with_property(std::move(result), x, word);
   return result;
 }

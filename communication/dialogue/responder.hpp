@@ -73,6 +73,7 @@ private:
   // -- replies
   LogicalForm nothing_like(const Nominal& phrase) const;
   LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;
+  LogicalForm denied(const std::string& id, const Nominal& scope) const;
   LogicalForm called(const Nominal& phrase) const;
   LogicalForm described(LogicalForm said);
 

@@ -60,7 +60,7 @@ Response Responder::to_assertion(const Nominal& said) {
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name))));
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));
-  return correct(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
+  return correct(denied(things.front(), *scope));
 }
 
 /// A kind of thing that vision has no word for, such as a toy.

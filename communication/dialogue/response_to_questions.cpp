@@ -268,9 +268,11 @@ Response Responder::what(const Nominal& phrase) {
   auto things = evaluation_.meant(phrase);
   if (things.size() != 1)
     return list(things);
-  auto sentence = ascribe(pronoun("it"), indefinite_description(scene_, things.front()));
-  return answer(scene_.is_sure(things.front(), FeatureKind::shape) ? std::move(sentence)
-                                                                   : unsure(std::move(sentence)));
+  auto& id = things.front();
+  auto sentence = ascribe(pronoun("it"), indefinite_description(scene_, id));
+  const bool is_sure =
+    scene_.is_sure(id, FeatureKind::shape) && scene_.is_sure(id, FeatureKind::colour);
+  return answer(is_sure ? std::move(sentence) : unsure(std::move(sentence)));
 }
 
 Response Responder::where(const Nominal& phrase) {
@@ -340,7 +342,7 @@ Response Responder::to_question_yn() {
     return answer(unsure(ascribe(pronoun("it"), part_of(form_, scope->name))), marker("yes"));
   if (truth == Truth::no && things.size() == 1 && kind_of_quality(scope->sort) &&
       !is_negated(*scope) && !scene_.words(things.front(), *kind_of_quality(scope->sort)).empty())
-    return answer(with_marker("no", as_it_is(things.front(), pronoun("it"), *scope)));
+    return answer(denied(things.front(), *scope));
   if (is_negative)
     return answer(with_marker(truth == Truth::yes ? "yes" : "no",
                               ascribe(pronoun("it"), part_of(form_, scope->name),
@@ -375,12 +377,13 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
   if (so.empty() && !is_clear)
     return answer(i_do_not_know());
   if (so.empty())
-    return answer(with_marker("no", as_it_is(id, pronoun("it"), need(alternatives, "First"))),
-                  marker("no"));
+    return answer(denied(id, need(alternatives, "First")), marker("no"));
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (const auto* one : so) {
     auto sentence = ascribe(pronoun("it"), part_of(form_, one->name));
-    if (feature(alternatives, "Coordination") == "either")
+    if (!is_sure(id, *one))
+      sentence = unsure(std::move(sentence));
+    else if (feature(alternatives, "Coordination") == "either")
       sentence = with_marker("yes", std::move(sentence));
     result.sentences.push_back({std::move(sentence), marker("yes")});
   }
@@ -404,6 +407,12 @@ Response Responder::choice_of_clauses() {
   if (!result.sentences.empty())
     return result;
   return is_clear ? answer(marker("no")) : answer(i_do_not_know());
+}
+
+/// "No, it is blue", or "I think it is blue" if that is not certain.
+LogicalForm Responder::denied(const std::string& id, const Nominal& scope) const {
+  auto sentence = as_it_is(id, pronoun("it"), scope);
+  return is_sure(id, scope) ? with_marker("no", std::move(sentence)) : unsure(std::move(sentence));
 }
 
 /// "It is blue", in the terms of what was said of it.

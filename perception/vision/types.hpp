@@ -133,6 +133,9 @@ struct RegionFeatures {
   std::vector<double> shape_evidence;
   /// Position and size of the region on the table; all zero without a calibration.
   ObjectBox extent;
+  /// Whether the extent was measured with a camera that is not calibrated: lengths are a guess
+  /// then.
+  bool is_extent_assumed = false;
 };
 
 /// Small picture of the scene when it was last processed, with names on the objects, for users. One
@@ -233,7 +236,8 @@ CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, 
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
 CASTOR_REFLECT(ScenePicture, image, camera, time)
-CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent)
+CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent,
+               is_extent_assumed)
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
 CASTOR_REFLECT(SceneObject, time, box, pose, label, colour, shape, size, roi_ids, managing_process)
 CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, colour, label)

@@ -84,6 +84,39 @@ TEST(Assertions, NameThingsThatAreSpokenOfByTheNameLater) {
   EXPECT_EQ(talk.say("What colour is the plate?").text, "It is brown.");
 }
 
+TEST(Assertions, AreToldOnceTheyAreClarified) {
+  TableScene table;
+  auto put = [&table](const char* id, const char* shape, const char* size) {
+    table.put(id,
+              {feature(FeatureKind::shape, shape), feature(FeatureKind::size, size),
+               feature(FeatureKind::colour, "red")},
+              0, 0);
+  };
+  put("one", "sphere", "small");
+  put("two", "cube", "small");
+  put("three", "cube", "large");
+  auto new_talk = [&table](const std::string& who) {
+    return TableTalk{
+      [&table](auto& asked) { return table.reply(asked); },
+      [&table, who](auto& name, auto features) { table.tell(who + name, std::move(features)); }};
+  };
+  auto talk = new_talk("first");
+  EXPECT_EQ(talk.say("This is a toy.").text, "Which thing do you mean?");
+  EXPECT_EQ(talk.say("The ball.").text, "Ok.");
+  EXPECT_EQ(talk.say("What shape is the toy?").text, "It is a sphere.");
+  // "This" would be what was spoken of last.
+  talk = new_talk("second");
+  EXPECT_EQ(talk.say("This is a plate.").text, "Which thing do you mean?");
+  EXPECT_EQ(talk.say("The large one.").text, "Ok.");
+  EXPECT_EQ(talk.say("What shape is the plate?").text, "It is a cube.");
+  EXPECT_EQ(talk.say("The cube is a mug.").text, "Which cube do you mean?");
+  EXPECT_EQ(talk.say("The small one.").text, "Ok.");
+  EXPECT_EQ(talk.say("What size is the mug?").text, "It is small.");
+  EXPECT_EQ(talk.say("The cube is green.").text, "Which cube do you mean?");
+  EXPECT_EQ(talk.say("The large one.").text, "No, it is red.");
+  EXPECT_EQ(talk.say("Is the large cube green?").text, "No, it is red.");
+}
+
 TEST(Assertions, OfWhatAThingIsNotTellNothingElse) {
   TableScene table;
   table.put("one", {feature(FeatureKind::shape, "cube")}, 0, 0);

@@ -75,6 +75,37 @@ TEST(CommunicationSystem, TellsWhatIsDoneBySayingSomething) {
   }
 }
 
+TEST(CommunicationSystem, PointsWhereItIsToldToInEachRun) {
+  const castor::test::TemporaryFolder folder;
+  auto pointing_at = [&](const std::string& place) {
+    return "HOST localhost\n"
+           "SUBARCHITECTURE communication\n"
+           "CPP WM SubarchitectureWorkingMemory --journal full --journal-dir \"" +
+           folder.path().string() +
+           "\"\n"
+           "CPP TM AlwaysPositiveTaskManager\n"
+           "CPP UM hand PointingSource --at \"" +
+           place +
+           "\"\n"
+           "SUPERVISE communication RESTARTS 1000 IN 10s\n";
+  };
+  for (const auto* x : {"0.1", "0.2", "0.2"}) {
+    TestSystem system{pointing_at(std::string{x} + ",0.3")};
+    const auto entry =
+      system.expect_entry(std::string{"Pointing in communication where x == "} + x);
+    EXPECT_EQ(entry->address.id, "pointing");
+    EXPECT_EQ(all<Pointing>(system).size(), 1u);
+    if (std::string{x} == "0.1") {
+      system.inject("crash hand");
+      system.expect_back("hand");
+      system.wait_until("it is pointed there again",
+                        [&] { return all<Pointing>(system).size() == 1; });
+    }
+  }
+  TestSystem nowhere{pointing_at("")};
+  nowhere.wait_until("nothing is pointed at", [&] { return all<Pointing>(nowhere).empty(); });
+}
+
 TEST(CommunicationSystem, HearsAndSpeaksByOtherPrograms) {
   castor::test::TemporaryFolder folder;
   const auto file = (folder.path() / "spoken").string();

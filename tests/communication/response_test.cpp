@@ -208,6 +208,34 @@ TEST_F(Responses, SayHowSureTheyAre) {
   EXPECT_EQ(say("What colour is the pyramid?"), "It is yellow.");
 }
 
+TEST_F(Responses, SayHowSureTheyAreOfSizes) {
+  // As with a camera that is not calibrated.
+  for (auto& [name, word] : {std::pair{"triangle", "small"}, std::pair{"cylinder", "large"}})
+    table.put(name,
+              {feature(FeatureKind::colour, "yellow"), feature(FeatureKind::shape, name),
+               binding::uncertain_feature(FeatureKind::size, word, 0.7)},
+              -0.5, 0.5);
+  EXPECT_EQ(say("What size is the cylinder?"), "I think it is large.");
+  EXPECT_EQ(say("Is the cylinder large?"), "I think it is large.");
+  EXPECT_EQ(say("Is the cylinder small?"), "I think it is large.");
+  EXPECT_EQ(say("Is the cylinder large or small?"), "I think it is large.");
+  EXPECT_EQ(say("The cylinder is small."), "I think it is large.");
+  EXPECT_EQ(relation, RhetoricalRelation::correction);
+  EXPECT_EQ(say("What is the cylinder?"), "It is a yellow cylinder.");
+  // Which of two is larger is known better.
+  EXPECT_EQ(say("Is the cylinder larger than the triangle?"), "Yes.");
+}
+
+TEST_F(Responses, SayHowSureTheyAreOfColours) {
+  table.put("lump",
+            {binding::uncertain_feature(FeatureKind::colour, "orange", 0.62),
+             feature(FeatureKind::shape, "cylinder")},
+            -0.5, 0.5);
+  EXPECT_EQ(say("What is the cylinder?"), "I think it is an orange cylinder.");
+  EXPECT_EQ(say("Is the cylinder brown?"), "I think it is orange.");
+  EXPECT_EQ(say("Is the cylinder brown or orange?"), "I think it is orange.");
+}
+
 TEST_F(Responses, NeitherGuessNorDropNegation) {
   EXPECT_EQ(say("Is anything red?"), "Yes.");
   EXPECT_EQ(say("Is a cube red?"), "No.");
@@ -255,6 +283,20 @@ TEST_F(Responses, UnderstandWhatClarifiesThem) {
   EXPECT_EQ(reply("The ball."), "It is small.");
   EXPECT_EQ(reply("The blue one."), "Which blue box do you mean?");
   EXPECT_EQ(reply("The red one."), "I do not see a red box.");
+}
+
+TEST_F(Responses, CompleteWhatWasSaidBefore) {
+  auto type_after = [&](const char* before, const char* text) {
+    const CompleteMove said{move_of(before), {}};
+    const auto move = move_of(text);
+    return table
+      .known_to([&](SceneKnowledge& scene) { return completed_after(said, move, {}, scene); })
+      .move.type;
+  };
+  EXPECT_EQ(type_after("The box is a toy.", "The large one."), DialogueMoveType::assertion);
+  EXPECT_EQ(type_after("What colour is the box?", "The large one."), DialogueMoveType::question_w);
+  EXPECT_EQ(type_after("The ball is a toy.", "The large box."), DialogueMoveType::none);
+  EXPECT_EQ(type_after("The box is a toy.", "The ball is red."), DialogueMoveType::assertion);
 }
 
 TEST_F(Responses, ArePolite) {

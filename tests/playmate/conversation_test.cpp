@@ -50,7 +50,7 @@ TEST(Conversation, IsAboutWhatIsThere) {
   EXPECT_THAT(sayings(system),
               ElementsAre("Hello.", "It is blue.", "It is to the left of the triangle.",
                           "There are two red things.", "Which red thing do you mean?", "No.",
-                          "There is a small green cube and a small red ball.", "Yes.",
+                          "There is a green cube and a small red ball.", "Yes.",
                           "I do not see a cup.", "Bye."));
   auto dialogue = system.expect_entry("DialogueStructure in communication")
                     ->value.as<communication::DialogueStructure>();
@@ -75,6 +75,35 @@ TEST(Conversation, IsAboutWhatIsPointedAt) {
   EXPECT_THAT(answer_to_what_is_this("-0.16,0.12"), HasSubstr("green cube"));
   EXPECT_EQ(answer_to_what_is_this("0.6,0.6"), "I do not see what you point at.");
   EXPECT_EQ(answer_to_what_is_this(""), "Which thing do you mean?");
+}
+
+TEST(Conversation, LearnsWhatIsClarified) {
+  TestSystem system{
+    playmate_cast(),
+    playmate_options({{"say", "This is a toy. The ball. What colour is the toy? The red thing is a "
+                              "plate. The triangle. What shape is the plate? The red thing is "
+                              "green. The ball. Good bye."}})};
+  system.wait_until("the robot has said good bye", [&] {
+    auto all = sayings(system);
+    return std::ranges::find(all, "Bye.") != all.end();
+  });
+  EXPECT_THAT(sayings(system),
+              ElementsAre("Which thing do you mean?", "Ok.", "It is red.",
+                          "Which red thing do you mean?", "Ok.", "It is a triangle.",
+                          "Which red thing do you mean?", "No, it is red.", "Bye."));
+  system.expect_nobody_else_down();
+}
+
+TEST(Conversation, IsNotCertainOfSizesWithoutACalibration) {
+  TestSystem system{playmate_cast(),
+                    playmate_options({{"source", CASTOR_CONFIGS "/scenes/table.jpg"},
+                                      {"say", "How large is the red cube? Good bye."}})};
+  system.wait_until("the robot has said good bye", [&] {
+    auto all = sayings(system);
+    return std::ranges::find(all, "Bye.") != all.end();
+  });
+  EXPECT_THAT(sayings(system).front(), HasSubstr("I think it is"));
+  system.expect_nobody_else_down();
 }
 
 /// Points elsewhere as soon as the robot has said something.

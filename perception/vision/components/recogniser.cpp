@@ -59,7 +59,7 @@ class Recogniser final : public ManagedComponent {
     after.shape = judge("shape", features.shapes, features);
     SizeOptions size;
     size.large_from = large_from_;
-    after.size = best_of(judge_size(features.extent, size));
+    after.size = best_of(judge_size(features.extent, features.is_extent_assumed, size));
     after.label = {after.colour.value + ' ' + after.shape.value,
                    after.colour.confidence * after.shape.confidence};
     if (features.extent != ObjectBox{}) {

@@ -233,6 +233,29 @@ SurfacePixels surface_pixels(const Image& region, const Image& mask, const Colou
   return surface;
 }
 
+/// By name: those of one family, orange and brown, or grey and white, differ by their
+/// brightness alone.
+constexpr std::array<std::size_t, names> families{0, 1, 2, 3, 4, 5, 6, 7, 1, 8, 9, 8};
+
+/// Adds the powers of the shares that families have of the votes, scaled so that they sum to 1. How
+/// bright a surface would be in white light is not known so well: within a family, the shares stay.
+void add_confidences(const Shares& votes, double exponent, Shares& confidences) {
+  Shares of_family{};
+  for (std::size_t name = 0; name < names; ++name)
+    of_family[families[name]] += votes[name];
+  const double most = *std::max_element(of_family.begin(), of_family.end());
+  Shares powers{};
+  double sum = 0;
+  for (std::size_t name = 0; name < names; ++name) {
+    const double family = of_family[families[name]];
+    if (family > 0)
+      powers[name] = std::pow(family / most, exponent) * votes[name] / family;
+    sum += powers[name];
+  }
+  for (std::size_t name = 0; name < names && sum > 0; ++name)
+    confidences[name] += powers[name] / sum;
+}
+
 } // namespace
 
 const std::vector<std::string>& colour_vocabulary() {
@@ -259,26 +282,28 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
                                     const ColourOptions& options) {
   // So many pixels say as much as all of them.
   constexpr std::size_t enough = 300;
-  Shares votes{};
   const SurfacePixels surface = surface_pixels(region, mask, options);
   if (surface.pixels.empty())
     return {};
   const std::size_t stride = surface.pixels.size() / enough + 1;
+  Shares confidences{};
   for (const double white : surface.whites) {
+    Shares votes{};
     for (std::size_t i = 0; i < surface.pixels.size(); i += stride) {
       const cv::Vec3d colour = paint(surface.pixels[i], white, surface.tint, options);
       const Shares shares = shares_of(colour[0], colour[1], colour[2]);
       for (std::size_t name = 0; name < names; ++name)
         votes[name] += shares[name];
     }
+    add_confidences(votes, options.typical_colours, confidences);
   }
   double sum = 0;
-  for (const double vote : votes)
-    sum += vote;
+  for (const double confidence : confidences)
+    sum += confidence;
   std::vector<Hypothesis> result;
   for (std::size_t name = 0; name < names; ++name) {
-    if (votes[name] > 0)
-      result.push_back({colour_vocabulary()[name], votes[name] / sum});
+    if (confidences[name] > 0)
+      result.push_back({colour_vocabulary()[name], confidences[name] / sum});
   }
   std::stable_sort(result.begin(), result.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.confidence > b.confidence;

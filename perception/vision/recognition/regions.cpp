@@ -46,6 +46,7 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
     features.extent = extent_on_table(*camera, roi.contour, flat).value_or(ObjectBox{});
+    features.is_extent_assumed = camera->is_assumed;
   }
   return features;
 }
@@ -70,7 +71,8 @@ std::vector<Region> find_regions(const Image& image, const Camera* camera,
     region.roi.has_features = true;
     region.colour = best_of(region.roi.features.colours);
     region.shape = best_of(region.roi.features.shapes);
-    region.size = best_of(judge_size(region.roi.features.extent, options.size));
+    region.size = best_of(
+      judge_size(region.roi.features.extent, region.roi.features.is_extent_assumed, options.size));
     regions.push_back(std::move(region));
   }
   return regions;

@@ -20,6 +20,15 @@ constexpr int cells = 4;
 constexpr std::size_t bands = 8;
 constexpr int min_pixels = 12;
 
+/// Least brightness that contrast is relative to, as a share of the ground's: on darker things,
+/// what the rim has of the ground and reflections is more than their shading. All things of CLEVR's
+/// images are brighter than that.
+constexpr double dark_share = 0.4;
+/// Brightness of a ground that is not in the region's box, of 255.
+constexpr double usual_ground = 110;
+/// Where all is dark.
+constexpr double least_unit = 8;
+
 using Mask = cv::Mat_<std::uint8_t>;
 using Brightness = cv::Mat_<float>;
 
@@ -120,6 +129,20 @@ void measure_steps(const std::array<Mean, bands>& profile, double unit,
   result.push_back(total > 0 ? largest / total : 0);
 }
 
+/// Median brightness around the region, within its box.
+double ground_brightness(const Brightness& light, const Mask& mask) {
+  std::vector<float> around;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (mask(y, x) == 0)
+        around.push_back(light(y, x));
+  if (around.size() < static_cast<std::size_t>(min_pixels))
+    return usual_ground;
+  const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+  std::nth_element(around.begin(), middle, around.end());
+  return static_cast<double>(*middle);
+}
+
 void measure_light(const Brightness& light, const Mask& mask, std::vector<double>& result) {
   // The outermost pixels are mixed with the ground.
   Mask framed;
@@ -150,8 +173,7 @@ void measure_light(const Brightness& light, const Mask& mask, std::vector<double
     }
   }
   const double mean = all.value(0);
-  // Black things have no shading to speak of.
-  const double unit = std::max(mean, 8.0);
+  const double unit = std::max({mean, dark_share * ground_brightness(light, mask), least_unit});
   for (const auto& cell : grid)
     result.push_back((cell.value(mean) - mean) / unit);
   result.push_back(std::sqrt(std::max(0.0, squares.value(0) - mean * mean)) / unit);

@@ -75,14 +75,16 @@ std::optional<ObjectBox> extent_on_table(const Camera& camera, std::span<const P
   return flat ? flat_extent(camera, contour) : solid_extent(camera, contour);
 }
 
-std::vector<Hypothesis> judge_size(const ObjectBox& extent, const SizeOptions& options) {
+std::vector<Hypothesis> judge_size(const ObjectBox& extent, bool is_assumed,
+                                   const SizeOptions& options) {
   const double longest = std::max({extent.size.x, extent.size.y, extent.size.z});
   if (longest <= 0)
     return {};
   // A logistic function of the logarithm, scaled so that it is 0.9 at the sure factor.
   const double scaled =
     std::log(9.0) * std::log(longest / options.large_from) / std::log(options.sure_factor);
-  const double large = 1 / (1 + std::exp(-scaled));
+  const double trust = is_assumed ? options.trust_in_assumed : 1;
+  const double large = 0.5 + trust * (1 / (1 + std::exp(-scaled)) - 0.5);
   std::vector<Hypothesis> result{{"large", large}, {"small", 1 - large}};
   if (large < 0.5)
     std::swap(result[0], result[1]);

@@ -27,9 +27,15 @@ struct SizeOptions {
   /// Slope of the confidence: at this factor from that length, the other name has a confidence of
   /// 0.1.
   double sure_factor = 1.3;
+  /// How likely it is that an assumed camera measures lengths well enough; if it does not, both
+  /// names are equally likely.
+  double trust_in_assumed = 0.5;
 };
 
 /// "large" and "small", the likelier first; confidences sum to 1. Nothing for a box without size.
-std::vector<Hypothesis> judge_size(const ObjectBox& extent, const SizeOptions& options = {});
+///
+/// \param is_assumed whether the extent was measured with a camera that is not calibrated.
+std::vector<Hypothesis> judge_size(const ObjectBox& extent, bool is_assumed,
+                                   const SizeOptions& options = {});
 
 } // namespace castor::vision

@@ -169,6 +169,32 @@ TEST(ColourNames, are_less_sure_where_the_light_decides) {
   EXPECT_LT(names.front().confidence, 0.8) << names.front().value;
 }
 
+TEST(ColourNames, AreRightAsOftenAsTheirConfidenceSays) {
+  // Linear; typical paints, such as toys have.
+  const std::pair<const char*, cv::Vec3d> paints[] = {
+    {"red", {0.02, 0.02, 0.45}},   {"orange", {0.02, 0.2, 0.8}},  {"yellow", {0.02, 0.52, 0.72}},
+    {"green", {0.03, 0.22, 0.02}}, {"cyan", {0.31, 0.31, 0.02}},  {"blue", {0.52, 0.05, 0.02}},
+    {"purple", {0.3, 0.03, 0.2}},  {"pink", {0.4, 0.22, 0.87}},   {"brown", {0.02, 0.06, 0.16}},
+    {"grey", {0.19, 0.19, 0.19}},  {"black", {0.02, 0.02, 0.02}}, {"white", {0.83, 0.83, 0.83}},
+  };
+  int sure = 0;
+  int sure_and_right = 0;
+  int all = 0;
+  for (const auto& [name, paint] : paints)
+    for (const auto& ground : {white_sheet, grey_table, brown_wood})
+      for (const double light : {0.6, 0.8, 1.0}) {
+        const auto patch = ball_on(ground, paint, cv::Vec3d::all(light));
+        const auto best = name_colour(patch.region, patch.mask).front();
+        ++all;
+        if (best.confidence < 0.8)
+          continue;
+        ++sure;
+        sure_and_right += best.value == name ? 1 : 0;
+      }
+  EXPECT_GE(sure, all * 0.6);
+  EXPECT_GE(sure_and_right, sure * 0.95);
+}
+
 TEST(ColourNames, ranks_names_and_sums_to_one) {
   const Patch patch = ball({0.1, 0.3, 0.4}, 0.8);
   const auto names = name_colour(patch.region, patch.mask);

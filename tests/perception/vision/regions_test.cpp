@@ -87,6 +87,25 @@ TEST(Regions, are_only_round_where_the_camera_is_not_known) {
   }
 }
 
+TEST(Regions, HaveUncertainSizesWhereTheCameraIsAssumed) {
+  const Camera known = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 480, 360);
+  Camera assumed = known;
+  assumed.is_assumed = true;
+  TabletopSnapshot scene;
+  scene.table.material = TableLook::Material::plain;
+  scene.table.colour = {200, 200, 200};
+  scene.objects = {thing(TabletopShape::cube, {30, 60, 190}, 0, 0, 0.05)};
+  const Image image = render(scene, known);
+  const auto measured = find_regions(image, &known);
+  const auto guessed = find_regions(image, &assumed);
+  ASSERT_EQ(measured.size(), 1U);
+  ASSERT_EQ(guessed.size(), 1U);
+  EXPECT_EQ(measured[0].size.value, "small");
+  EXPECT_GT(measured[0].size.confidence, 0.9);
+  EXPECT_EQ(guessed[0].size.value, "small");
+  EXPECT_LT(guessed[0].size.confidence, 0.8);
+}
+
 TEST(Regions, show_the_pixels_of_their_box) {
   cv::Mat picture(120, 160, CV_8UC3, cv::Scalar::all(180));
   picture.at<cv::Vec3b>(40, 50) = {1, 2, 3};

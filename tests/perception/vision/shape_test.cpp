@@ -163,6 +163,38 @@ int views_called(const std::string& name, TabletopShape shape, const Point3& siz
   return called;
 }
 
+/// A shape drawn on a light ground, a little out of focus.
+cv::Mat drawn(const cv::Scalar& bgr, const std::vector<cv::Point>& corners) {
+  cv::Mat picture(120, 160, CV_8UC3, cv::Scalar::all(200));
+  if (corners.empty())
+    cv::circle(picture, {80, 60}, 24, bgr, cv::FILLED, cv::LINE_AA);
+  else
+    cv::fillConvexPoly(picture, corners, bgr, cv::LINE_AA);
+  cv::GaussianBlur(picture, picture, {}, 1.2);
+  return picture;
+}
+
+TEST(ShapeClassifier, TellsFlatPiecesOfEveryColour) {
+  const std::pair<const char*, cv::Scalar> colours[] = {
+    {"red", {30, 30, 200}},   {"orange", {0, 128, 255}},  {"yellow", {0, 220, 250}},
+    {"green", {40, 150, 30}}, {"blue", {190, 60, 30}},    {"purple", {150, 40, 120}},
+    {"brown", {20, 60, 110}}, {"grey", {120, 120, 120}},  {"black", {0, 0, 0}},
+    {"dark", {20, 20, 20}},   {"white", {255, 255, 255}},
+  };
+  const std::vector<cv::Point> triangle{{80, 28}, {110, 80}, {50, 80}};
+  const std::vector<cv::Point> tilted{{90, 30}, {104, 84}, {52, 66}};
+  for (const auto& [name, bgr] : colours)
+    for (const auto& [corners, shape] :
+         {std::pair(triangle, "triangle"), std::pair(tilted, "triangle"),
+          std::pair(std::vector<cv::Point>{}, "round")}) {
+      const auto regions = find_regions(to_image(drawn(bgr, corners)));
+      ASSERT_EQ(regions.size(), 1U) << name << ' ' << shape;
+      EXPECT_EQ(regions[0].shape.value, shape) << name;
+      const auto& evidence = regions[0].roi.features.shape_evidence;
+      EXPECT_LT(measurement(evidence, "variation"), 0.3) << name << ' ' << shape;
+    }
+}
+
 TEST(ShapeClassifier, tells_rendered_solids) {
   EXPECT_GE(views_called("cube", TabletopShape::cube, {0.07, 0.07, 0.07}), 7);
   EXPECT_GE(views_called("cylinder", TabletopShape::cylinder, {0.06, 0.06, 0.08}), 7);

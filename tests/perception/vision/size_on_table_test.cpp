@@ -61,7 +61,7 @@ TEST(SizeOnTable, has_no_extent_above_the_horizon) {
 
 TEST(SizeOnTable, judges_by_the_longest_side) {
   const auto judge = [](double x, double z) {
-    return judge_size({{}, {x, x, z}}, {.large_from = 0.1});
+    return judge_size({{}, {x, x, z}}, false, {.large_from = 0.1});
   };
   EXPECT_EQ(judge(0.05, 0.08).front().value, "small");
   EXPECT_EQ(judge(0.05, 0.2).front().value, "large");
@@ -69,7 +69,21 @@ TEST(SizeOnTable, judges_by_the_longest_side) {
   EXPECT_GT(judge(0.2, 0.2).front().confidence, judge(0.12, 0.12).front().confidence);
   EXPECT_NEAR(judge(0.1, 0.1).front().confidence, 0.5, 1e-9);
   EXPECT_NEAR(judge(0.13, 0).front().confidence, 0.9, 1e-6);
-  EXPECT_TRUE(judge_size({}).empty());
+  EXPECT_TRUE(judge_size({}, false).empty());
+}
+
+TEST(SizeOnTable, IsNeverCertainWithAnAssumedCamera) {
+  for (const double side : {0.01, 0.05, 0.2, 1.0, 10.0}) {
+    const ObjectBox box{{}, {side, side, side}};
+    const auto measured = judge_size(box, false);
+    const auto assumed = judge_size(box, true);
+    ASSERT_EQ(assumed.size(), 2U);
+    EXPECT_EQ(assumed.front().value, measured.front().value) << side;
+    EXPECT_GT(measured.front().confidence, 0.9) << side;
+    EXPECT_GE(assumed.front().confidence, 0.5) << side;
+    EXPECT_LE(assumed.front().confidence, 0.75) << side;
+    EXPECT_NEAR(assumed.front().confidence + assumed.back().confidence, 1, 1e-9);
+  }
 }
 
 } // namespace
