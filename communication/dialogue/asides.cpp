@@ -15,7 +15,7 @@ namespace castor::communication {
 
 namespace {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 /// In words. Longer ones say something of their own.
 constexpr std::size_t longest_frame = 12;
@@ -39,8 +39,8 @@ std::size_t aside_at_begin(std::span<const std::string> words, const Lexicon& le
   return 0;
 }
 
-Words without_asides(std::span<const std::string> words, const Lexicon& lexicon) {
-  Words result;
+WordList without_asides(std::span<const std::string> words, const Lexicon& lexicon) {
+  WordList result;
   for (std::size_t i = 0; i < words.size();) {
     const auto length = aside_at_begin(words.subspan(i), lexicon);
     if (length == 0 && !(words[i] == "," && (result.empty() || result.back() == ",")))
@@ -93,7 +93,7 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
   return result.unknown > most_unknown ? std::nullopt : std::optional{result};
 }
 
-std::optional<PackedLogicalForm> parsed(Parser& parser, const Words& words) {
+std::optional<PackedLogicalForm> parsed(Parser& parser, const WordList& words) {
   IncrementalParse parse{parser};
   for (auto word : words)
     parse.add(std::move(word));
@@ -107,7 +107,7 @@ std::optional<PackedLogicalForm> parsed(Parser& parser, const Words& words) {
 /// Looks for the part of an utterance that is understood by itself.
 class CoreSearch {
 public:
-  CoreSearch(Parser& parser, const Words& words) : parser_(parser), words_(words) {}
+  CoreSearch(Parser& parser, const WordList& words) : parser_(parser), words_(words) {}
 
   std::optional<PackedLogicalForm> run() {
     for (const auto end : ends())
@@ -191,12 +191,12 @@ private:
   }
 
   Parser& parser_;
-  const Words& words_;
+  const WordList& words_;
 };
 
 } // namespace
 
-std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Words& words) {
+std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const WordList& words) {
   const auto core = without_asides(words, parser.lexicon());
   if (core.empty())
     return std::nullopt;
@@ -206,7 +206,7 @@ std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Wor
   return CoreSearch{parser, words}.run();
 }
 
-std::optional<PackedLogicalForm> reparsed(Parser& parser, const Words& words,
+std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
   if (form.unparsable.empty() && !form.readings.empty())
     return std::nullopt;
