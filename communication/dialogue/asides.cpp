@@ -6,6 +6,7 @@
 #include "castor/communication/parsing/pauses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -56,9 +57,16 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::ranges::find(words, word) != words.end();
 }
 
+/// Whether an unknown word may say where, when or how something is: "underwater", "painted".
+bool may_be_adverb(std::string_view word) {
+  constexpr std::array endings{"ly", "day", "where", "water", "side", "wards", "ing", "ed"};
+  return std::ranges::any_of(endings, [&](auto* ending) { return word.ends_with(ending); });
+}
+
 /// What a part that may be left out consists of.
 struct Frame {
   std::size_t unknown = 0;
+  bool has_adverb = false;
   /// Whether somebody speaks or is spoken to: "I", "your".
   bool has_person = false;
 };
@@ -88,9 +96,12 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
     if (!is_harmless && (lexicon.knows(word) || is_quoted(word)))
       return std::nullopt;
     result.unknown += is_harmless ? 0 : 1;
+    result.has_adverb = result.has_adverb || (!is_harmless && may_be_adverb(word));
     result.has_person = result.has_person || is_person;
   }
-  return result.unknown > most_unknown ? std::nullopt : std::optional{result};
+  if (result.unknown > most_unknown || (result.has_adverb && !result.has_person))
+    return std::nullopt;
+  return result;
 }
 
 std::optional<PackedLogicalForm> parsed(Parser& parser, const WordList& words) {
@@ -102,6 +113,23 @@ std::optional<PackedLogicalForm> parsed(Parser& parser, const WordList& words) {
   if (!form.unparsable.empty() || form.readings.empty())
     return std::nullopt;
   return form;
+}
+
+Nominal root_of(const PackedLogicalForm& form) {
+  const auto parts = unpack(form, form.readings.front().id);
+  const auto* root = find_nominal(parts.front(), parts.front().root);
+  return root == nullptr ? Nominal{} : *root;
+}
+
+/// Whether something is said or asked; a phrase may go on with the sentence before.
+bool is_sentence(const PackedLogicalForm& form) {
+  const auto root = root_of(form);
+  return is_clause(unpack(form, form.readings.front().id).front(), root) ||
+         feature(root, "Mood") == "int" || root.sort == "small-talk";
+}
+
+bool is_request(const PackedLogicalForm& form) {
+  return feature(root_of(form), "Mood") == "imp";
 }
 
 /// Looks for the part of an utterance that is understood by itself.
@@ -145,13 +173,24 @@ private:
   std::vector<std::size_t> begins(std::size_t end) const {
     std::vector<std::size_t> result;
     for (std::size_t i = 1; i < end; ++i)
-      if (auto x = frame(0, i); x && (x->has_person || is_after_pause(i)))
+      if (auto x = frame(0, i);
+          x && (x->has_person || is_after_pause(i)) && !(x->unknown > 0 && is_topic(i, end)))
         result.push_back(i);
     result.push_back(0);
     std::ranges::reverse(result);
     if (result.size() > 2)
       std::ranges::sort(result.begin() + 1, result.end(), std::greater{});
     return result;
+  }
+
+  /// "My zorg, what colour is it?" speaks of the zorg.
+  bool is_topic(std::size_t begin, std::size_t end) const {
+    return is_one_of(words_.front(), {"my", "your", "our"}) && is_after_pause(begin) &&
+           std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       words_.begin() + static_cast<std::ptrdiff_t>(end), [](auto& word) {
+                         return is_one_of(word, {"it", "its", "they", "them", "that", "those",
+                                                 "this", "these", "one", "ones"});
+                       });
   }
 
   std::optional<PackedLogicalForm> core(std::size_t begin, std::size_t end) {
@@ -168,21 +207,15 @@ private:
         return form;
     }
     auto form = parsed(parser_, words);
-    return form && (!is_after_person || is_clause(*form)) ? std::move(form) : std::nullopt;
+    const bool may_be_phrase = !is_after_person && end == words_.size();
+    return form && (may_be_phrase || (is_sentence(*form) && !is_request(*form))) ? std::move(form)
+                                                                                 : std::nullopt;
   }
 
   /// "... whether it is red", "... what colour it is", "... to know the colour of the ball".
   bool is_asked_for(std::size_t begin, std::string_view next) const {
     return is_one_of(next, {"whether", "if", "what", "which", "how", "where", "who"}) ||
            is_one_of(words_[begin - 1], {"know", "learn", "hear", "for", "told"});
-  }
-
-  /// Something that is said or asked, and no thing or request.
-  static bool is_clause(const PackedLogicalForm& form) {
-    const auto parts = unpack(form, form.readings.front().id);
-    const auto* root = find_nominal(parts.front(), parts.front().root);
-    return root != nullptr && feature(*root, "Mood") != "imp" &&
-           (communication::is_clause(parts.front(), *root) || feature(*root, "Mood") == "int");
   }
 
   void note_left_out(std::size_t begin, std::size_t end, PackedLogicalForm& form) const {
@@ -210,7 +243,8 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
   if (form.unparsable.empty() && !form.readings.empty())
     return std::nullopt;
-  if (auto result = parsed_with_pause(parser, words, form))
+  // "Any of them a ball" is no list of two phrases.
+  if (auto result = parsed_with_pause(parser, words, form); result && is_sentence(*result))
     return result;
   return parsed_without_asides(parser, words);
 }

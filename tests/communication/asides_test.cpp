@@ -84,7 +84,10 @@ TEST(Asides, WhatMayMatterIsNotLeftOut) {
         "Yesterday, is the cube red?", "If I take away the discs, how many things are left?",
         "I wish there was a cube.", "I never said the cube is red.", "Is the cube heavy?",
         "Is the cube red, unless you moved it?", "Wooden things are red.",
-        "Does my friend see the cube?", "I painted the cube."})
+        "Does my friend see the cube?", "I painted the cube.", "My zorg, what colour is it?",
+        "Except for you, who is red?", "Suppose you moved it, where is the cube?",
+        "Nobody tells me that the cube is red.", "Underwater, is there a cube?",
+        "Those cubes, I adore.", "Forgive me, is the zorg red?"})
     EXPECT_EQ(left_out(said), "not understood") << said;
 }
 
