@@ -2,7 +2,7 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/parser.hpp"
-#include "castor/communication/parsing/pauses.hpp"
+#include "castor/communication/parsing/chatter.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
@@ -87,8 +87,8 @@ class UtteranceParser final : public UnmanagedComponent {
     }
     parse.finish();
     auto form = parse.form();
-    if (auto with_pause = parsed_with_pause(*parser_, words, form))
-      form = std::move(*with_pause);
+    if (auto other = parsed_otherwise(*parser_, words, form))
+      form = std::move(*other);
     form.corrections = corrections;
     return tell(address, std::move(form), *utterance);
   }

@@ -23,7 +23,7 @@ bool ends_with(const std::string& word, std::string_view end) {
 }
 
 /// Contractions as people type them in a hurry, and what they stand for.
-constexpr std::array<std::array<std::string_view, 3>, 14> hasty{{{"isnt", "is", "n't"},
+constexpr std::array<std::array<std::string_view, 3>, 18> hasty{{{"isnt", "is", "n't"},
                                                                  {"arent", "are", "n't"},
                                                                  {"doesnt", "does", "n't"},
                                                                  {"dont", "do", "n't"},
@@ -36,9 +36,25 @@ constexpr std::array<std::array<std::string_view, 3>, 14> hasty{{{"isnt", "is", 
                                                                  {"whos", "who", "'s"},
                                                                  {"im", "i", "'m"},
                                                                  {"theyre", "they", "'re"},
-                                                                 {"youre", "you", "'re"}}};
+                                                                 {"youre", "you", "'re"},
+                                                                 {"gimme", "give", "me"},
+                                                                 {"lemme", "let", "me"},
+                                                                 {"wanna", "want", "to"},
+                                                                 {"num", "number", "of"}}};
+
+/// Words as people write them in messages, and what they stand for.
+constexpr std::array<std::array<std::string_view, 2>, 7> short_words{{{"r", "are"},
+                                                                      {"u", "you"},
+                                                                      {"ur", "your"},
+                                                                      {"obj", "object"},
+                                                                      {"objs", "objects"},
+                                                                      {"wat", "what"},
+                                                                      {"wich", "which"}}};
 
 void append_word(std::string word, std::vector<std::string>& words) {
+  if (const auto* whole = std::ranges::find(short_words, word, [](auto& x) { return x.front(); });
+      whole != short_words.end())
+    word = whole->back();
   const auto contraction =
     std::find_if(hasty.begin(), hasty.end(), [&word](auto& x) { return x.front() == word; });
   if (contraction != hasty.end()) {

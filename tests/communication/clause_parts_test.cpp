@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
+#include "castor/communication/parsing/chatter.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/parsing/pauses.hpp"
@@ -69,6 +70,12 @@ TEST(ClauseParts, ShortQuestionsAreAboutTheClauseBefore) {
   // There is one, and it is known.
   EXPECT_EQ(after("Is the ball red?", "Which one?"), "nothing");
   EXPECT_EQ(after("Hello.", "Which one?"), "nothing");
+  // What something is not so of.
+  EXPECT_NE(after("Is everything red?", "Which one isn't?").find("<Polarity>neg"),
+            std::string::npos);
+  EXPECT_EQ(after("Which balls are not red?", "Which are not?").find("<Polarity>neg"),
+            std::string::npos);
+  EXPECT_EQ(after("Is there a ball?", "Which one isn't?"), "nothing");
 }
 
 TEST(Pauses, MayBeLeftOut) {
@@ -82,6 +89,56 @@ TEST(Pauses, MayBeLeftOut) {
   EXPECT_TRUE(understood("the green cube is it large"));
   EXPECT_FALSE(understood("the ball of of"));
   EXPECT_FALSE(understood("of"));
+}
+
+namespace {
+
+/// What is left of an utterance without chatter, as words; all of it if it has none.
+std::string core_of(const std::string& text) {
+  const auto words = words_of(text);
+  std::string result;
+  for (auto& word : without_chatter(words, clause_parser().lexicon()).value_or(words))
+    result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+} // namespace
+
+TEST(Chatter, IsLeftOutAroundAQuestion) {
+  EXPECT_EQ(core_of("Forgive me for asking, but is the ball red?"), "is the ball red");
+  EXPECT_EQ(core_of("According to my notes, there is a ball."), "there is a ball");
+  EXPECT_EQ(core_of("If you don't mind, is the ball red?"), "is the ball red");
+  EXPECT_EQ(core_of("Is the ball red, if I may ask?"), "is the ball red");
+  EXPECT_EQ(core_of("Robbie, is the ball red?"), "is the ball red");
+}
+
+TEST(Chatter, IsLeftOutBeforeAQuestionWithinASentence) {
+  EXPECT_EQ(core_of("I'd be grateful to know the size of the ball."),
+            "tell me the size of the ball");
+  EXPECT_EQ(core_of("I wonder if you might tell me how many balls there are."),
+            "tell me how many balls there are");
+  EXPECT_EQ(core_of("Sources tell me that the ball is red."), "the ball is red");
+}
+
+TEST(Chatter, WhatMayMeanSomethingIsKept) {
+  for (const auto* text :
+       {"if I take away the discs , how many things are there", "except for you , who is red",
+        "suppose you moved it , where is the ball", "if you took it away , what is left",
+        "nobody tells me that the ball is red", "I doubt that the ball is red",
+        "my zorg , what colour is it", "on the left , is there a ball"}) {
+    const auto words = words_of(text);
+    EXPECT_EQ(without_chatter(words, clause_parser().lexicon()), std::nullopt) << text;
+  }
+}
+
+TEST(Chatter, OnlySentencesAreUnderstoodWithoutIt) {
+  const auto understood = [](const std::string& text) {
+    return parsed_otherwise(clause_parser(), words_of(text), clause_parser().parse(text))
+      .has_value();
+  };
+  EXPECT_TRUE(understood("Forgive me, is the ball red?"));
+  EXPECT_FALSE(understood("Those balls, I adore."));
+  EXPECT_FALSE(understood("Forgive me, is the zorg red?"));
 }
 
 } // namespace castor::communication

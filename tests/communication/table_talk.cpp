@@ -6,7 +6,7 @@
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/packing.hpp"
-#include "castor/communication/parsing/pauses.hpp"
+#include "castor/communication/parsing/chatter.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
@@ -45,8 +45,8 @@ Reply TableTalk::say_sentence(const std::string& text) {
     parse.add(word);
   parse.finish();
   auto form = parse.form();
-  if (auto with_pause = parsed_with_pause(parser, words, form))
-    form = std::move(*with_pause);
+  if (auto other = parsed_otherwise(parser, words, form))
+    form = std::move(*other);
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
   Reply reply;
