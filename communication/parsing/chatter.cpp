@@ -47,7 +47,7 @@ constexpr std::array attitudes{"believe",   "believes", "suppose", "think",  "th
 /// What makes an attitude none, or the opposite.
 constexpr std::array denials{"not",   "n't",   "never", "no",    "nobody", "hardly",
                              "doubt", "wrong", "false", "would", "if",     "did",
-                             "do",    "does",  "hope",  "wish",  "was"};
+                             "do",    "does",  "hope",  "wish",  "was",    "used"};
 
 /// WordList before a question within a sentence or before the quality that is asked for.
 constexpr std::array transfers{"know",    "tell", "me",     "us",        "ask",  "learn",  "hear",
@@ -111,9 +111,14 @@ bool is_chatter(std::span<const std::string> part, const Lexicon& lexicon) {
   return has_any_of(part, persons) || is_among(part.front(), openers);
 }
 
+/// Endings of words that say where, when or how rather than who.
+constexpr std::array adverb_endings{"ly", "day", "where", "water", "side", "wards", "ing", "ed"};
+
 /// Somebody who is spoken to, by a name that is not known.
 bool is_name(std::span<const std::string> part, const Lexicon& lexicon) {
-  return part.size() == 1 && !lexicon.knows(part.front());
+  return part.size() == 1 && !lexicon.knows(part.front()) &&
+         std::ranges::none_of(adverb_endings,
+                              [&](auto* ending) { return part.front().ends_with(ending); });
 }
 
 std::vector<WordList> parts_of(const WordList& words) {

@@ -125,7 +125,8 @@ TEST(Chatter, WhatMayMeanSomethingIsKept) {
        {"if I take away the discs , how many things are there", "except for you , who is red",
         "suppose you moved it , where is the ball", "if you took it away , what is left",
         "nobody tells me that the ball is red", "I doubt that the ball is red",
-        "my zorg , what colour is it", "on the left , is there a ball"}) {
+        "underwater , is there a ball", "my zorg , what colour is it",
+        "on the left , is there a ball"}) {
     const auto words = words_of(text);
     EXPECT_EQ(without_chatter(words, clause_parser().lexicon()), std::nullopt) << text;
   }

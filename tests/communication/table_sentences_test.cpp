@@ -81,8 +81,8 @@ TEST_P(SentencesLookedAt, AreAnsweredRightOrNotAtAll) {
 INSTANTIATE_TEST_SUITE_P(TableSentences, SentencesLookedAt,
                          testing::Values(std::pair{std::string{"dev"}, std::size_t{224}},
                                          std::pair{std::string{"visitors_dev"}, std::size_t{169}},
-                                         std::pair{std::string{"dev_2"}, std::size_t{111}},
-                                         std::pair{std::string{"visitors_dev_2"}, std::size_t{111}},
-                                         std::pair{std::string{"guests_dev"}, std::size_t{149}}));
+                                         std::pair{std::string{"dev_2"}, std::size_t{112}},
+                                         std::pair{std::string{"visitors_dev_2"}, std::size_t{112}},
+                                         std::pair{std::string{"guests_dev"}, std::size_t{150}}));
 
 } // namespace castor::communication::test
