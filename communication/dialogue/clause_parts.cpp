@@ -194,7 +194,11 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
     return std::nullopt;
   const auto name = topic->name;
   const bool is_about_known = is_definite(*topic);
-  const bool asks_which = word == "which" || word == "how-many";
+  // "Is everything red? Which one isn't?"
+  const bool asks_for_others = word == "which-not";
+  if (asks_for_others && root->sort != "ascription")
+    return std::nullopt;
+  const bool asks_which = word == "which" || word == "how-many" || asks_for_others;
   if (asks_which && is_about_known && !is_plural(*topic))
     return std::nullopt;
   auto& asked = *find_nominal(before, name);
@@ -219,6 +223,12 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
   for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
     erase_feature(*root, what);
   root->features.push_back({"Mood", "int"});
+  if (asks_for_others) {
+    const bool was_negated = is_negated(*root);
+    erase_feature(*root, "Polarity");
+    if (!was_negated)
+      root->features.push_back({"Polarity", "neg"});
+  }
   erase_relation(*root, "Wh-Restr");
   root->relations.push_back({"Wh-Restr", name});
   if (word == "how-many") {

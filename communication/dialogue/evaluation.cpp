@@ -309,6 +309,14 @@ Truth Evaluation::collectively(const Nominal& subject, const Nominal& comparison
           result, both(fits(other, subject), shares(things.front(), other, quality.proposition)));
     return result;
   }
+  // "Is the ball the same colour?", as what was spoken of.
+  if (things.size() == 1 && subject.sort == "thing" && !is_plural(subject)) {
+    const auto others = antecedents_of(comparison.name);
+    if (others.size() != 1 || others.front() == things.front())
+      not_understood(comparison.proposition);
+    const auto shared = shares(things.front(), others.front(), quality.proposition);
+    return same ? shared : negation(shared);
+  }
   for (std::size_t i = 0; i < things.size(); ++i)
     for (std::size_t k = i + 1; k < things.size(); ++k) {
       auto shared = Truth::unknown;

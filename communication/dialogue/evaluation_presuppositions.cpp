@@ -18,6 +18,12 @@ void Evaluation::check_presuppositions() {
   // What is spoken of may be in whatever container is spoken of.
   if (has_containers())
     return;
+  // "It is a ball, and the green one is not" says nothing of a ball that the green one is not.
+  for (auto& x : form_.nominals)
+    if (const auto* relative = dependent(form_, x, "GenRelation");
+        relative != nullptr && is_negated(*relative) &&
+        dependent(form_, *relative, "Cop-Scope") == &x)
+      not_understood("not");
   std::vector<std::pair<const Nominal*, Fitting>> phrases;
   // What the sentence is about comes first.
   std::vector<std::string> names;

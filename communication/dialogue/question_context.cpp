@@ -77,7 +77,7 @@ public:
 
   /// \returns whether there is such a place
   bool run() {
-    if (contrast())
+    if (other_quality() || contrast())
       return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
@@ -106,6 +106,16 @@ private:
       for (auto& relation : from.relations)
         if (relation.mode == "Quantity" || relation.mode == "PartOf")
           fragment->relations.push_back(relation);
+  }
+
+  /// "The colour of the cube? And the size?"
+  bool other_quality() {
+    auto* root = find_nominal(form_, form_.root);
+    if (root == nullptr || root->sort != "quality" || fragment_.sort != "quality" ||
+        !fragment_.relations.empty())
+      return false;
+    root->proposition = fragment_.proposition;
+    return true;
   }
 
   /// "How many things are white? And brown ones?" asks how many are brown, "how many things are

@@ -90,14 +90,22 @@ Response Responder::to_question_w() {
     return where(other);
   if (is_quality(asked))
     return quality(asked, other);
-  if (asked.sort == "entity" && is_quality(other)) {
-    // "What is the colour of the ball?"
+  if ((asked.sort == "entity" || asked.proposition == "one") && is_quality(other) &&
+      dependent(form_, other, "Owner") != nullptr) {
+    // "What is the colour of the ball?", "which is the colour of the ball?"
     return owned_quality(other);
   }
   // "What is the ball made of?"
   if (other.sort == "composition" || restriction->sort == "composition" ||
       scope->sort == "composition")
     throw Uninterpretable{Uninterpretable::Reason::word, "made of"};
+  // "What is not a cube?"
+  if (asks_for_scope && is_negated(root()) && other.sort == "thing" && !is_definite(other)) {
+    Fitting others;
+    for (auto& id : scene_.things())
+      others.add(id, negation(evaluation_.is(id, other)));
+    return list(others.best());
+  }
   // "What is this?", "which is the largest thing?"
   if (asked.sort == "entity" && other.sort == "thing" && !is_negated(root()) &&
       (is_definite(other) || asks_for_scope))
@@ -115,6 +123,10 @@ Response Responder::values_seen(const Nominal& asked) {
       throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
+  // "Which colour is there most of?"
+  if (const auto* subject = dependent(form_, root(), "Subject"); subject != &asked)
+    throw Uninterpretable{Uninterpretable::Reason::word,
+                          subject == nullptr ? asked.proposition : subject->proposition};
   std::vector<std::string> values;
   for (auto& id : scene_.things()) {
     auto words = scene_.words(id, *kind);
@@ -204,6 +216,9 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   auto kind = kind_of_quality(name);
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, name};
+  // "What colour do most things have?" is no question of what all of them are.
+  if (const auto part = feature(of, "Delimitation"); part == "most" || part == "half")
+    throw Uninterpretable{Uninterpretable::Reason::unknown, of.name};
   Things things;
   if (of.sort == "conjunction")
     things = evaluation_.members(of);

@@ -75,6 +75,9 @@ Antecedents antecedents_in(const LogicalForm& form,
       found = latest_of_any_number(moves);
       if (auto all = found.size() == 1 ? set_with(moves, found.front()) : Proxies{}; !all.empty())
         result.emplace(x.name + std::string{chosen_from}, std::move(all));
+    } else if (x.sort == "comparison" && dependent(form, x, "Than") == nullptr) {
+      // "Is the ball the same colour?"
+      found = latest(moves, false);
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));

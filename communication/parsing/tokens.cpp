@@ -23,7 +23,7 @@ bool ends_with(const std::string& word, std::string_view end) {
 }
 
 /// What people type in a hurry, and the one or two words that it stands for.
-constexpr std::array<std::array<std::string_view, 3>, 27> hasty{
+constexpr std::array<std::array<std::string_view, 3>, 32> hasty{
   {{"isnt", "is", "n't"},     {"arent", "are", "n't"},   {"doesnt", "does", "n't"},
    {"dont", "do", "n't"},     {"didnt", "did", "n't"},   {"cant", "can", "n't"},
    {"whats", "what", "'s"},   {"wheres", "where", "'s"}, {"theres", "there", "'s"},
@@ -32,7 +32,9 @@ constexpr std::array<std::array<std::string_view, 3>, 27> hasty{
    {"u", "you", ""},          {"ur", "your", ""},        {"wasnt", "was", "n't"},
    {"wont", "wo", "n't"},     {"hows", "how", "'s"},     {"ive", "i", "'ve"},
    {"theyve", "they", "'ve"}, {"gimme", "give", "me"},   {"lemme", "let", "me"},
-   {"wanna", "want", "to"},   {"pls", "please", ""},     {"plz", "please", ""}}};
+   {"wanna", "want", "to"},   {"pls", "please", ""},     {"plz", "please", ""},
+   {"num", "number", "of"},   {"obj", "object", ""},     {"objs", "objects", ""},
+   {"wat", "what", ""},       {"wich", "which", ""}}};
 
 void append_word(std::string word, std::vector<std::string>& words) {
   const auto contraction =

@@ -69,6 +69,12 @@ TEST(ClauseParts, ShortQuestionsAreAboutTheClauseBefore) {
   // There is one, and it is known.
   EXPECT_EQ(after("Is the ball red?", "Which one?"), "nothing");
   EXPECT_EQ(after("Hello.", "Which one?"), "nothing");
+  // What something is not so of.
+  EXPECT_NE(after("Is everything red?", "Which one isn't?").find("<Polarity>neg"),
+            std::string::npos);
+  EXPECT_EQ(after("Which balls are not red?", "Which are not?").find("<Polarity>neg"),
+            std::string::npos);
+  EXPECT_EQ(after("Is there a ball?", "Which one isn't?"), "nothing");
 }
 
 TEST(Pauses, MayBeLeftOut) {
