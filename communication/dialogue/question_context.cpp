@@ -258,6 +258,8 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
       result.move.alternatives.clear();
       result.move.type = dialogue_move_type(result.move.content);
       result.antecedents = clause_->antecedents;
+      for (auto& [name, proxies] : antecedents)
+        result.antecedents.insert_or_assign(std::string{said_now} + name, proxies);
       return result;
     }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())

@@ -91,6 +91,11 @@ Antecedents antecedents_in(const LogicalForm& form,
 Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history) {
   const auto moves = recent(history);
   auto result = antecedents_in(move.content, moves);
+  // "Are they all red?", before anything else was said, is about all there is.
+  if (history.empty())
+    for (auto& x : move.content.nominals)
+      if (x.proposition == "they" && is_pronoun(x))
+        result.emplace(x.name + std::string{first_spoken_of}, Proxies{});
   for (auto& alternative : move.alternatives)
     result.merge(antecedents_in(alternative, moves));
   return result;
