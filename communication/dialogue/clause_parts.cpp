@@ -189,12 +189,6 @@ std::optional<LogicalForm> so_of(const LogicalForm& elliptical, const Nominal& s
   if (is_same && (asked != nullptr || is_plural(*other) != is_plural(*subject)))
     return std::nullopt;
   const auto name = is_same ? subject->name : std::string{said_now} + other->name;
-  for (auto x : part_of(elliptical, other->name).nominals) {
-    x.name.insert(0, said_now);
-    for (auto& relation : x.relations)
-      relation.dependent.insert(0, said_now);
-    before.nominals.push_back(std::move(x));
-  }
   set_polarity(before, true);
   auto& clause = *find_nominal(before, before.root);
   for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
@@ -203,6 +197,17 @@ std::optional<LogicalForm> so_of(const LogicalForm& elliptical, const Nominal& s
   erase_relation(clause, "Wh-Restr");
   erase_relation(clause, "Cop-Restr");
   clause.relations.push_back({"Cop-Restr", name});
+  if (is_same)
+    return before;
+  // What was said of another thing before has the same names.
+  before.nominals = part_of(before, before.root).nominals;
+  std::erase_if(before.nominals, [](auto& x) { return x.name.starts_with(said_now); });
+  for (auto x : part_of(elliptical, other->name).nominals) {
+    x.name.insert(0, said_now);
+    for (auto& relation : x.relations)
+      relation.dependent.insert(0, said_now);
+    before.nominals.push_back(std::move(x));
+  }
   return before;
 }
 
@@ -223,6 +228,19 @@ std::optional<LogicalForm> next_in_order(LogicalForm before) {
     return before;
   }
   return std::nullopt;
+}
+
+/// "Not the ball, the disc", "the disc, not the ball": the disc.
+void leave_out_denied(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root->sort != "conjunction" || root->proposition == "or" || root->proposition == "nor")
+    return;
+  const auto* first = dependent(form, *root, "First");
+  const auto* next = dependent(form, *root, "Next");
+  if (first == nullptr || next == nullptr || first->sort != "thing" || next->sort != "thing" ||
+      is_negated(*first) == is_negated(*next))
+    return;
+  form = part_of(form, is_negated(*first) ? next->name : first->name);
 }
 
 } // namespace
@@ -253,6 +271,7 @@ LogicalForm reunited(LogicalForm form) {
   if (find_nominal(form, form.root) == nullptr)
     return form;
   join_lists(form);
+  leave_out_denied(form);
   place_relative_clause(form);
   place_alternatives(form);
   place_exception(form);

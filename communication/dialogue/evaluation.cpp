@@ -6,6 +6,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace castor::communication {
@@ -142,8 +143,14 @@ Truth Evaluation::has(const std::string& id, const Nominal& scope) {
     return compares(id, scope);
   // "A ball in front of it and a cube behind it".
   if (scope.sort == "conjunction" && !is_container(id)) {
-    const auto first = has(id, need(scope, "First"));
-    const auto next = has(id, need(scope, "Next"));
+    const auto& last = need(scope, "Next");
+    // "The ball or the cube behind it": both behind it.
+    auto same_place = need(scope, "First");
+    if (dependent(form_, same_place, "Location") == nullptr)
+      std::ranges::copy_if(last.relations, std::back_inserter(same_place.relations),
+                           [](auto& relation) { return relation.mode == "Location"; });
+    const auto first = has(id, same_place);
+    const auto next = has(id, last);
     if (scope.proposition == "nor")
       return both(negation(first), negation(next));
     return scope.proposition == "or" ? either(first, next) : both(first, next);

@@ -98,9 +98,12 @@ Response Responder::to_question_w() {
   if (other.sort == "composition" || restriction->sort == "composition" ||
       scope->sort == "composition")
     throw Uninterpretable{Uninterpretable::Reason::word, "made of"};
+  // "Which thing has the cube behind it?" does not ask what the cube has.
+  if (root().proposition == "have" && asks_for_scope)
+    throw Uninterpretable{Uninterpretable::Reason::word, "have"};
   // "What is this?", "which is the largest thing?"
   if (asked.sort == "entity" && other.sort == "thing" && !is_negated(root()) &&
-      (is_definite(other) || asks_for_scope))
+      root().proposition == "be" && (is_definite(other) || asks_for_scope))
     return what(other);
   return about(asked);
 }
