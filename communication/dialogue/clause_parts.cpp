@@ -148,6 +148,101 @@ void complete_by_preface(LogicalForm& form) {
     form = std::move(*whole);
 }
 
+/// "Which are?" and "which are not?" ask for those of which what was said is so, or is not.
+constexpr std::string_view so = "-so";
+constexpr std::string_view not_so = "-not";
+
+/// \returns whether the form says something of something
+bool set_polarity(LogicalForm& form, bool is_positive) {
+  auto& root = *find_nominal(form, form.root);
+  const auto* scope = dependent(form, root, "Cop-Scope");
+  if (root.sort != "ascription" || scope == nullptr)
+    return false;
+  erase_feature(root, "Polarity");
+  erase_feature(*find_nominal(form, scope->name), "Polarity");
+  if (!is_positive)
+    root.features.push_back({"Polarity", "neg"});
+  return true;
+}
+
+/// Puts some of those in the place of what a clause is about.
+const Nominal& one_of(LogicalForm& form, const std::string& all) {
+  const std::string name = "one-of-" + all;
+  for (auto& relation : find_nominal(form, form.root)->relations)
+    if (relation.dependent == all)
+      relation.dependent = name;
+  form.nominals.push_back({name, "thing", "one", {{"Number", "pl"}}, {{"PartOf", all}}});
+  return form.nominals.back();
+}
+
+/// "Is the ball red? Is the cube?" asks of the cube whether it is so.
+std::optional<LogicalForm> so_of(const LogicalForm& elliptical, const Nominal& said,
+                                 LogicalForm before) {
+  const auto* root = find_nominal(before, before.root);
+  const auto* subject = dependent(before, *root, "Cop-Restr");
+  const auto* scope = dependent(before, *root, "Cop-Scope");
+  const auto* asked = dependent(before, *root, "Wh-Restr");
+  const auto* other = dependent(elliptical, said, "Subject");
+  if (subject == nullptr || scope == nullptr || other == nullptr || asked == scope)
+    return std::nullopt;
+  const bool is_same = is_pronoun(*other);
+  if (is_same && (asked != nullptr || is_plural(*other) != is_plural(*subject)))
+    return std::nullopt;
+  const auto name = is_same ? subject->name : std::string{said_now} + other->name;
+  set_polarity(before, true);
+  auto& clause = *find_nominal(before, before.root);
+  for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
+    erase_feature(clause, what);
+  clause.features.push_back({"Mood", "int"});
+  erase_relation(clause, "Wh-Restr");
+  erase_relation(clause, "Cop-Restr");
+  clause.relations.push_back({"Cop-Restr", name});
+  if (is_same)
+    return before;
+  // What was said of another thing before has the same names.
+  before.nominals = part_of(before, before.root).nominals;
+  std::erase_if(before.nominals, [](auto& x) { return x.name.starts_with(said_now); });
+  for (auto x : part_of(elliptical, other->name).nominals) {
+    x.name.insert(0, said_now);
+    for (auto& relation : x.relations)
+      relation.dependent.insert(0, said_now);
+    before.nominals.push_back(std::move(x));
+  }
+  return before;
+}
+
+/// "What is the leftmost thing? And what comes next?" asks for the second one.
+std::optional<LogicalForm> next_in_order(LogicalForm before) {
+  for (auto& x : before.nominals) {
+    if (x.sort != "selection")
+      continue;
+    const auto* rank = dependent(before, x, "Rank");
+    const auto current = rank == nullptr ? 1 : rank_of_word(rank->proposition).value_or(0);
+    const auto word = current == 0 ? std::string{} : rank_word(current + 1);
+    if (word.empty())
+      return std::nullopt;
+    const auto name = "next-rank-" + word;
+    erase_relation(x, "Rank");
+    x.relations.push_back({"Rank", name});
+    before.nominals.push_back({name, "number", word, {}, {}});
+    return before;
+  }
+  return std::nullopt;
+}
+
+/// "Not the ball, the disc", "the disc, not the ball": the disc.
+void leave_out_denied(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root->sort != "conjunction" || root->proposition == "or" || root->proposition == "nor")
+    return;
+  const auto* first = dependent(form, *root, "First");
+  const auto* next = dependent(form, *root, "Next");
+  if (first == nullptr || next == nullptr || first->sort != "thing" || next->sort != "thing" ||
+      is_negated(*first) == is_negated(*next))
+    return;
+  form = part_of(form, is_negated(*first) ? next->name : first->name);
+}
+
 } // namespace
 
 std::vector<LogicalForm> questions_in(const LogicalForm& form) {
@@ -176,6 +271,7 @@ LogicalForm reunited(LogicalForm form) {
   if (find_nominal(form, form.root) == nullptr)
     return form;
   join_lists(form);
+  leave_out_denied(form);
   place_relative_clause(form);
   place_alternatives(form);
   place_exception(form);
@@ -185,20 +281,35 @@ LogicalForm reunited(LogicalForm form) {
 }
 
 std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm before) {
-  const auto word = find_nominal(elliptical, elliptical.root)->proposition;
+  const auto& said = *find_nominal(elliptical, elliptical.root);
+  auto word = said.proposition;
   auto* root = find_nominal(before, before.root);
   if (root == nullptr || (root->sort != "existence" && root->sort != "ascription"))
     return std::nullopt;
+  if (word == "so")
+    return so_of(elliptical, said, std::move(before));
+  if (word == "next")
+    return next_in_order(std::move(before));
+  // "How many are red? And how many are not?"
+  for (const auto end : {so, not_so})
+    if (word.ends_with(end)) {
+      if (!set_polarity(before, end == so))
+        return std::nullopt;
+      word.erase(word.size() - end.size());
+    }
   const auto* topic = topic_of(before, *root);
-  if (topic == nullptr || is_pronoun(*topic) || is_the_table(*topic))
+  if (topic == nullptr || is_the_table(*topic))
     return std::nullopt;
+  const bool asks_which = word == "which" || word == "how-many";
+  // "Are they both blue? Which one isn't?"
+  if (is_pronoun(*topic)) {
+    if (!asks_which || !is_plural(*topic))
+      return std::nullopt;
+    topic = &one_of(before, topic->name);
+    root = find_nominal(before, before.root);
+  }
   const auto name = topic->name;
   const bool is_about_known = is_definite(*topic);
-  // "Is everything red? Which one isn't?"
-  const bool asks_for_others = word == "which-not";
-  if (asks_for_others && root->sort != "ascription")
-    return std::nullopt;
-  const bool asks_which = word == "which" || word == "how-many" || asks_for_others;
   if (asks_which && is_about_known && !is_plural(*topic))
     return std::nullopt;
   auto& asked = *find_nominal(before, name);
@@ -223,12 +334,6 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
   for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
     erase_feature(*root, what);
   root->features.push_back({"Mood", "int"});
-  if (asks_for_others) {
-    const bool was_negated = is_negated(*root);
-    erase_feature(*root, "Polarity");
-    if (!was_negated)
-      root->features.push_back({"Polarity", "neg"});
-  }
   erase_relation(*root, "Wh-Restr");
   root->relations.push_back({"Wh-Restr", name});
   if (word == "how-many") {

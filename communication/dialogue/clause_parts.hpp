@@ -17,13 +17,18 @@ LogicalForm reunited(LogicalForm form);
 /// preface; empty for other forms.
 std::vector<LogicalForm> questions_in(const LogicalForm& form);
 
-/// Whether nothing but the question word is said: "which one", "how many", "where".
+/// Whether nothing but the question word or the subject is said: "which one", "how many", "where",
+/// "is the cube".
 bool is_elliptical(const LogicalForm& form);
+
+/// Before the names of the nominals of an elliptical question in what it asks.
+inline constexpr std::string_view said_now = "now-";
 
 /// What an elliptical question asks about the clause before it; nothing if that speaks of nothing
 /// that could be asked for.
 ///
-/// \returns `before`, as a question; its nominals keep their names
+/// \returns `before`, as a question; its nominals keep their names, and those of the elliptical
+/// question follow `said_now`
 std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm before);
 
 } // namespace castor::communication

@@ -15,6 +15,8 @@ namespace {
 constexpr std::array number_words{"zero", "one",   "two",   "three", "four", "five",
                                   "six",  "seven", "eight", "nine",  "ten"};
 
+constexpr std::array rank_words{"first", "second", "third", "fourth", "fifth"};
+
 Nominal& root_of(LogicalForm& form) {
   return *std::find_if(form.nominals.begin(), form.nominals.end(),
                        [&form](const Nominal& nominal) { return nominal.name == form.root; });
@@ -111,6 +113,17 @@ std::optional<std::size_t> number_of_word(std::string_view word) {
   if (found == number_words.end())
     return std::nullopt;
   return static_cast<std::size_t>(found - number_words.begin());
+}
+
+std::string rank_word(std::size_t rank) {
+  return rank > 0 && rank <= rank_words.size() ? rank_words[rank - 1] : "";
+}
+
+std::optional<std::size_t> rank_of_word(std::string_view word) {
+  const auto found = std::ranges::find(rank_words, word);
+  if (found == rank_words.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(found - rank_words.begin()) + 1;
 }
 
 LogicalForm counted(std::size_t count, LogicalForm thing) {

@@ -46,6 +46,12 @@ std::string number_word(std::size_t number);
 /// 2 for "two"; nothing for what is no such word.
 std::optional<std::size_t> number_of_word(std::string_view word);
 
+/// "Third" for 3; empty for what there is no word for.
+std::string rank_word(std::size_t rank);
+
+/// 3 for "third"; nothing for what is no such word.
+std::optional<std::size_t> rank_of_word(std::string_view word);
+
 /// "Two balls"; "no balls" for 0.
 LogicalForm counted(std::size_t count, LogicalForm thing);
 

@@ -303,6 +303,13 @@ bool is_anaphoric(const Nominal& nominal) {
          is_general_noun(nominal.proposition);
 }
 
+bool is_about_others(const LogicalForm& form, const Nominal& x) {
+  return std::ranges::any_of(x.relations, [&form](auto& relation) {
+    const auto* property = find_nominal(form, relation.dependent);
+    return relation.mode == "Property" && property != nullptr && property->proposition == "other";
+  });
+}
+
 bool is_whole(const LogicalForm& form, const Nominal& nominal) {
   return std::ranges::any_of(form.nominals, [&nominal](auto& x) {
     return std::ranges::any_of(x.relations, [&nominal](auto& relation) {

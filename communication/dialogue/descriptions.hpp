@@ -44,6 +44,9 @@ bool is_deictic(const Nominal& nominal);
 /// The place of the word in its sentence that introduced a nominal, by its name: 3 for "w3".
 std::size_t place_of_word(const Nominal& nominal);
 
+/// "The others", "the other ball".
+bool is_about_others(const LogicalForm& form, const Nominal& nominal);
+
 /// Whether parts of it are spoken of: "these" in "how many of these".
 bool is_whole(const LogicalForm& form, const Nominal& nominal);
 

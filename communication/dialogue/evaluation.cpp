@@ -6,6 +6,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace castor::communication {
@@ -125,6 +126,11 @@ Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
   if (ascription.proposition == "have")
     return has(id, scope);
   auto& subject = need(ascription, "Cop-Restr");
+  // "The black ball is the larger": of the balls.
+  if (feature(scope, "Of") == "two" && subject.sort == "thing" && !is_pronoun(subject)) {
+    const Nominal kind{subject.name + "-kind", subject.sort, subject.proposition, {}, {}};
+    return is(id, scope, &kind);
+  }
   // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
   const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
                             !is_plural(subject) && !bound_.contains(subject.name);
@@ -135,6 +141,20 @@ Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
 Truth Evaluation::has(const std::string& id, const Nominal& scope) {
   if (scope.sort == "comparison")
     return compares(id, scope);
+  // "A ball in front of it and a cube behind it".
+  if (scope.sort == "conjunction" && !is_container(id)) {
+    const auto& last = need(scope, "Next");
+    // "The ball or the cube behind it": both behind it.
+    auto same_place = need(scope, "First");
+    if (dependent(form_, same_place, "Location") == nullptr)
+      std::ranges::copy_if(last.relations, std::back_inserter(same_place.relations),
+                           [](auto& relation) { return relation.mode == "Location"; });
+    const auto first = has(id, same_place);
+    const auto next = has(id, last);
+    if (scope.proposition == "nor")
+      return both(negation(first), negation(next));
+    return scope.proposition == "or" ? either(first, next) : both(first, next);
+  }
   // What "it" is in "a ball beside it".
   for (auto& [mode, name] : scope.relations) {
     const auto* region = find_nominal(form_, name);
@@ -142,7 +162,8 @@ Truth Evaluation::has(const std::string& id, const Nominal& scope) {
     if (mode == "Location" && anchor != nullptr && is_pronoun(*anchor)) {
       ScopedBinding binding{bound_, anchor->name};
       binding.set(id);
-      return existence(scope);
+      // "The ball beside it": of other things than this one there is none.
+      return is_definite(scope) ? is_within(described(scope).count(), {1}) : existence(scope);
     }
   }
   if (!is_container(id))

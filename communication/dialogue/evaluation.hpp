@@ -210,6 +210,8 @@ private:
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);
   Truth is_between(const std::string& id, const Nominal& anchor);
+  Truth is_directly(const std::string& id, const std::string& side, const std::string& other);
+  Truth is_far(const std::string& id, const std::string& other);
   Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);

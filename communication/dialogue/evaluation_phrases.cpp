@@ -151,7 +151,8 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
       // "Which one is larger?" and "how many of these are red?" are about all there is, if nothing
       // was spoken of.
       if (feature(phrase, "Recent") == "true" ||
-          (phrase.proposition == "these" && is_whole(form_, phrase)))
+          (phrase.proposition == "these" && is_whole(form_, phrase)) ||
+          antecedents_.contains(phrase.name + std::string{first_spoken_of}))
         return {scene_.things(), scene_.things()};
       throw Uninterpretable{Reason::ambiguous, phrase.name};
     }
@@ -309,6 +310,8 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
 }
 
 Truth Evaluation::is_one_of(const std::string& id, const Nominal& phrase) {
+  if (auto known = bound_.find(phrase.name); known != bound_.end())
+    return truth_of(known->second == id);
   return is_definite_phrase(phrase) ? members_of(phrase).contains(id) : fits(id, phrase);
 }
 
@@ -478,6 +481,9 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
     return is_within(so, {0, 0});
   }
   if (mode == "Property" && x.proposition == "other") {
+    // "Larger than all the others", "than every other ball".
+    if (!related_.empty() && (is_plural(phrase) || delimitation(phrase) == "all"))
+      return truth_of(id != related_);
     auto contains = [&](const Things& things) {
       return truth_of(std::ranges::find(things, id) != things.end());
     };

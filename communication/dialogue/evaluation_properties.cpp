@@ -1,3 +1,4 @@
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/scoped.hpp"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace castor::communication {
@@ -22,6 +24,14 @@ constexpr double table_middle_share = 0.25;
 
 /// Distances and coordinates that differ by less are about the same; metres.
 constexpr double clear_distance = 0.02;
+
+/// Things are far from each other from this share of the greatest distance on the table, and from
+/// this distance in metres.
+constexpr double far_share = 0.5;
+constexpr double least_far_distance = 0.2;
+
+/// "Directly-back" is said of what is behind with nothing between.
+constexpr std::string_view directly = "directly-";
 
 /// A property that things are compared by: its measure, and whether more of it is meant.
 struct Comparative {
@@ -97,6 +107,12 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
 /// Whether it is not so. Of "the ball" it may be said that it is not left of itself.
 Truth Evaluation::denial(const std::string& id, const Nominal& scope, Truth truth,
                          const Nominal* among) {
+  // What is not as large as another is smaller.
+  if (scope.proposition == "as-large" || scope.proposition == "as-small") {
+    auto opposite = scope;
+    opposite.proposition = scope.proposition == "as-large" ? "smaller" : "larger";
+    return compares(id, opposite);
+  }
   if (among != nullptr && is_definite(*among) && !is_plural(*among))
     return negation(truth);
   auto landmarks = landmarks_of(scope);
@@ -186,7 +202,50 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
       not_understood(find_nominal(form_, anchor->relations.front().dependent)->proposition);
     return Truth::yes;
   }
+  if (relation == "far")
+    return quantified(*anchor, [&](const std::string& other) { return is_far(id, other); });
+  if (relation.starts_with(directly))
+    return quantified(*anchor, [&, side = relation.substr(directly.size())](auto& other) {
+      return is_directly(id, side, other);
+    });
   return is_related(id, relation_of_word(relation).value_or(relation), *anchor);
+}
+
+/// Behind it or beside it, with nothing between the two on that side. Of what lies rather beside it
+/// than behind it, nobody can say.
+Truth Evaluation::is_directly(const std::string& id, const std::string& side,
+                              const std::string& other) {
+  const auto on_that_side = scene_.is_related(side, id, other);
+  if (on_that_side != Truth::yes)
+    return on_that_side;
+  for (auto& third : scene_.things())
+    if (scene_.is_related(side, id, third) == Truth::yes &&
+        scene_.is_related(side, third, other) == Truth::yes)
+      return Truth::no;
+  auto a = scene_.place_in_view(id);
+  auto b = scene_.place_in_view(other);
+  if (!a || !b)
+    return Truth::unknown;
+  const bool is_across = std::abs(a->x - b->x) >= std::abs(a->y - b->y);
+  return is_across == (side == "left" || side == "right") ? Truth::yes : Truth::unknown;
+}
+
+/// What is neither near nor half as far as the two things that are farthest from each other may be
+/// called far or not.
+Truth Evaluation::is_far(const std::string& id, const std::string& other) {
+  if (id == other || scene_.is_related("near", id, other) == Truth::yes)
+    return Truth::no;
+  auto distance = [&](const std::string& a, const std::string& b) {
+    auto x = scene_.place(a);
+    auto y = scene_.place(b);
+    return x && y ? std::hypot(x->x - y->x, x->y - y->y) : 0;
+  };
+  double widest = 0;
+  for (auto& a : scene_.things())
+    for (auto& b : scene_.things())
+      widest = std::max(widest, distance(a, b));
+  const bool is_clear = distance(id, other) >= std::max(widest * far_share, least_far_distance);
+  return is_clear ? Truth::yes : Truth::unknown;
 }
 
 /// On the left, in the middle...: by where it lies among all things, around the middle of the
@@ -296,7 +355,7 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
     return scene_.open_questions().empty() ? Truth::no : Truth::unknown;
   std::size_t rank = 1;
   if (const auto* ordinal = dependent(form_, selection, "Rank"))
-    rank = ordinal->proposition == "second" ? 2 : ordinal->proposition == "third" ? 3 : 1;
+    rank = rank_of_word(ordinal->proposition).value_or(1);
   Count before;
   for (auto& other : others) {
     if (other == id)
@@ -349,6 +408,7 @@ Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
   if (dependent(form_, comparison, "Than") == nullptr && !related_.empty())
     return differs_from_context(id, comparison);
   auto& than = need(comparison, "Than");
+  ScopedValue related{related_, id};
   if (const auto* quality = dependent(form_, comparison, "Quality")) {
     const bool same = comparison.proposition == "same";
     if (!same && comparison.proposition != "different")
@@ -360,7 +420,7 @@ Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
       return same ? shared : negation(shared);
     });
   }
-  if (comparison.proposition == "as-large")
+  if (comparison.proposition == "as-large" || comparison.proposition == "as-small")
     return quantified(than, [&](const std::string& other) {
       return other == id ? Truth::no
                          : both(negation(is_more(id, other, "size", nullptr)),

@@ -206,15 +206,15 @@ private:
   bool replaced_ = false;
 };
 
-/// The last noun before a nominal; empty if there is none.
-std::string noun_before(const LogicalForm& form, const Nominal& one) {
+/// The last thing that is called by a noun before a nominal; null if there is none.
+const Nominal* named_before(const LogicalForm& form, const Nominal& one) {
   const Nominal* last = nullptr;
   for (auto& x : form.nominals)
     if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" && !is_the_table(x) &&
         place_of_word(x) < place_of_word(one) &&
         (last == nullptr || place_of_word(*last) < place_of_word(x)))
       last = &x;
-  return last == nullptr ? std::string{} : last->proposition;
+  return last;
 }
 
 /// "Which is the largest thing?" says itself what it asks for.
@@ -251,9 +251,14 @@ void QuestionContext::replace_one(LogicalForm& form) const {
     if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x) ||
         dependent(form, x, "PartOf") != nullptr)
       continue;
-    if (auto noun = noun_before(form, x); is_general_noun(noun))
+    const auto* before = named_before(form, x);
+    const auto noun = before == nullptr ? std::string{} : before->proposition;
+    // "Is the cube larger than the others?": there is one cube.
+    const bool is_unique = before != nullptr && is_definite(*before) && !is_plural(*before) &&
+                           before->relations.empty() && is_plural(x) && is_about_others(form, x);
+    if (is_general_noun(noun) || is_unique)
       continue;
-    else if (!noun.empty())
+    if (!noun.empty())
       x.proposition = noun;
     else if (!noun_.empty() && !is_identified(form, *root, x))
       x.proposition = noun_;
@@ -272,6 +277,8 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
       result.move.alternatives.clear();
       result.move.type = dialogue_move_type(result.move.content);
       result.antecedents = clause_->antecedents;
+      for (auto& [name, proxies] : antecedents)
+        result.antecedents.insert_or_assign(std::string{said_now} + name, proxies);
       return result;
     }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())

@@ -99,6 +99,9 @@ Response Responder::to_question_w() {
   if (other.sort == "composition" || restriction->sort == "composition" ||
       scope->sort == "composition")
     throw Uninterpretable{Uninterpretable::Reason::word, "made of"};
+  // "Which thing has the cube behind it?" does not ask what the cube has.
+  if (root().proposition == "have" && asks_for_scope)
+    throw Uninterpretable{Uninterpretable::Reason::word, "have"};
   // "What is not a cube?"
   if (asks_for_scope && is_negated(root()) && other.sort == "thing" && !is_definite(other)) {
     Fitting others;
@@ -108,7 +111,7 @@ Response Responder::to_question_w() {
   }
   // "What is this?", "which is the largest thing?"
   if (asked.sort == "entity" && other.sort == "thing" && !is_negated(root()) &&
-      (is_definite(other) || asks_for_scope))
+      root().proposition == "be" && (is_definite(other) || asks_for_scope))
     return what(other);
   return about(asked);
 }

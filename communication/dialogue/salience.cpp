@@ -12,13 +12,6 @@ namespace {
 
 using Proxies = std::vector<std::string>;
 
-bool is_about_others(const LogicalForm& form, const Nominal& x) {
-  return std::ranges::any_of(x.relations, [&form](auto& relation) {
-    const auto* property = find_nominal(form, relation.dependent);
-    return relation.mode == "Property" && property != nullptr && property->proposition == "other";
-  });
-}
-
 /// Moves from the last one back to one that was not understood.
 std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history) {
   std::vector<const MoveReferents*> result;
@@ -94,10 +87,33 @@ Antecedents antecedents_in(const LogicalForm& form,
 Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history) {
   const auto moves = recent(history);
   auto result = antecedents_in(move.content, moves);
+  // "Are they all red?", before anything else was said, is about all there is.
+  if (history.empty())
+    for (auto& x : move.content.nominals)
+      if (x.proposition == "they" && is_pronoun(x))
+        result.emplace(x.name + std::string{first_spoken_of}, Proxies{});
   for (auto& alternative : move.alternatives)
     result.merge(antecedents_in(alternative, moves));
   return result;
 }
+
+namespace {
+
+/// What a definite phrase means; of others, those of which it is so: "is any ball red?" speaks of
+/// the red ones, if there are any.
+std::vector<std::string> spoken_of(const LogicalForm& form, const Nominal& thing,
+                                   Evaluation& evaluation) {
+  if (is_definite(thing))
+    return evaluation.meant(thing);
+  const auto* root = find_nominal(form, form.root);
+  if (root->sort == "ascription" && dependent(form, *root, "Cop-Restr") == &thing &&
+      dependent(form, *root, "Wh-Restr") == nullptr && !is_negated(*root))
+    if (auto so = evaluation.answers(*root, thing).best(); !so.empty())
+      return so;
+  return evaluation.described(thing).best();
+}
+
+} // namespace
 
 std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
                                             const Antecedents& antecedents, SceneKnowledge& scene) {
@@ -123,9 +139,7 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
     if (thing == asked)
       continue;
     try {
-      add(*thing,
-          is_definite(*thing) ? evaluation.meant(*thing) : evaluation.described(*thing).best(),
-          is_plural(*thing));
+      add(*thing, spoken_of(form, *thing, evaluation), is_plural(*thing));
     } catch (const Uninterpretable&) {
       add(*thing, {}, is_plural(*thing));
     }

@@ -22,6 +22,10 @@ using Antecedents = std::map<std::string, std::vector<std::string>>;
 /// After the name of a nominal such as "the other one": what that was chosen from.
 inline constexpr std::string_view chosen_from = "/of";
 
+/// After the name of a nominal such as "they": nothing has been said before, so it is about all
+/// there is.
+inline constexpr std::string_view first_spoken_of = "/first";
+
 /// After the name of a nominal such as "this cube" or "here": what somebody points at and may mean
 /// by it. None if there is no such thing.
 inline constexpr std::string_view pointed_at = "/at";

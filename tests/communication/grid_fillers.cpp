@@ -23,9 +23,15 @@ const Relation as_large = [](auto& a, auto& b) {
 std::vector<Scope> comparisons() {
   const auto same_colour = [](auto& a, auto& b) { return is_same(a.colour, b.colour); };
   const auto same_shape = [](auto& a, auto& b) { return is_same(a.shape, b.shape); };
+  // "Not as large" is smaller, and not whatever is of another size.
+  auto equally_large = related_to_the("as large as", as_large, "cylinder");
+  auto not_as_large = related_to_the("not as large as", smaller, "cylinder");
+  equally_large.is_plain = false;
+  not_as_large.is_plain = false;
   return {related_to_the("larger than", larger, "red ball"),
           related_to_the("smaller than", smaller, "cube"),
-          related_to_the("as large as", as_large, "cylinder"),
+          equally_large,
+          not_as_large,
           related_to("larger than", larger, all("every", false), "ball"),
           related_to("smaller than", smaller, some("a", false), "cube"),
           related_to_the("the same colour as", same_colour, "ball"),
