@@ -173,8 +173,8 @@ private:
   std::vector<std::size_t> begins(std::size_t end) const {
     std::vector<std::size_t> result;
     for (std::size_t i = 1; i < end; ++i)
-      if (auto x = frame(0, i);
-          x && (x->has_person || is_after_pause(i)) && !(x->unknown > 0 && is_topic(i, end)))
+      if (auto x = frame(0, i); x && words_[i] != "," && (x->has_person || is_after_pause(i)) &&
+                                !(x->unknown > 0 && is_topic(i, end)))
         result.push_back(i);
     result.push_back(0);
     std::ranges::reverse(result);

@@ -127,10 +127,16 @@ Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
     return has(id, scope);
   auto& subject = need(ascription, "Cop-Restr");
   // "The black ball is the larger": of the balls.
-  if (feature(scope, "Of") == "two" && subject.sort == "thing" && !is_pronoun(subject)) {
+  if (feature(scope, "Of") == "two" && subject.sort == "thing" && is_definite(subject) &&
+      !is_pronoun(subject)) {
     const Nominal kind{subject.name + "-kind", subject.sort, subject.proposition, {}, {}};
     return is(id, scope, &kind);
   }
+  // "Which grey thing is the largest one?": of the grey things.
+  const auto* selection = dependent(form_, scope, "Selection");
+  if (scope.proposition == "one" && selection != nullptr && scope.relations.size() == 1 &&
+      subject.sort == "thing" && !is_definite(subject) && !is_negated(scope))
+    return is(id, *selection, &subject);
   // "The ball is the largest": of all things. "The ball that is the largest": of the balls.
   const bool is_among_all = scope.sort == "selection" && is_definite(subject) &&
                             !is_plural(subject) && !bound_.contains(subject.name);
