@@ -159,7 +159,7 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
       if (length > phrases.size())
         continue;
       for (const auto entry : phrases[length - 1]) {
-        auto meaning = meaning_of(entry, first);
+        auto meaning = meaning_of(entry, first, last);
         meaning.weight += before + after;
         insert(grammar_.lexicon.entry(entry).category, Combinator::lexical, std::move(meaning),
                found);
@@ -168,7 +168,7 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
   }
 }
 
-Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin) {
+Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t end) {
   const auto& entry = grammar_.lexicon.entry(number);
   const auto nominal = [&](NominalId variable) {
     return nominal_of_word(begin, variable, variable == 0 && entry.anchored);
@@ -188,7 +188,8 @@ Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin) {
   std::sort(meaning.predications.begin(), meaning.predications.end());
   for (const auto variable : entry.indices)
     meaning.indices.push_back(nominal(variable));
-  meaning.entries = 1;
+  meaning.choices.push_back(
+    {static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end), number});
   return meaning;
 }
 
@@ -223,7 +224,7 @@ void Chart::combine(const Edge& left, const Edge& right, const Combination& how,
       if (is_composition(how.combinator))
         weight += composition_weight;
       if (how.modifies)
-        weight += modified_word_weight * static_cast<double>(b.entries);
+        weight += modified_word_weight * static_cast<double>(b.choices.size());
       const auto* known = find(how.result, how.combinator, found);
       if (known != nullptr && is_too_light(*known, weight))
         continue;

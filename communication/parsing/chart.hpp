@@ -92,7 +92,7 @@ private:
   bool is_too_light(const Edge& edge, double weight) const;
   void insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found);
   void prune(Cell& found) const;
-  Meaning meaning_of(std::uint32_t entry, std::size_t begin);
+  Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end);
   Symbol quoted(const std::string& word);
 
   CombinatoryGrammar& grammar_;

@@ -79,7 +79,6 @@ std::optional<Meaning> unite(const Meaning& function, const Meaning& argument,
 
   Meaning result;
   result.weight = function.weight + argument.weight;
-  result.entries = function.entries + argument.entries;
   result.predications.reserve(function.predications.size() + argument.predications.size());
   for (const auto* part : {&function, &argument})
     for (auto predication : part->predications) {
@@ -101,6 +100,9 @@ std::optional<Meaning> unite(const Meaning& function, const Meaning& argument,
   for (std::size_t i = shared; i < argument.indices.size(); ++i)
     result.indices.push_back(same.resolve(argument.indices[i]));
 
+  result.choices.reserve(function.choices.size() + argument.choices.size());
+  result.choices = function.choices;
+  result.choices.insert(result.choices.end(), argument.choices.begin(), argument.choices.end());
   return result;
 }
 

@@ -39,6 +39,13 @@ struct Predication {
   friend auto operator<=>(const Predication&, const Predication&) = default;
 };
 
+/// The lexicon entry used for words [begin, end).
+struct LexicalChoice {
+  std::uint16_t begin = 0;
+  std::uint16_t end = 0;
+  std::uint32_t entry = 0;
+};
+
 /// Meaning of a sequence of words in one derivation.
 struct Meaning {
   /// Sorted, without duplicates.
@@ -47,8 +54,7 @@ struct Meaning {
   std::vector<NominalId> indices;
   /// The sum of the weights of the entries and rules that were used.
   double weight = 0;
-  /// Number of the entries that were used.
-  std::size_t entries = 0;
+  std::vector<LexicalChoice> choices;
 
   /// Words between all nominals and their dependents, together.
   std::size_t dependency_length() const;
