@@ -65,7 +65,9 @@ bool may_be_adverb(std::string_view word) {
 
 /// What a part that may be left out consists of.
 struct Frame {
+  /// Words that are not known.
   std::size_t unknown = 0;
+  /// Whether one of these may be an adverb.
   bool has_adverb = false;
   /// Whether somebody speaks or is spoken to: "I", "your".
   bool has_person = false;
@@ -171,15 +173,11 @@ private:
   /// Where the matter may begin: with the first word, or after a frame; the longest is left out
   /// first, since shorter ones leave a part of it.
   std::vector<std::size_t> begins(std::size_t end) const {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 1; i < end; ++i)
+    std::vector<std::size_t> result{0};
+    for (auto i = end; i-- > 1;)
       if (auto x = frame(0, i); x && words_[i] != "," && (x->has_person || is_after_pause(i)) &&
                                 !(x->unknown > 0 && is_topic(i, end)))
         result.push_back(i);
-    result.push_back(0);
-    std::ranges::reverse(result);
-    if (result.size() > 2)
-      std::ranges::sort(result.begin() + 1, result.end(), std::greater{});
     return result;
   }
 
