@@ -41,7 +41,7 @@ class DialogueInterpreter final : public UnmanagedComponent {
     move.turn = form.turn;
     move.utterance = form.utterance;
     move.corrections = form.corrections;
-    if (!form.unparsable.empty() || form.readings.empty())
+    if (!is_understood(form))
       move.problem = problem_of(form);
     else
       take_readings(form, move);

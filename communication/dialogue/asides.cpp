@@ -106,17 +106,6 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
   return result;
 }
 
-std::optional<PackedLogicalForm> parsed(Parser& parser, const WordList& words) {
-  IncrementalParse parse{parser};
-  for (auto word : words)
-    parse.add(std::move(word));
-  parse.finish();
-  auto form = parse.form();
-  if (!form.unparsable.empty() || form.readings.empty())
-    return std::nullopt;
-  return form;
-}
-
 Nominal root_of(const PackedLogicalForm& form) {
   const auto parts = unpack(form, form.readings.front().id);
   const auto* root = find_nominal(parts.front(), parts.front().root);
@@ -201,10 +190,10 @@ private:
     if (is_after_person && is_asked_for(begin, words.front())) {
       auto request = words;
       request.insert(request.begin(), {"tell", "me"});
-      if (auto form = parsed(parser_, request))
+      if (auto form = parser_.parse_whole(std::move(request)))
         return form;
     }
-    auto form = parsed(parser_, words);
+    auto form = parser_.parse_whole(std::move(words));
     const bool may_be_phrase = !is_after_person && end == words_.size();
     return form && (may_be_phrase || (is_sentence(*form) && !is_request(*form))) ? std::move(form)
                                                                                  : std::nullopt;
@@ -232,14 +221,14 @@ std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Wor
   if (core.empty())
     return std::nullopt;
   if (core.size() < words.size())
-    if (auto form = parsed(parser, core))
+    if (auto form = parser.parse_whole(core))
       return form;
   return CoreSearch{parser, words}.run();
 }
 
 std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
-  if (form.unparsable.empty() && !form.readings.empty())
+  if (is_understood(form))
     return std::nullopt;
   // "Any of them a ball" is no list of two phrases.
   if (auto result = parsed_with_pause(parser, words, form); result && is_sentence(*result))

@@ -155,6 +155,10 @@ PackedLogicalForm pack(std::span<const ReadingForms> readings) {
   return packed;
 }
 
+bool is_understood(const PackedLogicalForm& form) {
+  return form.unparsable.empty() && !form.readings.empty();
+}
+
 ReadingForms unpack(const PackedLogicalForm& packed, std::int32_t reading) {
   ReadingForms forms;
   for (const auto& known : packed.readings) {

@@ -14,6 +14,9 @@ using ReadingForms = std::vector<LogicalForm>;
 /// Packs readings into one form, numbered from 0; the caller sets the other fields.
 PackedLogicalForm pack(std::span<const ReadingForms> readings);
 
+/// Whether all words together have a meaning.
+bool is_understood(const PackedLogicalForm& form);
+
 /// Forms of one reading, by fragments; empty if there is no such reading.
 ReadingForms unpack(const PackedLogicalForm& packed, std::int32_t reading);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace castor::communication {
 
@@ -27,8 +28,17 @@ Parser::Parser(std::shared_ptr<const Lexicon> lexicon, ParserOptions options)
 }
 
 PackedLogicalForm Parser::parse(std::string_view utterance) {
+  return form_of(words_of(utterance));
+}
+
+std::optional<PackedLogicalForm> Parser::parse_whole(std::vector<std::string> words) {
+  auto form = form_of(std::move(words));
+  return is_understood(form) ? std::optional{std::move(form)} : std::nullopt;
+}
+
+PackedLogicalForm Parser::form_of(std::vector<std::string> words) {
   IncrementalParse parse(*this);
-  for (auto& word : words_of(utterance))
+  for (auto& word : words)
     parse.add(std::move(word));
   parse.finish();
   return parse.form();

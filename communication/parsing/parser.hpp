@@ -5,6 +5,7 @@
 #include "castor/communication/types.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,10 @@ public:
   /// The packed readings of a whole utterance.
   PackedLogicalForm parse(std::string_view utterance);
 
+  /// The packed readings of words; nothing if they are not understood together.
+  /// @param words in the form returned by words_of()
+  std::optional<PackedLogicalForm> parse_whole(std::vector<std::string> words);
+
   /// The complete readings of a whole utterance, without fragments, the preferred first; empty if
   /// there are none.
   std::vector<LogicalForm> readings(std::string_view utterance);
@@ -39,6 +44,8 @@ public:
   CombinatoryGrammar& grammar() { return grammar_; }
 
 private:
+  PackedLogicalForm form_of(std::vector<std::string> words);
+
   std::shared_ptr<const Lexicon> lexicon_;
   ParserOptions options_;
   CombinatoryGrammar grammar_;

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/pauses.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace castor::communication {
 
@@ -13,14 +14,7 @@ std::optional<PackedLogicalForm> parsed_with_pause(Parser& parser, std::vector<s
       words[position - 1] == ",")
     return std::nullopt;
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(position), ",");
-  IncrementalParse parse{parser};
-  for (auto& word : words)
-    parse.add(std::move(word));
-  parse.finish();
-  auto result = parse.form();
-  if (!result.unparsable.empty() || result.readings.empty())
-    return std::nullopt;
-  return result;
+  return parser.parse_whole(std::move(words));
 }
 
 } // namespace castor::communication

@@ -51,7 +51,7 @@ Reply TableTalk::say_sentence(const std::string& text) {
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
   Reply reply;
-  if (!form.unparsable.empty() || form.readings.empty()) {
+  if (!is_understood(form)) {
     reply.is_parsed = false;
     move.problem = problem_of(form);
   } else
