@@ -9,6 +9,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/node/node.hpp"
+#include "castor/actors/system/fault_port.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/log.hpp"
 #include "castor/benchmarks/own_process.hpp"
@@ -281,13 +282,13 @@ void measure(const Case& x, int times) {
 }
 
 void crash(System& system, std::vector<NodeProcess*>&, Witness&) {
-  system.inject("service", ComponentFault{});
+  system.faults().inject("service", ComponentFault{});
 }
 
 void hang(System& system, std::vector<NodeProcess*>&, Witness&) {
   ComponentFault fault{ComponentFault::Kind::hang};
   fault.by = 1h;
-  system.inject("service", fault);
+  system.faults().inject("service", fault);
 }
 
 void kill_first(System&, std::vector<NodeProcess*>& nodes, Witness&) {
