@@ -28,6 +28,9 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
     responder.check_presuppositions();
   if (auto correction = responder.to_preface())
     return *correction;
+  // "Which are?", and nothing before it that could be meant.
+  if (is_elliptical(content))
+    return say(RhetoricalRelation::clarification_question, "I do not know what that is about.");
   switch (type) {
     case DialogueMoveType::question_w:
       return responder.to_question_w();

@@ -164,7 +164,7 @@ ReadReply read_reply(std::string_view text) {
   if (has("<no words>"))
     return reply;
   if (has("I do not understand") || has("means here") || has("I do not know the word") ||
-      has("What about it") || has("for '")) {
+      has("What about it") || has("what that is about") || has("for '")) {
     reply.kind = ReplyKind::not_understood;
     return reply;
   }

@@ -53,8 +53,8 @@ TEST(TableDialogue, WhatIsLeftOutIsWhatWasSaidBefore) {
   EXPECT_EQ(in_row({"Are they all large?", "Which one isn't?"}), "There is a small blue cube.");
   EXPECT_EQ(in_row({"What is the leftmost thing?", "And what comes next?"}),
             "It is a small blue cube.");
-  EXPECT_EQ(in_row({"Is there a red ball?", "Is the cube?"}),
-            "I do not know what 'so' means here.");
+  EXPECT_EQ(in_row({"Is there a red ball?", "Is the cube?"}), "I do not know what that is about.");
+  EXPECT_EQ(in_row({"Which are?"}), "I do not know what that is about.");
 }
 
 TEST(TableDialogue, CorrectionsSayWhatWasMeant) {
