@@ -92,9 +92,9 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
     const bool is_polite = is_one_of(word, {"if", "whether"}) && is_person_at(i + 1);
     if (lexicon.is_in(WordClass::decisive, word))
       return std::nullopt;
-    const bool is_harmless =
-      word == "," || is_person || is_polite || lexicon.is_in(WordClass::frame, word) ||
-      lexicon.is_in(WordClass::aside, word) || lexicon.filler(word) != nullptr;
+    const bool is_harmless = word == "," || is_person || is_polite ||
+                             lexicon.is_in(WordClass::frame, word) ||
+                             lexicon.filler(word) != nullptr;
     if (!is_harmless && (lexicon.knows(word) || is_quoted(word)))
       return std::nullopt;
     result.unknown += is_harmless ? 0 : 1;
@@ -106,21 +106,19 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
   return result;
 }
 
-Nominal root_of(const PackedLogicalForm& form) {
-  const auto parts = unpack(form, form.readings.front().id);
-  const auto* root = find_nominal(parts.front(), parts.front().root);
-  return root == nullptr ? Nominal{} : *root;
+/// That of an utterance that is understood.
+LogicalForm first_reading(const PackedLogicalForm& form) {
+  return unpack(form, form.readings.front().id).front();
+}
+
+bool is_request(const LogicalForm& form) {
+  return feature(*find_nominal(form, form.root), "Mood") == "imp";
 }
 
 /// Whether something is said or asked; a phrase may go on with the sentence before.
-bool is_sentence(const PackedLogicalForm& form) {
-  const auto root = root_of(form);
-  return is_clause(unpack(form, form.readings.front().id).front(), root) ||
-         feature(root, "Mood") == "int" || root.sort == "small-talk";
-}
-
-bool is_request(const PackedLogicalForm& form) {
-  return feature(root_of(form), "Mood") == "imp";
+bool is_sentence(const LogicalForm& form) {
+  const auto& root = *find_nominal(form, form.root);
+  return is_clause(form, root) || feature(root, "Mood") == "int" || root.sort == "small-talk";
 }
 
 /// Looks for the part of an utterance that is understood by itself.
@@ -194,9 +192,10 @@ private:
         return form;
     }
     auto form = parser_.parse_whole(std::move(words));
-    const bool may_be_phrase = !is_after_person && end == words_.size();
-    return form && (may_be_phrase || (is_sentence(*form) && !is_request(*form))) ? std::move(form)
-                                                                                 : std::nullopt;
+    if (!form || (!is_after_person && end == words_.size()))
+      return form;
+    const auto said = first_reading(*form);
+    return is_sentence(said) && !is_request(said) ? std::move(form) : std::nullopt;
   }
 
   /// "... whether it is red", "... what colour it is", "... to know the colour of the ball".
@@ -231,7 +230,8 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
   if (is_understood(form))
     return std::nullopt;
   // "Any of them a ball" is no list of two phrases.
-  if (auto result = parsed_with_pause(parser, words, form); result && is_sentence(*result))
+  if (auto result = parsed_with_pause(parser, words, form);
+      result && is_sentence(first_reading(*result)))
     return result;
   return parsed_without_asides(parser, words);
 }
