@@ -65,6 +65,13 @@ TEST(Asides, FramesAfterACommaAreLeftOut) {
     is_understood_as("According to my notes, is the cube red, do you think?", "is the cube red"));
 }
 
+TEST(Asides, AndFramesAreLeftOutOfOneSentence) {
+  EXPECT_TRUE(is_understood_as("lol, my granny tells me that the cube is red, if I may say so",
+                               "the cube is red"));
+  EXPECT_EQ(left_out("lol, my granny tells me that the cube is red, if I may say so"),
+            "lol my granny tells me that");
+}
+
 TEST(Asides, WhatIsAskedForIsAskedFor) {
   EXPECT_TRUE(is_understood_as("I should like to know whether the cube is red.",
                                "tell me whether the cube is red"));
