@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -59,19 +60,79 @@ Truth judge_assertion(const Nominal& root, const LogicalForm& form, Evaluation& 
   }
 }
 
-Telling telling_of(const Nominal& root, const LogicalForm& form) {
-  const bool is_existence = root.sort == "existence";
-  const auto* thing = dependent(form, root, is_existence ? "Subject" : "Cop-Restr");
-  if (thing == nullptr || thing->sort != "thing" || is_negated(*thing) ||
-      !feature(*thing, "Focus").empty() || feature(root, "Denied") == "true" ||
-      (is_existence && is_negated(root)))
+namespace {
+
+/// "The ball is a candle and the cube is a gift", "the ball and the cube are toys": the parts that
+/// are said, or that it is said of; itself if it is no conjunction.
+std::vector<const Nominal*> parts_of(const LogicalForm& form, const Nominal& x) {
+  const auto* first = x.sort == "conjunction" ? dependent(form, x, "First") : nullptr;
+  const auto* next = x.sort == "conjunction" ? dependent(form, x, "Next") : nullptr;
+  if (first == nullptr || next == nullptr)
+    return {&x};
+  if (x.proposition != "and" || is_negated(x))
+    return {};
+  auto result = parts_of(form, *first);
+  for (const auto* part : parts_of(form, *next))
+    result.push_back(part);
+  return result;
+}
+
+const Nominal* subject_of(const LogicalForm& form, const Nominal& clause) {
+  return dependent(form, clause, clause.sort == "existence" ? "Subject" : "Cop-Restr");
+}
+
+/// What a clause without conjunctions tells of one of those that it is about.
+Telling telling_of(const Nominal& clause, const Nominal& thing, const LogicalForm& form) {
+  const bool is_existence = clause.sort == "existence";
+  if (thing.sort != "thing" || is_negated(thing) || !feature(thing, "Focus").empty() ||
+      feature(clause, "Denied") == "true" || (is_existence && is_negated(clause)))
     return Telling::nothing;
-  const auto delimitation = feature(*thing, "Delimitation");
-  if (delimitation == "all" || delimitation == "both" || (is_plural(*thing) && is_definite(*thing)))
+  const auto delimitation = feature(thing, "Delimitation");
+  if (delimitation == "all" || delimitation == "both" || (is_plural(thing) && is_definite(thing)))
     return is_existence ? Telling::nothing : Telling::of_each;
-  const bool is_one = !is_plural(*thing) && delimitation != "none" && delimitation != "neither" &&
-                      dependent(form, *thing, "PartOf") == nullptr;
+  const bool is_one = !is_plural(thing) && delimitation != "none" && delimitation != "neither" &&
+                      dependent(form, thing, "PartOf") == nullptr;
   return is_one ? Telling::of_one : Telling::nothing;
+}
+
+/// Adds the proxies that say of a thing what a clause says of it.
+void tell(const Nominal& clause, const Nominal& thing, const LogicalForm& form,
+          const MoveReferents& referents, Told& told) {
+  const auto telling = telling_of(clause, thing, form);
+  if (telling == Telling::nothing)
+    return;
+  auto features = features_of(form, thing);
+  if (const auto* scope = dependent(form, clause, "Cop-Scope"))
+    for (auto& x : features_of(form, *scope))
+      add_to(features, is_negated(clause) && x.text != "thing" ? binding::negation_of(x) : x);
+  std::vector<std::string> meant;
+  // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
+  if (!is_deictic(thing) || is_known(referents, thing))
+    for (auto& x : referents.referents)
+      if (x.nominal == thing.name)
+        meant = x.proxies;
+  if (telling == Telling::of_one && meant.size() != 1)
+    meant.assign(1, {});
+  for (auto& proxy : meant) {
+    auto& of_it = told.proxies.emplace_back(features);
+    if (!proxy.empty())
+      add_to(of_it, feature(binding::FeatureKind::existing_proxy_id, proxy));
+  }
+}
+
+} // namespace
+
+Telling telling_of(const Nominal& root, const LogicalForm& form) {
+  std::size_t number = 0;
+  auto result = Telling::nothing;
+  for (const auto* clause : parts_of(form, root))
+    if (const auto* subject = subject_of(form, *clause))
+      for (const auto* thing : parts_of(form, *subject))
+        if (const auto one = telling_of(*clause, *thing, form); one != Telling::nothing) {
+          result = one;
+          ++number;
+        }
+  return number > 1 ? Telling::of_each : result;
 }
 
 Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnowledge& scene) {
@@ -83,24 +144,10 @@ Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnow
   if (result.telling == Telling::nothing ||
       is_not_to_be_told(form, *root, from_entry(referents.pronouns), scene))
     return {};
-  const auto* thing = dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
-  auto features = features_of(form, *thing);
-  if (const auto* scope = dependent(form, *root, "Cop-Scope"))
-    for (auto& x : features_of(form, *scope))
-      add_to(features, is_negated(*root) && x.text != "thing" ? binding::negation_of(x) : x);
-  std::vector<std::string> meant;
-  // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
-  if (!is_deictic(*thing) || is_known(referents, *thing))
-    for (auto& x : referents.referents)
-      if (x.nominal == thing->name)
-        meant = x.proxies;
-  if (result.telling == Telling::of_one && meant.size() != 1)
-    meant.assign(1, {});
-  for (auto& proxy : meant) {
-    auto& of_it = result.proxies.emplace_back(features);
-    if (!proxy.empty())
-      add_to(of_it, feature(binding::FeatureKind::existing_proxy_id, proxy));
-  }
+  for (const auto* clause : parts_of(form, *root))
+    if (const auto* subject = subject_of(form, *clause))
+      for (const auto* thing : parts_of(form, *subject))
+        tell(*clause, *thing, form, referents, result);
   return result;
 }
 

@@ -24,6 +24,15 @@ void Evaluation::check_presuppositions() {
         relative != nullptr && is_negated(*relative) &&
         dependent(form_, *relative, "Cop-Scope") == &x)
       not_understood("not");
+  const auto& root = *find_nominal(form_, form_.root);
+  const auto topic_of = [&](const char* mode) {
+    const auto* part = root.sort == "conjunction" ? dependent(form_, root, mode) : nullptr;
+    return part == nullptr ? nullptr : dependent(form_, *part, "Cop-Restr");
+  };
+  const auto* one = topic_of("First");
+  const auto* other = topic_of("Next");
+  // Which is the other one depends on the one.
+  const bool is_other = one != nullptr && other != nullptr && is_the_other_of(*one, *other);
   std::vector<std::pair<const Nominal*, Fitting>> phrases;
   // What the sentence is about comes first.
   std::vector<std::string> names;
@@ -38,7 +47,7 @@ void Evaluation::check_presuppositions() {
     const bool is_universal = delimited == "all" || delimited == "most";
     // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
     // are definite.
-    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) ||
+    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) || (is_other && &x == other) ||
         (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
       continue;
     phrases.emplace_back(&x, presupposed(x));

@@ -88,6 +88,12 @@ Response Responder::to_question_w() {
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
+  // "How many shapes are not squares?" asks for no quality of something.
+  if (is_quality(asked) && is_count(asked) && other.sort != "region")
+    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
+  // "Which colours are on the left?"
+  if (is_quality(asked) && other.sort == "region")
+    return values_seen(asked, &other);
   if (is_quality(asked))
     return quality(asked, other);
   if ((asked.sort == "entity" || asked.proposition == "one") && is_quality(other) &&
@@ -117,21 +123,31 @@ Response Responder::to_question_w() {
 }
 
 /// "Which colours do you see?", "how many colours are there?"
-Response Responder::values_seen(const Nominal& asked) {
+Response Responder::values_seen(const Nominal& asked, const Nominal* region) {
   const auto kind = asked.proposition == "kind" ? std::optional{FeatureKind::shape}
                                                 : kind_of_quality(asked.proposition);
   for (auto& [mode, name] : asked.relations)
-    if (const auto* x = find_nominal(form_, name);
-        mode != "Quantity" && x != nullptr && x->proposition != "different")
+    if (const auto* x = find_nominal(form_, name); mode == "Location")
+      region = x;
+    else if (mode != "Quantity" && x != nullptr && x->proposition != "different")
       throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
   // "Which colour is there most of?"
-  if (const auto* subject = dependent(form_, root(), "Subject"); subject != &asked)
+  if (const auto* subject = dependent(form_, root(), "Subject");
+      root().sort == "existence" && subject != &asked)
     throw Uninterpretable{Uninterpretable::Reason::word,
                           subject == nullptr ? asked.proposition : subject->proposition};
+  const auto* excepted = dependent(form_, root(), "Except");
   std::vector<std::string> values;
   for (auto& id : scene_.things()) {
+    auto is_there = region == nullptr ? Truth::yes : evaluation_.is(id, *region);
+    if (excepted != nullptr)
+      is_there = both(is_there, negation(evaluation_.is(id, *excepted)));
+    if (is_there == Truth::unknown)
+      return answer(i_do_not_know());
+    if (is_there == Truth::no)
+      continue;
     auto words = scene_.words(id, *kind);
     if (words.empty() && is_count(asked))
       return answer(i_do_not_know());
@@ -154,6 +170,8 @@ Response Responder::values_seen(const Nominal& asked) {
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
+  if (root().sort == "existence" && is_number(asked))
+    return some_of(found, asked);
   const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
   if (is_count(asked))
     return count(found, asked, scope);
@@ -161,10 +179,28 @@ Response Responder::about(const Nominal& asked) {
   const bool is_about_order =
     scope != nullptr &&
     (scope->sort == "selection" || dependent(form_, *scope, "Selection") != nullptr);
-  const bool is_tie = is_about_order && found.possible.size() > 1;
+  const bool is_tie =
+    is_about_order && found.possible.size() > 1 && !evaluation_.described(asked).certain.empty();
   if (found.certain.empty() && !found.possible.empty() && !is_tie)
     return answer(i_do_not_know());
   return list(found.certain.empty() ? found.possible : found.certain);
+}
+
+/// Whether it is said how many are asked for: "two red things".
+bool Responder::is_number(const Nominal& asked) const {
+  const auto* quantity = dependent(form_, asked, "Quantity");
+  return quantity != nullptr && feature(*quantity, "Bound").empty() &&
+         number_range(*quantity).value_or(NumberRange{0}).least > 0;
+}
+
+/// "Name two red things": as many of them, or all if there are fewer.
+Response Responder::some_of(const Fitting& found, const Nominal& asked) const {
+  auto things = found.certain;
+  if (things.empty() && !found.possible.empty())
+    return answer(i_do_not_know());
+  if (const auto range = number_range(need(asked, "Quantity")); things.size() > range->least)
+    things.resize(range->least);
+  return list(things);
 }
 
 Response Responder::count(const Fitting& found, const Nominal& phrase, const Nominal* scope) {
@@ -230,7 +266,7 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   else
     things = evaluation_.meant(of);
   if (things.size() > 1)
-    return qualities(things, name, *kind);
+    return qualities(things, of, name, *kind);
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (auto& id : things) {
     auto words = scene_.words(id, *kind);
@@ -248,7 +284,8 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
 
 /// "Both are red", "the large cube is red. The small cube is green.", or "they are red and green"
 /// if nothing else tells them apart.
-Response Responder::qualities(const Things& things, const std::string& name, FeatureKind kind) {
+Response Responder::qualities(const Things& things, const Nominal& of, const std::string& name,
+                              FeatureKind kind) {
   std::vector<std::string> values;
   std::set<std::string> distinct;
   bool is_sure = true;
@@ -266,6 +303,9 @@ Response Responder::qualities(const Things& things, const std::string& name, Fea
   auto said = [&](LogicalForm sentence) {
     return is_sure ? std::move(sentence) : unsure(std::move(sentence));
   };
+  // "What colour is that?", after several things were spoken of, asks for the one that they have.
+  if (distinct.size() > 1 && is_pronoun(of) && !is_plural(of))
+    throw Uninterpretable{Uninterpretable::Reason::ambiguous, of.name};
   if (distinct.size() == 1) {
     auto value = kind == FeatureKind::shape ? plural(values.front()) : value_of(values.front());
     return answer(said(ascribe(all_of_them(things.size()), value)));
@@ -330,6 +370,10 @@ Response Responder::yes_or_no(Truth truth) {
 Response Responder::to_question_yn() {
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
+  // "The red balls, right?" says nothing of them.
+  if (root().sort == "existence" && feature(root(), "Fragment") == "true")
+    if (const auto& subject = need(root(), "Subject"); is_definite_phrase(subject))
+      throw Uninterpretable{Uninterpretable::Reason::word, subject.proposition};
   // "Is it red or is it blue?"
   if (root().sort == "conjunction" && root().proposition == "or")
     return choice_of_clauses();
@@ -419,7 +463,12 @@ Response Responder::choice_of_clauses() {
     if (truth != Truth::yes)
       continue;
     auto said = part_of(form_, one.name);
-    std::erase_if(said.nominals.front().features, [](auto& x) { return x.name == "Mood"; });
+    for (auto& x : said.nominals)
+      if (x.name == said.root) {
+        std::erase_if(x.features, [](auto& y) { return y.name == "Mood"; });
+        std::erase_if(x.relations, [](auto& y) { return y.mode == "Topic"; });
+      }
+    said = part_of(said, said.root);
     result.sentences.push_back({std::move(said), marker("yes")});
   }
   if (!result.sentences.empty())
