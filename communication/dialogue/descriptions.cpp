@@ -316,6 +316,11 @@ bool is_counted_group(const LogicalForm& form, const Nominal& nominal) {
          dependent(form, nominal, "Quantity") != nullptr;
 }
 
+bool asks_for_number(const Nominal& nominal) {
+  return std::ranges::any_of(nominal.relations,
+                             [](auto& relation) { return relation.mode == "Quantity"; });
+}
+
 bool is_whole(const LogicalForm& form, const Nominal& nominal) {
   return std::ranges::any_of(form.nominals, [&nominal](auto& x) {
     return std::ranges::any_of(x.relations, [&nominal](auto& relation) {

@@ -334,9 +334,17 @@ Truth Evaluation::compared_counts(const Nominal& subject, const Nominal& quantit
   }
   if (other == nullptr)
     not_understood(quantity.proposition);
-  auto a = described(*one).count();
-  auto b = described(*other).count();
-  return compared(quantity.proposition, a, b);
+  const auto things = described(*one);
+  if (is_about_others(form_, *other)) {
+    // "More balls than anything else" may be meant of each other kind.
+    if (!is_plural(*other) || things.possible.empty())
+      not_understood("other");
+    // "As many red balls as other balls": as balls that are not red.
+    ScopedValue group{related_group_, things.possible};
+    ScopedValue related{related_, things.possible.front()};
+    return compared(quantity.proposition, things.count(), described(*other).count());
+  }
+  return compared(quantity.proposition, things.count(), described(*other).count());
 }
 
 /// "The ball and the cube are the same colour", "all cubes have different colours".

@@ -15,9 +15,13 @@ bool Evaluation::has_pronoun(const Nominal& phrase) const {
 }
 
 void Evaluation::check_presuppositions() {
-  // What is spoken of may be in whatever container is spoken of.
-  if (has_containers())
+  if (has_containers()) {
+    // What is spoken of may be in whatever container is spoken of. What "two" are of is not clear.
+    for (auto& x : form_.nominals)
+      if (feature(x, "Elided") == "true")
+        not_understood(x.proposition);
     return;
+  }
   // "It is a ball, and the green one is not" says nothing of a ball that the green one is not.
   for (auto& x : form_.nominals)
     if (const auto* relative = dependent(form_, x, "GenRelation");

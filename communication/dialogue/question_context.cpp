@@ -80,6 +80,8 @@ public:
 
   /// \returns whether there is such a place
   bool run() {
+    if (is_another_answer())
+      return false;
     if (other_quality() || compared_quality() || contrast() || other_value() || other_selection())
       return true;
     for (const bool strictly : {true, false}) {
@@ -97,6 +99,15 @@ private:
       return x.sort == "thing" && !is_the_table(x) &&
              (!is_strict_ || is_definite(x) == is_definite(fragment_));
     return x.sort == fragment_.sort && x.name != fragment_.name;
+  }
+
+  /// "Which one is blue? And the other?" does not ask which other one is blue.
+  bool is_another_answer() const {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* asked = root == nullptr ? nullptr : dependent(form_, *root, "Wh-Restr");
+    return asked != nullptr && asked->sort == "thing" && fragment_.sort == "thing" &&
+           is_definite(fragment_) && !is_plural(fragment_) && is_about_others(form_, fragment_) &&
+           dependent(form_, *asked, "Quantity") == nullptr;
   }
 
   /// "The red one" is a thing of the kind that was spoken of.
@@ -383,9 +394,10 @@ void QuestionContext::replace_one(LogicalForm& form) const {
       continue;
     const auto* before = named_before(form, x);
     const auto noun = before == nullptr ? std::string{} : before->proposition;
-    // "Is the cube larger than the others?": there is one cube.
-    const bool is_unique = before != nullptr && is_definite(*before) && !is_plural(*before) &&
-                           before->relations.empty() && is_plural(x) && is_about_others(form, x);
+    // "Is the cube larger than the others?": there is one cube; "are the cubes larger than the
+    // others?": those are all cubes.
+    const bool is_unique = before != nullptr && is_definite(*before) && before->relations.empty() &&
+                           is_plural(x) && is_about_others(form, x);
     if (is_general_noun(noun) || is_unique)
       continue;
     if (!noun.empty())

@@ -63,6 +63,8 @@ private:
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice_of_clauses();
+  const Nominal* commonest_quality(const Nominal& asked) const;
+  Response most_common(const Nominal& quality);
   Response values_seen(const Nominal& asked, const Nominal* region = nullptr);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 

@@ -14,15 +14,6 @@ namespace {
 
 using binding::FeatureKind;
 
-Response answer(LogicalForm content, LogicalForm simpler = {}) {
-  return {RhetoricalRelation::answer, {{std::move(content), std::move(simpler)}}, {}, {}};
-}
-
-bool is_count(const Nominal& x) {
-  return std::ranges::any_of(x.relations,
-                             [](auto& relation) { return relation.mode == "Quantity"; });
-}
-
 Nominal affirmed(Nominal x) {
   std::erase_if(x.features, [](auto& feature) { return feature.name == "Polarity"; });
   return x;
@@ -76,8 +67,14 @@ Response Responder::to_question_w() {
   };
   if (root().sort == "existence" && is_quality(asked))
     return dependent(form_, asked, "Owner") == nullptr ? values_seen(asked) : owned_quality(asked);
+  if (const auto* common = commonest_quality(asked))
+    return most_common(*common);
   if (asked.sort == "person" || asked.proposition == "who")
     return answer(i_do_not_know());
+  // "Which shape is there most of?"
+  if (const auto* subject = dependent(form_, root(), "Subject");
+      subject != nullptr && dependent(form_, *subject, "PartOf") == &asked)
+    throw Uninterpretable{Uninterpretable::Reason::word, subject->proposition};
   if (root().sort != "ascription")
     return about(asked);
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
@@ -89,7 +86,7 @@ Response Responder::to_question_w() {
   if (asked.sort == "region")
     return where(other);
   // "How many shapes are not squares?" asks for no quality of something.
-  if (is_quality(asked) && is_count(asked) && other.sort != "region")
+  if (is_quality(asked) && asks_for_number(asked) && other.sort != "region")
     throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
   // "Which colours are on the left?"
   if (is_quality(asked) && other.sort == "region")
@@ -122,58 +119,13 @@ Response Responder::to_question_w() {
   return about(asked);
 }
 
-/// "Which colours do you see?", "how many colours are there?"
-Response Responder::values_seen(const Nominal& asked, const Nominal* region) {
-  const auto kind = asked.proposition == "kind" ? std::optional{FeatureKind::shape}
-                                                : kind_of_quality(asked.proposition);
-  for (auto& [mode, name] : asked.relations)
-    if (const auto* x = find_nominal(form_, name); mode == "Location")
-      region = x;
-    else if (mode != "Quantity" && x != nullptr && x->proposition != "different")
-      throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
-  if (!kind)
-    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
-  // "Which colour is there most of?"
-  if (const auto* subject = dependent(form_, root(), "Subject");
-      root().sort == "existence" && subject != &asked)
-    throw Uninterpretable{Uninterpretable::Reason::word,
-                          subject == nullptr ? asked.proposition : subject->proposition};
-  const auto* excepted = dependent(form_, root(), "Except");
-  std::vector<std::string> values;
-  for (auto& id : scene_.things()) {
-    auto is_there = region == nullptr ? Truth::yes : evaluation_.is(id, *region);
-    if (excepted != nullptr)
-      is_there = both(is_there, negation(evaluation_.is(id, *excepted)));
-    if (is_there == Truth::unknown)
-      return answer(i_do_not_know());
-    if (is_there == Truth::no)
-      continue;
-    auto words = scene_.words(id, *kind);
-    if (words.empty() && is_count(asked))
-      return answer(i_do_not_know());
-    if (!words.empty() && std::ranges::find(values, words.front()) == values.end())
-      values.push_back(words.front());
-  }
-  if (is_count(asked))
-    return answer(exists(counted(values.size(), part_of(form_, asked.name))));
-  if (values.empty())
-    return answer(i_do_not_know());
-  std::vector<LogicalForm> all;
-  for (auto& word : values)
-    all.push_back(kind == FeatureKind::shape ? indefinite(word)
-                                             : property(asked.proposition, word));
-  if (kind == FeatureKind::shape)
-    return answer(exists(listed(std::move(all))));
-  return answer(ascribe(pronoun(values.size() == 1 ? "it" : "they"), listed(std::move(all))));
-}
-
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
   if (root().sort == "existence" && is_number(asked))
     return some_of(found, asked);
   const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
-  if (is_count(asked))
+  if (asks_for_number(asked))
     return count(found, asked, scope);
   // Of things that are as large as one another, any may be the largest.
   const bool is_about_order =

@@ -87,6 +87,14 @@ Proxies latest_of_any_number(const std::vector<const MoveReferents*>& moves) {
   return {};
 }
 
+/// Which one of those that were spoken of last "that one" is, nobody can say.
+bool is_one_of_several(const Nominal& x, const std::vector<const MoveReferents*>& moves) {
+  if (is_plural(x) || moves.empty())
+    return false;
+  const auto& referents = moves.front()->referents;
+  return !referents.empty() && referents.front().proxies.size() > 1;
+}
+
 /// "What colour is that?"
 bool is_asked_for_quality(const LogicalForm& form, const Nominal& x) {
   const auto* root = find_nominal(form, form.root);
@@ -112,7 +120,7 @@ Antecedents antecedents_in(const LogicalForm& form,
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
-    } else if (is_pronoun(x) || is_anaphoric(x))
+    } else if (is_pronoun(x) || (is_anaphoric(x) && !is_one_of_several(x, moves)))
       found = latest(moves, is_plural(x));
     // "Are they the same colour? What colour is that?"
     if (found.empty() && is_deictic(x) && !is_plural(x) && is_asked_for_quality(form, x))
