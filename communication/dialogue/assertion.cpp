@@ -13,18 +13,25 @@ namespace castor::communication {
 
 namespace {
 
+/// Whether binding may be told what a reading says.
+enum class Verdict { told, not_told, not_interpretable };
+
 /// What disagrees with what is perceived is not told, nor what may be about several things.
-bool is_not_to_be_told(const LogicalForm& form, const Nominal& root, const Antecedents& antecedents,
-                       SceneKnowledge& scene) {
+Verdict verdict_on(const LogicalForm& form, const Nominal& root, const Antecedents& antecedents,
+                   SceneKnowledge& scene) {
   using Reason = Uninterpretable::Reason;
   Evaluation evaluation{form, antecedents, scene};
   try {
-    return judge_assertion(root, form, evaluation) == Truth::no;
+    return judge_assertion(root, form, evaluation) == Truth::no ? Verdict::not_told : Verdict::told;
   } catch (const Uninterpretable& why) {
+    if (why.reason == Reason::word)
+      return Verdict::not_interpretable;
     // What is not clear is asked about, and not told; nor what nothing that is seen can be meant
     // by.
-    return why.reason == Reason::ambiguous || why.reason == Reason::nothing_pointed_at ||
-           why.reason == Reason::nothing_like;
+    const bool is_unclear = why.reason == Reason::ambiguous ||
+                            why.reason == Reason::nothing_pointed_at ||
+                            why.reason == Reason::nothing_like;
+    return is_unclear ? Verdict::not_told : Verdict::told;
   }
 }
 
@@ -99,7 +106,10 @@ Telling telling_of(const Nominal& clause, const Nominal& thing, const LogicalFor
 void tell(const Nominal& clause, const Nominal& thing, const LogicalForm& form,
           const MoveReferents& referents, Told& told) {
   const auto telling = telling_of(clause, thing, form);
-  if (telling == Telling::nothing)
+  const auto* said = dependent(form, clause, "Cop-Scope");
+  // "Not red and small" may be one of them.
+  if (telling == Telling::nothing ||
+      (is_negated(clause) && said != nullptr && said->sort == "conjunction"))
     return;
   auto features = features_of(form, thing);
   if (const auto* scope = dependent(form, clause, "Cop-Scope"))
@@ -136,19 +146,24 @@ Telling telling_of(const Nominal& root, const LogicalForm& form) {
 }
 
 Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnowledge& scene) {
-  const auto& form = move.content;
-  const auto* root = find_nominal(form, form.root);
-  if (root == nullptr)
-    return {};
-  Told result{telling_of(*root, form), {}};
-  if (result.telling == Telling::nothing ||
-      is_not_to_be_told(form, *root, from_entry(referents.pronouns), scene))
-    return {};
-  for (const auto* clause : parts_of(form, *root))
-    if (const auto* subject = subject_of(form, *clause))
-      for (const auto* thing : parts_of(form, *subject))
-        tell(*clause, *thing, form, referents, result);
-  return result;
+  for (std::size_t reading = 0; reading <= move.alternatives.size(); ++reading) {
+    const auto& form = reading == 0 ? move.content : move.alternatives[reading - 1];
+    const auto* root = find_nominal(form, form.root);
+    if (root == nullptr)
+      return {};
+    Told result{telling_of(*root, form), {}};
+    const auto verdict = verdict_on(form, *root, from_entry(referents.pronouns), scene);
+    if (verdict == Verdict::not_interpretable)
+      continue;
+    if (verdict == Verdict::not_told || result.telling == Telling::nothing)
+      return {};
+    for (const auto* clause : parts_of(form, *root))
+      if (const auto* subject = subject_of(form, *clause))
+        for (const auto* thing : parts_of(form, *subject))
+          tell(*clause, *thing, form, referents, result);
+    return result;
+  }
+  return {};
 }
 
 } // namespace castor::communication

@@ -112,12 +112,41 @@ void place_alternatives(LogicalForm& form) {
   }
 }
 
+/// "The ball is not red but green": it is not red, and it is green.
+void place_contrast(LogicalForm& form) {
+  for (auto& x : form.nominals) {
+    if (feature(x, "Contrast").empty())
+      continue;
+    erase_feature(x, "Contrast");
+    for (auto& clause : form.nominals) {
+      const auto* first = dependent(form, x, "First");
+      if (dependent(form, clause, "Cop-Scope") != &x || !is_negated(clause) || first == nullptr)
+        continue;
+      erase_feature(clause, "Polarity");
+      find_nominal(form, first->name)->features.push_back({"Polarity", "neg"});
+    }
+  }
+}
+
+/// "What is the biggest thing apart from the disc?": the biggest of the others.
+const Nominal* selected_topic(const LogicalForm& form, const Nominal& root) {
+  for (const auto* mode : {"Cop-Restr", "Cop-Scope"})
+    if (const auto* x = dependent(form, root, mode);
+        x != nullptr && x->sort == "thing" && dependent(form, *x, "Selection") != nullptr)
+      return x;
+  return nullptr;
+}
+
 /// "Except for the ball, is anything red?" is about the other things.
 void place_exception(LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
   const auto* excepted = dependent(form, *root, "Except");
   const auto* topic = excepted == nullptr ? nullptr : topic_of(form, *root);
-  if (topic == nullptr || dependent(form, *root, "Wh-Restr") != nullptr || is_definite(*topic))
+  const auto* selected = excepted == nullptr ? nullptr : selected_topic(form, *root);
+  const bool is_asked_for = topic != nullptr && dependent(form, *root, "Wh-Restr") != nullptr;
+  if (selected != nullptr)
+    topic = selected;
+  else if (topic == nullptr || is_asked_for || is_definite(*topic))
     return;
   const auto name = excepted->name;
   const auto to = topic->name;
@@ -398,6 +427,7 @@ LogicalForm reunited(LogicalForm form) {
   place_relative_clause(form);
   place_alternatives(form);
   place_exception(form);
+  place_contrast(form);
   complete_by_preface(form);
   complete_by_topic(form);
   choose_from_topic(form);

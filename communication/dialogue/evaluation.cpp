@@ -100,6 +100,12 @@ Truth Evaluation::ascription(const Nominal& e) {
   auto& subject = need(e, "Cop-Restr");
   auto& scope = need(e, "Cop-Scope");
   const bool negated = is_negated(e);
+  if (is_of_comparisons(scope))
+    return ascription_of_each(e, scope);
+  if (is_only_plural(scope)) {
+    const auto result = are_the_only(subject, scope);
+    return negated ? negation(result) : result;
+  }
   if (subject.sort == "quality") {
     // "Only one colour touches the wall."
     auto result = dependent(form_, subject, "Quantity") != nullptr && has_containers()
@@ -264,6 +270,10 @@ Truth Evaluation::existence(const Nominal& subject) {
       return there_are(one, [&](const std::string& id) { return contains(id, other); });
     if (auto related = one_and_its_own(one, other); related && subject.proposition == "and")
       return *related;
+    // "Two cubes, one large and one small" are no four things.
+    for (auto& x : part_of(form_, other.name).nominals)
+      if (feature(x, "Apposed") == "true" && !has_containers())
+        not_understood(x.proposition);
     auto first = existence(one);
     auto next = existence(other);
     if (subject.proposition == "nor")
@@ -350,6 +360,8 @@ Truth Evaluation::compared_counts(const Nominal& subject, const Nominal& quantit
 /// "The ball and the cube are the same colour", "all cubes have different colours".
 Truth Evaluation::collectively(const Nominal& subject, const Nominal& comparison) {
   auto& quality = need(comparison, "Quality");
+  if (const auto* with = dependent(form_, quality, "Accompaniment"))
+    not_understood(with->proposition);
   auto things = members(subject);
   const bool same = comparison.proposition == "same";
   if (!same && comparison.proposition != "different")

@@ -158,6 +158,10 @@ private:
   // -- what is said of several things together (evaluation_together.cpp)
   const Nominal* collective_modifier(const Nominal& phrase);
   Truth collectively(const Nominal& phrase, const Nominal& modifier, const Property& scope);
+  bool is_of_comparisons(const Nominal& scope);
+  Truth ascription_of_each(const Nominal& e, const Nominal& scopes);
+  bool is_only_plural(const Nominal& phrase);
+  Truth are_the_only(const Nominal& subject, const Nominal& only);
   bool is_the_other_of(const Nominal& one, const Nominal& other);
   Truth one_and_the_other(const Nominal& first, const Nominal& next);
   Truth of_some_together(const Nominal& subject, const Nominal& comparison);
@@ -196,6 +200,7 @@ private:
   void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
   bool exclude_each_other(const Nominal& a, const Nominal& b) const;
   bool has_pronoun(const Nominal& phrase) const;
+  bool is_other_than_subject(const Nominal& clause, const Nominal& x) const;
   Truth fits_but_for(const std::string& id, const Nominal& phrase, const Nominal& modifier);
   Truth fits(const std::string& id, const Nominal& phrase, bool with_selection = true);
   Truth is_called(const std::string& id, const Nominal& phrase);

@@ -304,6 +304,8 @@ Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_s
         together != nullptr &&
         (x == together || (mode == "GenRelation" && dependent(form_, *x, "Cop-Scope") == together)))
       continue;
+    if (mode == "Selection" && selection != nullptr)
+      not_understood(x->proposition);
     if (mode == "Selection")
       selection = x;
     else
@@ -405,7 +407,8 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
   }
   if (mode == "Property" && x.proposition == "other") {
     // "Larger than all the others", "than every other ball".
-    if (!related_.empty() && (is_plural(phrase) || delimitation(phrase) == "all"))
+    const bool is_of_such = !related_.empty() && fits_but_for(related_, phrase, x) == Truth::yes;
+    if (!related_.empty() && (is_plural(phrase) || delimitation(phrase) == "all" || is_of_such))
       return truth_of(id != related_ &&
                       std::ranges::find(related_group_, id) == related_group_.end());
     auto contains = [&](const Things& things) {

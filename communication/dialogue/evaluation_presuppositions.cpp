@@ -52,11 +52,21 @@ void Evaluation::check_presuppositions() {
     // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
     // are definite.
     if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) || (is_other && &x == other) ||
+        is_only_plural(x) || is_other_than_subject(root, x) ||
         (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
       continue;
     phrases.emplace_back(&x, presupposed(x));
   }
   check_consistency(phrases);
+}
+
+/// "Is one of the balls larger than the other?": which the other is depends on the one.
+bool Evaluation::is_other_than_subject(const Nominal& clause, const Nominal& x) const {
+  const auto* subject = dependent(form_, clause, "Cop-Restr");
+  const auto* scope = dependent(form_, clause, "Cop-Scope");
+  return subject != nullptr && scope != nullptr && scope->sort == "comparison" &&
+         subject->sort == "thing" && !is_definite_phrase(*subject) && !is_plural(x) &&
+         is_definite(x) && is_about_others(form_, x) && dependent(form_, *scope, "Than") == &x;
 }
 
 /// What is like the phrase, of which there is what it takes for granted.

@@ -99,7 +99,8 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          !is_plural(*anchor) && !is_the_table(*anchor) && !is_side_of_container(*anchor))
+          !is_plural(*anchor) && !is_about_others(form_, *anchor) && !is_the_table(*anchor) &&
+          !is_side_of_container(*anchor))
         add(meant(*anchor));
   return result;
 }

@@ -149,6 +149,61 @@ Evaluation::Things Evaluation::compared_together(const Nominal& subject) {
   return are_several ? members(subject) : Things{};
 }
 
+/// "The same colour or the same size".
+bool Evaluation::is_of_comparisons(const Nominal& scope) {
+  if (scope.sort != "conjunction")
+    return false;
+  const auto is_alone = [this](const Nominal& x) {
+    return x.sort == "comparison" && dependent(form_, x, "Than") == nullptr;
+  };
+  return is_alone(need(scope, "First")) && is_alone(need(scope, "Next"));
+}
+
+Truth Evaluation::ascription_of_each(const Nominal& e, const Nominal& scopes) {
+  const auto with = [&](const char* mode) {
+    auto one = e;
+    for (auto& x : one.relations)
+      if (x.dependent == scopes.name)
+        x.dependent = need(scopes, mode).name;
+    std::erase_if(one.features, [](auto& x) { return x.name == "Polarity"; });
+    return ascription(one);
+  };
+  const bool is_any = scopes.proposition == "or";
+  const auto result =
+    is_any ? either(with("First"), with("Next")) : both(with("First"), with("Next"));
+  if (scopes.proposition == "nor")
+    not_understood("nor");
+  return is_negated(e) ? negation(result) : result;
+}
+
+/// "The only red things".
+bool Evaluation::is_only_plural(const Nominal& phrase) {
+  return phrase.sort == "thing" && is_plural(phrase) && is_definite(phrase) &&
+         std::ranges::any_of(phrase.relations, [this](auto& relation) {
+           const auto* x = find_nominal(form_, relation.dependent);
+           return relation.mode == "Property" && x != nullptr && x->proposition == "only";
+         });
+}
+
+/// "The cubes are the only red things": they are red, and nothing else is.
+Truth Evaluation::are_the_only(const Nominal& subject, const Nominal& only) {
+  auto like = only;
+  std::erase_if(like.relations, [this](auto& relation) {
+    const auto* x = find_nominal(form_, relation.dependent);
+    return x != nullptr && x->proposition == "only";
+  });
+  const auto things = members(subject);
+  if (!scene_.open_questions().empty())
+    return Truth::unknown;
+  auto result = Truth::yes;
+  for (auto& id : scene_.things()) {
+    const auto is_like = fits(id, like);
+    const bool is_meant = std::ranges::find(things, id) != things.end();
+    result = both(result, is_meant ? is_like : negation(is_like));
+  }
+  return result;
+}
+
 /// "One ball is red and the other is black."
 bool Evaluation::is_the_other_of(const Nominal& one, const Nominal& other) {
   return one.sort == "thing" && other.sort == "thing" && !is_plural(one) && !is_plural(other) &&

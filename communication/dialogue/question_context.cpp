@@ -276,6 +276,18 @@ const Nominal* parallel_subject(const LogicalForm& form, const Nominal& one) {
   return is_parallel ? subject : nullptr;
 }
 
+/// "How many large and how many small things are there?": the noun of the second question for what
+/// the first asks for; else empty.
+std::string noun_asked_next(const LogicalForm& form, const Nominal& one) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* first = root->sort == "conjunction" ? dependent(form, *root, "First") : nullptr;
+  const auto* next = first == nullptr ? nullptr : dependent(form, *root, "Next");
+  if (next == nullptr || dependent(form, *first, "Wh-Restr") != &one)
+    return {};
+  const auto* asked = dependent(form, *next, "Wh-Restr");
+  return asked == nullptr || asked->sort != "thing" ? std::string{} : asked->proposition;
+}
+
 /// The last thing that is called by a noun before a nominal; null if there is none.
 const Nominal* named_before(const LogicalForm& form, const Nominal& one) {
   if (const auto* subject = parallel_subject(form, one))
@@ -402,6 +414,8 @@ void QuestionContext::replace_one(LogicalForm& form) const {
       continue;
     if (!noun.empty())
       x.proposition = noun;
+    else if (const auto next = noun_asked_next(form, x); !next.empty())
+      x.proposition = next;
     else if (!noun_.empty() && !is_identified(form, *root, x))
       x.proposition = noun_;
   }

@@ -82,6 +82,10 @@ Response Responder::to_question_w() {
   if (restriction == nullptr || scope == nullptr)
     throw Uninterpretable{Uninterpretable::Reason::word, root().proposition};
   const bool asks_for_scope = asked.name == scope->name;
+  // "What colour is the ball, apart from the cube?"
+  if (const auto* excepted = dependent(form_, root(), "Except");
+      excepted != nullptr && asks_for_scope && is_definite(*restriction))
+    throw Uninterpretable{Uninterpretable::Reason::word, excepted->proposition};
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
