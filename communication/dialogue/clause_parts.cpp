@@ -245,6 +245,24 @@ void restrict_to_asked(LogicalForm& form) {
       one.relations.push_back(relation);
 }
 
+/// "What is it?", "where is it?", "what colour is it?" of a nominal, by the word that asks.
+LogicalForm question_about(const LogicalForm& form, const std::string& name,
+                           const std::string& word) {
+  LogicalForm question{"ellipsis", {}, 0};
+  const bool asks_which = word == "which";
+  const auto* sort = asks_which ? "entity" : word == "where" ? "region" : "quality";
+  question.nominals.push_back({"asked", sort, asks_which ? "what" : word, {}, {}});
+  question.nominals.push_back(
+    {"ellipsis",
+     "ascription",
+     "be",
+     {{"Mood", "int"}},
+     {{"Wh-Restr", "asked"}, {"Cop-Restr", name}, {"Cop-Scope", "asked"}}});
+  for (auto& x : part_of(form, name).nominals)
+    question.nominals.push_back(x);
+  return question;
+}
+
 /// "The bigger ball, which one?": which is the bigger ball?
 void complete_by_topic(LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
@@ -252,22 +270,9 @@ void complete_by_topic(LogicalForm& form) {
   if (topic == nullptr || !is_elliptical(form) || root->proposition == "so")
     return;
   const auto word = root->proposition;
-  const auto name = topic->name;
-  const bool asks_which = word == "which";
-  if (!asks_which && word != "where" && word != "colour" && word != "size" && word != "shape")
+  if (word != "which" && word != "where" && word != "colour" && word != "size" && word != "shape")
     return;
-  LogicalForm question{"topical", {}, 0};
-  const auto* sort = asks_which ? "entity" : word == "where" ? "region" : "quality";
-  question.nominals.push_back({"asked", sort, asks_which ? "what" : word, {}, {}});
-  question.nominals.push_back(
-    {"topical",
-     "ascription",
-     "be",
-     {{"Mood", "int"}},
-     {{"Wh-Restr", "asked"}, {"Cop-Restr", name}, {"Cop-Scope", "asked"}}});
-  for (auto& x : part_of(form, name).nominals)
-    question.nominals.push_back(x);
-  form = std::move(question);
+  form = question_about(form, std::string{topic->name}, word);
 }
 
 /// "I count one ball, how many do you count?" is about balls.
@@ -476,18 +481,7 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
   erase_relation(asked, "Quantity");
   if (!asks_which) {
     asked.features.push_back({"Delimitation", "unique"});
-    LogicalForm question{"ellipsis", {}, 0};
-    const bool asks_where = word == "where";
-    question.nominals.push_back({"asked", asks_where ? "region" : "quality", word, {}, {}});
-    question.nominals.push_back(
-      {"ellipsis",
-       "ascription",
-       "be",
-       {{"Mood", "int"}},
-       {{"Wh-Restr", "asked"}, {"Cop-Restr", name}, {"Cop-Scope", "asked"}}});
-    for (auto& x : part_of(before, name).nominals)
-      question.nominals.push_back(x);
-    return question;
+    return question_about(before, name, word);
   }
   for (const auto* what : {"Literal", "Denied", "Certainty", "Mood"})
     erase_feature(*root, what);

@@ -65,8 +65,9 @@ bool Evaluation::is_other_than_subject(const Nominal& clause, const Nominal& x) 
   const auto* subject = dependent(form_, clause, "Cop-Restr");
   const auto* scope = dependent(form_, clause, "Cop-Scope");
   return subject != nullptr && scope != nullptr && scope->sort == "comparison" &&
-         subject->sort == "thing" && !is_definite_phrase(*subject) && !is_plural(x) &&
-         is_definite(x) && is_about_others(form_, x) && dependent(form_, *scope, "Than") == &x;
+         subject->sort == "thing" && !is_plural(x) &&
+         (!is_definite_phrase(*subject) || !antecedents_.contains(x.name)) && is_definite(x) &&
+         is_about_others(form_, x) && dependent(form_, *scope, "Than") == &x;
 }
 
 /// What is like the phrase, of which there is what it takes for granted.

@@ -31,8 +31,10 @@ Telling told(const std::string& said) {
 TEST(Assertions, AreToldOfWhatTheyAreAbout) {
   for (const auto* said : {"The ball is a toy.", "There is a toy.", "This is a toy."})
     EXPECT_EQ(told(said), Telling::of_one) << said;
-  for (const auto* said : {"Every cube is a toy.", "All cubes are toys.", "Both balls are toys.",
-                           "The cubes are toys.", "Cubes are toys."})
+  for (const auto* said :
+       {"Every cube is a toy.", "All cubes are toys.", "Both balls are toys.",
+        "The cubes are toys.", "Cubes are toys.", "The ball and the cube are toys.",
+        "The ball is a toy and the cube is a gift."})
     EXPECT_EQ(told(said), Telling::of_each) << said;
   for (const auto* said : {"Most balls are toys.", "Two balls are toys.", "No ball is a toy.",
                            "Only the ball is a toy.", "There are three toys.", "There is no toy.",

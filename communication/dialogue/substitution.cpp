@@ -1,0 +1,212 @@
+#include "castor/communication/dialogue/substitution.hpp"
+
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+
+namespace castor::communication {
+
+namespace {
+
+/// Puts a fragment in the place of what is like it in a question: a thing for the thing that it is
+/// about, a colour for a colour, a place for a place.
+class Substitution {
+public:
+  Substitution(LogicalForm& form, const Nominal& fragment) : form_(form), fragment_(fragment) {}
+
+  /// \returns whether there is such a place
+  bool run() {
+    if (is_another_answer())
+      return false;
+    if (other_quality() || compared_quality() || contrast() || other_value() || other_selection())
+      return true;
+    for (const bool strictly : {true, false}) {
+      is_strict_ = strictly;
+      seen_.clear();
+      visit(form_.root);
+    }
+    return replaced_;
+  }
+
+private:
+  /// A definite phrase is rather about what a definite phrase was about.
+  bool is_alike(const Nominal& x) const {
+    if (fragment_.sort == "thing")
+      return x.sort == "thing" && !is_the_table(x) &&
+             (!is_strict_ || is_definite(x) == is_definite(fragment_));
+    return x.sort == fragment_.sort && x.name != fragment_.name;
+  }
+
+  /// "Which one is blue? And the other?" does not ask which other one is blue.
+  bool is_another_answer() const {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* asked = root == nullptr ? nullptr : dependent(form_, *root, "Wh-Restr");
+    return asked != nullptr && asked->sort == "thing" && fragment_.sort == "thing" &&
+           is_definite(fragment_) && !is_plural(fragment_) && is_about_others(form_, fragment_) &&
+           dependent(form_, *asked, "Quantity") == nullptr;
+  }
+
+  /// "The red one" is a thing of the kind that was spoken of.
+  void inherit(const Nominal& from) {
+    auto* fragment = find_nominal(form_, fragment_.name);
+    if (fragment->proposition == "one" && !is_pronoun(from))
+      fragment->proposition = from.proposition;
+    // "How many balls are red? And how many are green?" is about as many.
+    if (feature(*fragment, "Delimitation").empty() && is_plural(*fragment))
+      for (auto& relation : from.relations)
+        if (relation.mode == "Quantity" || relation.mode == "PartOf")
+          fragment->relations.push_back(relation);
+  }
+
+  /// "The colour of the cube? And the size?"
+  bool other_quality() {
+    auto* root = find_nominal(form_, form_.root);
+    if (root == nullptr || root->sort != "quality" || fragment_.sort != "quality" ||
+        !fragment_.relations.empty())
+      return false;
+    root->proposition = fragment_.proposition;
+    return true;
+  }
+
+  /// "Are they the same colour? And size?"
+  bool compared_quality() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    const auto* quality = scope == nullptr ? nullptr : dependent(form_, *scope, "Quality");
+    if (fragment_.sort != "quality" || !fragment_.relations.empty() || quality == nullptr)
+      return false;
+    replace(quality->name);
+    return true;
+  }
+
+  /// "The cylinder is yellow, right? And large?" asks whether it is large.
+  bool other_value() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    if (!is_value(fragment_) || scope == nullptr || !is_value(*scope) ||
+        scope->sort == fragment_.sort || dependent(form_, *root, "Wh-Restr") != nullptr)
+      return false;
+    replace(scope->name);
+    return true;
+  }
+
+  /// "Which one is bigger? And the smaller one?" asks which is.
+  bool other_selection() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    const auto* selection = dependent(form_, fragment_, "Selection");
+    if (scope == nullptr || scope->sort != "selection" || selection == nullptr ||
+        fragment_.proposition != "one" || fragment_.relations.size() != 1 ||
+        dependent(form_, *root, "Wh-Restr") == nullptr)
+      return false;
+    const auto old = scope->name;
+    for (auto& relation : find_nominal(form_, form_.root)->relations)
+      if (relation.dependent == old)
+        relation.dependent = selection->name;
+    return true;
+  }
+
+  /// "How many things are white? And brown ones?" asks how many are brown, "how many things are
+  /// balls? And cubes?" how many are cubes: what a fragment excludes is not said of it.
+  /// \returns whether it is like that
+  bool contrast() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* about = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Restr");
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    if (about == nullptr || scope == nullptr || about->sort != "thing" ||
+        fragment_.sort != "thing" || !is_plural(fragment_) ||
+        (is_definite(fragment_) && dependent(form_, *root, "Wh-Restr") != about))
+      return false;
+    if (scope->sort == "thing") {
+      if (!is_general_noun(about->proposition) || is_general_noun(scope->proposition) ||
+          is_general_noun(fragment_.proposition) || is_definite(*scope) || is_definite(fragment_))
+        return false;
+      replace(scope->name);
+      return true;
+    }
+    const auto of_kind = std::ranges::find_if(fragment_.relations, [&](auto& relation) {
+      const auto* value = find_nominal(form_, relation.dependent);
+      return value != nullptr && value->sort == scope->sort && is_value(*value);
+    });
+    if (of_kind == fragment_.relations.end() || !is_value(*scope))
+      return false;
+    const auto subject = about->name;
+    const auto value = of_kind->dependent;
+    auto& asked = *find_nominal(form_, subject);
+    if (!is_general_noun(fragment_.proposition))
+      asked.proposition = fragment_.proposition;
+    for (auto& relation : fragment_.relations)
+      if (relation.dependent != value)
+        asked.relations.push_back(relation);
+    const auto old = scope->name;
+    for (auto& relation : find_nominal(form_, form_.root)->relations)
+      if (relation.dependent == old)
+        relation.dependent = value;
+    return true;
+  }
+
+  static bool is_value(const Nominal& x) {
+    return x.sort == "colour" || x.sort == "size" || x.sort == "shape" || x.sort == "material";
+  }
+
+  /// "What is behind the ball? And left of it?" is about the ball.
+  void keep_anchor(const Nominal& old) {
+    const auto* anchor = dependent(form_, old, "Anchor");
+    for (auto& relation : find_nominal(form_, fragment_.name)->relations) {
+      const auto* pronoun = find_nominal(form_, relation.dependent);
+      if (anchor != nullptr && relation.mode == "Anchor" && pronoun != nullptr &&
+          is_pronoun(*pronoun))
+        relation.dependent = anchor->name;
+    }
+    // "And to the right?"
+    auto& fragment = *find_nominal(form_, fragment_.name);
+    if (anchor != nullptr && feature(fragment, "Of") == "before" &&
+        dependent(form_, fragment, "Anchor") == nullptr && !is_the_table(*anchor))
+      fragment.relations.push_back({"Anchor", anchor->name});
+  }
+
+  void visit(const std::string& name) {
+    const auto* x = find_nominal(form_, name);
+    if (x == nullptr || !seen_.insert(name).second || replaced_)
+      return;
+    for (std::size_t i = 0; i < x->relations.size() && !replaced_; ++i) {
+      x = find_nominal(form_, name);
+      const auto dependent = x->relations[i].dependent;
+      const auto* to = find_nominal(form_, dependent);
+      if (to != nullptr && dependent != fragment_.name && is_alike(*to)) {
+        const Nominal old = *to;
+        inherit(old);
+        keep_anchor(old);
+        replace(dependent);
+        replaced_ = true;
+      } else
+        visit(dependent);
+    }
+  }
+
+  void replace(const std::string& name) {
+    for (auto& x : form_.nominals)
+      if (x.name != fragment_.name)
+        for (auto& relation : x.relations)
+          if (relation.dependent == name)
+            relation.dependent = fragment_.name;
+  }
+
+  LogicalForm& form_;
+  const Nominal fragment_;
+  std::set<std::string> seen_;
+  bool is_strict_ = true;
+  bool replaced_ = false;
+};
+
+} // namespace
+
+bool substitute_fragment(LogicalForm& form, const Nominal& fragment) {
+  return Substitution{form, fragment}.run();
+}
+
+} // namespace castor::communication
