@@ -111,8 +111,13 @@ private:
     auto self = shared_from_this();
     auto& entry = *terms_.lease;
     guarded([&] {
-      context_->self->send(context_->working_memory(entry.subarchitecture),
-                           RenewRequest{client_, {{entry.id, token_}}});
+      context_->self
+        ->request(context_->working_memory(entry.subarchitecture), inspection_patience,
+                  RenewRequest{client_, {{entry.id, token_}}})
+        .then([](const RenewReply&) {},
+              [](const caf::error&) {
+                // The lease expires, and the effector will say so.
+              });
       after(period, [self] { self->renew(); });
     });
   }

@@ -40,7 +40,7 @@ CASTOR_COMPONENT(Driver, "turns the wheel")
 
 class Meddler : public castor::UnmanagedComponent {
   void start() override {
-    on_change<Wheelhouse>(castor::added().at(here("driven")), [this](const castor::ChangeEvent&) {
+    on_change(castor::added<Wheelhouse>().at(here("driven")), [this](const castor::ChangeEvent&) {
       try {
         command("wheel", Turn{-1});
       } catch (const castor::CommandRefused& refusal) {
