@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace castor::test {
@@ -232,6 +233,38 @@ TEST_F(Commands, WithoutTheEntryNobodyIsObeyed) {
     EXPECT_NE(refusal_of([&] { self.command("wheel", Note{2, ""}); }), "obeyed");
   });
   EXPECT_EQ(log_.count("turn 2"), 0);
+}
+
+TEST_F(Commands, ACommandThatWaitedForTheEffectorIsRefusedForItsAge) {
+  std::atomic<bool> is_known{false};
+  std::atomic<bool> is_busy{false};
+  StandaloneScript::scripts()["wheel"].start = [&](auto& self) {
+    self.template on_command<Note>(
+      [&](const Note& x) {
+        log_.add("turn " + std::to_string(x.number));
+        if (x.number != 1)
+          return;
+        is_busy = true;
+        std::this_thread::sleep_for(200ms);
+      },
+      [] {}, CommandTerms{1h});
+  };
+  run_two(
+    [&](auto& self) {
+      EXPECT_TRUE(eventually([&] { return is_known.load(); }));
+      self.command("wheel", Note{1, ""});
+    },
+    [&](auto& self) {
+      self.command("wheel", Note{0, ""});
+      is_known = true;
+      EXPECT_TRUE(eventually([&] { return is_busy.load(); }));
+      EXPECT_THAT(refusal_of([&] {
+                    self.command("wheel", Note{2, ""}, 50ms);
+                  }),
+                  HasSubstr("and is valid for 0.05 s"));
+      self.end_system(0, "done");
+    });
+  EXPECT_EQ(log_.lines(), (std::vector<std::string>{"turn 0", "turn 1"}));
 }
 
 TEST_F(Commands, OfAStreamTheNewestIsObeyed) {
