@@ -138,4 +138,25 @@ CASTOR_WIRE(CommandTermsReply, terms, clock)
 CASTOR_WIRE(CommandMessage, value, commander, token, sent, valid_for, number)
 CASTOR_WIRE(CommandDone, effector, type, number, result, reason, clock)
 
+/// Times of commands are added to others.
+inline void check_command_time(Timestamp x) {
+  if (x < Timestamp{0} || x > longest_command_time)
+    throw DecodeError("an impossible time of a command");
+}
+inline void check_read(const CommandTerms& x) {
+  check_command_time(x.valid_for);
+}
+inline void check_read(const CommandTermsReply& x) {
+  check_command_time(x.clock);
+}
+inline void check_read(const CommandMessage& x) {
+  if (!x.value.has_value())
+    throw DecodeError("a command without a value");
+  check_command_time(x.sent);
+  check_command_time(x.valid_for);
+}
+inline void check_read(const CommandDone& x) {
+  check_command_time(x.clock);
+}
+
 } // namespace castor

@@ -38,9 +38,9 @@ ComponentCommands::ComponentCommands(const Parts& parts) : parts_(parts) {
 // -- effector
 
 void ComponentCommands::obey(CommandHandler handler) {
-  if (handler.terms.valid_for.count() <= 0)
+  if (handler.terms.valid_for <= Timestamp{0} || handler.terms.valid_for > longest_command_time)
     throw std::invalid_argument("commands of the type " + handler.type->name() +
-                                " have to be valid for more than 0 s");
+                                " have to be valid for more than 0 s and less than 100 years");
   auto type = handler.type->name();
   CommandGate gate{parts_.context.identity().name, handler.terms};
   if (!obediences_.emplace(type, Obedience{std::move(handler), std::move(gate), {}}).second)
@@ -251,13 +251,16 @@ ComponentCommands::Effector& ComponentCommands::connect(const std::string& name,
 CommandMessage
 ComponentCommands::make_message(Effector& effector, const Value& x,
                                 std::optional<std::chrono::microseconds> valid_for) const {
+  if (valid_for && *valid_for <= Timestamp{0})
+    throw std::invalid_argument("a command has to be valid for more than 0 s");
   auto& lease = effector.terms.lease;
   CommandMessage result;
   result.value = x;
   result.commander = parts_.context.client();
   result.token = lease ? parts_.context.leases().token(*lease) : 0;
   result.sent = effector.clock.at(Clock::now());
-  result.valid_for = valid_for.value_or(effector.terms.valid_for);
+  result.valid_for =
+    std::min(valid_for.value_or(effector.terms.valid_for), effector.terms.valid_for);
   result.number = ++effector.last_number;
   return result;
 }

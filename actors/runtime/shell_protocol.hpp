@@ -94,6 +94,9 @@ struct Pushed {
   Value value;
 };
 
+/// Bound of the clocks of effectors, and of how long commands hold.
+inline constexpr Timestamp longest_command_time = std::chrono::hours{24 * 365 * 100};
+
 /// To a stand-alone component: what does it demand of commands of the type? Answered with
 /// CommandTermsReply.
 struct CommandTermsQuery {
