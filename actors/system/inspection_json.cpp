@@ -85,7 +85,8 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"callbacks", x.callbacks},
           {"writes", x.writes},
           {"reads", x.reads},
-          {"pushes_dropped", x.pushes_dropped}};
+          {"pushes_dropped", x.pushes_dropped},
+          {"obeys", x.obeys}};
 }
 
 Json to_json(const JournalStatus& x) {

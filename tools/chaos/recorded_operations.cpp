@@ -147,7 +147,7 @@ void RecordingReader::read(std::istream& in) {
   std::unordered_map<std::uint64_t, std::size_t> open;
   for (std::string text; std::getline(in, text);) {
     auto line = Json::parse(text, nullptr, false);
-    if (!line.is_object())
+    if (!line.is_object() || line.contains("obeys") || line.contains("rests"))
       continue;
     if (line.contains("end")) {
       if (auto i = open.find(line.at("end").get<std::uint64_t>()); i != open.end())

@@ -70,6 +70,8 @@ std::string components_as_text(const Json& report) {
     table.add(row);
     if (auto failure = x["failure"].get<std::string>(); !failure.empty())
       table.remark(failure);
+    if (auto obeys = x["obeys"].get<std::string>(); !obeys.empty())
+      table.remark("obeys " + obeys);
   }
   return table.text();
 }
