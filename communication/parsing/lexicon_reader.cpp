@@ -22,11 +22,13 @@ constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {"feature",  "root",   "raise", "call",
                                                 "filler",   "aside",  "frame", "person",
-                                                "decisive", "family", "words", "nouns"};
+                                                "telling",  "decisive", "family", "words",
+                                                "nouns"};
 
 const std::map<std::string_view, WordClass> word_classes = {{"aside", WordClass::aside},
                                                             {"frame", WordClass::frame},
                                                             {"person", WordClass::person},
+                                                            {"telling", WordClass::telling},
                                                             {"decisive", WordClass::decisive}};
 
 /// A part of a line, and where it begins.
@@ -206,7 +208,7 @@ private:
   static std::string unknown_keyword_remedy(const std::string& word) {
     const auto meant = did_you_mean(word, keywords);
     return meant.empty() ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
-                           "person, decisive, family, words or nouns; what belongs to them is "
+                           "person, telling, decisive, family, words or nouns; what belongs to them is "
                            "indented."
                          : meant;
   }

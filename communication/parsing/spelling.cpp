@@ -100,6 +100,25 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
   return known.empty() ? std::string{} : known.front();
 }
 
+/// "Sooo", "hiii", "cooool" without letters that are there to make it long; empty if that is no
+/// known word.
+std::string without_long_letters(const std::string& word, const Lexicon& lexicon) {
+  for (const std::size_t most : {2, 1}) {
+    std::string result;
+    bool is_shorter = false;
+    for (std::size_t begin = 0; begin < word.size();) {
+      const auto end = std::min(word.find_first_not_of(word[begin], begin), word.size());
+      const auto length = end - begin;
+      is_shorter = is_shorter || length > 2;
+      result.append(length > 2 ? most : length, word[begin]);
+      begin = end;
+    }
+    if (is_shorter && (lexicon.knows(result) || lexicon.is_in_a_class(result)))
+      return result;
+  }
+  return {};
+}
+
 } // namespace
 
 std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words,
@@ -112,6 +131,10 @@ std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words
       corrected.push_back(word);
       continue;
     }
+    if (auto plain = without_long_letters(word, lexicon); !plain.empty()) {
+      corrected.push_back(std::move(plain));
+      continue;
+    }
     auto meant = split(word, lexicon);
     const bool is_short = word.size() < shortest_word;
     if (meant.empty() && i == 0 && words.size() > 1)
@@ -120,8 +143,10 @@ std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words
     if (meant.empty())
       if (auto other = a_letter_off(word, lexicon); !other.empty())
         meant = {other};
-    if (meant.empty())
-      return {};
+    if (meant.empty()) {
+      corrected.push_back(word);
+      continue;
+    }
     result.push_back({word, meant.front() + (meant.size() > 1 ? ' ' + meant.back() : "")});
     corrected.insert(corrected.end(), meant.begin(), meant.end());
   }

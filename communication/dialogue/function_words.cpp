@@ -1,0 +1,395 @@
+#include "castor/communication/dialogue/function_words.hpp"
+
+#include "castor/communication/dialogue/clause_parts.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/tokens.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using Sentence = std::vector<std::string>;
+
+/// In words. Longer utterances are seldom telegraphic.
+constexpr std::size_t longest_sentence = 16;
+
+/// How often an utterance is parsed with other function words.
+constexpr std::size_t most_parses = 60;
+
+/// Ways to put articles into an utterance that are tried.
+constexpr std::size_t most_completions = 12;
+
+/// Those of them that are tried with other function words too.
+constexpr std::size_t most_rearranged = 4;
+
+template <std::size_t N>
+bool is_any(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+constexpr std::array<std::string_view, 6> question_words{"what",  "which", "where",
+                                                         "who",   "how",   "whose"};
+constexpr std::array<std::string_view, 20> finite_verbs{
+  "is", "are",  "'s",  "'re", "am",    "was",  "were",  "has", "have",  "had",
+  "do", "does", "did", "can", "could", "will", "would", "may", "might", "be"};
+
+/// Pairs of verbs for one thing and for several.
+constexpr std::array<std::array<std::string_view, 2>, 5> verb_numbers{
+  {{"is", "are"}, {"has", "have"}, {"does", "do"}, {"lies", "lie"}, {"touches", "touch"}}};
+
+/// "Is there cube", "you see cube", "it has corner": something that was not spoken of.
+constexpr std::array<std::string_view, 12> introducing{
+  "there", "see", "have", "has", "find", "spot", "exist", "exists", "with", "contain", "contains", "show"};
+
+/// What a word may be in a noun phrase.
+struct WordUse {
+  bool is_singular = false;
+  bool is_plural = false;
+  /// Of a number, or an amount.
+  bool is_count = false;
+  /// Belongs to a thing: "colour", "side".
+  bool is_part = false;
+  bool is_modifier = false;
+  bool is_determiner = false;
+  /// Of several things only: "these", "two".
+  bool is_plural_determiner = false;
+  bool is_pronoun = false;
+
+  bool is_noun() const { return is_singular || is_plural; }
+};
+
+WordUse use_of(const std::string& word, const Lexicon& lexicon) {
+  WordUse result;
+  bool is_singular_determiner = false;
+  for (const auto number : lexicon.find(word)) {
+    const auto& category = lexicon.categories()[lexicon.entry(number).category];
+    const auto text = to_string(category, lexicon.symbols());
+    const auto& arguments = category.arguments;
+    if (arguments.empty()) {
+      result.is_singular = result.is_singular || text.starts_with("n[sg");
+      result.is_plural = result.is_plural || text.starts_with("n[pl");
+      result.is_part = result.is_part || text.ends_with("part]");
+      result.is_count = result.is_count || text.ends_with("count]");
+      result.is_pronoun = result.is_pronoun || text == "np" || text.starts_with("np[");
+      continue;
+    }
+    const auto& last = arguments.back();
+    if (last.direction != SlashDirection::forward || !last.category.arguments.empty() ||
+        lexicon.symbols().text(last.category.result.name) != "n")
+      continue;
+    const auto& name = lexicon.symbols().text(category.result.name);
+    const bool is_of_noun = name == "n";
+    if (!is_of_noun && name != "np" && !is_any(word, question_words))
+      continue;
+    const bool is_of_several = text.starts_with("np[pl]/n[pl");
+    result.is_modifier = result.is_modifier || (is_of_noun && arguments.size() == 1);
+    result.is_determiner = result.is_determiner || !is_of_noun;
+    result.is_plural_determiner = result.is_plural_determiner || is_of_several;
+    is_singular_determiner = is_singular_determiner || (!is_of_noun && !is_of_several);
+  }
+  result.is_plural_determiner = result.is_plural_determiner && !is_singular_determiner;
+  return result;
+}
+
+/// "Balls" for "ball"; empty if the lexicon has no such word.
+std::string plural_of(const std::string& noun, const Lexicon& lexicon) {
+  for (const auto number : lexicon.find(noun)) {
+    const auto& singular = lexicon.entry(number);
+    if (!to_string(lexicon.categories()[singular.category], lexicon.symbols()).starts_with("n[sg"))
+      continue;
+    const auto plural = std::ranges::find_if(lexicon.entries(), [&](const LexicalEntry& x) {
+      return x.family == singular.family && x.predicate == singular.predicate &&
+             x.phrase.front() == noun.front() &&
+             to_string(lexicon.categories()[x.category], lexicon.symbols()).starts_with("n[pl");
+    });
+    if (plural != lexicon.entries().end())
+      return plural->phrase;
+  }
+  return {};
+}
+
+/// A place where an article may be missing, and the articles, the likeliest first; empty for none.
+struct Gap {
+  std::size_t position = 0;
+  std::vector<std::string> articles;
+};
+
+/// Finds the noun phrases of an utterance.
+class NounPhrases {
+public:
+  NounPhrases(Sentence words, const Lexicon& lexicon) : words_(std::move(words)) {
+    for (auto& word : words_)
+      uses_.push_back(use_of(word, lexicon));
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (const auto noun = noun_from(i); noun < words_.size()) {
+        if (needs_plural(i))
+          if (auto plural = plural_of(words_[noun], lexicon); !plural.empty()) {
+            words_[noun] = std::move(plural);
+            uses_[noun] = {.is_plural = true};
+          }
+        add_gap(i, noun);
+        i = noun;
+      }
+  }
+
+  /// With nouns in their number.
+  const Sentence& words() const { return words_; }
+  const std::vector<Gap>& gaps() const { return gaps_; }
+
+private:
+  /// The first noun after words that say what a thing is like; else the number of words.
+  std::size_t noun_from(std::size_t i) const {
+    while (i + 1 < words_.size() && uses_[i].is_modifier &&
+           (uses_[i + 1].is_modifier || uses_[i + 1].is_noun()))
+      ++i;
+    const bool is_noun = uses_[i].is_noun() && !uses_[i].is_determiner;
+    return is_noun ? i : words_.size();
+  }
+
+  bool is_after_determiner(std::size_t i) const {
+    return i > 0 && uses_[i - 1].is_determiner && !uses_[i - 1].is_modifier;
+  }
+
+  bool needs_plural(std::size_t i) const {
+    if (i == 0)
+      return false;
+    return uses_[i - 1].is_plural_determiner ||
+           (i > 1 && words_[i - 1] == "of" && uses_[i - 2].is_count);
+  }
+
+  void add_gap(std::size_t begin, std::size_t noun) {
+    // "..., robot": who is spoken to.
+    const bool is_called = begin > 0 && words_[begin - 1] == "," && noun + 1 == words_.size();
+    if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called)
+      return;
+    const bool is_after_noun = begin > 0 && uses_[begin - 1].is_noun();
+    const bool is_new =
+      begin > 0 && (is_any(words_[begin - 1], introducing) || uses_[begin - 1].is_pronoun);
+    if (is_after_noun && uses_[begin - 1].is_part)
+      gaps_.push_back({begin, {"of the", "", "the"}});
+    else if (is_after_noun)
+      gaps_.push_back({begin, {"", "a", "the"}});
+    else if (is_new)
+      gaps_.push_back({begin, {"a", "the"}});
+    else
+      gaps_.push_back({begin, {"the"}});
+  }
+
+  Sentence words_;
+  std::vector<WordUse> uses_;
+  std::vector<Gap> gaps_;
+};
+
+/// The utterance with articles, the likeliest first.
+std::vector<Sentence> with_articles(const NounPhrases& phrases) {
+  const auto& gaps = phrases.gaps();
+  std::vector<std::vector<std::size_t>> choices{{}};
+  for (auto& gap : gaps) {
+    std::vector<std::vector<std::size_t>> longer;
+    for (auto& choice : choices)
+      for (std::size_t i = 0; i < gap.articles.size(); ++i) {
+        longer.push_back(choice);
+        longer.back().push_back(i);
+      }
+    choices = std::move(longer);
+    if (choices.size() > most_completions)
+      choices.resize(most_completions);
+  }
+  std::ranges::stable_sort(choices, {}, [](auto& x) {
+    return std::accumulate(x.begin(), x.end(), std::size_t{0});
+  });
+  std::vector<Sentence> result;
+  for (auto& choice : choices) {
+    auto words = phrases.words();
+    for (auto i = choice.size(); i-- > 0;)
+      if (const auto articles = words_of(gaps[i].articles[choice[i]]); !articles.empty())
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(gaps[i].position),
+                     articles.begin(), articles.end());
+    result.push_back(std::move(words));
+  }
+  return result;
+}
+
+/// "How many things is red": its first verb in the other number; empty if it has none.
+Sentence with_other_number(Sentence words) {
+  for (auto& word : words)
+    for (auto& [singular, plural] : verb_numbers)
+      if (word == singular || word == plural) {
+        word = word == singular ? plural : singular;
+        return words;
+      }
+  return {};
+}
+
+Sentence inserted(Sentence words, std::size_t position, std::initializer_list<std::string> what) {
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(position), what);
+  return words;
+}
+
+/// The other ways to say an utterance with the same words about things.
+class Rearrangements {
+public:
+  explicit Rearrangements(const Sentence& words) {
+    add_all(words);
+    if (auto turned = with_question_word_first(words); !turned.empty()) {
+      result_.push_back(turned);
+      add_all(turned);
+    }
+  }
+
+  const std::vector<Sentence>& result() const { return result_; }
+
+private:
+  void add_all(const Sentence& words) {
+    if (is_any(words.front(), question_words))
+      add_questions(words);
+    else
+      add_copulas(words, 0, 1);
+    add_auxiliary(words);
+    add_without_surplus(words);
+    add_subject_first(words);
+  }
+
+  /// "Where the ball is", "where ball".
+  void add_questions(const Sentence& words) {
+    result_.push_back(inserted(words, 0, {"tell", "me"}));
+    add_copulas(words, 1, std::min<std::size_t>(words.size(), 7));
+    if (words.front() == "which" && words.size() > 1 && is_any(words[1], finite_verbs)) {
+      auto other = words;
+      other.front() = "what";
+      result_.push_back(std::move(other));
+    }
+  }
+
+  void add_copulas(const Sentence& words, std::size_t begin, std::size_t end) {
+    if (std::ranges::any_of(words, [](auto& word) { return is_any(word, finite_verbs); }))
+      return;
+    for (auto i = begin; i < end; ++i)
+      for (const auto* verb : {"is", "are"})
+        result_.push_back(inserted(words, i, {verb}));
+  }
+
+  /// "You see a ball", "how many balls you see".
+  void add_auxiliary(const Sentence& words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+      if (words[i] == "you" && (i == 0 || !is_any(words[i - 1], finite_verbs)))
+        result_.push_back(inserted(words, i, {"do"}));
+  }
+
+  /// "Does the ball is red", "do you can see a ball".
+  void add_without_surplus(Sentence words) {
+    if (words.front() != "do" && words.front() != "does")
+      return;
+    const auto verb = std::find_if(words.begin() + 1, words.end(), [](auto& word) {
+      return word == "is" || word == "are" || word == "can" || word == "has";
+    });
+    if (verb == words.end())
+      return;
+    if (*verb == "has") {
+      *verb = "have";
+    } else {
+      words.front() = *verb;
+      words.erase(verb);
+    }
+    result_.push_back(std::move(words));
+  }
+
+  /// "Is red the ball".
+  void add_subject_first(Sentence words) {
+    if (words.front() != "is" && words.front() != "are")
+      return;
+    const auto subject = std::find(words.begin() + 1, words.end(), "the");
+    if (subject == words.end() || subject != words.begin() + 2)
+      return;
+    std::rotate(words.begin() + 1, subject, words.end());
+    result_.push_back(std::move(words));
+  }
+
+  /// "The ball what colour", "red things: how many"; empty if it is not like that.
+  static Sentence with_question_word_first(Sentence words) {
+    const auto asked = std::find_if(words.begin() + 1, words.end(),
+                                    [](auto& word) { return is_any(word, question_words); });
+    if (asked == words.end() || is_any(words.front(), question_words))
+      return {};
+    std::rotate(words.begin(), asked, words.end());
+    if (words.back() == ",")
+      words.pop_back();
+    return words;
+  }
+
+  std::vector<Sentence> result_;
+};
+
+std::string text_of(const Sentence& words) {
+  std::string result;
+  for (auto& word : words)
+    result += (result.empty() || word.front() == '\'' || word == "," ? "" : " ") + word;
+  return result;
+}
+
+bool says_something(const PackedLogicalForm& form) {
+  const auto said = unpack(form, form.readings.front().id).front();
+  const auto type = dialogue_move_type(said);
+  return !is_elliptical(said) &&
+         (type == DialogueMoveType::question_w || type == DialogueMoveType::question_yn ||
+          type == DialogueMoveType::assertion || type == DialogueMoveType::action_directive);
+}
+
+/// Parses as often as is allowed for one utterance.
+class Attempts {
+public:
+  explicit Attempts(Parser& parser) : parser_(parser) {}
+
+  std::optional<PackedLogicalForm> parse(const Sentence& words) {
+    if (words.empty() || count_ == most_parses)
+      return std::nullopt;
+    ++count_;
+    auto form = parser_.parse_whole(words);
+    return form && says_something(*form) ? std::move(form) : std::nullopt;
+  }
+
+private:
+  Parser& parser_;
+  std::size_t count_ = 0;
+};
+
+} // namespace
+
+std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser,
+                                                            const Sentence& words) {
+  const auto& lexicon = parser.lexicon();
+  const bool is_known = std::ranges::all_of(
+    words, [&](auto& word) { return word == "," || lexicon.knows(word); });
+  if (words.size() < 2 || words.size() > longest_sentence || !is_known)
+    return std::nullopt;
+  auto completions = with_articles(NounPhrases{words, lexicon});
+  Attempts attempts{parser};
+  for (auto& completion : completions) {
+    if (completion != words)
+      if (auto form = attempts.parse(completion))
+        return form;
+    if (auto form = attempts.parse(with_other_number(completion)))
+      return form;
+  }
+  if (completions.size() > most_rearranged)
+    completions.resize(most_rearranged);
+  for (auto& completion : completions) {
+    const Rearrangements others{completion};
+    for (auto& other : others.result())
+      if (auto form = attempts.parse(other)) {
+        form->corrections.push_back({text_of(words), text_of(other)});
+        return form;
+      }
+  }
+  return std::nullopt;
+}
+
+} // namespace castor::communication
