@@ -114,7 +114,8 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
   if (words.size() > longest_frame)
     return std::nullopt;
   const auto is_person_at = [&](std::size_t i) {
-    return i < words.size() && lexicon.is_in(WordClass::person, words[i]);
+    return i < words.size() && (lexicon.is_in(WordClass::person, words[i]) ||
+                                lexicon.is_in(WordClass::name, words[i]));
   };
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (const auto length = aside_at_begin(words.subspan(i), lexicon); length > 0) {
@@ -277,13 +278,14 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
   if (is_understood(form))
     return std::nullopt;
+  if (auto result = parsed_without_asides(parser, words))
+    return result;
+  // "How many balls red" asks how many are red, rather than "how many balls, red or not".
+  if (auto result = parsed_with_function_words(parser, words))
+    return result;
   // "Any of them a ball" is no list of two phrases.
   if (auto result = parsed_with_pause(parser, words, form);
       result && is_sentence(first_reading(*result)))
-    return result;
-  if (auto result = parsed_without_asides(parser, words))
-    return result;
-  if (auto result = parsed_with_function_words(parser, words))
     return result;
   const auto core = without_asides(words, parser.lexicon());
   return core.size() < words.size() ? parsed_with_function_words(parser, core) : std::nullopt;

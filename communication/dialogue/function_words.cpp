@@ -57,6 +57,8 @@ struct WordUse {
   bool is_count = false;
   /// Belongs to a thing: "colour", "side".
   bool is_part = false;
+  /// What things are made of.
+  bool is_material = false;
   bool is_modifier = false;
   bool is_determiner = false;
   /// Of several things only: "these", "two".
@@ -77,6 +79,7 @@ WordUse use_of(const std::string& word, const Lexicon& lexicon) {
       result.is_singular = result.is_singular || text.starts_with("n[sg");
       result.is_plural = result.is_plural || text.starts_with("n[pl");
       result.is_part = result.is_part || text.ends_with("part]");
+      result.is_material = result.is_material || text == "mat";
       result.is_count = result.is_count || text.ends_with("count]");
       result.is_pronoun = result.is_pronoun || text == "np" || text.starts_with("np[");
       continue;
@@ -161,19 +164,27 @@ private:
   bool needs_plural(std::size_t i) const {
     if (i == 0)
       return false;
+    const bool goes_on = words_[i - 1] == "and" || words_[i - 1] == "or";
     return uses_[i - 1].is_plural_determiner ||
-           (i > 1 && words_[i - 1] == "of" && uses_[i - 2].is_count);
+           (i > 1 && words_[i - 1] == "of" && uses_[i - 2].is_count) ||
+           (i > 1 && goes_on && uses_[i - 2].is_plural);
   }
 
   void add_gap(std::size_t begin, std::size_t noun) {
     // "..., robot": who is spoken to.
-    const bool is_called = begin > 0 && words_[begin - 1] == "," && noun + 1 == words_.size();
+    const bool is_called = words_[noun] == "robot" || (begin > 0 && words_[begin - 1] == "," &&
+                                                       noun + 1 == words_.size());
     if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called)
       return;
     const bool is_after_noun = begin > 0 && uses_[begin - 1].is_noun();
-    const bool is_new =
-      begin > 0 && (is_any(words_[begin - 1], introducing) || uses_[begin - 1].is_pronoun);
-    if (is_after_noun && uses_[begin - 1].is_part)
+    // "The cube is toy", but not "what is colour".
+    const bool is_predicate = begin > 1 && (words_[begin - 1] == "is" || words_[begin - 1] == "'s") &&
+                              !is_any(words_[begin - 2], question_words);
+    const bool is_new = begin > 0 && (is_predicate || is_any(words_[begin - 1], introducing) ||
+                                      uses_[begin - 1].is_pronoun);
+    if (uses_[noun].is_material && begin > 0 && words_[begin - 1] == "of")
+      gaps_.push_back({begin, {"", "the"}});
+    else if (is_after_noun && uses_[begin - 1].is_part)
       gaps_.push_back({begin, {"of the", "", "the"}});
     else if (is_after_noun)
       gaps_.push_back({begin, {"", "a", "the"}});
@@ -218,15 +229,16 @@ std::vector<Sentence> with_articles(const NounPhrases& phrases) {
   return result;
 }
 
-/// "How many things is red": its first verb in the other number; empty if it has none.
-Sentence with_other_number(Sentence words) {
-  for (auto& word : words)
+/// "How many things is red": the utterance with one of its verbs in the other number.
+std::vector<Sentence> with_other_number(const Sentence& words) {
+  std::vector<Sentence> result;
+  for (std::size_t i = 0; i < words.size(); ++i)
     for (auto& [singular, plural] : verb_numbers)
-      if (word == singular || word == plural) {
-        word = word == singular ? plural : singular;
-        return words;
+      if (words[i] == singular || words[i] == plural) {
+        result.push_back(words);
+        result.back()[i] = words[i] == singular ? plural : singular;
       }
-  return {};
+  return result;
 }
 
 Sentence inserted(Sentence words, std::size_t position, std::initializer_list<std::string> what) {
@@ -317,7 +329,9 @@ private:
   static Sentence with_question_word_first(Sentence words) {
     const auto asked = std::find_if(words.begin() + 1, words.end(),
                                     [](auto& word) { return is_any(word, question_words); });
-    if (asked == words.end() || is_any(words.front(), question_words))
+    const auto pause = std::find(words.begin(), words.end(), ",");
+    if (asked == words.end() || is_any(words.front(), question_words) ||
+        (pause < asked && pause + 1 != asked))
       return {};
     std::rotate(words.begin(), asked, words.end());
     if (words.back() == ",")
@@ -376,8 +390,9 @@ std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser,
     if (completion != words)
       if (auto form = attempts.parse(completion))
         return form;
-    if (auto form = attempts.parse(with_other_number(completion)))
-      return form;
+    for (auto& other : with_other_number(completion))
+      if (auto form = attempts.parse(other))
+        return form;
   }
   if (completions.size() > most_rearranged)
     completions.resize(most_rearranged);

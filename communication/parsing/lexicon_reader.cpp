@@ -21,13 +21,14 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {"feature",  "root",   "raise", "call",
-                                                "filler",   "aside",  "frame", "person",
+                                                "filler",   "aside",  "frame", "person", "name",
                                                 "telling",  "decisive", "family", "words",
                                                 "nouns"};
 
 const std::map<std::string_view, WordClass> word_classes = {{"aside", WordClass::aside},
                                                             {"frame", WordClass::frame},
                                                             {"person", WordClass::person},
+                                                            {"name", WordClass::name},
                                                             {"telling", WordClass::telling},
                                                             {"decisive", WordClass::decisive}};
 
@@ -208,7 +209,7 @@ private:
   static std::string unknown_keyword_remedy(const std::string& word) {
     const auto meant = did_you_mean(word, keywords);
     return meant.empty() ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
-                           "person, telling, decisive, family, words or nouns; what belongs to them is "
+                           "person, name, telling, decisive, family, words or nouns; what belongs to them is "
                            "indented."
                          : meant;
   }
