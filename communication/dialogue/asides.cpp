@@ -114,8 +114,8 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
   if (words.size() > longest_frame)
     return std::nullopt;
   const auto is_person_at = [&](std::size_t i) {
-    return i < words.size() && (lexicon.is_in(WordClass::person, words[i]) ||
-                                lexicon.is_in(WordClass::name, words[i]));
+    return i < words.size() &&
+           (lexicon.is_in(WordClass::person, words[i]) || lexicon.is_in(WordClass::name, words[i]));
   };
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (const auto length = aside_at_begin(words.subspan(i), lexicon); length > 0) {
@@ -137,8 +137,8 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
       return std::nullopt;
     result.unknown += is_harmless ? 0 : 1;
     result.has_adverb = result.has_adverb || (!is_harmless && may_be_adverb(word));
-    result.has_person = result.has_person || is_person ||
-                        (!is_harmless && is_beside_telling(words, i, lexicon));
+    result.has_person =
+      result.has_person || is_person || (!is_harmless && is_beside_telling(words, i, lexicon));
   }
   if (result.unknown > most_unknown || (result.has_adverb && !result.has_person))
     return std::nullopt;

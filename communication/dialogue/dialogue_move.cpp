@@ -17,8 +17,8 @@ constexpr std::size_t max_alternatives = 5;
 /// "A ball?", "red things?", but not "robot?", who is spoken to.
 bool is_indefinite(const LogicalForm& form, const Nominal& x) {
   const auto delimitation = feature(x, "Delimitation");
-  return dependent(form, x, "Selection") == nullptr && x.sort == "thing" && x.proposition != "one" &&
-         x.proposition != "robot" && !is_pronoun(x) &&
+  return dependent(form, x, "Selection") == nullptr && x.sort == "thing" &&
+         x.proposition != "one" && x.proposition != "robot" && !is_pronoun(x) &&
          (delimitation.empty() || delimitation == "existential");
 }
 

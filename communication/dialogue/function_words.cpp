@@ -35,8 +35,8 @@ bool is_any(std::string_view word, const std::array<std::string_view, N>& words)
   return std::ranges::find(words, word) != words.end();
 }
 
-constexpr std::array<std::string_view, 6> question_words{"what",  "which", "where",
-                                                         "who",   "how",   "whose"};
+constexpr std::array<std::string_view, 6> question_words{"what", "which", "where",
+                                                         "who",  "how",   "whose"};
 constexpr std::array<std::string_view, 20> finite_verbs{
   "is", "are",  "'s",  "'re", "am",    "was",  "were",  "has", "have",  "had",
   "do", "does", "did", "can", "could", "will", "would", "may", "might", "be"};
@@ -45,9 +45,22 @@ constexpr std::array<std::string_view, 20> finite_verbs{
 constexpr std::array<std::array<std::string_view, 2>, 5> verb_numbers{
   {{"is", "are"}, {"has", "have"}, {"does", "do"}, {"lies", "lie"}, {"touches", "touch"}}};
 
+/// Stands for an article where a noun may be meant in its plural.
+constexpr std::string_view plural_mark = "+s";
+
+/// "On left", "in middle".
+constexpr std::array<std::string_view, 8> sides{"left",   "right", "middle", "centre",
+                                                "center", "back",  "edge",   "far"};
+constexpr std::array<std::string_view, 5> before_sides{"on", "to", "in", "at", "from"};
+
+/// "Most of things", "besides cubes".
+constexpr std::array<std::string_view, 5> before_the_named{"of", "besides", "from", "except",
+                                                           "for"};
+
 /// "Is there cube", "you see cube", "it has corner": something that was not spoken of.
-constexpr std::array<std::string_view, 12> introducing{
-  "there", "see", "have", "has", "find", "spot", "exist", "exists", "with", "contain", "contains", "show"};
+constexpr std::array<std::string_view, 14> introducing{
+  "not",  "n't",   "there",  "see",  "have",    "has",      "find",
+  "spot", "exist", "exists", "with", "contain", "contains", "show"};
 
 /// What a word may be in a noun phrase.
 struct WordUse {
@@ -71,8 +84,8 @@ struct WordUse {
 WordUse use_of(const std::string& word, const Lexicon& lexicon) {
   WordUse result;
   bool is_singular_determiner = false;
-  for (const auto number : lexicon.find(word)) {
-    const auto& category = lexicon.categories()[lexicon.entry(number).category];
+  for (const auto entry : lexicon.find(word)) {
+    const auto& category = lexicon.categories()[lexicon.entry(entry).category];
     const auto text = to_string(category, lexicon.symbols());
     const auto& arguments = category.arguments;
     if (arguments.empty()) {
@@ -90,12 +103,18 @@ WordUse use_of(const std::string& word, const Lexicon& lexicon) {
       continue;
     const auto& name = lexicon.symbols().text(category.result.name);
     const bool is_of_noun = name == "n";
-    if (!is_of_noun && name != "np" && !is_any(word, question_words))
+    const bool is_phrase = name == "np" && std::ranges::all_of(arguments, [](auto& x) {
+                             return x.direction == SlashDirection::forward;
+                           });
+    if (!is_of_noun && !is_phrase && !is_any(word, question_words))
       continue;
-    const bool is_of_several = text.starts_with("np[pl]/n[pl");
-    result.is_modifier = result.is_modifier || (is_of_noun && arguments.size() == 1);
+    const auto number = last.category.result.features.front();
+    const bool is_of_several =
+      number > 0 && lexicon.symbols().text(static_cast<Symbol>(number)) == "pl";
+    result.is_modifier = result.is_modifier || (is_of_noun && arguments.size() == 1 &&
+                                                last.mode != SlashMode::application);
     result.is_determiner = result.is_determiner || !is_of_noun;
-    result.is_plural_determiner = result.is_plural_determiner || is_of_several;
+    result.is_plural_determiner = result.is_plural_determiner || (!is_of_noun && is_of_several);
     is_singular_determiner = is_singular_determiner || (!is_of_noun && !is_of_several);
   }
   result.is_plural_determiner = result.is_plural_determiner && !is_singular_determiner;
@@ -128,7 +147,8 @@ struct Gap {
 /// Finds the noun phrases of an utterance.
 class NounPhrases {
 public:
-  NounPhrases(Sentence words, const Lexicon& lexicon) : words_(std::move(words)) {
+  NounPhrases(Sentence words, const Lexicon& lexicon)
+    : words_(std::move(words)), lexicon_(lexicon) {
     for (auto& word : words_)
       uses_.push_back(use_of(word, lexicon));
     for (std::size_t i = 0; i < words_.size(); ++i)
@@ -140,7 +160,8 @@ public:
           }
         add_gap(i, noun);
         i = noun;
-      }
+      } else if (is_bare_side(i) || is_bare_same(i))
+        gaps_.push_back({i, {"the"}});
   }
 
   /// With nouns in their number.
@@ -150,11 +171,48 @@ public:
 private:
   /// The first noun after words that say what a thing is like; else the number of words.
   std::size_t noun_from(std::size_t i) const {
-    while (i + 1 < words_.size() && uses_[i].is_modifier &&
-           (uses_[i + 1].is_modifier || uses_[i + 1].is_noun()))
+    const auto begin = i;
+    auto noun = words_.size();
+    for (bool goes_on = true; goes_on && i < words_.size(); ++i) {
+      // "The yellow one", but not "one ball".
+      if (uses_[i].is_noun() && (!uses_[i].is_determiner || i > begin))
+        noun = i;
+      goes_on = uses_[i].is_modifier && !(noun == i && !is_noun_at(i + 1));
+    }
+    return noun;
+  }
+
+  bool is_noun_at(std::size_t i) const {
+    while (i + 1 < words_.size() && uses_[i].is_modifier && !uses_[i].is_noun())
       ++i;
-    const bool is_noun = uses_[i].is_noun() && !uses_[i].is_determiner;
-    return is_noun ? i : words_.size();
+    return i < words_.size() && uses_[i].is_noun();
+  }
+
+  bool is_bare_side(std::size_t i) const {
+    return i > 0 && is_any(words_[i], sides) && is_any(words_[i - 1], before_sides);
+  }
+
+  bool is_bare_same(std::size_t i) const {
+    return words_[i] == "same" && (i == 0 || !uses_[i - 1].is_determiner);
+  }
+
+  /// Whether the word belongs to a phrase with words before it: "in front of".
+  bool is_in_phrase(std::size_t i) const {
+    for (std::size_t begin = i > 2 ? i - 2 : 0; begin < i; ++begin) {
+      auto phrase = words_[begin];
+      for (auto end = begin + 1; end < words_.size() && end < i + 3; ++end) {
+        phrase += ' ' + words_[end];
+        if (end > i && !lexicon_.find(phrase).empty())
+          return true;
+      }
+    }
+    return false;
+  }
+
+  /// "More balls than cubes", "as many balls as cubes".
+  bool are_numbers_compared() const {
+    return std::ranges::any_of(
+      words_, [](auto& word) { return word == "more" || word == "fewer" || word == "many"; });
   }
 
   bool is_after_determiner(std::size_t i) const {
@@ -172,13 +230,29 @@ private:
 
   void add_gap(std::size_t begin, std::size_t noun) {
     // "..., robot": who is spoken to.
-    const bool is_called = words_[noun] == "robot" || (begin > 0 && words_[begin - 1] == "," &&
-                                                       noun + 1 == words_.size());
-    if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called)
+    const bool is_called = words_[noun] == "robot" ||
+                           (begin > 0 && words_[begin - 1] == "," && noun + 1 == words_.size());
+    const bool is_of_those = begin > 0 && is_any(words_[begin - 1], before_the_named) &&
+                             !(begin > 1 && uses_[begin - 2].is_count);
+    if (uses_[noun].is_plural && is_of_those)
+      gaps_.push_back({begin, {"the", ""}});
+    if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called ||
+        (begin > 0 && begin == noun && is_in_phrase(begin)))
       return;
+    const auto before = begin > 0 ? std::string_view{words_[begin - 1]} : std::string_view{};
+    if ((before == "than" || before == "as") && are_numbers_compared()) {
+      gaps_.push_back({noun, {std::string{plural_mark}, "the"}});
+      return;
+    }
+    if (std::ranges::find(words_, "are") != words_.end() &&
+        (before == "are" || before == "not" || before == "n't")) {
+      gaps_.push_back({noun, {std::string{plural_mark}, "the"}});
+      return;
+    }
     const bool is_after_noun = begin > 0 && uses_[begin - 1].is_noun();
     // "The cube is toy", but not "what is colour".
-    const bool is_predicate = begin > 1 && (words_[begin - 1] == "is" || words_[begin - 1] == "'s") &&
+    const bool is_predicate = begin > 1 && words_.front() != "which" &&
+                              (words_[begin - 1] == "is" || words_[begin - 1] == "'s") &&
                               !is_any(words_[begin - 2], question_words);
     const bool is_new = begin > 0 && (is_predicate || is_any(words_[begin - 1], introducing) ||
                                       uses_[begin - 1].is_pronoun);
@@ -195,12 +269,13 @@ private:
   }
 
   Sentence words_;
+  const Lexicon& lexicon_;
   std::vector<WordUse> uses_;
   std::vector<Gap> gaps_;
 };
 
 /// The utterance with articles, the likeliest first.
-std::vector<Sentence> with_articles(const NounPhrases& phrases) {
+std::vector<Sentence> with_articles(const NounPhrases& phrases, const Lexicon& lexicon) {
   const auto& gaps = phrases.gaps();
   std::vector<std::vector<std::size_t>> choices{{}};
   for (auto& gap : gaps) {
@@ -214,16 +289,21 @@ std::vector<Sentence> with_articles(const NounPhrases& phrases) {
     if (choices.size() > most_completions)
       choices.resize(most_completions);
   }
-  std::ranges::stable_sort(choices, {}, [](auto& x) {
-    return std::accumulate(x.begin(), x.end(), std::size_t{0});
-  });
+  std::ranges::stable_sort(
+    choices, {}, [](auto& x) { return std::accumulate(x.begin(), x.end(), std::size_t{0}); });
   std::vector<Sentence> result;
   for (auto& choice : choices) {
     auto words = phrases.words();
-    for (auto i = choice.size(); i-- > 0;)
-      if (const auto articles = words_of(gaps[i].articles[choice[i]]); !articles.empty())
-        words.insert(words.begin() + static_cast<std::ptrdiff_t>(gaps[i].position),
-                     articles.begin(), articles.end());
+    for (auto i = choice.size(); i-- > 0;) {
+      const auto& article = gaps[i].articles[choice[i]];
+      const auto position = gaps[i].position;
+      if (article == plural_mark) {
+        if (auto plural = plural_of(words[position], lexicon); !plural.empty())
+          words[position] = std::move(plural);
+      } else if (const auto articles = words_of(article); !articles.empty())
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(position), articles.begin(),
+                     articles.end());
+    }
     result.push_back(std::move(words));
   }
   return result;
@@ -377,14 +457,13 @@ private:
 
 } // namespace
 
-std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser,
-                                                            const Sentence& words) {
+std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser, const Sentence& words) {
   const auto& lexicon = parser.lexicon();
-  const bool is_known = std::ranges::all_of(
-    words, [&](auto& word) { return word == "," || lexicon.knows(word); });
+  const bool is_known =
+    std::ranges::all_of(words, [&](auto& word) { return word == "," || lexicon.knows(word); });
   if (words.size() < 2 || words.size() > longest_sentence || !is_known)
     return std::nullopt;
-  auto completions = with_articles(NounPhrases{words, lexicon});
+  auto completions = with_articles(NounPhrases{words, lexicon}, lexicon);
   Attempts attempts{parser};
   for (auto& completion : completions) {
     if (completion != words)

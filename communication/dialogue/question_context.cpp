@@ -236,9 +236,8 @@ bool is_about_any(const LogicalForm& fragment) {
 /// Whether a fragment was said as a question, which is not noted any more then.
 bool take_said_as_question(LogicalForm& fragment) {
   auto* root = find_nominal(fragment, fragment.root);
-  return root != nullptr && std::erase_if(root->features, [](auto& x) {
-                              return x.name == said_as_question;
-                            }) > 0;
+  return root != nullptr &&
+         std::erase_if(root->features, [](auto& x) { return x.name == said_as_question; }) > 0;
 }
 
 bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents) {

@@ -35,15 +35,17 @@ bool is_taken_for(const std::string& said, const std::string& meant) {
 /// What an utterance is said to be taken for; empty if that is not said.
 std::string said_back_of(const std::string& said) {
   const auto form = completed_form(said);
-  return !form ? "not understood" : form->corrections.empty() ? "" : form->corrections.front().meant;
+  return !form                       ? "not understood"
+         : form->corrections.empty() ? ""
+                                     : form->corrections.front().meant;
 }
 
 } // namespace
 
 TEST(FunctionWords, ArticlesMayBeMissing) {
   EXPECT_TRUE(is_taken_for("is cube yellow?", "is the cube yellow?"));
-  EXPECT_TRUE(is_taken_for("is small red cube left of ball?",
-                           "is the small red cube left of the ball?"));
+  EXPECT_TRUE(
+    is_taken_for("is small red cube left of ball?", "is the small red cube left of the ball?"));
   EXPECT_TRUE(is_taken_for("what is colour of ball?", "what is the colour of the ball?"));
   EXPECT_TRUE(is_taken_for("is there cube?", "is there a cube?"));
   EXPECT_TRUE(is_taken_for("do you see red ball?", "do you see a red ball?"));
@@ -75,8 +77,9 @@ TEST(FunctionWords, MayStandElsewhere) {
 }
 
 TEST(FunctionWords, WordsAboutThingsAreNeitherAddedNorLeftOut) {
-  for (auto* said : {"is the zorg red", "almost the cube red", "red the of", "if ball", "ball unless cube",
-                     "the ball", "red ball", "nearly cube yellow", "before ball red"})
+  for (auto* said :
+       {"is the zorg red", "almost the cube red", "red the of", "if ball", "ball unless cube",
+        "the ball", "red ball", "nearly cube yellow", "before ball red"})
     EXPECT_EQ(said_back_of(said), "not understood") << said;
 }
 
