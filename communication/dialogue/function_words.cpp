@@ -344,7 +344,7 @@ private:
     if (is_any(words.front(), question_words))
       add_questions(words);
     else
-      add_copulas(words, 0, 1);
+      add_copulas(words, 0, std::min<std::size_t>(words.size(), 2));
     add_auxiliary(words);
     add_without_surplus(words);
     add_subject_first(words);
@@ -353,7 +353,11 @@ private:
   /// "Where the ball is", "where ball".
   void add_questions(const Sentence& words) {
     result_.push_back(inserted(words, 0, {"tell", "me"}));
-    add_copulas(words, 1, std::min<std::size_t>(words.size(), 7));
+    // "Which one larger" asks for one.
+    const bool may_go_on = words.front() == "which" || words.front() == "what";
+    add_copulas(words, may_go_on ? 2 : 1, std::min<std::size_t>(words.size(), 7));
+    if (may_go_on)
+      add_copulas(words, 1, 2);
     if (words.front() == "which" && words.size() > 1 && is_any(words[1], finite_verbs)) {
       auto other = words;
       other.front() = "what";

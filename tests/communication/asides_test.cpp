@@ -72,6 +72,25 @@ TEST(Asides, AndFramesAreLeftOutOfOneSentence) {
             "lol my barkeeper tells me that");
 }
 
+TEST(Asides, WhoIsToldAndWhoTellsAreLeftOut) {
+  EXPECT_TRUE(
+    is_understood_as("Zorg wants to know where the cube is.", "tell me where the cube is"));
+  EXPECT_TRUE(
+    is_understood_as("Tell the zorgs which things are red.", "tell me which things are red"));
+  EXPECT_TRUE(is_understood_as("Mia believes the cube is red.", "the cube is red"));
+  EXPECT_EQ(left_out("Mia believes the cube is red."), "");
+}
+
+TEST(Asides, BetweenCommasNeedNoPause) {
+  EXPECT_TRUE(is_understood_as("Which things, if any, are red?", "which things are red"));
+}
+
+TEST(Asides, WordsOfASentenceAreNoAsides) {
+  EXPECT_TRUE(
+    is_understood_as("Quick check, is the cube on the right?", "is the cube on the right"));
+  EXPECT_TRUE(is_understood_as("thx bro", "thx"));
+}
+
 TEST(Asides, WhatIsAskedForIsAskedFor) {
   EXPECT_TRUE(is_understood_as("I should like to know whether the cube is red.",
                                "tell me whether the cube is red"));
