@@ -23,7 +23,7 @@ bool ends_with(const std::string& word, std::string_view end) {
 }
 
 /// What people type in a hurry, and the one or two words that it stands for.
-constexpr std::array<std::array<std::string_view, 3>, 47> hasty{{{"isnt", "is", "n't"},
+constexpr std::array<std::array<std::string_view, 3>, 49> hasty{{{"isnt", "is", "n't"},
                                                                  {"arent", "are", "n't"},
                                                                  {"doesnt", "does", "n't"},
                                                                  {"dont", "do", "n't"},
@@ -69,7 +69,9 @@ constexpr std::array<std::array<std::string_view, 3>, 47> hasty{{{"isnt", "is", 
                                                                  {"shouldnt", "should", "n't"},
                                                                  {"couldnt", "could", "n't"},
                                                                  {"ppl", "people", ""},
-                                                                 {"smth", "something", ""}}};
+                                                                 {"smth", "something", ""},
+                                                                 {"k", "ok", ""},
+                                                                 {"ain't", "is", "n't"}}};
 
 void append_word(std::string word, std::vector<std::string>& words) {
   const auto contraction =
