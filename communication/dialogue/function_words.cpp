@@ -236,6 +236,12 @@ private:
                              !(begin > 1 && uses_[begin - 2].is_count);
     if (uses_[noun].is_plural && is_of_those)
       gaps_.push_back({begin, {"the", ""}});
+    // "It is true that cube is red."
+    const bool may_be_clause = begin > 1 && words_[begin - 1] == "that";
+    if (may_be_clause && uses_[noun].is_singular) {
+      gaps_.push_back({begin, {"", "the"}});
+      return;
+    }
     if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called ||
         (begin > 0 && begin == noun && is_in_phrase(begin)))
       return;
