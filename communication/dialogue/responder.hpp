@@ -59,6 +59,7 @@ private:
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice_of_clauses();
+  bool is_on_the_table(const Nominal& place) const;
   Response values_seen(const Nominal& asked);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 

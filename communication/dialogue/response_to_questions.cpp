@@ -66,6 +66,13 @@ Response Responder::quality(const Nominal& asked, const Nominal& of) {
   return result;
 }
 
+/// "On the table", "here".
+bool Responder::is_on_the_table(const Nominal& place) const {
+  const auto* anchor = dependent(form_, place, "Anchor");
+  return place.sort == "region" &&
+         (place.proposition == "here" || (anchor != nullptr && is_the_table(*anchor)));
+}
+
 Response Responder::to_question_w() {
   if (root().sort == "quality")
     return owned_quality(root());
@@ -88,6 +95,9 @@ Response Responder::to_question_w() {
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
+  // "What colours are on the table?"
+  if (is_quality(asked) && is_on_the_table(other) && dependent(form_, root(), "Except") == nullptr)
+    return values_seen(asked);
   if (is_quality(asked))
     return quality(asked, other);
   if ((asked.sort == "entity" || asked.proposition == "one") && is_quality(other) &&
@@ -122,12 +132,13 @@ Response Responder::values_seen(const Nominal& asked) {
                                                 : kind_of_quality(asked.proposition);
   for (auto& [mode, name] : asked.relations)
     if (const auto* x = find_nominal(form_, name);
-        mode != "Quantity" && x != nullptr && x->proposition != "different")
+        mode != "Quantity" && x != nullptr && x->proposition != "different" && !is_on_the_table(*x))
       throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
   // "Which colour is there most of?"
-  if (const auto* subject = dependent(form_, root(), "Subject"); subject != &asked)
+  const auto* subject = dependent(form_, root(), "Subject");
+  if (root().sort == "existence" && subject != &asked)
     throw Uninterpretable{Uninterpretable::Reason::word,
                           subject == nullptr ? asked.proposition : subject->proposition};
   std::vector<std::string> values;
