@@ -22,7 +22,8 @@ enum class Telling {
   nothing,
   /// Of the thing that it is about: "the ball is a toy", "there is a toy".
   of_one,
-  /// Of each of the things that it is about: "all balls are toys".
+  /// Of each of the things that it is about: "all balls are toys", "the ball is a toy and the cube
+  /// is a gift".
   of_each,
 };
 

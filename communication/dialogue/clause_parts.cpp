@@ -66,6 +66,35 @@ void place_relative_clause(LogicalForm& form) {
   merge(form, from, to);
 }
 
+/// "Which ball is the small one, the left or the right?" is no list of three.
+void set_alternatives_apart(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  const auto* asked = dependent(form, *root, "Wh-Restr");
+  const auto* scope = dependent(form, *root, "Cop-Scope");
+  if (root->sort != "ascription" || !is_thing(asked) || scope == nullptr ||
+      dependent(form, *root, "Cop-Restr") != asked || scope->proposition != "list")
+    return;
+  const auto* said = dependent(form, *scope, "First");
+  const auto* others = dependent(form, *scope, "Next");
+  if (said == nullptr || others == nullptr || said->sort != "thing" || others->proposition != "or")
+    return;
+  erase_relation(*root, "Cop-Scope");
+  root->relations.push_back({"Cop-Scope", said->name});
+  root->relations.push_back({"Alternatives", others->name});
+}
+
+/// "The cube, is it red or is it blue?": both are about the cube.
+void lift_topic(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  const auto* first = root->sort == "conjunction" ? dependent(form, *root, "First") : nullptr;
+  const auto* topic = first == nullptr ? nullptr : dependent(form, *first, "Topic");
+  if (topic == nullptr || dependent(form, *root, "Topic") != nullptr)
+    return;
+  const auto name = topic->name;
+  erase_relation(*find_nominal(form, first->name), "Topic");
+  root->relations.push_back({"Topic", name});
+}
+
 void place_alternatives(LogicalForm& form) {
   auto* root = find_nominal(form, form.root);
   const auto* alternatives = dependent(form, *root, "Alternatives");
@@ -83,17 +112,80 @@ void place_alternatives(LogicalForm& form) {
   }
 }
 
+/// "The ball is not red but green": it is not red, and it is green.
+void place_contrast(LogicalForm& form) {
+  for (auto& x : form.nominals) {
+    if (feature(x, "Contrast").empty())
+      continue;
+    erase_feature(x, "Contrast");
+    for (auto& clause : form.nominals) {
+      const auto* first = dependent(form, x, "First");
+      if (dependent(form, clause, "Cop-Scope") != &x || !is_negated(clause) || first == nullptr)
+        continue;
+      erase_feature(clause, "Polarity");
+      find_nominal(form, first->name)->features.push_back({"Polarity", "neg"});
+    }
+  }
+}
+
+/// "What is the biggest thing apart from the disc?": the biggest of the others.
+const Nominal* selected_topic(const LogicalForm& form, const Nominal& root) {
+  for (const auto* mode : {"Cop-Restr", "Cop-Scope"})
+    if (const auto* x = dependent(form, root, mode);
+        x != nullptr && x->sort == "thing" && dependent(form, *x, "Selection") != nullptr)
+      return x;
+  return nullptr;
+}
+
 /// "Except for the ball, is anything red?" is about the other things.
 void place_exception(LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
   const auto* excepted = dependent(form, *root, "Except");
   const auto* topic = excepted == nullptr ? nullptr : topic_of(form, *root);
-  if (topic == nullptr || dependent(form, *root, "Wh-Restr") != nullptr || is_definite(*topic))
+  const auto* selected = excepted == nullptr ? nullptr : selected_topic(form, *root);
+  const bool is_asked_for = topic != nullptr && dependent(form, *root, "Wh-Restr") != nullptr;
+  if (selected != nullptr)
+    topic = selected;
+  else if (topic == nullptr || is_asked_for || is_definite(*topic))
     return;
   const auto name = excepted->name;
   const auto to = topic->name;
   erase_relation(*find_nominal(form, form.root), "Except");
   find_nominal(form, to)->relations.push_back({"Except", name});
+}
+
+/// "What is that, on the left?": the thing on the left; "how many balls are there, on the left?"
+void place_afterthought(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  const auto* said = dependent(form, *root, "Afterthought");
+  if (said == nullptr)
+    return;
+  const auto from = said->name;
+  const auto is_meant = [](const Nominal& x) { return is_pronoun(x) && !is_plural(x); };
+  const bool has_pronoun = std::ranges::any_of(form.nominals, is_meant);
+  const auto* topic = topic_of(form, *root);
+  if (!has_pronoun && (topic == nullptr || topic->sort != "thing" || is_pronoun(*topic)))
+    return;
+  erase_relation(*root, "Afterthought");
+  if (has_pronoun)
+    root->relations.push_back({"Topic", from});
+  else
+    merge(form, from, std::string{topic->name});
+}
+
+/// "There is no ball, is there?", "nothing is red, is it?" ask whether there is one, or any is.
+void affirm_opposite(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  if (feature(*root, "Opposite").empty())
+    return;
+  erase_feature(*root, "Opposite");
+  const auto* topic = topic_of(form, *root);
+  const auto delimited = topic == nullptr ? std::string_view{} : feature(*topic, "Delimitation");
+  if (delimited != "none" && delimited != "neither")
+    return;
+  auto& any = *find_nominal(form, topic->name);
+  erase_feature(any, "Delimitation");
+  any.features.push_back({"Delimitation", "any"});
 }
 
 /// "A cube, a ball or a disc" is any of them: the word before the last one is meant before all.
@@ -118,6 +210,64 @@ void restrict_selection(LogicalForm& form) {
     return;
   const auto name = whole->name;
   find_nominal(form, scope->name)->relations.push_back({"PartOf", name});
+}
+
+/// "Of the cubes, which is the largest?": which of the cubes.
+void choose_from_topic(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  const auto* topic = dependent(form, *root, "Topic");
+  const auto* asked = dependent(form, *root, "Wh-Restr");
+  if (topic == nullptr || asked == nullptr || asked->sort != "thing" ||
+      asked->proposition != "one" || dependent(form, *asked, "PartOf") != nullptr ||
+      (!is_plural(*topic) && topic->sort == "thing"))
+    return;
+  const auto name = topic->name;
+  erase_relation(*root, "Topic");
+  find_nominal(form, asked->name)->relations.push_back({"PartOf", name});
+}
+
+/// "Which red ball is the big one?": the big one of the red balls.
+void restrict_to_asked(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = dependent(form, *root, "Wh-Restr");
+  const auto* scope = dependent(form, *root, "Cop-Scope");
+  if (root->sort != "ascription" || root->proposition != "be" || asked == nullptr ||
+      scope == nullptr || scope == asked || asked->sort != "thing" ||
+      dependent(form, *root, "Cop-Restr") != asked || scope->sort != "thing" ||
+      scope->proposition != "one" || !is_definite(*scope) || is_plural(*scope) ||
+      scope->relations.empty() || asked->proposition == "one")
+    return;
+  const auto like = *asked;
+  auto& one = *find_nominal(form, scope->name);
+  one.proposition = like.proposition;
+  for (auto& relation : like.relations)
+    if (relation.mode != "PartOf" && relation.mode != "Quantity" && relation.mode != "Selection")
+      one.relations.push_back(relation);
+}
+
+/// "The bigger ball, which one?": which is the bigger ball?
+void complete_by_topic(LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* topic = dependent(form, *root, "Topic");
+  if (topic == nullptr || !is_elliptical(form) || root->proposition == "so")
+    return;
+  const auto word = root->proposition;
+  const auto name = topic->name;
+  const bool asks_which = word == "which";
+  if (!asks_which && word != "where" && word != "colour" && word != "size" && word != "shape")
+    return;
+  LogicalForm question{"topical", {}, 0};
+  const auto* sort = asks_which ? "entity" : word == "where" ? "region" : "quality";
+  question.nominals.push_back({"asked", sort, asks_which ? "what" : word, {}, {}});
+  question.nominals.push_back(
+    {"topical",
+     "ascription",
+     "be",
+     {{"Mood", "int"}},
+     {{"Wh-Restr", "asked"}, {"Cop-Restr", name}, {"Cop-Scope", "asked"}}});
+  for (auto& x : part_of(form, name).nominals)
+    question.nominals.push_back(x);
+  form = std::move(question);
 }
 
 /// "I count one ball, how many do you count?" is about balls.
@@ -270,13 +420,21 @@ bool is_elliptical(const LogicalForm& form) {
 LogicalForm reunited(LogicalForm form) {
   if (find_nominal(form, form.root) == nullptr)
     return form;
+  set_alternatives_apart(form);
   join_lists(form);
+  lift_topic(form);
   leave_out_denied(form);
   place_relative_clause(form);
   place_alternatives(form);
   place_exception(form);
+  place_contrast(form);
   complete_by_preface(form);
+  complete_by_topic(form);
+  choose_from_topic(form);
   restrict_selection(form);
+  restrict_to_asked(form);
+  affirm_opposite(form);
+  place_afterthought(form);
   return form;
 }
 

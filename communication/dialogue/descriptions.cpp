@@ -270,7 +270,7 @@ bool is_spatial_relation(std::string_view relation) {
 }
 
 bool is_the_table(const Nominal& nominal) {
-  return nominal.proposition == "table";
+  return nominal.proposition == "table" || nominal.proposition == "scene";
 }
 
 bool is_pronoun(const Nominal& nominal) {
@@ -308,6 +308,17 @@ bool is_about_others(const LogicalForm& form, const Nominal& x) {
     const auto* property = find_nominal(form, relation.dependent);
     return relation.mode == "Property" && property != nullptr && property->proposition == "other";
   });
+}
+
+bool is_counted_group(const LogicalForm& form, const Nominal& nominal) {
+  return nominal.sort == "thing" && nominal.proposition == "one" && is_definite(nominal) &&
+         is_plural(nominal) && nominal.relations.size() == 1 &&
+         dependent(form, nominal, "Quantity") != nullptr;
+}
+
+bool asks_for_number(const Nominal& nominal) {
+  return std::ranges::any_of(nominal.relations,
+                             [](auto& relation) { return relation.mode == "Quantity"; });
 }
 
 bool is_whole(const LogicalForm& form, const Nominal& nominal) {

@@ -47,6 +47,12 @@ std::size_t place_of_word(const Nominal& nominal);
 /// "The others", "the other ball".
 bool is_about_others(const LogicalForm& form, const Nominal& nominal);
 
+/// "The two", "the three": as many things, which were spoken of.
+bool is_counted_group(const LogicalForm& form, const Nominal& nominal);
+
+/// "How many balls", "two balls": whether a number is said or asked for.
+bool asks_for_number(const Nominal& nominal);
+
 /// Whether parts of it are spoken of: "these" in "how many of these".
 bool is_whole(const LogicalForm& form, const Nominal& nominal);
 

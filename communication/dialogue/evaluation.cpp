@@ -33,6 +33,22 @@ void Evaluation::not_understood(const std::string& word) {
   throw Uninterpretable{Uninterpretable::Reason::word, word};
 }
 
+/// "Two balls", "any of the cubes", "no two things".
+bool Evaluation::is_of_any_number(const Nominal& subject) {
+  const auto delimited = feature(subject, "Delimitation");
+  return subject.sort == "thing" && is_plural(subject) && !is_definite_phrase(subject) &&
+         delimited != "all" && !bound_.contains(subject.name) && !has_containers();
+}
+
+/// "Does anything else have that colour?", "is any ball the same colour?", as what was spoken of.
+bool Evaluation::is_as_before(const Nominal& subject, const Nominal& comparison) {
+  if (feature(comparison, "Recent") == "true" || dependent(form_, comparison, "Quality") == nullptr)
+    return true;
+  const auto delimited = feature(subject, "Delimitation");
+  return subject.sort == "thing" && !is_plural(subject) && !is_definite_phrase(subject) &&
+         delimited != "all" && !bound_.contains(subject.name) && !has_containers();
+}
+
 const Nominal& Evaluation::need(const Nominal& of, const char* mode) {
   const auto* result = dependent(form_, of, mode);
   if (result == nullptr)
@@ -56,7 +72,7 @@ Truth Evaluation::clause(const Nominal& e) {
 }
 
 Truth Evaluation::affirmed_clause(const Nominal& e) {
-  for (const auto* apart : {"Extraposed", "Alternatives"})
+  for (const auto* apart : {"Extraposed", "Alternatives", "Afterthought"})
     if (const auto* x = dependent(form_, e, apart))
       not_understood(x->proposition);
   if (const auto* excepted = dependent(form_, e, "Except");
@@ -84,6 +100,12 @@ Truth Evaluation::ascription(const Nominal& e) {
   auto& subject = need(e, "Cop-Restr");
   auto& scope = need(e, "Cop-Scope");
   const bool negated = is_negated(e);
+  if (is_of_comparisons(scope))
+    return ascription_of_each(e, scope);
+  if (is_only_plural(scope)) {
+    const auto result = are_the_only(subject, scope);
+    return negated ? negation(result) : result;
+  }
   if (subject.sort == "quality") {
     // "Only one colour touches the wall."
     auto result = dependent(form_, subject, "Quantity") != nullptr && has_containers()
@@ -91,12 +113,14 @@ Truth Evaluation::ascription(const Nominal& e) {
                     : about_qualities(subject, scope);
     return negated ? negation(result) : result;
   }
-  if (scope.sort == "comparison" && dependent(form_, scope, "Than") == nullptr) {
+  if (scope.sort == "comparison" && dependent(form_, scope, "Than") == nullptr &&
+      !is_as_before(subject, scope)) {
     // "Two towers are the same height": of however many there are.
     const bool is_of_some = subject.sort == "thing" && !is_definite(subject) && has_containers() &&
                             dependent(form_, subject, "Quantity") != nullptr;
     auto result = is_of_some ? collectively(subject, scope, [](auto&) { return Truth::yes; })
-                             : collectively(subject, scope);
+                  : is_of_any_number(subject) ? of_some_together(subject, scope)
+                                              : collectively(subject, scope);
     return negated ? negation(result) : result;
   }
   if (scope.sort == "region" && scope.proposition == "near-each-other") {
@@ -112,6 +136,7 @@ Truth Evaluation::ascription(const Nominal& e) {
   }
   if (auto together = are_in_one(subject, scope))
     return negated ? negation(*together) : *together;
+  ScopedValue group{related_group_, compared_together(subject)};
   return quantified(
     subject,
     [&](const std::string& id) {
@@ -126,6 +151,9 @@ Truth Evaluation::is_so_of(const Nominal& ascription, const std::string& id) {
   if (ascription.proposition == "have")
     return has(id, scope);
   auto& subject = need(ascription, "Cop-Restr");
+  // "Is the ball larger?", than what?
+  if (feature(scope, "Of") == "before" && is_definite_phrase(subject) && scene_.things().size() > 2)
+    not_understood(scope.proposition == "largest" ? "larger" : "smaller");
   // "The black ball is the larger": of the balls.
   if (feature(scope, "Of") == "two" && subject.sort == "thing" && is_definite(subject) &&
       !is_pronoun(subject)) {
@@ -242,6 +270,10 @@ Truth Evaluation::existence(const Nominal& subject) {
       return there_are(one, [&](const std::string& id) { return contains(id, other); });
     if (auto related = one_and_its_own(one, other); related && subject.proposition == "and")
       return *related;
+    // "Two cubes, one large and one small" are no four things.
+    for (auto& x : part_of(form_, other.name).nominals)
+      if (feature(x, "Apposed") == "true" && !has_containers())
+        not_understood(x.proposition);
     auto first = existence(one);
     auto next = existence(other);
     if (subject.proposition == "nor")
@@ -312,14 +344,24 @@ Truth Evaluation::compared_counts(const Nominal& subject, const Nominal& quantit
   }
   if (other == nullptr)
     not_understood(quantity.proposition);
-  auto a = described(*one).count();
-  auto b = described(*other).count();
-  return compared(quantity.proposition, a, b);
+  const auto things = described(*one);
+  if (is_about_others(form_, *other)) {
+    // "More balls than anything else" may be meant of each other kind.
+    if (!is_plural(*other) || things.possible.empty())
+      not_understood("other");
+    // "As many red balls as other balls": as balls that are not red.
+    ScopedValue group{related_group_, things.possible};
+    ScopedValue related{related_, things.possible.front()};
+    return compared(quantity.proposition, things.count(), described(*other).count());
+  }
+  return compared(quantity.proposition, things.count(), described(*other).count());
 }
 
 /// "The ball and the cube are the same colour", "all cubes have different colours".
 Truth Evaluation::collectively(const Nominal& subject, const Nominal& comparison) {
   auto& quality = need(comparison, "Quality");
+  if (const auto* with = dependent(form_, quality, "Accompaniment"))
+    not_understood(with->proposition);
   auto things = members(subject);
   const bool same = comparison.proposition == "same";
   if (!same && comparison.proposition != "different")

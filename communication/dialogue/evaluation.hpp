@@ -125,6 +125,8 @@ private:
   std::optional<Truth> one_and_its_own(const Nominal& one, const Nominal& other);
   static Truth compared(const std::string& word, const Count& a, const Count& b);
   Truth compared_counts(const Nominal& subject, const Nominal& quantity);
+  bool is_of_any_number(const Nominal& subject);
+  bool is_as_before(const Nominal& subject, const Nominal& comparison);
   Truth collectively(const Nominal& subject, const Nominal& comparison);
   Truth are_near_each_other(const Nominal& subject);
   Truth has(const std::string& id, const Nominal& scope);
@@ -156,8 +158,17 @@ private:
   // -- what is said of several things together (evaluation_together.cpp)
   const Nominal* collective_modifier(const Nominal& phrase);
   Truth collectively(const Nominal& phrase, const Nominal& modifier, const Property& scope);
+  bool is_of_comparisons(const Nominal& scope);
+  Truth ascription_of_each(const Nominal& e, const Nominal& scopes);
+  bool is_only_plural(const Nominal& phrase);
+  Truth are_the_only(const Nominal& subject, const Nominal& only);
+  bool is_the_other_of(const Nominal& one, const Nominal& other);
+  Truth one_and_the_other(const Nominal& first, const Nominal& next);
+  Truth of_some_together(const Nominal& subject, const Nominal& comparison);
+  Things compared_together(const Nominal& subject);
   Truth distinct_values(const Things& things, const Nominal& quality);
   std::optional<std::string> value_of(const std::string& id, const Nominal& quality);
+  Truth compares_with_before(const std::string& id, const Nominal& comparison);
   Truth differs_from_context(const std::string& id, const Nominal& comparison);
 
   // -- places in containers (evaluation_places.cpp)
@@ -175,27 +186,31 @@ private:
   std::optional<Truth> is_with_the_others(const std::string& id, const Nominal& phrase,
                                           const Nominal& region);
 
+  // -- what was spoken of before (evaluation_pronouns.cpp)
+  Things antecedents_of(const std::string& name);
+  Fitting members_of_pronoun(const Nominal& phrase);
+  Things pointed_out_before(const Nominal& phrase);
+  const Nominal* earlier_phrase(const Nominal& pronoun);
+  const Nominal* phrase_in_predicate(const Nominal& pronoun);
+
   // -- phrases
   Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
   Fitting members_of(const Nominal& phrase);
-  Things pointed_out_before(const Nominal& phrase);
   Fitting presupposed(const Nominal& x);
   void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
   bool exclude_each_other(const Nominal& a, const Nominal& b) const;
   bool has_pronoun(const Nominal& phrase) const;
+  bool is_other_than_subject(const Nominal& clause, const Nominal& x) const;
   Truth fits_but_for(const std::string& id, const Nominal& phrase, const Nominal& modifier);
   Truth fits(const std::string& id, const Nominal& phrase, bool with_selection = true);
   Truth is_called(const std::string& id, const Nominal& phrase);
   Truth has_shape(const std::string& id, const std::string& shape);
-  const Nominal* earlier_phrase(const Nominal& pronoun);
-  const Nominal* phrase_in_predicate(const Nominal& pronoun);
   Truth modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                  const Nominal& dependent);
   Truth as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                     const Nominal& dependent);
   Truth is_one_of(const std::string& id, const Nominal& phrase);
   static void check_coordination(const Nominal& x);
-  Things antecedents_of(const std::string& name);
   bool is_pointed_at(const Nominal& phrase) const;
   Fitting members_pointed_at(const Nominal& phrase);
   static Count count(const Fitting& candidates, const Property& scope, const Things& landmarks);
@@ -214,6 +229,7 @@ private:
   Truth is_far(const std::string& id, const std::string& other);
   Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among);
   Truth compares(const std::string& id, const Nominal& comparison);
+  Truth compares_distances(const std::string& id, const Nominal& comparison, const Nominal& other);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);
   Truth is_more(const std::string& a, const std::string& b, const std::string& dimension,
                 const Nominal* anchor);
@@ -233,6 +249,8 @@ private:
   std::string within_;
   /// The thing whose relation to others is looked at: what "a different colour" differs from.
   std::string related_;
+  /// All that are compared together: what "the others" are others than.
+  Things related_group_;
   /// Modifiers that are being evaluated. "The ball that is the largest" is so among balls: what is
   /// asked of them meanwhile leaves the modifier aside.
   std::set<std::string> modifiers_;

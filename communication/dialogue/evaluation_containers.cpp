@@ -397,6 +397,8 @@ Truth Evaluation::discourse(const Nominal& first, const Nominal& next) {
       ScopedValue within{within_, id};
       return both(has(id, need(first, "Cop-Scope")), clause(next));
     });
+  if (owner != nullptr && topic != nullptr && is_the_other_of(*owner, *topic))
+    return one_and_the_other(first, next);
   if (!is_about_it)
     return both(clause(first), clause(next));
   // "There is only one ball, and it is red": there is no other ball either.

@@ -86,20 +86,6 @@ Fitting Evaluation::described(const Nominal& phrase) {
   return result;
 }
 
-Evaluation::Things Evaluation::antecedents_of(const std::string& name) {
-  Things result;
-  auto known = antecedents_.find(name);
-  if (known == antecedents_.end())
-    return result;
-  for (auto& id : scene_.things())
-    for (auto& proxy : known->second)
-      if (scene_.has(id, binding::feature(FeatureKind::existing_proxy_id, proxy)) == Truth::yes) {
-        result.push_back(id);
-        break;
-      }
-  return result;
-}
-
 bool Evaluation::is_pointed_at(const Nominal& phrase) const {
   return antecedents_.contains(phrase.name + std::string{pointed_at});
 }
@@ -131,33 +117,8 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     return {{known->second}, {known->second}};
   if (is_pointed_at(phrase))
     return members_pointed_at(phrase);
-  if (is_pronoun(phrase)) {
-    // "The ball, what colour is it?"
-    const auto* root = find_nominal(form_, form_.root);
-    const auto* topic = root == nullptr ? nullptr : dependent(form_, *root, "Topic");
-    if (topic != nullptr && topic->name != phrase.name)
-      return members_of(*topic);
-    if (const auto* earlier = earlier_phrase(phrase))
-      return members_of(*earlier);
-    if (!within_.empty() && is_plural(phrase)) {
-      const auto inside = items(within_);
-      return {inside, inside};
-    }
-    auto result = antecedents_of(phrase.name);
-    if (result.empty() && scene_.open_questions().empty()) {
-      // Something that is shown is the only thing there is, if it is not pointed at.
-      if (!is_plural(phrase) && is_deictic(phrase) && scene_.things().size() == 1)
-        return {scene_.things(), scene_.things()};
-      // "Which one is larger?" and "how many of these are red?" are about all there is, if nothing
-      // was spoken of.
-      if (feature(phrase, "Recent") == "true" ||
-          (phrase.proposition == "these" && is_whole(form_, phrase)) ||
-          antecedents_.contains(phrase.name + std::string{first_spoken_of}))
-        return {scene_.things(), scene_.things()};
-      throw Uninterpretable{Reason::ambiguous, phrase.name};
-    }
-    return {result, result};
-  }
+  if (is_pronoun(phrase))
+    return members_of_pronoun(phrase);
   // The table is where everything is; what it is like, nobody has said.
   if (is_the_table(phrase))
     throw Uninterpretable{Reason::unknown, phrase.name};
@@ -166,6 +127,10 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     not_understood(phrase.proposition);
   if (auto spoken_of = pointed_out_before(phrase); !spoken_of.empty())
     return {spoken_of, spoken_of};
+  // "The two", of which was spoken.
+  if (is_counted_group(form_, phrase) && !has_containers())
+    if (auto group = antecedents_of(phrase.name); !group.empty())
+      return {group, group};
   auto found = described(phrase);
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
@@ -195,18 +160,6 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   if (found.certain.size() > 1)
     throw Uninterpretable{Reason::ambiguous, phrase.name};
   return {found.best(), found.best()};
-}
-
-/// What was spoken of before, if "that thing" or "this red one" is said of it; else nothing.
-Evaluation::Things Evaluation::pointed_out_before(const Nominal& phrase) {
-  if (!is_anaphoric(phrase))
-    return {};
-  const auto* root = find_nominal(form_, form_.root);
-  const auto* topic = root == nullptr ? nullptr : dependent(form_, *root, "Topic");
-  auto result =
-    topic != nullptr && topic->name != phrase.name ? meant(*topic) : antecedents_of(phrase.name);
-  std::erase_if(result, [&](auto& id) { return fits(id, phrase) == Truth::no; });
-  return result;
 }
 
 /// Of how many of them `scope` is true.
@@ -291,9 +244,15 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     return is_within(so, {0, 0});
   auto not_so = count(
     candidates, [&](const std::string& id) { return negation(scope(id)); }, landmarks);
+  // "All but one of the balls".
+  if (const auto* excepted = dependent(form_, phrase, "AllBut"))
+    if (const auto range = number_range(*excepted))
+      return is_within(not_so, *range);
   if (delimited == "half") {
     if (so.certain != so.possible || not_so.certain != not_so.possible)
       return Truth::unknown;
+    if (feature(phrase, "Bound") == "at_least")
+      return truth_of(so.certain >= not_so.certain && so.certain > 0);
     return truth_of(so.certain == not_so.certain && so.certain > 0);
   }
   if (delimited == "most") {
@@ -345,6 +304,8 @@ Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_s
         together != nullptr &&
         (x == together || (mode == "GenRelation" && dependent(form_, *x, "Cop-Scope") == together)))
       continue;
+    if (mode == "Selection" && selection != nullptr)
+      not_understood(x->proposition);
     if (mode == "Selection")
       selection = x;
     else
@@ -391,42 +352,6 @@ Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
   return result;
 }
 
-/// The first definite phrase before a pronoun in the same sentence: "is the ball large, and is it
-/// red?", "what is that, is it red?" Null if there is none.
-const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
-  const auto* root = find_nominal(form_, form_.root);
-  if (root == nullptr)
-    return nullptr;
-  const auto* first = dependent(form_, *root, root->sort == "conjunction" ? "First" : "Preface");
-  if (first == nullptr)
-    return phrase_in_predicate(pronoun);
-  for (const auto* mode : {"Cop-Restr", "Cop-Scope"}) {
-    const auto* x = dependent(form_, *first, mode);
-    if (x != nullptr && x->sort == "thing" && is_definite(*x) && !is_pronoun(*x) &&
-        is_plural(*x) == is_plural(pronoun) && x->name != pronoun.name)
-      return x;
-  }
-  return nullptr;
-}
-
-/// "Is the ball behind the disc or in front of it?": the disc. Null if there is none.
-const Nominal* Evaluation::phrase_in_predicate(const Nominal& pronoun) {
-  const auto* root = find_nominal(form_, form_.root);
-  const auto* scope = dependent(form_, *root, "Cop-Scope");
-  if (scope == nullptr || is_deictic(pronoun))
-    return nullptr;
-  const auto said = part_of(form_, scope->name);
-  if (find_nominal(said, pronoun.name) == nullptr)
-    return nullptr;
-  const Nominal* result = nullptr;
-  for (auto& x : said.nominals)
-    if (x.sort == "thing" && is_definite(x) && !is_pronoun(x) && !is_the_table(x) &&
-        is_plural(x) == is_plural(pronoun) && place_of_word(x) < place_of_word(pronoun) &&
-        (result == nullptr || place_of_word(*result) < place_of_word(x)))
-      result = find_nominal(form_, x.name);
-  return result;
-}
-
 Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                            const Nominal& x) {
   const ScopedElement modifier{modifiers_, phrase.name + ' ' + x.name};
@@ -437,7 +362,7 @@ Truth Evaluation::modified(const std::string& id, const Nominal& phrase, const s
 
 Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, const std::string& mode,
                               const Nominal& x) {
-  if (mode == "Quantity")
+  if (mode == "Quantity" || mode == "AllBut")
     return Truth::yes;
   if (mode == "PartOf")
     return is_plural(x) ? is_one_of(id, x) : fits(id, x);
@@ -482,8 +407,10 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
   }
   if (mode == "Property" && x.proposition == "other") {
     // "Larger than all the others", "than every other ball".
-    if (!related_.empty() && (is_plural(phrase) || delimitation(phrase) == "all"))
-      return truth_of(id != related_);
+    const bool is_of_such = !related_.empty() && fits_but_for(related_, phrase, x) == Truth::yes;
+    if (!related_.empty() && (is_plural(phrase) || delimitation(phrase) == "all" || is_of_such))
+      return truth_of(id != related_ &&
+                      std::ranges::find(related_group_, id) == related_group_.end());
     auto contains = [&](const Things& things) {
       return truth_of(std::ranges::find(things, id) != things.end());
     };

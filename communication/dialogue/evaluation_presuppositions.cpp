@@ -15,15 +15,28 @@ bool Evaluation::has_pronoun(const Nominal& phrase) const {
 }
 
 void Evaluation::check_presuppositions() {
-  // What is spoken of may be in whatever container is spoken of.
-  if (has_containers())
+  if (has_containers()) {
+    // What is spoken of may be in whatever container is spoken of. What "two" are of is not clear.
+    for (auto& x : form_.nominals)
+      if (feature(x, "Elided") == "true")
+        not_understood(x.proposition);
     return;
+  }
   // "It is a ball, and the green one is not" says nothing of a ball that the green one is not.
   for (auto& x : form_.nominals)
     if (const auto* relative = dependent(form_, x, "GenRelation");
         relative != nullptr && is_negated(*relative) &&
         dependent(form_, *relative, "Cop-Scope") == &x)
       not_understood("not");
+  const auto& root = *find_nominal(form_, form_.root);
+  const auto topic_of = [&](const char* mode) {
+    const auto* part = root.sort == "conjunction" ? dependent(form_, root, mode) : nullptr;
+    return part == nullptr ? nullptr : dependent(form_, *part, "Cop-Restr");
+  };
+  const auto* one = topic_of("First");
+  const auto* other = topic_of("Next");
+  // Which is the other one depends on the one.
+  const bool is_other = one != nullptr && other != nullptr && is_the_other_of(*one, *other);
   std::vector<std::pair<const Nominal*, Fitting>> phrases;
   // What the sentence is about comes first.
   std::vector<std::string> names;
@@ -38,12 +51,22 @@ void Evaluation::check_presuppositions() {
     const bool is_universal = delimited == "all" || delimited == "most";
     // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
     // are definite.
-    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) ||
+    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) || (is_other && &x == other) ||
+        is_only_plural(x) || is_other_than_subject(root, x) ||
         (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
       continue;
     phrases.emplace_back(&x, presupposed(x));
   }
   check_consistency(phrases);
+}
+
+/// "Is one of the balls larger than the other?": which the other is depends on the one.
+bool Evaluation::is_other_than_subject(const Nominal& clause, const Nominal& x) const {
+  const auto* subject = dependent(form_, clause, "Cop-Restr");
+  const auto* scope = dependent(form_, clause, "Cop-Scope");
+  return subject != nullptr && scope != nullptr && scope->sort == "comparison" &&
+         subject->sort == "thing" && !is_definite_phrase(*subject) && !is_plural(x) &&
+         is_definite(x) && is_about_others(form_, x) && dependent(form_, *scope, "Than") == &x;
 }
 
 /// What is like the phrase, of which there is what it takes for granted.

@@ -49,7 +49,7 @@ constexpr std::array comparatives{
   Comparative{"farthest", "distance", true},   Comparative{"nearer", "distance", false},
   Comparative{"farther", "distance", true},    Comparative{"further-left", "right", false},
   Comparative{"further-right", "right", true}, Comparative{"further-back", "back", true},
-  Comparative{"further-front", "back", false}};
+  Comparative{"further-front", "back", false}, Comparative{"centremost", "centre", false}};
 
 const Comparative* comparative(const std::string& word) {
   auto found = std::ranges::find_if(comparatives, [&word](auto& x) { return x.word == word; });
@@ -99,7 +99,8 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          !is_plural(*anchor) && !is_the_table(*anchor) && !is_side_of_container(*anchor))
+          !is_plural(*anchor) && !is_about_others(form_, *anchor) && !is_the_table(*anchor) &&
+          !is_side_of_container(*anchor))
         add(meant(*anchor));
   return result;
 }
@@ -195,7 +196,8 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     return is_one_of(id, *anchor);
   // The table is where everything is.
   if (is_the_table(*anchor)) {
-    if (relation != "on" && relation != "at")
+    const bool is_in_scene = anchor->proposition == "scene" && relation == "in";
+    if (relation != "on" && relation != "at" && !is_in_scene)
       not_understood(relation);
     // There is one table; what is said of it is meant of something else.
     if (!anchor->relations.empty())
@@ -333,6 +335,8 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
     return std::nullopt;
   if (dimension == "right")
     return at->x;
+  if (dimension == "centre")
+    return std::hypot(at->x, at->y);
   if (dimension == "back" || anchor == nullptr)
     return at->y;
   auto to = meant(*anchor);
@@ -404,7 +408,24 @@ Truth Evaluation::is_more(const std::string& a, const std::string& b, const std:
   return x && y ? truth_of(is_clearly_more(*x, *y, dimension)) : Truth::unknown;
 }
 
+/// "Closer to the ball than to the cube".
+Truth Evaluation::compares_distances(const std::string& id, const Nominal& comparison,
+                                     const Nominal& other) {
+  const auto a = measure(id, "distance", &need(comparison, "Anchor"));
+  const auto b = measure(id, "distance", &other);
+  if (!a || !b)
+    return Truth::unknown;
+  const bool is_nearer = comparison.proposition == "nearer";
+  if (std::abs(*a - *b) <= clear_distance)
+    return Truth::unknown;
+  return truth_of((*a < *b) == is_nearer);
+}
+
 Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
+  if (const auto* other = dependent(form_, comparison, "OtherAnchor"))
+    return compares_distances(id, comparison, *other);
+  if (dependent(form_, comparison, "Than") == nullptr && related_.empty())
+    return compares_with_before(id, comparison);
   if (dependent(form_, comparison, "Than") == nullptr && !related_.empty())
     return differs_from_context(id, comparison);
   auto& than = need(comparison, "Than");
@@ -430,12 +451,20 @@ Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
   if (how == nullptr)
     not_understood(comparison.proposition);
   const auto* anchor = dependent(form_, comparison, "Anchor");
-  return quantified(than, [&](const std::string& other) {
+  const auto is_so = [&](const std::string& other) {
     if (other == id)
       return Truth::no;
     return how->more ? is_more(id, other, how->dimension, anchor)
                      : is_more(other, id, how->dimension, anchor);
-  });
+  };
+  const auto result = quantified(than, is_so);
+  if (feature(than, "Delimitation") != "any" || result != Truth::yes || has_containers())
+    return result;
+  // "Larger than any ball" may mean than one or than each: nothing is said where that differs.
+  for (const auto& other : described(than).certain)
+    if (other != id && is_so(other) != Truth::yes)
+      return Truth::unknown;
+  return result;
 }
 
 } // namespace castor::communication

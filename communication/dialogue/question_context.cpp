@@ -1,13 +1,16 @@
 #include "castor/communication/dialogue/question_context.hpp"
 
 #include "castor/communication/dialogue/clause_parts.hpp"
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace castor::communication {
@@ -77,7 +80,9 @@ public:
 
   /// \returns whether there is such a place
   bool run() {
-    if (other_quality() || contrast())
+    if (is_another_answer())
+      return false;
+    if (other_quality() || compared_quality() || contrast() || other_value() || other_selection())
       return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
@@ -94,6 +99,15 @@ private:
       return x.sort == "thing" && !is_the_table(x) &&
              (!is_strict_ || is_definite(x) == is_definite(fragment_));
     return x.sort == fragment_.sort && x.name != fragment_.name;
+  }
+
+  /// "Which one is blue? And the other?" does not ask which other one is blue.
+  bool is_another_answer() const {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* asked = root == nullptr ? nullptr : dependent(form_, *root, "Wh-Restr");
+    return asked != nullptr && asked->sort == "thing" && fragment_.sort == "thing" &&
+           is_definite(fragment_) && !is_plural(fragment_) && is_about_others(form_, fragment_) &&
+           dependent(form_, *asked, "Quantity") == nullptr;
   }
 
   /// "The red one" is a thing of the kind that was spoken of.
@@ -115,6 +129,44 @@ private:
         !fragment_.relations.empty())
       return false;
     root->proposition = fragment_.proposition;
+    return true;
+  }
+
+  /// "Are they the same colour? And size?"
+  bool compared_quality() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    const auto* quality = scope == nullptr ? nullptr : dependent(form_, *scope, "Quality");
+    if (fragment_.sort != "quality" || !fragment_.relations.empty() || quality == nullptr)
+      return false;
+    replace(quality->name);
+    return true;
+  }
+
+  /// "The cylinder is yellow, right? And large?" asks whether it is large.
+  bool other_value() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    if (!is_value(fragment_) || scope == nullptr || !is_value(*scope) ||
+        scope->sort == fragment_.sort || dependent(form_, *root, "Wh-Restr") != nullptr)
+      return false;
+    replace(scope->name);
+    return true;
+  }
+
+  /// "Which one is bigger? And the smaller one?" asks which is.
+  bool other_selection() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* scope = root == nullptr ? nullptr : dependent(form_, *root, "Cop-Scope");
+    const auto* selection = dependent(form_, fragment_, "Selection");
+    if (scope == nullptr || scope->sort != "selection" || selection == nullptr ||
+        fragment_.proposition != "one" || fragment_.relations.size() != 1 ||
+        dependent(form_, *root, "Wh-Restr") == nullptr)
+      return false;
+    const auto old = scope->name;
+    for (auto& relation : find_nominal(form_, form_.root)->relations)
+      if (relation.dependent == old)
+        relation.dependent = selection->name;
     return true;
   }
 
@@ -170,6 +222,11 @@ private:
           is_pronoun(*pronoun))
         relation.dependent = anchor->name;
     }
+    // "And to the right?"
+    auto& fragment = *find_nominal(form_, fragment_.name);
+    if (anchor != nullptr && feature(fragment, "Of") == "before" &&
+        dependent(form_, fragment, "Anchor") == nullptr && !is_the_table(*anchor))
+      fragment.relations.push_back({"Anchor", anchor->name});
   }
 
   void visit(const std::string& name) {
@@ -206,8 +263,35 @@ private:
   bool replaced_ = false;
 };
 
+/// "The red ball is left of the disc, and the blue one is behind it": what the first clause is
+/// about, if the second is about `one`; else null.
+const Nominal* parallel_subject(const LogicalForm& form, const Nominal& one) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* next = root->sort == "conjunction" ? dependent(form, *root, "Next") : nullptr;
+  const auto* first = next == nullptr ? nullptr : dependent(form, *root, "First");
+  const auto* subject = first == nullptr ? nullptr : dependent(form, *first, "Cop-Restr");
+  const bool is_parallel = subject != nullptr && dependent(form, *next, "Cop-Restr") == &one &&
+                           subject->sort == "thing" && !is_pronoun(*subject) &&
+                           subject->proposition != "one";
+  return is_parallel ? subject : nullptr;
+}
+
+/// "How many large and how many small things are there?": the noun of the second question for what
+/// the first asks for; else empty.
+std::string noun_asked_next(const LogicalForm& form, const Nominal& one) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* first = root->sort == "conjunction" ? dependent(form, *root, "First") : nullptr;
+  const auto* next = first == nullptr ? nullptr : dependent(form, *root, "Next");
+  if (next == nullptr || dependent(form, *first, "Wh-Restr") != &one)
+    return {};
+  const auto* asked = dependent(form, *next, "Wh-Restr");
+  return asked == nullptr || asked->sort != "thing" ? std::string{} : asked->proposition;
+}
+
 /// The last thing that is called by a noun before a nominal; null if there is none.
 const Nominal* named_before(const LogicalForm& form, const Nominal& one) {
+  if (const auto* subject = parallel_subject(form, one))
+    return subject;
   const Nominal* last = nullptr;
   for (auto& x : form.nominals)
     if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" && !is_the_table(x) &&
@@ -247,7 +331,76 @@ bool substitute(CompleteMove& question, const LogicalForm& said, const Anteceden
   return fragment != nullptr && Substitution{form, *fragment}.run();
 }
 
+/// "There are two yellow cubes." "Sorry, only one."
+/// \returns whether a number is put in the place of another
+bool correct_number(CompleteMove& statement, const LogicalForm& said,
+                    const Antecedents& antecedents) {
+  const auto* fragment = find_nominal(said, said.root);
+  const auto* number = fragment == nullptr ? nullptr : dependent(said, *fragment, "Quantity");
+  const auto* root = find_nominal(statement.move.content, statement.move.content.root);
+  const auto* topic =
+    root == nullptr ? nullptr : dependent(statement.move.content, *root, "Subject");
+  const auto* old =
+    topic == nullptr ? nullptr : dependent(statement.move.content, *topic, "Quantity");
+  const bool is_alone = fragment != nullptr && fragment->proposition == "one" &&
+                        fragment->sort == "thing" && fragment->relations.size() == 1 &&
+                        !is_definite(*fragment);
+  if (!is_alone || number == nullptr || old == nullptr || is_negated(*root))
+    return false;
+  const auto from = old->name;
+  const auto subject = topic->name;
+  const bool is_several = is_plural(*fragment);
+  const auto name =
+    append(statement.move.content, part_of(said, number->name), statement.antecedents, antecedents);
+  for (auto& x : find_nominal(statement.move.content, subject)->relations)
+    if (x.dependent == from)
+      x.dependent = name;
+  for (auto& x : find_nominal(statement.move.content, subject)->features)
+    if (x.name == "Number")
+      x.value = is_several ? "pl" : "sg";
+  return true;
+}
+
+bool is_opposite(const std::string& a, const std::string& b) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> opposites{
+    {{"left", "right"}, {"front", "back"}}};
+  return std::ranges::any_of(
+    opposites, [&](auto& x) { return (a == x[0] && b == x[1]) || (a == x[1] && b == x[0]); });
+}
+
+/// The region that a clause that asks for things says they are in; null if there is none.
+const Nominal* asked_region(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
+  const auto* scope = root == nullptr ? nullptr : dependent(form, *root, "Cop-Scope");
+  if (asked == nullptr || (asked->sort != "thing" && asked->sort != "entity"))
+    return nullptr;
+  const auto* region =
+    scope != nullptr && scope->sort == "region" ? scope : dependent(form, *asked, "Location");
+  return region != nullptr && dependent(form, *region, "Anchor") != nullptr ? region : nullptr;
+}
+
 } // namespace
+
+/// "What is in front of the cube? And what is behind it?": behind the cube.
+void QuestionContext::keep_landmark(CompleteMove& move) const {
+  const auto* before = clause_ ? asked_region(clause_->move.content) : nullptr;
+  const auto* now = asked_region(move.move.content);
+  if (before == nullptr || now == nullptr || !is_opposite(before->proposition, now->proposition))
+    return;
+  const auto* landmark = dependent(clause_->move.content, *before, "Anchor");
+  const auto* pronoun = dependent(move.move.content, *now, "Anchor");
+  if (pronoun->proposition != "it" || landmark->sort != "thing" || !is_definite(*landmark) ||
+      is_plural(*landmark) || is_the_table(*landmark))
+    return;
+  const auto from = pronoun->name;
+  const auto name = append(move.move.content, part_of(clause_->move.content, landmark->name),
+                           move.antecedents, clause_->antecedents);
+  for (auto& x : move.move.content.nominals)
+    for (auto& relation : x.relations)
+      if (relation.dependent == from)
+        relation.dependent = name;
+}
 
 /// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
 void QuestionContext::replace_one(LogicalForm& form) const {
@@ -256,17 +409,20 @@ void QuestionContext::replace_one(LogicalForm& form) const {
     return;
   for (auto& x : form.nominals) {
     if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x) ||
-        dependent(form, x, "PartOf") != nullptr)
+        is_counted_group(form, x) || dependent(form, x, "PartOf") != nullptr)
       continue;
     const auto* before = named_before(form, x);
     const auto noun = before == nullptr ? std::string{} : before->proposition;
-    // "Is the cube larger than the others?": there is one cube.
-    const bool is_unique = before != nullptr && is_definite(*before) && !is_plural(*before) &&
-                           before->relations.empty() && is_plural(x) && is_about_others(form, x);
+    // "Is the cube larger than the others?": there is one cube; "are the cubes larger than the
+    // others?": those are all cubes.
+    const bool is_unique = before != nullptr && is_definite(*before) && before->relations.empty() &&
+                           is_plural(x) && is_about_others(form, x);
     if (is_general_noun(noun) || is_unique)
       continue;
     if (!noun.empty())
       x.proposition = noun;
+    else if (const auto next = noun_asked_next(form, x); !next.empty())
+      x.proposition = next;
     else if (!noun_.empty() && !is_identified(form, *root, x))
       x.proposition = noun_;
   }
@@ -282,6 +438,7 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   replace_one(result.move.content);
   for (auto& alternative : result.move.alternatives)
     replace_one(alternative);
+  keep_landmark(result);
   if (clause_ && is_elliptical(move.content))
     if (auto whole = completed(move.content, clause_->move.content)) {
       result.move.content = std::move(*whole);
@@ -299,10 +456,17 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     if (clarify(clarified, asked_about_, move.content, antecedents))
       return clarified;
   }
-  if (question_) {
+  if (clause_ && clause_->move.type == DialogueMoveType::assertion)
+    if (auto statement = *clause_; correct_number(statement, move.content, antecedents))
+      return statement;
+  if (question_ && !is_about_any(move.content)) {
     auto question = *question_;
-    if (!is_about_any(move.content) && substitute(question, move.content, antecedents))
+    if (substitute(question, move.content, antecedents)) {
+      for (auto& alternative : move.alternatives)
+        if (auto other = *question_; substitute(other, alternative, antecedents))
+          question.move.alternatives.push_back(std::move(other.move.content));
       return question;
+    }
   }
   // "Anything left of the ball?", "red things?"
   if (is_about_any(move.content) || is_question) {

@@ -32,6 +32,7 @@ public:
 
 private:
   void replace_one(LogicalForm& form) const;
+  void keep_landmark(CompleteMove& move) const;
 
   std::optional<CompleteMove> question_;
   /// The last question or statement.

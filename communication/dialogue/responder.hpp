@@ -42,6 +42,7 @@ private:
   const Nominal& need(const Nominal& of, const char* mode) const;
 
   Response to_assertion(const Nominal& said);
+  bool is_told_in_vain(const Nominal& said) const;
   bool says_what_is_not_seen(const Nominal& said) const;
 
   // -- questions
@@ -50,17 +51,21 @@ private:
   Response count(const Fitting& found, const Nominal& phrase, const Nominal* scope);
   std::optional<LogicalForm> share_of(const Count& number, const Nominal& phrase,
                                       const Nominal* scope);
+  bool is_number(const Nominal& asked) const;
+  Response some_of(const Fitting& found, const Nominal& asked) const;
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   Response what(const Nominal& phrase);
   Response quality(const Nominal& asked, const Nominal& of);
   Response quality(const std::string& name, const Nominal& of);
-  Response qualities(const Things& things, const std::string& name, binding::FeatureKind kind);
+  Response qualities(const Things& things, const Nominal& of, const std::string& name,
+                     binding::FeatureKind kind);
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice_of_clauses();
-  bool is_on_the_table(const Nominal& place) const;
-  Response values_seen(const Nominal& asked);
+  const Nominal* commonest_quality(const Nominal& asked) const;
+  Response most_common(const Nominal& quality);
+  Response values_seen(const Nominal& asked, const Nominal* region = nullptr);
   Response choice(const Nominal& subject, const Nominal& alternatives);
 
   // -- why a statement is not so (response_reasons.cpp)

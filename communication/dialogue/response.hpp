@@ -27,4 +27,9 @@ struct Response {
   std::size_t reading = 0;
 };
 
+/// \param simpler said if there are no words for the content
+inline Response answer(LogicalForm content, LogicalForm simpler = {}) {
+  return {RhetoricalRelation::answer, {{std::move(content), std::move(simpler)}}, {}, {}};
+}
+
 } // namespace castor::communication

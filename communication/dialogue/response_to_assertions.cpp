@@ -24,8 +24,7 @@ Response Responder::to_assertion(const Nominal& said) {
   const auto* restriction = dependent(form_, said, "Cop-Restr");
   const auto* scope = dependent(form_, said, "Cop-Scope");
   auto truth = judge_assertion(said, form_, evaluation_);
-  if (truth == Truth::unknown && says_what_is_not_seen(said) &&
-      telling_of(said, form_) == Telling::nothing)
+  if (truth == Truth::unknown && is_told_in_vain(said))
     return {RhetoricalRelation::answer, {}, "I do not know whether that is so.", {}};
   if (truth != Truth::no)
     return accept();
@@ -58,9 +57,22 @@ Response Responder::to_assertion(const Nominal& said) {
     return correct(marker("no"));
   if (is_negated(said) || is_negated(*scope))
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name))));
+  if (scope->sort == "conjunction")
+    return correct(marker("no"));
   if (scope->sort == "region" || scope->sort == "comparison" || scope->sort == "selection")
     return correct(with_marker("no", ascribe(pronoun("it"), part_of(form_, scope->name), false)));
   return correct(denied(things.front(), *scope));
+}
+
+/// What vision has no word for, said of nothing that binding can be told of.
+bool Responder::is_told_in_vain(const Nominal& said) const {
+  if (said.sort != "conjunction")
+    return says_what_is_not_seen(said) && telling_of(said, form_) == Telling::nothing;
+  const auto& first = need(said, "First");
+  const auto& next = need(said, "Next");
+  if (said.proposition != "and")
+    return says_what_is_not_seen(first) || says_what_is_not_seen(next);
+  return is_told_in_vain(first) || is_told_in_vain(next);
 }
 
 /// A kind of thing that vision has no word for, such as a toy.

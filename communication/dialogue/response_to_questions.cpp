@@ -14,15 +14,6 @@ namespace {
 
 using binding::FeatureKind;
 
-Response answer(LogicalForm content, LogicalForm simpler = {}) {
-  return {RhetoricalRelation::answer, {{std::move(content), std::move(simpler)}}, {}, {}};
-}
-
-bool is_count(const Nominal& x) {
-  return std::ranges::any_of(x.relations,
-                             [](auto& relation) { return relation.mode == "Quantity"; });
-}
-
 Nominal affirmed(Nominal x) {
   std::erase_if(x.features, [](auto& feature) { return feature.name == "Polarity"; });
   return x;
@@ -66,13 +57,6 @@ Response Responder::quality(const Nominal& asked, const Nominal& of) {
   return result;
 }
 
-/// "On the table", "here".
-bool Responder::is_on_the_table(const Nominal& place) const {
-  const auto* anchor = dependent(form_, place, "Anchor");
-  return place.sort == "region" &&
-         (place.proposition == "here" || (anchor != nullptr && is_the_table(*anchor)));
-}
-
 Response Responder::to_question_w() {
   if (root().sort == "quality")
     return owned_quality(root());
@@ -83,8 +67,14 @@ Response Responder::to_question_w() {
   };
   if (root().sort == "existence" && is_quality(asked))
     return dependent(form_, asked, "Owner") == nullptr ? values_seen(asked) : owned_quality(asked);
+  if (const auto* common = commonest_quality(asked))
+    return most_common(*common);
   if (asked.sort == "person" || asked.proposition == "who")
     return answer(i_do_not_know());
+  // "Which shape is there most of?"
+  if (const auto* subject = dependent(form_, root(), "Subject");
+      subject != nullptr && dependent(form_, *subject, "PartOf") == &asked)
+    throw Uninterpretable{Uninterpretable::Reason::word, subject->proposition};
   if (root().sort != "ascription")
     return about(asked);
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
@@ -92,12 +82,19 @@ Response Responder::to_question_w() {
   if (restriction == nullptr || scope == nullptr)
     throw Uninterpretable{Uninterpretable::Reason::word, root().proposition};
   const bool asks_for_scope = asked.name == scope->name;
+  // "What colour is the ball, apart from the cube?"
+  if (const auto* excepted = dependent(form_, root(), "Except");
+      excepted != nullptr && asks_for_scope && is_definite(*restriction))
+    throw Uninterpretable{Uninterpretable::Reason::word, excepted->proposition};
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
-  // "What colours are on the table?"
-  if (is_quality(asked) && is_on_the_table(other) && dependent(form_, root(), "Except") == nullptr)
-    return values_seen(asked);
+  // "How many shapes are not squares?" asks for no quality of something.
+  if (is_quality(asked) && asks_for_number(asked) && other.sort != "region")
+    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
+  // "Which colours are on the left?"
+  if (is_quality(asked) && other.sort == "region")
+    return values_seen(asked, &other);
   if (is_quality(asked))
     return quality(asked, other);
   if ((asked.sort == "entity" || asked.proposition == "one") && is_quality(other) &&
@@ -126,56 +123,40 @@ Response Responder::to_question_w() {
   return about(asked);
 }
 
-/// "Which colours do you see?", "how many colours are there?"
-Response Responder::values_seen(const Nominal& asked) {
-  const auto kind = asked.proposition == "kind" ? std::optional{FeatureKind::shape}
-                                                : kind_of_quality(asked.proposition);
-  for (auto& [mode, name] : asked.relations)
-    if (const auto* x = find_nominal(form_, name);
-        mode != "Quantity" && x != nullptr && x->proposition != "different" && !is_on_the_table(*x))
-      throw Uninterpretable{Uninterpretable::Reason::word, x->proposition};
-  if (!kind)
-    throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
-  // "Which colour is there most of?"
-  const auto* subject = dependent(form_, root(), "Subject");
-  if (root().sort == "existence" && subject != &asked)
-    throw Uninterpretable{Uninterpretable::Reason::word,
-                          subject == nullptr ? asked.proposition : subject->proposition};
-  std::vector<std::string> values;
-  for (auto& id : scene_.things()) {
-    auto words = scene_.words(id, *kind);
-    if (words.empty() && is_count(asked))
-      return answer(i_do_not_know());
-    if (!words.empty() && std::ranges::find(values, words.front()) == values.end())
-      values.push_back(words.front());
-  }
-  if (is_count(asked))
-    return answer(exists(counted(values.size(), part_of(form_, asked.name))));
-  if (values.empty())
-    return answer(i_do_not_know());
-  std::vector<LogicalForm> all;
-  for (auto& word : values)
-    all.push_back(kind == FeatureKind::shape ? indefinite(word)
-                                             : property(asked.proposition, word));
-  if (kind == FeatureKind::shape)
-    return answer(exists(listed(std::move(all))));
-  return answer(ascribe(pronoun(values.size() == 1 ? "it" : "they"), listed(std::move(all))));
-}
-
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
+  if (root().sort == "existence" && is_number(asked))
+    return some_of(found, asked);
   const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
-  if (is_count(asked))
+  if (asks_for_number(asked))
     return count(found, asked, scope);
   // Of things that are as large as one another, any may be the largest.
   const bool is_about_order =
     scope != nullptr &&
     (scope->sort == "selection" || dependent(form_, *scope, "Selection") != nullptr);
-  const bool is_tie = is_about_order && found.possible.size() > 1;
+  const bool is_tie =
+    is_about_order && found.possible.size() > 1 && !evaluation_.described(asked).certain.empty();
   if (found.certain.empty() && !found.possible.empty() && !is_tie)
     return answer(i_do_not_know());
   return list(found.certain.empty() ? found.possible : found.certain);
+}
+
+/// Whether it is said how many are asked for: "two red things".
+bool Responder::is_number(const Nominal& asked) const {
+  const auto* quantity = dependent(form_, asked, "Quantity");
+  return quantity != nullptr && feature(*quantity, "Bound").empty() &&
+         number_range(*quantity).value_or(NumberRange{0}).least > 0;
+}
+
+/// "Name two red things": as many of them, or all if there are fewer.
+Response Responder::some_of(const Fitting& found, const Nominal& asked) const {
+  auto things = found.certain;
+  if (things.empty() && !found.possible.empty())
+    return answer(i_do_not_know());
+  if (const auto range = number_range(need(asked, "Quantity")); things.size() > range->least)
+    things.resize(range->least);
+  return list(things);
 }
 
 Response Responder::count(const Fitting& found, const Nominal& phrase, const Nominal* scope) {
@@ -241,7 +222,7 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
   else
     things = evaluation_.meant(of);
   if (things.size() > 1)
-    return qualities(things, name, *kind);
+    return qualities(things, of, name, *kind);
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (auto& id : things) {
     auto words = scene_.words(id, *kind);
@@ -259,7 +240,8 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
 
 /// "Both are red", "the large cube is red. The small cube is green.", or "they are red and green"
 /// if nothing else tells them apart.
-Response Responder::qualities(const Things& things, const std::string& name, FeatureKind kind) {
+Response Responder::qualities(const Things& things, const Nominal& of, const std::string& name,
+                              FeatureKind kind) {
   std::vector<std::string> values;
   std::set<std::string> distinct;
   bool is_sure = true;
@@ -277,6 +259,9 @@ Response Responder::qualities(const Things& things, const std::string& name, Fea
   auto said = [&](LogicalForm sentence) {
     return is_sure ? std::move(sentence) : unsure(std::move(sentence));
   };
+  // "What colour is that?", after several things were spoken of, asks for the one that they have.
+  if (distinct.size() > 1 && is_pronoun(of) && !is_plural(of))
+    throw Uninterpretable{Uninterpretable::Reason::ambiguous, of.name};
   if (distinct.size() == 1) {
     auto value = kind == FeatureKind::shape ? plural(values.front()) : value_of(values.front());
     return answer(said(ascribe(all_of_them(things.size()), value)));
@@ -341,6 +326,10 @@ Response Responder::yes_or_no(Truth truth) {
 Response Responder::to_question_yn() {
   const auto* restriction = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
+  // "The red balls, right?" says nothing of them.
+  if (root().sort == "existence" && feature(root(), "Fragment") == "true")
+    if (const auto& subject = need(root(), "Subject"); is_definite_phrase(subject))
+      throw Uninterpretable{Uninterpretable::Reason::word, subject.proposition};
   // "Is it red or is it blue?"
   if (root().sort == "conjunction" && root().proposition == "or")
     return choice_of_clauses();
@@ -430,7 +419,12 @@ Response Responder::choice_of_clauses() {
     if (truth != Truth::yes)
       continue;
     auto said = part_of(form_, one.name);
-    std::erase_if(said.nominals.front().features, [](auto& x) { return x.name == "Mood"; });
+    for (auto& x : said.nominals)
+      if (x.name == said.root) {
+        std::erase_if(x.features, [](auto& y) { return y.name == "Mood"; });
+        std::erase_if(x.relations, [](auto& y) { return y.mode == "Topic"; });
+      }
+    said = part_of(said, said.root);
     result.sentences.push_back({std::move(said), marker("yes")});
   }
   if (!result.sentences.empty())

@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace castor::communication {
 
@@ -51,6 +52,33 @@ Proxies set_with(const std::vector<const MoveReferents*>& moves, const std::stri
   return {};
 }
 
+/// The last things that were spoken of that are as many as that.
+Proxies latest_of_number(const std::vector<const MoveReferents*>& moves, const NumberRange& range) {
+  const auto fits = [&range](const Proxies& x) {
+    return is_within({x.size(), x.size()}, range) == Truth::yes;
+  };
+  for (const auto* move : moves) {
+    Proxies together;
+    for (auto& referent : move->referents) {
+      if (fits(referent.proxies))
+        return referent.proxies;
+      if (referent.proxies.size() == 1 &&
+          std::ranges::find(together, referent.proxies.front()) == together.end())
+        together.push_back(referent.proxies.front());
+    }
+    if (fits(together))
+      return together;
+  }
+  return {};
+}
+
+/// How many things "all three" and "the two" stand for; nothing for other phrases.
+std::optional<NumberRange> number_spoken_of(const LogicalForm& form, const Nominal& x) {
+  const auto* quantity = dependent(form, x, "Quantity");
+  const bool is_group = is_pronoun(x) || is_counted_group(form, x);
+  return is_group && quantity != nullptr ? number_range(*quantity) : std::nullopt;
+}
+
 Proxies latest_of_any_number(const std::vector<const MoveReferents*>& moves) {
   for (const auto* move : moves)
     for (auto& referent : move->referents)
@@ -59,12 +87,30 @@ Proxies latest_of_any_number(const std::vector<const MoveReferents*>& moves) {
   return {};
 }
 
+/// Which one of those that were spoken of last "that one" is, nobody can say.
+bool is_one_of_several(const Nominal& x, const std::vector<const MoveReferents*>& moves) {
+  if (is_plural(x) || moves.empty())
+    return false;
+  const auto& referents = moves.front()->referents;
+  return !referents.empty() && referents.front().proxies.size() > 1;
+}
+
+/// "What colour is that?"
+bool is_asked_for_quality(const LogicalForm& form, const Nominal& x) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
+  return asked != nullptr && asked->sort == "quality" &&
+         (dependent(form, *root, "Cop-Restr") == &x || dependent(form, *root, "Cop-Scope") == &x);
+}
+
 Antecedents antecedents_in(const LogicalForm& form,
                            const std::vector<const MoveReferents*>& moves) {
   Antecedents result;
   for (auto& x : form.nominals) {
     Proxies found;
-    if (x.sort == "thing" && is_about_others(form, x)) {
+    if (const auto number = number_spoken_of(form, x)) {
+      found = latest_of_number(moves, *number);
+    } else if (x.sort == "thing" && is_about_others(form, x)) {
       found = latest_of_any_number(moves);
       if (auto all = found.size() == 1 ? set_with(moves, found.front()) : Proxies{}; !all.empty())
         result.emplace(x.name + std::string{chosen_from}, std::move(all));
@@ -74,8 +120,11 @@ Antecedents antecedents_in(const LogicalForm& form,
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
-    } else if (is_pronoun(x) || is_anaphoric(x))
+    } else if (is_pronoun(x) || (is_anaphoric(x) && !is_one_of_several(x, moves)))
       found = latest(moves, is_plural(x));
+    // "Are they the same colour? What colour is that?"
+    if (found.empty() && is_deictic(x) && !is_plural(x) && is_asked_for_quality(form, x))
+      found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, true);
     if (!found.empty())
       result.emplace(x.name, std::move(found));
   }
