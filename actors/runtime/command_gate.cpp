@@ -10,7 +10,7 @@ namespace castor {
 namespace {
 
 /// "1.53 s"
-std::string seconds(CommandGate::Clock::duration x) {
+std::string in_words(CommandGate::Clock::duration x) {
   return fmt::format("{:.3g} s", std::chrono::duration<double>(x).count());
 }
 
@@ -50,10 +50,10 @@ bool CommandGate::is_holder(const Offer& x) const {
 
 std::string CommandGate::refusal_of_age(const Waiting& x, Time now) const {
   if (expiry(x.offer) > x.arrived)
-    return refusal_unconfirmed(x.offer, "no answer in " + seconds(now - x.arrived));
+    return refusal_unconfirmed(x.offer, "no answer in " + in_words(now - x.arrived));
   return fmt::format("the command arrived {} after it was sent, and is valid for {}",
-                     seconds(x.arrived - x.offer.sent),
-                     seconds(std::min(x.offer.valid_for, terms_.valid_for)));
+                     in_words(x.arrived - x.offer.sent),
+                     in_words(std::min(x.offer.valid_for, terms_.valid_for)));
 }
 
 std::string CommandGate::refusal_of_token(const Offer& x) const {

@@ -13,15 +13,13 @@ namespace castor {
 
 namespace {
 
-using Clock = ComponentCommands::Clock;
-
 /// An effector's clock, as its commanders are told it.
-Timestamp reading(Clock::time_point x) {
+Timestamp reading(ComponentCommands::Clock::time_point x) {
   return std::chrono::duration_cast<Timestamp>(x.time_since_epoch());
 }
 
-Clock::time_point from_reading(Timestamp x) {
-  return Clock::time_point{x};
+ComponentCommands::Clock::time_point from_reading(Timestamp x) {
+  return ComponentCommands::Clock::time_point{x};
 }
 
 std::string command_of(const std::string& type) {
@@ -183,7 +181,7 @@ void ComponentCommands::work() {
   }
 }
 
-Clock::time_point ComponentCommands::next_alarm() const {
+ComponentCommands::Clock::time_point ComponentCommands::next_alarm() const {
   auto result = Clock::time_point::max();
   if (!answers_.empty())
     return Clock::time_point::min();

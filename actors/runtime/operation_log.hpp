@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/wm/entries/failure.hpp"
 #include "castor/wm/memory/working_memory_messages.hpp"
 
 #include <atomic>

@@ -17,10 +17,8 @@ namespace castor {
 
 namespace {
 
-using Clock = EffectorClock::Time::clock;
-
 /// A day: longer than this nobody commands.
-constexpr double longest_time = 86400;
+constexpr double longest_command = 86400;
 
 /// A command that an operator gives to an effector, once or again and again, under the lease that
 /// the effector demands. It ends with the connection, and the effector then takes its safe state.
@@ -53,7 +51,7 @@ public:
 
 private:
   static Timestamp seconds(double x, const std::string& name) {
-    if (!(x > 0) || x > longest_time)
+    if (!(x > 0) || x > longest_command)
       throw InspectionError(name + " has to be between 0 and 86400 seconds");
     return std::chrono::duration_cast<Timestamp>(std::chrono::duration<double>(x));
   }
@@ -65,7 +63,7 @@ private:
     value_ = value_from_json(type, json_);
     ask<CommandTermsReply>(CommandTermsQuery{type}, [self = shared_from_this()](auto& x) {
       self->terms_ = x.terms;
-      self->clock_.synchronise(x.clock, Clock::now());
+      self->clock_.synchronise(x.clock, std::chrono::steady_clock::now());
       self->lock();
     });
   }
@@ -123,7 +121,7 @@ private:
   }
 
   void command() {
-    auto now = Clock::now();
+    auto now = std::chrono::steady_clock::now();
     auto valid_for = std::min(valid_for_.value_or(terms_.valid_for), terms_.valid_for);
     if (number_ == 0)
       end_ = now + duration_.value_or(valid_for);
@@ -133,14 +131,14 @@ private:
         return self->fail(x.reason);
       if (x.result == CommandResult::failed)
         return self->fail(self->effector_ + " failed: " + x.reason);
-      self->clock_.synchronise(x.clock, Clock::now());
+      self->clock_.synchronise(x.clock, std::chrono::steady_clock::now());
       self->go_on(valid_for);
     });
   }
 
   /// Commands again while the time lasts, before the last command has expired.
   void go_on(Timestamp valid_for) {
-    auto left = std::chrono::duration_cast<Timestamp>(end_ - Clock::now());
+    auto left = std::chrono::duration_cast<Timestamp>(end_ - std::chrono::steady_clock::now());
     auto self = shared_from_this();
     if (duration_ && left > valid_for / 2)
       after(valid_for / 2, [self] { self->command(); });
@@ -189,7 +187,7 @@ private:
   EffectorClock clock_;
   LeaseToken token_ = 0;
   std::uint64_t number_ = 0;
-  Clock::time_point end_;
+  EffectorClock::Time end_;
   bool is_over_ = false;
 };
 

@@ -19,7 +19,6 @@ namespace castor::faults {
 namespace {
 
 using namespace linearizability;
-using Json = nlohmann::json;
 
 /// A lease as its holder was told of it.
 struct Grant {
@@ -33,8 +32,8 @@ std::map<Address, std::vector<Grant>> grants_in(const Recording& recording) {
   std::map<Address, std::vector<Grant>> result;
   for (auto& x : recording) {
     auto& record = x.record;
-    bool is_lock = record.kind == OperationKind::lock || record.kind == OperationKind::try_lock;
-    if (is_lock && !record.pending() && record.result.status == Status::ok && !x.says_nothing)
+    if (record.locks() && !record.pending() && record.result.status == Status::ok &&
+        !x.says_nothing)
       result[x.address].push_back({{x.component, x.life}, record.result.token, record.returned});
   }
   return result;
@@ -71,7 +70,7 @@ std::string violation_of(const ObeyedCommand& x, const std::vector<Grant>& grant
 
 void read_commands(std::istream& in, std::vector<ObeyedCommand>& to) {
   for (std::string text; std::getline(in, text);) {
-    auto line = Json::parse(text, nullptr, false);
+    auto line = nlohmann::json::parse(text, nullptr, false);
     if (!line.is_object() || !line.contains("obeys"))
       continue;
     auto& x = to.emplace_back();

@@ -17,7 +17,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct CommandArguments {
   std::string system;
   std::string effector;
   std::string type;
@@ -27,7 +27,7 @@ struct Arguments {
   bool json = false;
 };
 
-int command(const Arguments& arguments) {
+int send_command(const CommandArguments& arguments) {
   Json request{{"do", "command"},
                {"effector", arguments.effector},
                {"type", arguments.type},
@@ -50,7 +50,7 @@ int command(const Arguments& arguments) {
 } // namespace
 
 void add_command(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CommandArguments>();
   auto* command_line = inspection_command(app, "command", "command an effector of a running system",
                                           arguments->system);
   command_line
@@ -75,7 +75,7 @@ void add_command(CLI::App& app, Action& chosen) {
     "`castor wm types TYPE` prints an example of a command.\n"
     "Examples: castor command wheel Turn '{\"speed\": 0.2}'\n"
     "          castor command wheel Turn '{\"speed\": 0.2}' --for 3s");
-  on_call(*command_line, chosen, arguments, command);
+  on_call(*command_line, chosen, arguments, send_command);
 }
 
 } // namespace castor::cli
