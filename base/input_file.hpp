@@ -40,13 +40,13 @@ private:
 class InputFile {
 public:
   /// Throws InputFileError. Links are followed.
-  explicit InputFile(const std::filesystem::path& path) {
+  explicit InputFile(const std::filesystem::path& file) {
     struct stat status {};
     // Checked before opening, because opening a device or a pipe may have side effects.
-    if (::stat(path.c_str(), &status) == 0)
+    if (::stat(file.c_str(), &status) == 0)
       require_regular(status);
     // Non-blocking nevertheless: the path may have been replaced since the check.
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR))
       throw InputFileError(InputFileError::Reason::missing, "there is no such file");
     if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0)

@@ -141,6 +141,11 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
 std::optional<bool> parse_truth(std::string_view text) noexcept {
   for (auto yes : {"true", "yes", "on", "1"})
     if (text == yes)

@@ -72,6 +72,9 @@ std::string list_of(const Names& names, std::size_t most) {
 
 std::string lower_case(std::string_view text);
 
+/// Puts `to` wherever `from`, which is not empty, stands; not again within what it has put there.
+void replace_all(std::string& text, std::string_view from, std::string_view to);
+
 /// true, yes, on, 1; false, no, off, 0; nothing for any other text.
 std::optional<bool> parse_truth(std::string_view text) noexcept;
 

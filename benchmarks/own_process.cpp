@@ -45,8 +45,12 @@ OwnProcess::~OwnProcess() {
   child_->wait();
 }
 
+void OwnProcess::signal(int number) const {
+  ::kill(child_->id(), number);
+}
+
 void OwnProcess::kill() const {
-  ::kill(child_->id(), SIGKILL);
+  signal(SIGKILL);
 }
 
 void await_end_of_input() {

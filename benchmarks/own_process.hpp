@@ -20,7 +20,8 @@ public:
 
   const std::string& first_line() const { return first_line_; }
 
-  /// Sends SIGKILL; thread-safe.
+  /// Sends a signal; thread-safe.
+  void signal(int number) const;
   void kill() const;
 
 private:

@@ -7,16 +7,12 @@
 // Nodes are processes of this program on 127.0.0.1.
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/registry.hpp"
-#include "castor/actors/link/dial.hpp"
-#include "castor/actors/node/node.hpp"
 #include "castor/actors/system/fault_port.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/log.hpp"
-#include "castor/benchmarks/own_process.hpp"
+#include "castor/benchmarks/node_process.hpp"
 
 #include <fmt/core.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -24,7 +20,6 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -81,50 +76,7 @@ CASTOR_COMPONENT(Service, "gives a sign of life")
 class Bystander final : public UnmanagedComponent {};
 CASTOR_COMPONENT(Bystander, "stands by")
 
-// -- the nodes
-
 constexpr std::chrono::milliseconds patience = 1s;
-
-LinkOptions link_options() {
-  LinkOptions result;
-  result.patience = patience;
-  return result;
-}
-
-int serve(const std::string& name, std::uint16_t port) {
-  NodeOptions options;
-  options.name = name;
-  options.socket = listen_at({"127.0.0.1", port});
-  options.link = link_options();
-  Node node{options};
-  std::printf("%d\n", port_of(options.socket));
-  std::fflush(stdout);
-  await_end_of_input();
-  std::_Exit(0);
-}
-
-class NodeProcess {
-public:
-  explicit NodeProcess(std::string name) : name_(std::move(name)) { start(); }
-
-  const std::string& name() const { return name_; }
-  Endpoint endpoint() const { return {"127.0.0.1", port_}; }
-
-  void kill() const { process_->kill(); }
-
-  /// Where it was, once the former process has ended.
-  void start() {
-    process_.reset();
-    process_ = std::make_unique<OwnProcess>(
-      std::vector<std::string>{"--serve", name_, std::to_string(port_)});
-    port_ = static_cast<std::uint16_t>(std::stoi(process_->first_line()));
-  }
-
-private:
-  std::string name_;
-  std::uint16_t port_ = 0;
-  std::unique_ptr<OwnProcess> process_;
-};
 
 // -- the measurement
 
@@ -196,23 +148,14 @@ struct Case {
   std::function<void(std::vector<NodeProcess*>&, Witness&)> mend = [](auto&, auto&) {};
 };
 
-double ms(Clock::duration x) {
-  return std::chrono::duration<double, std::milli>(x).count();
-}
-
-double percentile(std::vector<double> x, int percent) {
-  std::sort(x.begin(), x.end());
-  return x[(x.size() - 1) * static_cast<std::size_t>(percent) / 100];
-}
-
 void measure(const Case& x, int times) {
   std::map<std::string, NodeProcess> processes;
   std::vector<NodeProcess*> nodes;
   std::string hosts;
   SystemOptions options;
-  options.link = link_options();
+  options.link = link_options(patience);
   for (auto& name : x.nodes) {
-    auto& node = processes.try_emplace(name, name).first->second;
+    auto& node = processes.try_emplace(name, name, patience).first->second;
     nodes.push_back(&node);
     options.nodes[name] = node.endpoint();
     hosts += "HOSTNAME " + name + ' ' + name + '\n';
@@ -260,8 +203,8 @@ void measure(const Case& x, int times) {
     for (int i = 0; i < std::max(5, times / x.share); ++i) {
       auto begin = Clock::now();
       x.fail(system, nodes, witness);
-      back.push_back(ms(witness.await_sign(begin) - begin));
-      noticed.push_back(ms(witness.down("service") - begin));
+      back.push_back(milliseconds(witness.await_sign(begin) - begin));
+      noticed.push_back(milliseconds(witness.down("service") - begin));
       x.mend(nodes, witness);
     }
     system.stop();
@@ -360,8 +303,8 @@ std::vector<Case> cases() {
 int main(int argc, char** argv) {
   using namespace castor::benchmark;
   castor::set_log_level(castor::LogLevel::off);
-  if (argc == 4 && argv[1] == std::string{"--serve"})
-    return serve(argv[2], static_cast<std::uint16_t>(std::stoi(argv[3])));
+  if (is_node_process(argc, argv))
+    return serve_as_node(argv);
   auto times = argc > 1 ? std::max(1, std::atoi(argv[1])) : 1000;
   fmt::print("{:<44}{:>7}{:>9}{:>11}{:>11}{:>10}{:>10}{:>12}\n", "from the failure, ms", "times",
              "allowed", "noticed", "back: p50", "p99", "max", "over: p99");

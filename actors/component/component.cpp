@@ -64,8 +64,19 @@ void Component::end_system(int status, std::string reason) {
   runtime().end_system(status, log_name_ + ": " + reason);
 }
 
-Value Component::pull_value(const std::string& provider, const TypeDescriptorPtr& type) {
-  return runtime().connections().pull(provider, type);
+Value Component::pull_value(const std::string& provider, const TypeDescriptorPtr& type,
+                            const Value& argument) {
+  return runtime().connections().pull(provider, type, argument);
+}
+
+void Component::command_value(const std::string& effector, const Value& x,
+                              std::optional<std::chrono::microseconds> valid_for) {
+  runtime().commands().command(effector, x, valid_for);
+}
+
+void Component::stream_command_value(const std::string& effector, const Value& x,
+                                     std::optional<std::chrono::microseconds> valid_for) {
+  runtime().commands().stream(effector, x, valid_for);
 }
 
 void Component::subscribe_to_pushes(const std::string& provider, const TypeDescriptorPtr& type,
@@ -81,9 +92,12 @@ void Component::wrong_pull(const std::string& provider, const TypeDescriptor& wa
 
 // -- StandaloneComponent
 
-void StandaloneComponent::provide_value(const TypeDescriptorPtr& type,
-                                        std::function<Value()> make) {
-  runtime().connections().provide(type, std::move(make));
+void StandaloneComponent::provide_value(Provision provision) {
+  runtime().connections().provide(std::move(provision));
+}
+
+void StandaloneComponent::obey_commands(CommandHandler handler) {
+  runtime().commands().obey(std::move(handler));
 }
 
 void StandaloneComponent::push_value(Value x) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/commands.hpp"
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/push_flow.hpp"
@@ -16,7 +17,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace castor {
 
@@ -121,7 +124,15 @@ protected:
   /// such component, if it does not provide a `T`, or if it does not answer within the deadline.
   template <ReflectedRecord T>
   std::shared_ptr<const T> pull(const std::string& provider) {
-    return require<T>(provider, pull_value(provider, descriptor_of<T>()));
+    return require<T>(provider, pull_value(provider, descriptor_of<T>(), {}));
+  }
+
+  /// The `T` that the stand-alone component `provider` makes for `argument`; else like `pull`
+  /// without one.
+  template <ReflectedRecord T, ReflectedRecord Argument>
+  std::shared_ptr<const T> pull(const std::string& provider, Argument argument) {
+    return require<T>(provider,
+                      pull_value(provider, descriptor_of<T>(), Value::of(std::move(argument))));
   }
 
   /// Calls `callback` with every `T` that the stand-alone component `provider` pushes from now on.
@@ -134,6 +145,29 @@ protected:
                         [this, provider, callback = std::move(callback)](const Value& x) {
                           callback(require<T>(provider, x));
                         });
+  }
+
+  // -- commands to effectors: stand-alone components, such as motors, that obey
+
+  /// Commands the effector, and returns once it has obeyed. The command holds for `valid_for`,
+  /// counted from now, or for the effector's maximum if that is less or nothing is given. If the
+  /// effector demands a lease (`CommandTerms`), this component has to hold it. Throws
+  /// CommandRefused if the effector does not obey, and ConnectionError if there is no such
+  /// component, or if it fails or does not answer.
+  template <ReflectedRecord T>
+  void command(const std::string& effector, T x,
+               std::optional<std::chrono::microseconds> valid_for = std::nullopt) {
+    command_value(effector, Value::of(std::move(x)), valid_for);
+  }
+
+  /// Commands the effector without waiting for it, as controllers do many times a second. While one
+  /// command of the type is under way, only the newest of those after it is kept. Throws
+  /// CommandRefused if an earlier one was refused since the last call; waits only for the first
+  /// command, and while the effector is being restarted.
+  template <ReflectedRecord T>
+  void stream_command(const std::string& effector, T x,
+                      std::optional<std::chrono::microseconds> valid_for = std::nullopt) {
+    stream_command_value(effector, Value::of(std::move(x)), valid_for);
   }
 
 private:
@@ -158,7 +192,12 @@ private:
 
   [[noreturn]] void wrong_pull(const std::string& provider, const TypeDescriptor& wanted,
                                const TypeDescriptor& got);
-  Value pull_value(const std::string& provider, const TypeDescriptorPtr& type);
+  Value pull_value(const std::string& provider, const TypeDescriptorPtr& type,
+                   const Value& argument);
+  void command_value(const std::string& effector, const Value& x,
+                     std::optional<std::chrono::microseconds> valid_for);
+  void stream_command_value(const std::string& effector, const Value& x,
+                            std::optional<std::chrono::microseconds> valid_for);
   void subscribe_to_pushes(const std::string& provider, const TypeDescriptorPtr& type,
                            std::function<void(const Value&)> callback);
 
@@ -202,7 +241,16 @@ protected:
   /// Answers pulls of a `T` by calling `make`, on this component's thread.
   template <ReflectedRecord T>
   void provide(std::function<T()> make) {
-    provide_value(descriptor_of<T>(), [make = std::move(make)] { return Value::of(make()); });
+    provide_value({descriptor_of<T>(), nullptr,
+                   [make = std::move(make)](const Value&) { return Value::of(make()); }});
+  }
+
+  /// Answers pulls of a `T` that have an argument.
+  template <ReflectedRecord T, ReflectedRecord Argument>
+  void provide(std::function<T(const Argument&)> make) {
+    provide_value(
+      {descriptor_of<T>(), descriptor_of<Argument>(),
+       [make = std::move(make)](const Value& x) { return Value::of(make(*x.as<Argument>())); }});
   }
 
   /// Sends `x` to every subscriber of `T`, without waiting. A subscriber that does not keep up gets
@@ -212,9 +260,22 @@ protected:
     push_value(Value::of(std::move(x)));
   }
 
+  /// Calls `obey` with every command of the type that fulfils the terms, on this component's
+  /// thread. Once the last one has expired, or its commander or the commander's lease is gone, and
+  /// when this component ends, calls `take_safe_state`, which stops whatever could do harm. Neither
+  /// is called while this component's own code runs: effectors return quickly, and wait for nobody.
+  template <ReflectedRecord T>
+  void on_command(std::function<void(const T&)> obey, std::function<void()> take_safe_state,
+                  CommandTerms terms = {}) {
+    obey_commands({descriptor_of<T>(), std::move(terms),
+                   [obey = std::move(obey)](const Value& x) { obey(*x.as<T>()); },
+                   std::move(take_safe_state)});
+  }
+
 private:
-  void provide_value(const TypeDescriptorPtr& type, std::function<Value()> make);
+  void provide_value(Provision provision);
   void push_value(Value x);
+  void obey_commands(CommandHandler handler);
 };
 
 } // namespace castor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/calls.hpp"
+#include "castor/actors/component/commands.hpp"
 #include "castor/actors/component/component_identity.hpp"
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/operations.hpp"
@@ -49,6 +50,7 @@ public:
 
   virtual Operations& operations() = 0;
   virtual Connections& connections() = 0;
+  virtual Commands& commands() = 0;
   virtual TaskLink& tasks() = 0;
   virtual std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) = 0;
 };

@@ -15,6 +15,15 @@ public:
   using runtime_error::runtime_error;
 };
 
+/// How a component answers pulls.
+struct Provision {
+  TypeDescriptorPtr type;
+  /// Null if pulls have no argument.
+  TypeDescriptorPtr argument_type;
+  /// Gets the argument; empty if there is none.
+  std::function<Value(const Value&)> make;
+};
+
 /// A component's push and pull connections, at either end, without the types of values.
 class Connections {
 public:
@@ -22,12 +31,14 @@ public:
 
   // -- provider
 
-  virtual void provide(const TypeDescriptorPtr& type, std::function<Value()> make) = 0;
+  virtual void provide(Provision provision) = 0;
   virtual void push(const Value& x) = 0;
 
   // -- receiver: both throw ConnectionError
 
-  virtual Value pull(const std::string& provider, const TypeDescriptorPtr& type) = 0;
+  /// @param argument may be empty
+  virtual Value pull(const std::string& provider, const TypeDescriptorPtr& type,
+                     const Value& argument) = 0;
   virtual void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
                          std::function<void(const Value&)> callback) = 0;
 };

@@ -21,7 +21,7 @@ namespace castor {
 
 namespace {
 
-constexpr std::size_t read_at_once = 128 * 1024;
+constexpr std::size_t link_bytes_at_once = 128 * 1024;
 
 /// A socket that nobody has taken is closed.
 class DialledSocket {
@@ -119,7 +119,7 @@ public:
 
   void listen_to(Connection x) override {
     auto handle = connection_handle::from_int(x);
-    self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
+    self_->configure_read(handle, caf::io::receive_policy::at_most(link_bytes_at_once));
     self_->ack_writes(handle, true);
     self_->trigger(handle);
   }

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 using TickAtom = caf::atom_constant<caf::atom("tick")>;
 using caf::io::connection_handle;
 
-constexpr std::size_t read_at_once = 4096;
+constexpr std::size_t greeting_bytes_at_once = 4096;
 constexpr std::chrono::milliseconds period{250};
 
 /// A connection that has not said what it wants.
@@ -106,7 +106,7 @@ private:
     }
     auto out = admission_.admit(handle.id(), stranger.address, Clock::now());
     strangers_.emplace(handle, std::move(stranger));
-    self_->configure_read(handle, caf::io::receive_policy::at_most(read_at_once));
+    self_->configure_read(handle, caf::io::receive_policy::at_most(greeting_bytes_at_once));
     if (out)
       refuse_for_want_of_room(connection_handle::from_int(*out));
   }

@@ -155,7 +155,7 @@ std::string inspect_here(const ComponentClass& x, const std::function<void(Compo
 }
 
 /// How long a constructor or a destructor may take.
-constexpr std::chrono::seconds patience{5};
+constexpr std::chrono::seconds life_cycle_patience{5};
 
 /// In a thread of its own, which is left behind if it does not come back.
 std::string inspect_elsewhere(const ComponentClass& x,
@@ -178,8 +178,8 @@ std::string inspect_elsewhere(const ComponentClass& x,
     }
     steps->destroyed.set_value();
   }};
-  auto seconds = std::to_string(patience.count()) + " s";
-  if (made.wait_for(patience) != std::future_status::ready) {
+  auto seconds = std::to_string(life_cycle_patience.count()) + " s";
+  if (made.wait_for(life_cycle_patience) != std::future_status::ready) {
     thread.detach();
     return "the constructor does not return within " + seconds;
   }
@@ -190,7 +190,7 @@ std::string inspect_elsewhere(const ComponentClass& x,
     problem = std::current_exception();
   }
   steps->looked_at.set_value();
-  if (destroyed.wait_for(patience) != std::future_status::ready) {
+  if (destroyed.wait_for(life_cycle_patience) != std::future_status::ready) {
     thread.detach();
     return "the destructor does not return within " + seconds;
   }

@@ -19,6 +19,7 @@ CASTOR_WIRE_ENUM(JournalMode, batched)
 CASTOR_WIRE_ENUM(Phase, run)
 CASTOR_WIRE_ENUM(TaskDecision, waiting)
 CASTOR_WIRE_ENUM(TaskOutcome, incomplete)
+CASTOR_WIRE_ENUM(CommandResult, failed)
 
 // -- shared types
 
@@ -77,7 +78,7 @@ CASTOR_WIRE(RenewRequest, client, leases)
 CASTOR_WIRE(RenewReply, lost)
 CASTOR_WIRE(LockQuery, address)
 
-CASTOR_WIRE(LockStatus, level, holder, waiting)
+CASTOR_WIRE(LockStatus, level, holder, token, waiting)
 CASTOR_WIRE_NULLABLE(LockStatus, holder)
 
 CASTOR_WIRE(WaitEdge, kind, waiter, number, since, address, what, obstacle)
@@ -127,9 +128,35 @@ CASTOR_WIRE(ProposeTask, proposal)
 CASTOR_WIRE(RetractTask, id)
 CASTOR_WIRE(CompleteTask, id, outcome)
 CASTOR_WIRE(TaskDecided, id, decision, reason)
-CASTOR_WIRE(PullRequest, type)
+CASTOR_WIRE(PullRequest, type, argument)
 CASTOR_WIRE(PushRequest, type, limit, subscriber)
 CASTOR_WIRE(Pushed, provider, value)
 CASTOR_WIRE(PushesTaken, type, count)
+CASTOR_WIRE(CommandTermsQuery, type)
+CASTOR_WIRE(CommandTerms, valid_for, lease)
+CASTOR_WIRE(CommandTermsReply, terms, clock)
+CASTOR_WIRE(CommandMessage, value, commander, token, sent, valid_for, number)
+CASTOR_WIRE(CommandDone, effector, type, number, result, reason, clock)
+
+/// Times of commands are added to others.
+inline void check_command_time(Timestamp x) {
+  if (x < Timestamp{0} || x > longest_command_time)
+    throw DecodeError("an impossible time of a command");
+}
+inline void check_read(const CommandTerms& x) {
+  check_command_time(x.valid_for);
+}
+inline void check_read(const CommandTermsReply& x) {
+  check_command_time(x.clock);
+}
+inline void check_read(const CommandMessage& x) {
+  if (!x.value.has_value())
+    throw DecodeError("a command without a value");
+  check_command_time(x.sent);
+  check_command_time(x.valid_for);
+}
+inline void check_read(const CommandDone& x) {
+  check_command_time(x.clock);
+}
 
 } // namespace castor

@@ -18,7 +18,8 @@ const WireTable& system_messages() {
     RoutedEvents,
     // Components
     EnterPhase, PhaseDone, ProposeTask, RetractTask, CompleteTask, TaskDecided, PullRequest,
-    Outcome<Value>, PushRequest, Pushed, PushesTaken,
+    Outcome<Value>, PushRequest, Pushed, PushesTaken, CommandTermsQuery, Outcome<CommandTermsReply>,
+    CommandMessage, CommandDone, Outcome<CommandDone>,
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
     InjectComponentFault, ComponentFault, InjectLinkFault, JumpClock, JournalFault, FaultHappened,

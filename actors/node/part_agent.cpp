@@ -16,7 +16,7 @@ namespace {
 
 using Self = caf::stateful_actor<PartAgentState>*;
 
-constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::seconds peers_patience{10};
 
 /// Learns of the ends of all that is here.
 void watch(Self self) {
@@ -179,7 +179,7 @@ caf::response_promise join(Self self, JoinParts others) {
   };
   for (auto& [name, actor] : working_memories) {
     peers.writers = state.part->writers(name);
-    self->request(actor, patience, peers)
+    self->request(actor, peers_patience, peers)
       .then([answered, who = actor.address()](Acknowledged) { answered(who); },
             [answered, who = actor.address()](const caf::error&) { answered(who); });
   }

@@ -63,7 +63,7 @@ CASTOR_WIRE(ComponentIdentity, name, subarchitecture, class_name, number, incarn
 // The coordinator alone knows of restarts.
 CASTOR_WIRE_EXCEPT(ComponentStatus, (restarts, will_restart), identity, is_task_manager, state,
                    out_of_reach, failure, busy, cpu, events_received, callbacks, reads, writes,
-                   pushes_dropped)
+                   pushes_dropped, obeys)
 CASTOR_WIRE(LinkNews, peer, state, reason, name)
 CASTOR_WIRE(LinkStatus, news, messages_out, messages_in, bytes_out, bytes_in, events_out, events_in,
             connections, unacknowledged)

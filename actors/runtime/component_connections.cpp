@@ -1,35 +1,14 @@
 #include "castor/actors/runtime/component_connections.hpp"
 
-#include "castor/actors/component/option.hpp"
 #include "castor/base/log.hpp"
 #include "castor/base/plain_words.hpp"
-#include "castor/base/suggestion.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <exception>
-#include <string_view>
 
 namespace castor {
-
-/// Where the reply to a request arrives; gives it back at the end of its life.
-class ComponentConnections::ReplySlot {
-public:
-  ReplySlot(PumpedActor& actor, std::uint64_t id) : actor_(actor), id_(id) {
-    actor_.open_slot(id_);
-  }
-  ReplySlot(const ReplySlot&) = delete;
-  ReplySlot& operator=(const ReplySlot&) = delete;
-  ~ReplySlot() { actor_.close_slot(id_); }
-
-  /// Null until it has arrived.
-  const caf::mailbox_element_ptr& reply() const { return actor_.slot(id_); }
-
-private:
-  PumpedActor& actor_;
-  std::uint64_t id_;
-};
 
 ComponentConnections::ComponentConnections(const Parts& parts) : parts_(parts) {
   parts_.context.on_neighbours([this](const Neighbours&) { renew_subscriptions(); });
@@ -37,14 +16,19 @@ ComponentConnections::ComponentConnections(const Parts& parts) : parts_(parts) {
 
 // -- of one that provides
 
-void ComponentConnections::provide(const TypeDescriptorPtr& type, std::function<Value()> make) {
-  provisions_[type->name()].make = std::move(make);
+void ComponentConnections::provide(Provision provision) {
+  auto& provisions = offers_[provision.type->name()].provisions;
+  std::erase_if(provisions, [&](auto& x) {
+    return !x.argument_type == !provision.argument_type &&
+           (!x.argument_type || x.argument_type->name() == provision.argument_type->name());
+  });
+  provisions.push_back(std::move(provision));
 }
 
 void ComponentConnections::push(const Value& x) {
   // What was taken meanwhile makes room, also for a component that never waits.
   parts_.actor.file_arrived();
-  auto& subscribers = provisions_[x.type_name()].subscribers;
+  auto& subscribers = offers_[x.type_name()].subscribers;
   // What nobody gets to see is not recorded.
   if (!subscribers.empty())
     record(true, x);
@@ -69,10 +53,10 @@ void ComponentConnections::send(const Subscriber& to, Value x) {
 }
 
 void ComponentConnections::taken(const caf::strong_actor_ptr& subscriber, const PushesTaken& x) {
-  auto provision = provisions_.find(x.type);
-  if (provision == provisions_.end())
+  auto offer = offers_.find(x.type);
+  if (offer == offers_.end())
     return;
-  for (auto& to : provision->second.subscribers) {
+  for (auto& to : offer->second.subscribers) {
     if (to.actor != subscriber)
       continue;
     to.flow.acknowledge(x.count);
@@ -82,24 +66,42 @@ void ComponentConnections::taken(const caf::strong_actor_ptr& subscriber, const 
 }
 
 void ComponentConnections::forget(const caf::actor_addr& subscriber) {
-  for (auto& [type, provision] : provisions_)
-    std::erase_if(provision.subscribers, [&](auto& x) { return x.actor == subscriber; });
+  for (auto& [type, offer] : offers_)
+    std::erase_if(offer.subscribers, [&](auto& x) { return x.actor == subscriber; });
+}
+
+std::string ComponentConnections::list_provisions() const {
+  std::string result;
+  for (auto& [type, offer] : offers_)
+    for (auto& x : offer.provisions)
+      result += (result.empty() ? "" : ", ") + type +
+                (x.argument_type ? " with an argument " + x.argument_type->name() : "");
+  return result.empty() ? "nothing" : result;
+}
+
+Provision* ComponentConnections::find_provision(const std::string& type,
+                                                const TypeDescriptor* argument) {
+  auto offer = offers_.find(type);
+  if (offer == offers_.end())
+    return nullptr;
+  for (auto& x : offer->second.provisions)
+    if (argument ? x.argument_type && *x.argument_type == *argument : !x.argument_type)
+      return &x;
+  return nullptr;
 }
 
 void ComponentConnections::handle_pull(caf::mailbox_element& x, const PullRequest& request) {
   auto& self = parts_.context.identity().name;
-  auto i = provisions_.find(request.type->name());
+  auto& argument = request.argument;
+  auto* provision =
+    find_provision(request.type->name(), argument.has_value() ? &argument.type() : nullptr);
   Outcome<Value> outcome;
-  if (i == provisions_.end() || !i->second.make) {
-    std::string offered;
-    for (auto& [type, provision] : provisions_)
-      offered += (offered.empty() ? "" : ", ") + type;
-    outcome = Failure{FailureKind::wrong_type,
-                      self + " provides " + (offered.empty() ? "nothing" : offered),
-                      {self, {}}};
+  if (!provision) {
+    outcome = Failure{FailureKind::wrong_type, self + " provides " + list_provisions(), {self, {}}};
   } else {
     try {
-      parts_.code.run("providing a " + i->first, [&] { outcome = i->second.make(); });
+      parts_.code.run("providing a " + request.type->name(),
+                      [&] { outcome = provision->make(argument); });
       record(false, *outcome);
     } catch (const std::exception& e) {
       // Who pulls must learn of it too.
@@ -117,7 +119,7 @@ void ComponentConnections::record(bool pushed, const Value& x) {
 }
 
 void ComponentConnections::handle_hand_out(caf::mailbox_element& x, const HandOut& order) {
-  provide(order.value.type_ptr(), [value = order.value] { return value; });
+  provide({order.value.type_ptr(), nullptr, [value = order.value](const Value&) { return value; }});
   if (order.push)
     push(order.value);
   parts_.actor.respond(x, caf::make_message(Acknowledged{}));
@@ -129,90 +131,18 @@ void ComponentConnections::handle_push_request(caf::mailbox_element& x,
     return;
   auto actor = caf::actor_cast<caf::actor>(x.sender);
   parts_.actor.monitor(actor);
-  provisions_[request.type->name()].subscribers.push_back(
+  offers_[request.type->name()].subscribers.push_back(
     {actor, request.subscriber, PushFlow{request.limit}});
   parts_.actor.respond(x, caf::make_message(Outcome<Value>{Value{}}));
 }
 
 // -- of one that receives
 
-caf::actor ComponentConnections::find_provider(const std::string& name) const {
-  auto& neighbours = parts_.context.neighbours();
-  if (auto i = neighbours.providers.find(name); i != neighbours.providers.end())
-    return i->second;
-  if (neighbours.known_providers.contains(name))
-    return nullptr;
-  std::vector<std::string_view> names;
-  for (auto& [known, restarts] : neighbours.known_providers)
-    names.push_back(known);
-  auto guess = did_you_mean(name, names);
-  throw ConnectionError(
-    "there is no stand-alone component " + name + "; " +
-    (guess.empty() ? "add a COMPONENT line for it to the system's .cast file" : guess));
-}
-
-caf::actor ComponentConnections::await_provider(const std::string& name,
-                                                const caf::actor_addr& gone,
-                                                const std::string& task,
-                                                ComponentContext::Clock::time_point until) const {
-  auto cannot = [&] { return "cannot " + task + " " + name + ": "; };
-  auto& known = parts_.context.neighbours().known_providers;
-  if (auto i = known.find(name); gone && i != known.end() && !i->second)
-    throw ConnectionError(cannot() + "it has ended with no result, and is not started again");
-  caf::actor result;
-  auto failure = parts_.client.wait_until(
-    [&] {
-      result = find_provider(name);
-      return result && result.address() != gone;
-    },
-    until, {});
-  if (!failure)
-    return result;
-  if (failure->kind != FailureKind::no_answer)
-    throw ConnectionError(cannot() + failure->message);
-  throw ProviderDown(name, cannot() + name + " is down, and was not started again within " +
-                             detail::print_option(parts_.context.deadline()) +
-                             ". The --deadline of " + parts_.context.identity().full_name() +
-                             " can be raised");
-}
-
-template <class Request>
-ComponentConnections::Answer ComponentConnections::ask(const std::string& provider,
-                                                       const Request& request,
-                                                       const std::string& task) {
-  auto until = ComponentContext::Clock::now() + parts_.context.deadline();
-  for (caf::actor_addr gone;;) {
-    auto actor = await_provider(provider, gone, task, until);
-    const ReplySlot slot{parts_.actor,
-                         parts_.actor.request(actor, caf::infinite, request).id().integer_value()};
-    // If its process is lost, nobody answers.
-    auto failure = parts_.client.wait_until(
-      [&] { return slot.reply() || find_provider(provider) != actor; }, until, {});
-    auto cannot = [&] { return "cannot " + task + " " + provider + ": "; };
-    if (const auto& reply = slot.reply()) {
-      auto& content = reply->content();
-      bool has_ended = content.match_elements<caf::error>() &&
-                       content.get_as<caf::error>(0) == caf::sec::request_receiver_down;
-      if (!has_ended) {
-        auto outcome = parts_.client.take<Outcome<Value>>(*reply, {provider, {}});
-        if (!outcome)
-          throw ConnectionError(cannot() + outcome.failure().message);
-        return {std::move(actor), *std::move(outcome)};
-      }
-    } else if (failure) {
-      throw ConnectionError(cannot() +
-                            (failure->kind == FailureKind::no_answer
-                               ? parts_.context.identity().full_name() + " got no answer within " +
-                                   detail::print_option(parts_.context.deadline()) +
-                                   ". Its --deadline can be raised"
-                               : failure->message));
-    }
-    gone = actor.address();
-  }
-}
-
-Value ComponentConnections::pull(const std::string& provider, const TypeDescriptorPtr& type) {
-  return ask(provider, PullRequest{type}, "pull a " + type->name() + " from").value;
+Value ComponentConnections::pull(const std::string& provider, const TypeDescriptorPtr& type,
+                                 const Value& argument) {
+  return parts_.providers
+    .ask<Value>(provider, PullRequest{type, argument}, "pull a " + type->name() + " from")
+    .reply;
 }
 
 void ComponentConnections::subscribe(const std::string& provider, const TypeDescriptorPtr& type,
@@ -221,7 +151,9 @@ void ComponentConnections::subscribe(const std::string& provider, const TypeDesc
   if (known == receptions_.end()) {
     auto limit = parts_.context.push_limit();
     auto actor =
-      ask(provider, push_request(type), "receive pushes of " + type->name() + " from").provider;
+      parts_.providers
+        .ask<Value>(provider, push_request(type), "receive pushes of " + type->name() + " from")
+        .provider;
     known =
       receptions_
         .emplace(std::pair{provider, type->name()}, Reception{type, actor, {}, Receipts{limit}})
@@ -280,7 +212,7 @@ bool ComponentConnections::handle(caf::mailbox_element& x) {
 }
 
 void ComponentConnections::clear() {
-  provisions_.clear();
+  offers_.clear();
   receptions_.clear();
 }
 

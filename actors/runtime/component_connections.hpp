@@ -4,7 +4,7 @@
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/runtime/component_context.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
-#include "castor/actors/runtime/operations_client.hpp"
+#include "castor/actors/runtime/provider_client.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/actors/runtime/user_code.hpp"
 #include "castor/base/caf.hpp"
@@ -15,7 +15,6 @@
 
 #include <caf/mailbox_element.hpp>
 
-#include <chrono>
 #include <functional>
 #include <map>
 #include <string>
@@ -24,26 +23,13 @@
 
 namespace castor {
 
-/// A stand-alone component is down, and was not back in time. If this ends the component that
-/// waited for it, the end does not count as a failure of that component.
-class ProviderDown : public ConnectionError {
-public:
-  ProviderDown(std::string provider, const std::string& what)
-    : ConnectionError(what), provider_(std::move(provider)) {}
-
-  const std::string& provider() const { return provider_; }
-
-private:
-  std::string provider_;
-};
-
 /// A component's push and pull connections, at either end. Used on the component's own thread only.
 class ComponentConnections final : public Connections {
 public:
   struct Parts {
     PumpedActor& actor;
     ComponentContext& context;
-    OperationsClient& client;
+    ProviderClient& providers;
     UserCode& code;
   };
 
@@ -51,12 +37,13 @@ public:
   ComponentConnections(const ComponentConnections&) = delete;
   ComponentConnections& operator=(const ComponentConnections&) = delete;
 
-  void provide(const TypeDescriptorPtr& type, std::function<Value()> make) override;
+  void provide(Provision provision) override;
   void push(const Value& x) override;
 
   /// Both throw ProviderDown if the provider has ended and is not back within the component's
   /// deadline.
-  Value pull(const std::string& provider, const TypeDescriptorPtr& type) override;
+  Value pull(const std::string& provider, const TypeDescriptorPtr& type,
+             const Value& argument) override;
   void subscribe(const std::string& provider, const TypeDescriptorPtr& type,
                  std::function<void(const Value&)> callback) override;
 
@@ -81,8 +68,10 @@ private:
     PushFlow flow;
   };
 
-  struct Provision {
-    std::function<Value()> make;
+  /// What is provided of one type.
+  struct Offer {
+    /// One for each type of argument.
+    std::vector<Provision> provisions;
     std::vector<Subscriber> subscribers;
   };
 
@@ -97,34 +86,20 @@ private:
   void renew_subscriptions();
   /// Records a value that is handed out.
   void record(bool pushed, const Value& x);
+  /// What can be pulled, for messages.
+  std::string list_provisions() const;
+  /// How a pull is answered, or null. @param argument its type, or null for none
+  Provision* find_provision(const std::string& type, const TypeDescriptor* argument);
   void handle_hand_out(caf::mailbox_element& x, const HandOut& order);
   void handle_pull(caf::mailbox_element& x, const PullRequest& request);
   void handle_push_request(caf::mailbox_element& x, const PushRequest& request);
   void handle_push(const caf::mailbox_element& x, const Pushed& pushed);
   void send(const Subscriber& to, Value x);
-  /// Null if it is down. Throws ConnectionError if the system has no such component.
-  caf::actor find_provider(const std::string& name) const;
-  /// Waits for another provider than the one that is `gone`; `task` completes "cannot ..." in
-  /// errors.
-  caf::actor await_provider(const std::string& name, const caf::actor_addr& gone,
-                            const std::string& task,
-                            std::chrono::steady_clock::time_point until) const;
   PushRequest push_request(const TypeDescriptorPtr& type) const;
-
-  class ReplySlot;
-
-  struct Answer {
-    caf::actor provider;
-    Value value;
-  };
-
-  /// Sends a request to the provider; if that ends before it has answered, to its successor.
-  template <class Request>
-  Answer ask(const std::string& provider, const Request& request, const std::string& task);
 
   Parts parts_;
   /// By type.
-  std::map<std::string, Provision> provisions_;
+  std::map<std::string, Offer> offers_;
   /// By provider and type.
   std::map<std::pair<std::string, std::string>, Reception> receptions_;
 };

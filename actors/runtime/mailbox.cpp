@@ -27,13 +27,16 @@ void PumpedActor::file_arrived() {
       file(std::move(x));
     } else if (auto i_slot = slots_.find(x->mid.integer_value()); i_slot != slots_.end()) {
       i_slot->second = std::move(x);
+    } else if (auto receiver = receivers_.extract(x->mid.integer_value())) {
+      receiver.mapped()(*x);
     }
   }
 }
 
-void PumpedActor::respond(caf::mailbox_element& x, caf::message reply) {
-  if (x.mid.is_request() && x.sender)
-    x.sender->enqueue(ctrl(), x.mid.response_id(), std::move(reply), context());
+void PumpedActor::respond(const caf::strong_actor_ptr& to, caf::message_id request,
+                          caf::message reply) {
+  if (request.is_request() && to)
+    to->enqueue(ctrl(), request.response_id(), std::move(reply), context());
 }
 
 } // namespace castor

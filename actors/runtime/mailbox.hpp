@@ -12,6 +12,7 @@
 #include <deque>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 
 namespace castor {
 
@@ -43,8 +44,17 @@ public:
   Slot& slot(std::uint64_t id) { return slots_.at(id); }
   void close_slot(std::uint64_t id) { slots_.erase(id); }
 
+  /// Calls `f` with the reply to request `id` when it is filed, whatever the thread waits for; so
+  /// `f` must not run the component's own code.
+  void on_reply(std::uint64_t id, std::function<void(caf::mailbox_element&)> f) {
+    receivers_.emplace(id, std::move(f));
+  }
+
   /// Answers the message if it is a request.
-  void respond(caf::mailbox_element& x, caf::message reply);
+  void respond(caf::mailbox_element& x, caf::message reply) {
+    respond(x.sender, x.mid, std::move(reply));
+  }
+  void respond(const caf::strong_actor_ptr& to, caf::message_id request, caf::message reply);
 
 protected:
   /// Files a message that is not a reply.
@@ -52,6 +62,7 @@ protected:
 
 private:
   std::unordered_map<std::uint64_t, Slot> slots_;
+  std::unordered_map<std::uint64_t, std::function<void(caf::mailbox_element&)>> receivers_;
 };
 
 } // namespace castor

@@ -91,6 +91,30 @@ OperationRecorder::Line OperationRecorder::begin_write(const WriteRequest& x) {
   return result;
 }
 
+void OperationRecorder::obeys(const std::string& type, const Client& commander, LeaseToken token,
+                              const Address* lease) {
+  Line line;
+  line["obeys"] = client_->component;
+  line["at"] = nanoseconds(Clock::now());
+  line["type"] = type;
+  line["component"] = commander.component;
+  line["life"] = commander.incarnation;
+  line["token"] = token;
+  if (lease) {
+    line["where"] = lease->subarchitecture;
+    line["id"] = lease->id;
+  }
+  write(line);
+}
+
+void OperationRecorder::rests(const std::string& type) {
+  Line line;
+  line["rests"] = client_->component;
+  line["at"] = nanoseconds(Clock::now());
+  line["type"] = type;
+  write(line);
+}
+
 void OperationRecorder::write(const Line& x) {
   log_.write(x.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

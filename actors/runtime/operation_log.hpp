@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/wm/entries/failure.hpp"
 #include "castor/wm/memory/working_memory_messages.hpp"
 
 #include <atomic>
@@ -39,13 +40,19 @@ private:
   std::atomic<std::uint64_t> last_{0};
 };
 
-/// Logs the operations of one component: JSON, a line for the beginning of each and another one
-/// once it is answered.
+/// Logs the operations of one component, or what an effector does: JSON, a line for the beginning
+/// of each and another one once it is answered.
 ///
 ///     {"begin": 7, "at": nanoseconds, "component": "segmentor", "life": 1, "do": "overwrite",
 ///      "where": "vision", "id": "0:3", "content": hash, "seen": 4, "expected": false,
 ///      "token": 0, "has_life": false}
 ///     {"end": 7, "at": nanoseconds, "version": 5}
+///
+/// An effector logs each command that it obeys, and each time that it takes its safe state:
+///
+///     {"obeys": "wheel", "at": nanoseconds, "type": "Turn", "component": "driver", "life": 1,
+///      "token": 7, "where": "navigation", "id": "drive"}
+///     {"rests": "wheel", "at": nanoseconds, "type": "Turn"}
 ///
 /// Times are those of the machine's monotonic clock. An end has what the operation gave (version,
 /// content, token, exists), or `failure`, a FailureKind as a number; with `another` if that was the
@@ -76,6 +83,12 @@ public:
   Open begin(const Request&) {
     return {};
   }
+
+  // Of an effector.
+  /// @param lease the entry whose lease it demands; null for none
+  void obeys(const std::string& type, const Client& commander, LeaseToken token,
+             const Address* lease);
+  void rests(const std::string& type);
 
   /// The request has that id.
   void sent(std::uint64_t id, Open x) { open_[id] = std::move(x); }

@@ -81,6 +81,17 @@ public:
     waited_for_ = std::move(name);
   }
 
+  /// Whose commands the component obeys now; empty for nobody's.
+  std::string obeyed() const {
+    std::lock_guard guard{mutex_};
+    return obeyed_;
+  }
+
+  void set_obeyed(std::string commanders) {
+    std::lock_guard guard{mutex_};
+    obeyed_ = std::move(commanders);
+  }
+
   /// Why the component failed; empty if it did not.
   std::string failure() const {
     std::lock_guard guard{mutex_};
@@ -163,6 +174,7 @@ private:
   mutable std::mutex mutex_;
   std::string failure_;
   std::string waited_for_;
+  std::string obeyed_;
   /// CPU clock of the component's thread, while there is one.
   std::optional<clockid_t> clock_;
   std::chrono::nanoseconds cpu_{0};

@@ -62,7 +62,8 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
     inbox_(receivers_, record_->counters, event_queue_.mode, event_queue_.limit),
     client_({*this, context_, life_, faults_, code_, *unit_}),
     operations_({context_, client_, inbox_, receivers_, event_queue_.limit}),
-    connections_({*this, context_, client_, code_}),
+    providers_({*this, context_, client_}), connections_({*this, context_, providers_, code_}),
+    commands_({*this, context_, providers_, code_}),
     tasks_(*component_, {*this, context_, faults_, code_}) {
   record_->set_budget(component_->budget_);
   code_.crash_note().describe(identity().full_name(), identity().class_name, parts.where,
@@ -85,6 +86,7 @@ void ComponentShell::act() {
   RunningComponent running{*record_};
   AtExit thread_ends{[this] { record_->thread_ends(); }};
   live_or_fail();
+  run_last_code([this] { commands_.take_safe_states(); });
   if (life_.has_started() && record_->state() != ComponentState::failed)
     run_stop_hook();
   record_->set_idle();
@@ -160,10 +162,9 @@ void ComponentShell::live() {
   }
 }
 
-void ComponentShell::run_stop_hook() {
-  life_.enter_stop_hook();
+void ComponentShell::run_last_code(const std::function<void()>& f) {
   try {
-    code_.run("stop()", [this] { component_->stop(); });
+    f();
   } catch (const ComponentStopped&) {
     // It asked once more and was told once more.
   } catch (const std::exception& e) {
@@ -173,16 +174,23 @@ void ComponentShell::run_stop_hook() {
   }
 }
 
+void ComponentShell::run_stop_hook() {
+  life_.enter_stop_hook();
+  run_last_code([this] { code_.run("stop()", [this] { component_->stop(); }); });
+}
+
 void ComponentShell::await_phase(Phase phase) {
   record_->set_idle();
   while (!life_.try_enter(phase)) {
     if (life_.is_stopping())
       throw ComponentStopped{};
     faults_.at_runtime();
+    if (life_.has_started())
+      commands_.work();
     if (life_.has_started() && !inbox_.is_empty())
       handle_next();
     else
-      pump(never());
+      wait_for_work(never());
   }
   code_.set_activity(phase_name(phase));
 }
@@ -206,6 +214,7 @@ void ComponentShell::forget_actors() {
   inbox_.clear();
   tasks_.clear();
   connections_.clear();
+  commands_.clear();
   phase_controller_ = nullptr;
   context_.forget_neighbours();
 }
@@ -235,6 +244,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
     file_down(std::move(x));
   } else if (content.match_elements<PushesTaken>()) {
     connections_.taken(x->sender, content.get_as<PushesTaken>(0));
+  } else if (content.match_elements<CommandDone>()) {
+    commands_.done(content.get_as<CommandDone>(0));
   } else {
     inbox_.put(std::move(x));
   }
@@ -246,8 +257,10 @@ void ComponentShell::file_down(caf::mailbox_element_ptr x) {
     life_.set_working_memory_lost(true);
   else if (tasks_.is_manager())
     inbox_.put(std::move(x)); // in its turn: after the last words of who has ended
-  else
+  else {
     connections_.forget(who);
+    commands_.forget(who);
+  }
 }
 
 void ComponentShell::file_change(ChangeNotice notice) {
@@ -287,9 +300,10 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
         {FailureKind::working_memory_lost,
          "the working memory of " + identity().subarchitecture + " has ended",
          {identity().subarchitecture, {}}}};
+    commands_.work();
     if (inbox_.is_empty()) {
       record_->set_idle();
-      if (!pump(until))
+      if (!wait_for_work(until))
         return true;
       continue;
     }
@@ -297,6 +311,14 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
     if ((enough && enough()) || Clock::now() >= until)
       return true;
   }
+}
+
+bool ComponentShell::wait_for_work(Clock::time_point until) {
+  auto alarm = commands_.next_alarm();
+  if (alarm >= until)
+    return pump(until);
+  pump(alarm);
+  return true;
 }
 
 void ComponentShell::handle_next() {
@@ -310,7 +332,7 @@ void ComponentShell::handle(Inbox::Work& x) {
   if (auto* task = std::get_if<Inbox::Task>(&x))
     return code_.run(task->what, task->run);
   auto& message = *std::get<caf::mailbox_element_ptr>(x);
-  if (!connections_.handle(message))
+  if (!connections_.handle(message) && !commands_.handle(message))
     tasks_.handle(message);
 }
 

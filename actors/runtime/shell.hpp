@@ -3,6 +3,7 @@
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/component_runtime.hpp"
 #include "castor/actors/runtime/change_receivers.hpp"
+#include "castor/actors/runtime/component_commands.hpp"
 #include "castor/actors/runtime/component_connections.hpp"
 #include "castor/actors/runtime/component_context.hpp"
 #include "castor/actors/runtime/component_operations.hpp"
@@ -12,6 +13,7 @@
 #include "castor/actors/runtime/life_cycle.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
 #include "castor/actors/runtime/operations_client.hpp"
+#include "castor/actors/runtime/provider_client.hpp"
 #include "castor/actors/runtime/services.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
 #include "castor/actors/runtime/user_code.hpp"
@@ -60,6 +62,7 @@ public:
   }
   Operations& operations() override { return operations_; }
   Connections& connections() override { return connections_; }
+  Commands& commands() override { return commands_; }
   TaskLink& tasks() override { return tasks_; }
   std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) override;
 
@@ -77,6 +80,8 @@ private:
   void live();
   /// Calls live(); an exception is the component's failure, unless it is the normal end.
   void live_or_fail();
+  /// Code of a component that has ended; an exception is its failure.
+  void run_last_code(const std::function<void()>& f);
   void run_stop_hook();
   /// Delivers work, if the component has started, until the next phase is due.
   void await_phase(Phase phase);
@@ -95,6 +100,9 @@ private:
 
   // -- work
 
+  /// Files what arrives, or returns at `until` or earlier if commands are due; false once `until`
+  /// has passed without any.
+  bool wait_for_work(Clock::time_point until);
   void handle_next();
   void handle(Inbox::Work& x);
   void handle_change(const ChangeNotice& notice);
@@ -116,7 +124,9 @@ private:
   Inbox inbox_;
   OperationsClient client_;
   ComponentOperations operations_;
+  ProviderClient providers_;
   ComponentConnections connections_;
+  ComponentCommands commands_;
   ComponentTasks tasks_;
 };
 

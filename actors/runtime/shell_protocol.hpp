@@ -1,9 +1,12 @@
 #pragma once
 
+#include "castor/actors/component/command_terms.hpp"
 #include "castor/actors/component/task.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/injected_fault.hpp"
+#include "castor/wm/entries/client.hpp"
 #include "castor/wm/entries/failure.hpp"
+#include "castor/wm/entries/lease.hpp"
 #include "castor/wm/values/timestamp.hpp"
 #include "castor/wm/values/type_descriptor.hpp"
 #include "castor/wm/values/value.hpp"
@@ -72,6 +75,8 @@ struct CompleteTask {
 /// To a stand-alone component: answered with its newest value of the type.
 struct PullRequest {
   TypeDescriptorPtr type;
+  /// What exactly is asked for; may be empty.
+  Value argument;
 };
 
 /// To a stand-alone component: send the sender every value of the type that is pushed, with at most
@@ -87,6 +92,51 @@ struct PushRequest {
 struct Pushed {
   std::string provider;
   Value value;
+};
+
+/// Bound of the clocks of effectors, and of how long commands hold.
+inline constexpr Timestamp longest_command_time = std::chrono::hours{24 * 365 * 100};
+
+/// To a stand-alone component: what does it demand of commands of the type? Answered with
+/// CommandTermsReply.
+struct CommandTermsQuery {
+  TypeDescriptorPtr type;
+};
+
+struct CommandTermsReply {
+  CommandTerms terms;
+  /// Time by the effector's clock.
+  Timestamp clock{0};
+};
+
+/// To a stand-alone component: answered with Outcome<CommandDone>, or with a CommandDone if it is
+/// no request.
+struct CommandMessage {
+  Value value;
+  ClientPtr commander;
+  /// Of the lease that the commander believes it holds; 0 for none.
+  LeaseToken token = 0;
+  /// By the effector's clock, rather too early than too late.
+  Timestamp sent{0};
+  /// How long it holds from then on.
+  Timestamp valid_for{0};
+  /// Of the commander's commands; increases.
+  std::uint64_t number = 0;
+};
+
+enum class CommandResult : std::uint8_t { obeyed, refused, failed };
+
+/// From a stand-alone component.
+struct CommandDone {
+  /// Its name, and the type of the command.
+  std::string effector;
+  std::string type;
+  std::uint64_t number = 0;
+  CommandResult result = CommandResult::obeyed;
+  /// Why, unless it was obeyed.
+  std::string reason;
+  /// Time by the effector's clock.
+  Timestamp clock{0};
 };
 
 /// To a stand-alone component that stands in for a recorded one: hand this out from now on.
@@ -117,4 +167,9 @@ CASTOR_LOCAL_MESSAGE(castor::PushRequest)
 CASTOR_LOCAL_MESSAGE(castor::Pushed)
 CASTOR_LOCAL_MESSAGE(castor::HandOut)
 CASTOR_LOCAL_MESSAGE(castor::PushesTaken)
+CASTOR_LOCAL_MESSAGE(castor::CommandTermsQuery)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::CommandTermsReply>)
+CASTOR_LOCAL_MESSAGE(castor::CommandMessage)
+CASTOR_LOCAL_MESSAGE(castor::CommandDone)
+CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::CommandDone>)
 CASTOR_LOCAL_MESSAGE(castor::Outcome<castor::Value>)

@@ -23,6 +23,7 @@ ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time
   result.reads = x.counters.reads;
   result.writes = x.counters.adds + x.counters.overwrites + x.counters.deletes;
   result.pushes_dropped = x.counters.pushes_dropped;
+  result.obeys = x.obeyed();
   return result;
 }
 

@@ -32,6 +32,8 @@ struct ComponentStatus {
   std::uint64_t writes = 0;
   /// Pushes that a receiver was too slow for.
   std::uint64_t pushes_dropped = 0;
+  /// Whose commands it obeys now, such as "driver of navigation"; empty for nobody's.
+  std::string obeys;
 };
 
 /// State for people: the name of the state, or "restarting".

@@ -78,6 +78,8 @@ private:
        [](Inspection& x, const Json& request) { overwrite_entry(x.context_, request); }},
       {"delete", [](Inspection& x, const Json& request) { delete_entry(x.context_, request); }},
       {"call", [](Inspection& x, const Json& request) { call_component(x.context_, request); }},
+      {"command",
+       [](Inspection& x, const Json& request) { command_effector(x.context_, request); }},
     };
     return result;
   }

@@ -2,6 +2,7 @@
 
 #include "castor/actors/link/dial.hpp"
 #include "castor/actors/system/value_from_json.hpp"
+#include "castor/base/duration.hpp"
 #include "castor/wm/values/json.hpp"
 
 #include <unistd.h>
@@ -11,11 +12,6 @@
 namespace castor {
 
 namespace {
-
-template <class Duration>
-double seconds(Duration x) {
-  return std::chrono::duration<double>(x).count();
-}
 
 const char* name_of(LinkState x) {
   switch (x) {
@@ -61,8 +57,8 @@ Json node_as_json(const SystemReport& report, const SystemRoster& roster, std::s
   if (!part)
     return result;
   result["components"] = part->components.size();
-  result["cpu"] = seconds(part->usage.cpu);
-  result["age"] = seconds(part->usage.age);
+  result["cpu"] = in_seconds(part->usage.cpu);
+  result["age"] = in_seconds(part->usage.age);
   result["memory"] = part->usage.memory_bytes;
   result["links"] = Json::array();
   for (auto& y : part->links)
@@ -79,13 +75,14 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"failure", x.failure},
           {"incarnation", x.identity.incarnation},
           {"restarts", x.restarts},
-          {"busy", seconds(x.busy)},
-          {"cpu", seconds(x.cpu)},
+          {"busy", in_seconds(x.busy)},
+          {"cpu", in_seconds(x.cpu)},
           {"events", x.events_received},
           {"callbacks", x.callbacks},
           {"writes", x.writes},
           {"reads", x.reads},
-          {"pushes_dropped", x.pushes_dropped}};
+          {"pushes_dropped", x.pushes_dropped},
+          {"obeys", x.obeys}};
 }
 
 Json to_json(const JournalStatus& x) {
@@ -134,7 +131,7 @@ Json to_json(const SystemReport& report, const SystemRoster& roster) {
   Json result{{"system", std::filesystem::path{roster.file}.stem().string()},
               {"file", roster.file},
               {"process", getpid()},
-              {"age", seconds(std::chrono::steady_clock::now() - roster.epoch)}};
+              {"age", in_seconds(std::chrono::steady_clock::now() - roster.epoch)}};
   auto node_of = [&](const std::string& component) {
     return name_of(roster, process_of(roster.placement, component));
   };
@@ -169,7 +166,7 @@ Json to_json(const SystemSummary& summary, const SystemRoster& roster) {
     for (auto& link : x.links)
       links.push_back(to_json(link, roster));
     result["processes"].push_back({{"name", name.empty() ? "localhost" : name},
-                                   {"cpu", seconds(x.usage.cpu)},
+                                   {"cpu", in_seconds(x.usage.cpu)},
                                    {"memory", x.usage.memory_bytes},
                                    {"links", std::move(links)}});
   }
@@ -188,7 +185,7 @@ Json to_json(const Usage& x) {
 }
 
 Json to_json(const ChangeEvent& x) {
-  return {{"time", seconds(x.time)},
+  return {{"time", in_seconds(x.time)},
           {"subarchitecture", x.address.subarchitecture},
           {"operation", to_string(x.operation)},
           {"type", x.type_name()},
@@ -200,9 +197,12 @@ Json to_json(const ChangeEvent& x) {
 }
 
 Json to_json(const TaskEvent& x) {
-  return {{"time", seconds(x.time)},   {"subarchitecture", x.subarchitecture},
-          {"task", to_string(x.step)}, {"name", x.task.name},
-          {"id", x.task.id},           {"component", x.task.component},
+  return {{"time", in_seconds(x.time)},
+          {"subarchitecture", x.subarchitecture},
+          {"task", to_string(x.step)},
+          {"name", x.task.name},
+          {"id", x.task.id},
+          {"component", x.task.component},
           {"detail", x.detail}};
 }
 

@@ -79,9 +79,9 @@ struct EndpointState {
   }
 };
 
-using Self = caf::io::stateful_broker<EndpointState>;
+using EndpointSelf = caf::io::stateful_broker<EndpointState>;
 
-void leave(Self* self, connection_handle handle) {
+void leave(EndpointSelf* self, connection_handle handle) {
   auto x = self->state.connections.extract(handle);
   if (!x)
     return;
@@ -89,7 +89,7 @@ void leave(Self* self, connection_handle handle) {
   self->close(handle);
 }
 
-void say(Self* self, connection_handle handle, const std::string& text, bool last) {
+void say(EndpointSelf* self, connection_handle handle, const std::string& text, bool last) {
   auto i = self->state.connections.find(handle);
   if (i == self->state.connections.end())
     return;
@@ -105,12 +105,12 @@ void say(Self* self, connection_handle handle, const std::string& text, bool las
 }
 
 /// Answers why it is not heard, and ends the connection.
-void refuse(Self* self, connection_handle handle, const std::string& why) {
+void refuse(EndpointSelf* self, connection_handle handle, const std::string& why) {
   self->state.connections.at(handle).refused = true;
   say(self, handle, as_line(Json{{"error", why}}), true);
 }
 
-void admit(Self* self, connection_handle handle) {
+void admit(EndpointSelf* self, connection_handle handle) {
   // CAF numbers connections by their sockets.
   auto peer = local_peer(static_cast<int>(handle.id()));
   if (!peer || !peer->is_of_this_user()) {
@@ -133,7 +133,7 @@ void admit(Self* self, connection_handle handle) {
 }
 
 /// The first line of a connection is what it is for.
-void ask(Self* self, connection_handle handle, EndpointState::Connection& connection,
+void ask(EndpointSelf* self, connection_handle handle, EndpointState::Connection& connection,
          std::string line) {
   if (!connection.inspection) {
     InspectionParts parts;
@@ -147,7 +147,7 @@ void ask(Self* self, connection_handle handle, EndpointState::Connection& connec
   caf::anon_send(connection.inspection, InspectionRequest{std::move(line)});
 }
 
-void hear(Self* self, const caf::io::new_data_msg& x) {
+void hear(EndpointSelf* self, const caf::io::new_data_msg& x) {
   auto i = self->state.connections.find(x.handle);
   if (i == self->state.connections.end())
     return;
@@ -162,7 +162,7 @@ void hear(Self* self, const caf::io::new_data_msg& x) {
   }
 }
 
-void check_request(Self* self, const RequestDue& x) {
+void check_request(EndpointSelf* self, const RequestDue& x) {
   auto i = self->state.connections.find(x.connection);
   if (i != self->state.connections.end() && i->second.number == x.number && !i->second.inspection &&
       !i->second.refused)
@@ -171,7 +171,7 @@ void check_request(Self* self, const RequestDue& x) {
              " s; a request is a line, with a line break at its end");
 }
 
-void written(Self* self, const caf::io::data_transferred_msg& x) {
+void written(EndpointSelf* self, const caf::io::data_transferred_msg& x) {
   auto i = self->state.connections.find(x.handle);
   if (i == self->state.connections.end() || x.remaining > 0)
     return;
@@ -182,7 +182,7 @@ void written(Self* self, const caf::io::data_transferred_msg& x) {
     caf::anon_send(i->second.inspection, InspectionTaken{});
 }
 
-caf::behavior endpoint(Self* self, fs::path path, int socket,
+caf::behavior endpoint(EndpointSelf* self, fs::path path, int socket,
                        std::function<void(SystemOrder)> give_order,
                        std::shared_ptr<OperationLog> operations) {
   self->state.socket = std::move(path);

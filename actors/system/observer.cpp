@@ -10,7 +10,7 @@ namespace castor {
 
 namespace {
 
-using Self = caf::stateful_actor<ObserverState>*;
+using ObserverSelf = caf::stateful_actor<ObserverState>*;
 
 /// Numbers of subscriptions: the first is for every change, then come those that are watched.
 constexpr FilterId all_changes = 1;
@@ -22,7 +22,7 @@ bool are_told(const ObserverState& state, std::uint64_t up_to) {
 }
 
 /// Tells of the changes in a working memory whose entries have been read.
-void tell_entries(Self self, const SystemOptions& options, const std::string& where) {
+void tell_entries(ObserverSelf self, const SystemOptions& options, const std::string& where) {
   auto& state = self->state;
   auto& queue = state.awaited[where];
   for (; !queue.empty() && queue.front()->is_read; queue.pop_front())
@@ -35,7 +35,7 @@ void tell_entries(Self self, const SystemOptions& options, const std::string& wh
   });
 }
 
-void read_entry(Self self, const SystemOptions& options, const ChangeEventPtr& event) {
+void read_entry(ObserverSelf self, const SystemOptions& options, const ChangeEventPtr& event) {
   auto& address = event->address;
   auto wm = self->state.system.working_memories.find(address.subarchitecture);
   auto awaited = std::make_shared<AwaitedEntry>();
@@ -54,7 +54,7 @@ void read_entry(Self self, const SystemOptions& options, const ChangeEventPtr& e
           [told](const caf::error&) { told(nullptr); });
 }
 
-void observe(Self self, const SystemOptions& options, const ChangeNotice& notice) {
+void observe(ObserverSelf self, const SystemOptions& options, const ChangeNotice& notice) {
   auto& state = self->state;
   auto& event = *notice.event;
   if (options.on_change)
@@ -73,7 +73,7 @@ void observe(Self self, const SystemOptions& options, const ChangeNotice& notice
     self->send(wm->second, EventsTaken{EventStream::component, count});
 }
 
-void subscribe(Self self, const SystemOptions& options, const std::string& name,
+void subscribe(ObserverSelf self, const SystemOptions& options, const std::string& name,
                const WorkingMemoryActor& wm) {
   if (options.on_change || options.on_entry || self->state.system.logged.count(name) > 0)
     self->send(wm, Subscribe{all_changes, any_change()});
@@ -86,7 +86,7 @@ void subscribe(Self self, const SystemOptions& options, const std::string& name,
 }
 
 /// Begins with those that are new.
-void look_at(Self self, const SystemOptions& options, const ObservedSystem& x) {
+void look_at(ObserverSelf self, const SystemOptions& options, const ObservedSystem& x) {
   auto known = std::exchange(self->state.system, x).working_memories;
   for (auto& [name, wm] : x.working_memories) {
     auto i = known.find(name);
@@ -99,7 +99,7 @@ void look_at(Self self, const SystemOptions& options, const ObservedSystem& x) {
 
 } // namespace
 
-caf::behavior observer(Self self, const SystemOptions& options) {
+caf::behavior observer(ObserverSelf self, const SystemOptions& options) {
   return {
     [self, &options](const ObservedSystem& x) { look_at(self, options, x); },
     [self, &options](const ChangeNotice& x) { observe(self, options, x); },

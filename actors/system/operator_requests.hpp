@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// Requests of people and programs outside of a system to write to its working memories, as far as
-/// ACCESS lines about operators permit it.
+/// Requests of people and programs outside of a system: to write to its working memories, as far as
+/// ACCESS lines about operators permit it, to call its components, and to command its effectors.
 namespace castor {
 
 // Each answers the request of that name (docs/introspection.md). They throw for invalid requests.
@@ -13,5 +13,6 @@ void add_entry(const InspectionContextPtr& context, const Json& request);
 void overwrite_entry(const InspectionContextPtr& context, const Json& request);
 void delete_entry(const InspectionContextPtr& context, const Json& request);
 void call_component(const InspectionContextPtr& context, const Json& request);
+void command_effector(const InspectionContextPtr& context, const Json& request);
 
 } // namespace castor

@@ -1,6 +1,7 @@
 #include "castor/communication/dialogue/asides.hpp"
 
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
@@ -40,10 +41,37 @@ std::size_t aside_at_begin(std::span<const std::string> words, const Lexicon& le
   return 0;
 }
 
-WordList without_asides(std::span<const std::string> words, const Lexicon& lexicon) {
+/// Without words that have no meaning of their own wherever they stand.
+WordList without_fillers(WordList words, const Lexicon& lexicon) {
+  std::erase_if(words, [&](auto& word) { return word != "," && lexicon.filler(word) != nullptr; });
+  return words;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// "On the right", "what kind": what follows is no aside.
+bool is_before_noun(std::string_view word) {
+  return is_one_of(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no"});
+}
+
+/// \param is_known_kept whether an aside that has a meaning of its own is kept: "thanks"
+WordList without_asides(std::span<const std::string> words, const Lexicon& lexicon,
+                        bool is_known_kept = false) {
   WordList result;
   for (std::size_t i = 0; i < words.size();) {
-    const auto length = aside_at_begin(words.subspan(i), lexicon);
+    const bool may_be_aside = i == 0 || !is_before_noun(words[i - 1]);
+    auto length = may_be_aside ? aside_at_begin(words.subspan(i), lexicon) : 0;
+    if (is_known_kept && length > 0 && !lexicon.find(joined(words.subspan(i, length))).empty())
+      length = 0;
+    // "Which, if any, are red?"
+    const bool is_between_commas = length > 0 && !result.empty() && result.back() == "," &&
+                                   i + length < words.size() && words[i + length] == ",";
+    if (is_between_commas) {
+      result.pop_back();
+      ++length;
+    }
     if (length == 0 && !(words[i] == "," && (result.empty() || result.back() == ",")))
       result.push_back(words[i]);
     i += std::max<std::size_t>(length, 1);
@@ -51,10 +79,6 @@ WordList without_asides(std::span<const std::string> words, const Lexicon& lexic
   while (!result.empty() && result.back() == ",")
     result.pop_back();
   return result;
-}
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 /// Whether an unknown word may say where, when or how something is: "underwater", "painted".
@@ -73,16 +97,30 @@ struct Frame {
   bool has_person = false;
 };
 
+/// Whether somebody is named at a position, since it is told there what they say or hear: "Zorg
+/// says", "tell the zorgs".
+bool is_beside_telling(std::span<const std::string> words, std::size_t i, const Lexicon& lexicon) {
+  const auto tells = [&](std::size_t at) {
+    return at < words.size() && lexicon.is_in(WordClass::telling, words[at]);
+  };
+  const bool has_article = i > 0 && (words[i - 1] == "the" || words[i - 1] == "my");
+  const auto before = has_article ? 2u : 1u;
+  return tells(i + 1) || (i >= before && tells(i - before));
+}
+
 /// Nothing if the part says something that matters.
 std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon& lexicon) {
   Frame result;
   if (words.size() > longest_frame)
     return std::nullopt;
   const auto is_person_at = [&](std::size_t i) {
-    return i < words.size() && lexicon.is_in(WordClass::person, words[i]);
+    return i < words.size() &&
+           (lexicon.is_in(WordClass::person, words[i]) || lexicon.is_in(WordClass::name, words[i]));
   };
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (const auto length = aside_at_begin(words.subspan(i), lexicon); length > 0) {
+      result.has_person =
+        result.has_person || (length == 1 && is_beside_telling(words, i, lexicon));
       i += length - 1;
       continue;
     }
@@ -99,7 +137,8 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
       return std::nullopt;
     result.unknown += is_harmless ? 0 : 1;
     result.has_adverb = result.has_adverb || (!is_harmless && may_be_adverb(word));
-    result.has_person = result.has_person || is_person;
+    result.has_person =
+      result.has_person || is_person || (!is_harmless && is_beside_telling(words, i, lexicon));
   }
   if (result.unknown > most_unknown || (result.has_adverb && !result.has_person))
     return std::nullopt;
@@ -162,7 +201,8 @@ private:
   std::vector<std::size_t> begins(std::size_t end) const {
     std::vector<std::size_t> result{0};
     for (auto i = end; i-- > 1;)
-      if (auto x = frame(0, i); x && words_[i] != "," && (x->has_person || is_after_pause(i)) &&
+      if (auto x = frame(0, i); x && words_[i] != "," && !is_before_noun(words_[i - 1]) &&
+                                (x->has_person || is_after_pause(i)) &&
                                 !(x->unknown > 0 && is_topic(i, end)))
         result.push_back(i);
     return result;
@@ -182,7 +222,10 @@ private:
     const bool is_after_person = begin > 0 && !is_after_pause(begin);
     while (begin > 0 && begin < end && is_one_of(words_[begin], {",", "but", "and", "so", "that"}))
       ++begin;
-    auto words = without_asides(std::span{words_}.subspan(begin, end - begin), lexicon());
+    const auto said = std::span{words_}.subspan(begin, end - begin);
+    auto words = without_asides(said, lexicon());
+    if (words.empty())
+      words = without_asides(said, lexicon(), true);
     if (words.empty())
       return std::nullopt;
     if (is_after_person && is_asked_for(begin, words.front())) {
@@ -194,8 +237,8 @@ private:
     auto form = parser_.parse_whole(std::move(words));
     if (!form || (!is_after_person && end == words_.size()))
       return form;
-    const auto said = first_reading(*form);
-    return is_sentence(said) && !is_request(said) ? std::move(form) : std::nullopt;
+    const auto core = first_reading(*form);
+    return is_sentence(core) && !is_request(core) ? std::move(form) : std::nullopt;
   }
 
   /// "... whether it is red", "... what colour it is", "... to know the colour of the ball".
@@ -216,11 +259,17 @@ private:
 } // namespace
 
 std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const WordList& words) {
+  if (const auto most = without_asides(words, parser.lexicon(), true); most.size() < words.size())
+    if (auto form = parser.parse_whole(most))
+      return form;
   const auto core = without_asides(words, parser.lexicon());
   if (core.empty())
     return std::nullopt;
   if (core.size() < words.size())
     if (auto form = parser.parse_whole(core))
+      return form;
+  if (auto plain = without_fillers(core, parser.lexicon()); plain.size() < core.size())
+    if (auto form = parser.parse_whole(std::move(plain)); form && is_sentence(first_reading(*form)))
       return form;
   return CoreSearch{parser, words}.run();
 }
@@ -229,11 +278,17 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
   if (is_understood(form))
     return std::nullopt;
+  if (auto result = parsed_without_asides(parser, words))
+    return result;
+  // "How many balls red" asks how many are red, rather than "how many balls, red or not".
+  if (auto result = parsed_with_function_words(parser, words))
+    return result;
   // "Any of them a ball" is no list of two phrases.
   if (auto result = parsed_with_pause(parser, words, form);
       result && is_sentence(first_reading(*result)))
     return result;
-  return parsed_without_asides(parser, words);
+  const auto core = without_asides(words, parser.lexicon());
+  return core.size() < words.size() ? parsed_with_function_words(parser, core) : std::nullopt;
 }
 
 } // namespace castor::communication

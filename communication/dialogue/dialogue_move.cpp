@@ -1,6 +1,7 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 
 #include "castor/communication/dialogue/clause_parts.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 
@@ -13,11 +14,23 @@ namespace {
 /// Readings beyond the first few are hardly ever meant.
 constexpr std::size_t max_alternatives = 5;
 
-/// "The disc is orange?" asks whether it is.
+/// "A ball?", "red things?", but not "robot?", who is spoken to.
+bool is_indefinite(const LogicalForm& form, const Nominal& x) {
+  const auto delimitation = feature(x, "Delimitation");
+  return dependent(form, x, "Selection") == nullptr && x.sort == "thing" &&
+         x.proposition != "one" && x.proposition != "robot" && !is_pronoun(x) &&
+         (delimitation.empty() || delimitation == "existential");
+}
+
+/// "The disc is orange?" asks whether it is, "a disc?" is a question too.
 LogicalForm as_question(LogicalForm statement) {
   for (auto& x : statement.nominals)
-    if (x.name == statement.root && is_clause(statement, x) && feature(x, "Mood").empty())
-      x.features.push_back({"Mood", "int"});
+    if (x.name == statement.root) {
+      if (is_clause(statement, x) && feature(x, "Mood").empty())
+        x.features.push_back({"Mood", "int"});
+      else if (is_indefinite(statement, x))
+        x.features.push_back({std::string{said_as_question}, "true"});
+    }
   return statement;
 }
 

@@ -3,8 +3,12 @@
 #include "castor/communication/types.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace castor::communication {
+
+/// The feature of the root of a phrase that is said as a question: "a ball?"
+inline constexpr std::string_view said_as_question = "As-Question";
 
 /// The dialogue move of a logical form, by its mood and kind: "can you see the ball" is a question,
 /// even if meant as a request. `none` for fragments such as "the red ball".

@@ -126,6 +126,13 @@ bool is_about_any(const LogicalForm& fragment) {
   return root != nullptr && root->sort == "thing" && feature(*root, "Delimitation") == "any";
 }
 
+/// Whether a fragment was said as a question, which is not noted any more then.
+bool take_said_as_question(LogicalForm& fragment) {
+  auto* root = find_nominal(fragment, fragment.root);
+  return root != nullptr &&
+         std::erase_if(root->features, [](auto& x) { return x.name == said_as_question; }) > 0;
+}
+
 bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents) {
   auto& form = question.move.content;
   const auto name = append(form, said, question.antecedents, antecedents);
@@ -230,8 +237,12 @@ void QuestionContext::replace_one(LogicalForm& form) const {
   }
 }
 
-CompleteMove QuestionContext::complete(const DialogueMove& move,
+CompleteMove QuestionContext::complete(const DialogueMove& said,
                                        const Antecedents& antecedents) const {
+  auto move = said;
+  const bool is_question = take_said_as_question(move.content);
+  for (auto& alternative : move.alternatives)
+    take_said_as_question(alternative);
   CompleteMove result{move, antecedents};
   replace_one(result.move.content);
   for (auto& alternative : result.move.alternatives)
@@ -266,8 +277,8 @@ CompleteMove QuestionContext::complete(const DialogueMove& move,
       return question;
     }
   }
-  // "Anything left of the ball?"
-  if (is_about_any(move.content)) {
+  // "Anything left of the ball?", "red things?"
+  if (is_about_any(move.content) || is_question) {
     const auto subject = result.move.content.root;
     result.move.content.root = "existence";
     result.move.content.nominals.push_back(

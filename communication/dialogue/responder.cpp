@@ -97,7 +97,9 @@ Response Responder::to(const Uninterpretable& why) const {
   // "Can you take the ball?"
   if (why.reason == Reason::word && root().sort == "action")
     return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
-  // Where people are, the table does not tell.
+  // What belongs to whom, and who likes what, the table does not tell; nor where people are.
+  if (why.reason == Reason::word && root().sort == "perception")
+    return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word && (why.what == "i" || why.what == "you" || why.what == "we"))
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word || phrase == nullptr ||

@@ -51,6 +51,10 @@ enum class WordClass {
   frame,
   /// Frame words for who speaks or is spoken to.
   person,
+  /// Names of people, for whom no other word is taken.
+  name,
+  /// Frame words beside which stands who speaks or is spoken to: "Zorg says", "tell the zorgs".
+  telling,
   /// Words that are never left out: "unless", "almost".
   decisive
 };

@@ -20,14 +20,13 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 /// Variables of an entry are numbered in a byte.
 constexpr std::size_t max_variables = 60;
 
-const std::vector<std::string_view> keywords = {"feature",  "root",   "raise", "call",
-                                                "filler",   "aside",  "frame", "person",
-                                                "decisive", "family", "words", "nouns"};
+const std::vector<std::string_view> keywords = {"feature",  "root",   "raise",  "call", "filler",
+                                                "aside",    "frame",  "person", "name", "telling",
+                                                "decisive", "family", "words",  "nouns"};
 
-const std::map<std::string_view, WordClass> word_classes = {{"aside", WordClass::aside},
-                                                            {"frame", WordClass::frame},
-                                                            {"person", WordClass::person},
-                                                            {"decisive", WordClass::decisive}};
+const std::map<std::string_view, WordClass> word_classes = {
+  {"aside", WordClass::aside}, {"frame", WordClass::frame},     {"person", WordClass::person},
+  {"name", WordClass::name},   {"telling", WordClass::telling}, {"decisive", WordClass::decisive}};
 
 /// A part of a line, and where it begins.
 struct Piece {
@@ -205,10 +204,11 @@ private:
 
   static std::string unknown_keyword_remedy(const std::string& word) {
     const auto meant = did_you_mean(word, keywords);
-    return meant.empty() ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
-                           "person, decisive, family, words or nouns; what belongs to them is "
-                           "indented."
-                         : meant;
+    return meant.empty()
+             ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
+               "person, name, telling, decisive, family, words or nouns; what belongs to them is "
+               "indented."
+             : meant;
   }
 
   void read_feature(const std::vector<Piece>& pieces) {

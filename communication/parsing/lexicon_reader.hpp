@@ -19,6 +19,8 @@
 ///     aside lol for_the_record      # words left out of what is not understood with them
 ///     frame tell believe that       # words of parts that are left out of it, with those of
 ///     person i my you               # who speaks or is spoken to
+///     name mia                      # names of people: frame words that no typing error is taken for
+///     telling says ask              # who is named beside them speaks or is spoken to
 ///     decisive unless almost        # words that are never left out
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings

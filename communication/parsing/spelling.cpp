@@ -92,12 +92,32 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
     return {};
   }
   auto known = lexicon.suggestions(word, 8);
-  std::erase_if(known, [&](auto& x) { return !is_a_letter_off(word, x); });
+  std::erase_if(
+    known, [&](auto& x) { return !is_a_letter_off(word, x) || lexicon.is_in(WordClass::name, x); });
   // The first letter is seldom wrong.
   auto found = std::ranges::find(known, word.front(), [](auto& x) { return x.front(); });
   if (found != known.end())
     return *found;
   return known.empty() ? std::string{} : known.front();
+}
+
+/// "Sooo", "hiii", "cooool" without letters that are there to make it long; empty if that is no
+/// known word.
+std::string without_long_letters(const std::string& word, const Lexicon& lexicon) {
+  for (const std::size_t most : {2, 1}) {
+    std::string result;
+    bool is_shorter = false;
+    for (std::size_t begin = 0; begin < word.size();) {
+      const auto end = std::min(word.find_first_not_of(word[begin], begin), word.size());
+      const auto length = end - begin;
+      is_shorter = is_shorter || length > 2;
+      result.append(length > 2 ? most : length, word[begin]);
+      begin = end;
+    }
+    if (is_shorter && (lexicon.knows(result) || lexicon.is_in_a_class(result)))
+      return result;
+  }
+  return {};
 }
 
 } // namespace
@@ -112,6 +132,10 @@ std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words
       corrected.push_back(word);
       continue;
     }
+    if (auto plain = without_long_letters(word, lexicon); !plain.empty()) {
+      corrected.push_back(std::move(plain));
+      continue;
+    }
     auto meant = split(word, lexicon);
     const bool is_short = word.size() < shortest_word;
     if (meant.empty() && i == 0 && words.size() > 1)
@@ -120,8 +144,10 @@ std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words
     if (meant.empty())
       if (auto other = a_letter_off(word, lexicon); !other.empty())
         meant = {other};
-    if (meant.empty())
-      return {};
+    if (meant.empty()) {
+      corrected.push_back(word);
+      continue;
+    }
     result.push_back({word, meant.front() + (meant.size() > 1 ? ' ' + meant.back() : "")});
     corrected.insert(corrected.end(), meant.begin(), meant.end());
   }

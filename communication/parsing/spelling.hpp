@@ -10,9 +10,10 @@ namespace castor::communication {
 
 /// Replaces words that the lexicon does not know by the known word of which they are a letter off:
 /// one is missing, doubled, or two are in the wrong order; in words of five letters and more, and
-/// in short ones that are said very often, one may be another. A word is two known ones if these are a phrase, such as "at least", or the first
-/// one is an article; the first word of an utterance may lack its first letter. Nothing is replaced
-/// if one of the unknown words is not like any known one.
+/// in short ones that are said very often, one may be another. A word is two known ones if these
+/// are a phrase, such as "at least", or the first one is an article; the first word of an utterance
+/// may lack its first letter. Words that are not like any known one stay as they are. Letters that
+/// make a word long ("sooo") are left out, which is not among what was replaced.
 ///
 /// \returns what was replaced
 std::vector<SpellingCorrection> correct_spelling(std::vector<std::string>& words,

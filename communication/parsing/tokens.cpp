@@ -23,18 +23,55 @@ bool ends_with(const std::string& word, std::string_view end) {
 }
 
 /// What people type in a hurry, and the one or two words that it stands for.
-constexpr std::array<std::array<std::string_view, 3>, 32> hasty{
-  {{"isnt", "is", "n't"},     {"arent", "are", "n't"},   {"doesnt", "does", "n't"},
-   {"dont", "do", "n't"},     {"didnt", "did", "n't"},   {"cant", "can", "n't"},
-   {"whats", "what", "'s"},   {"wheres", "where", "'s"}, {"theres", "there", "'s"},
-   {"thats", "that", "'s"},   {"whos", "who", "'s"},     {"im", "i", "'m"},
-   {"theyre", "they", "'re"}, {"youre", "you", "'re"},   {"r", "are", ""},
-   {"u", "you", ""},          {"ur", "your", ""},        {"wasnt", "was", "n't"},
-   {"wont", "wo", "n't"},     {"hows", "how", "'s"},     {"ive", "i", "'ve"},
-   {"theyve", "they", "'ve"}, {"gimme", "give", "me"},   {"lemme", "let", "me"},
-   {"wanna", "want", "to"},   {"pls", "please", ""},     {"plz", "please", ""},
-   {"num", "number", "of"},   {"obj", "object", ""},     {"objs", "objects", ""},
-   {"wat", "what", ""},       {"wich", "which", ""}}};
+constexpr std::array<std::array<std::string_view, 3>, 49> hasty{{{"isnt", "is", "n't"},
+                                                                 {"arent", "are", "n't"},
+                                                                 {"doesnt", "does", "n't"},
+                                                                 {"dont", "do", "n't"},
+                                                                 {"didnt", "did", "n't"},
+                                                                 {"cant", "can", "n't"},
+                                                                 {"whats", "what", "'s"},
+                                                                 {"wheres", "where", "'s"},
+                                                                 {"theres", "there", "'s"},
+                                                                 {"thats", "that", "'s"},
+                                                                 {"whos", "who", "'s"},
+                                                                 {"im", "i", "'m"},
+                                                                 {"theyre", "they", "'re"},
+                                                                 {"youre", "you", "'re"},
+                                                                 {"r", "are", ""},
+                                                                 {"u", "you", ""},
+                                                                 {"ur", "your", ""},
+                                                                 {"wasnt", "was", "n't"},
+                                                                 {"wont", "wo", "n't"},
+                                                                 {"hows", "how", "'s"},
+                                                                 {"ive", "i", "'ve"},
+                                                                 {"theyve", "they", "'ve"},
+                                                                 {"gimme", "give", "me"},
+                                                                 {"lemme", "let", "me"},
+                                                                 {"wanna", "want", "to"},
+                                                                 {"pls", "please", ""},
+                                                                 {"plz", "please", ""},
+                                                                 {"num", "number", "of"},
+                                                                 {"obj", "object", ""},
+                                                                 {"objs", "objects", ""},
+                                                                 {"wat", "what", ""},
+                                                                 {"wich", "which", ""},
+                                                                 {"ya", "you", ""},
+                                                                 {"bout", "about", ""},
+                                                                 {"wut", "what", ""},
+                                                                 {"wot", "what", ""},
+                                                                 {"wats", "what", "'s"},
+                                                                 {"da", "the", ""},
+                                                                 {"dis", "this", ""},
+                                                                 {"dat", "that", ""},
+                                                                 {"dem", "them", ""},
+                                                                 {"aint", "is", "n't"},
+                                                                 {"whens", "when", "'s"},
+                                                                 {"shouldnt", "should", "n't"},
+                                                                 {"couldnt", "could", "n't"},
+                                                                 {"ppl", "people", ""},
+                                                                 {"smth", "something", ""},
+                                                                 {"k", "ok", ""},
+                                                                 {"ain't", "is", "n't"}}};
 
 void append_word(std::string word, std::vector<std::string>& words) {
   const auto contraction =
@@ -74,6 +111,14 @@ std::size_t end_of_quotation(std::string_view text, std::size_t begin) {
   return begin;
 }
 
+/// "The ball is for Mrs. Jones."
+bool is_after_title(std::string_view text) {
+  const auto blank = text.find_last_of(' ');
+  const auto word = blank == std::string_view::npos ? text : text.substr(blank + 1);
+  constexpr std::array titles{"Mr", "Mrs", "Ms", "Dr", "Prof", "St", "mr", "mrs", "ms", "dr"};
+  return std::ranges::find(titles, word) != titles.end();
+}
+
 } // namespace
 
 std::vector<std::string> words_of(std::string_view utterance) {
@@ -109,6 +154,8 @@ std::vector<std::string> sentences_of(std::string_view text) {
     const bool is_mark = text[i] == '.' || text[i] == '!' || text[i] == '?';
     const bool is_last = i + 1 == text.size();
     if (!is_last && !(is_mark && (text[i + 1] == ' ' || text[i + 1] == '\n')))
+      continue;
+    if (!is_last && text[i] == '.' && is_after_title(text.substr(begin, i - begin)))
       continue;
     const auto sentence = text.substr(begin, i + 1 - begin);
     begin = i + 1;

@@ -50,6 +50,17 @@ TEST(Text, IsMadePrintable) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");
 }
 
+TEST(Text, EveryOccurrenceIsReplaced) {
+  auto replaced = [](std::string text, std::string_view from, std::string_view to) {
+    replace_all(text, from, to);
+    return text;
+  };
+  EXPECT_EQ(replaced("a NAME and a NAME", "NAME", "castor"), "a castor and a castor");
+  EXPECT_EQ(replaced("aaa", "aa", "b"), "ba");
+  EXPECT_EQ(replaced("x.y", ".", ".."), "x..y");
+  EXPECT_EQ(replaced("none", "other", "any"), "none");
+}
+
 TEST(Text, KnowsIdentifiers) {
   EXPECT_TRUE(is_identifier("aZ_9"));
   for (auto text : {"", "9a", "_a", "a-b", "\xc3\xa4"})

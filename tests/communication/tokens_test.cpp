@@ -38,6 +38,11 @@ TEST(Words, SurviveStrayQuotesAndForeignLetters) {
   EXPECT_THAT(words_of("' the '' b\xc3\xa4ll '"), ElementsAre("the", "b\xc3\xa4ll"));
 }
 
+TEST(Sentences, DoNotEndAfterTitles) {
+  EXPECT_THAT(sentences_of("The ball is for Mrs. Jones. Where is it?"),
+              ElementsAre("The ball is for Mrs. Jones.", "Where is it?"));
+}
+
 TEST(Sentences, EndWithTheirMarks) {
   EXPECT_THAT(sentences_of("There is a ball. What size is it?  Put it on 3.5!\nOk"),
               ElementsAre("There is a ball.", "What size is it?", "Put it on 3.5!", "Ok"));

@@ -87,7 +87,7 @@ Json json_of(const StatementRecord& x) {
 }
 
 template <class T>
-Json list_of(const std::vector<T>& items) {
+Json json_list_of(const std::vector<T>& items) {
   auto result = Json::array();
   for (auto& x : items)
     result.push_back(json_of(x));
@@ -102,7 +102,7 @@ Json json_of(const std::optional<WorkloadRecord>& x) {
           {"counts", json_of(x->total())},
           {"answer_p50_us", json_of(percentile(x->answer_times, 50))},
           {"answer_longest_us", json_of(percentile(x->answer_times, 100))},
-          {"statements", list_of(x->statements)}};
+          {"statements", json_list_of(x->statements)}};
 }
 
 Json recovery_of(const ChaosRun& run) {
@@ -135,13 +135,13 @@ std::string to_json(const ChaosRun& run) {
               {"vacuous", run.vacuous()},
               {"activity", run.activity ? json_of(*run.activity) : Json(nullptr)},
               {"workload", json_of(run.workload)},
-              {"checks", list_of(run.checks)},
-              {"violations", list_of(run.violations)},
+              {"checks", json_list_of(run.checks)},
+              {"violations", json_list_of(run.violations)},
               {"recovery", recovery_of(run)},
-              {"faults", list_of(run.faults)},
-              {"outages", list_of(run.outages)},
+              {"faults", json_list_of(run.faults)},
+              {"outages", json_list_of(run.outages)},
               {"coverage", std::move(coverage)},
-              {"resources", list_of(run.resources)},
+              {"resources", json_list_of(run.resources)},
               {"facts", std::move(facts)},
               {"plan", run.plan}};
   // What a component said need not be UTF-8.

@@ -1,5 +1,6 @@
 #include "castor/tools/chaos/chart.hpp"
 
+#include "castor/base/duration.hpp"
 #include "castor/base/markup.hpp"
 #include "castor/base/text.hpp"
 #include "castor/tools/chaos/recovery_times.hpp"
@@ -16,7 +17,6 @@ namespace castor::faults {
 
 namespace {
 
-
 constexpr double width = 960;
 constexpr double row_height = 26;
 constexpr double axis_height = 28;
@@ -29,10 +29,6 @@ constexpr std::size_t longest_name = 26;
 constexpr std::size_t most_bins = 30;
 constexpr int time_ticks = 10;
 constexpr int value_ticks = 6;
-
-double seconds(Timestamp x) {
-  return std::chrono::duration<double>(x).count();
-}
 
 /// Where a value stands in a picture.
 struct Scale {
@@ -90,7 +86,7 @@ std::string value_axis(const Scale& y) {
 }
 
 Scale time_scale(const ChaosRun& run, double from) {
-  return {std::max(seconds(run.duration), 1e-3), from, width - margin};
+  return {std::max(in_seconds(run.duration), 1e-3), from, width - margin};
 }
 
 /// By name, in alphabetical order, those of outages that no fault aimed at too.
@@ -127,10 +123,10 @@ std::string fault_mark(const FaultRecord& x, const Scale& time, double y) {
   if (!x.outcome.empty())
     title += " - " + x.outcome;
   std::string result;
-  auto begin = time(seconds(x.at));
+  auto begin = time(in_seconds(x.at));
   auto happened = x.state == FaultState::happened;
   if (happened && x.until)
-    result += bar(begin, time(seconds(*x.until)), y + row_height - 8, 4, "lasting", title);
+    result += bar(begin, time(in_seconds(*x.until)), y + row_height - 8, 4, "lasting", title);
   result +=
     fmt::format("<path d=\"M{0:.1f} {1:.1f}l-5 9h10z\" class=\"{2}\">"
                 "<title>{3}</title></path>\n",
@@ -140,13 +136,13 @@ std::string fault_mark(const FaultRecord& x, const Scale& time, double y) {
 
 /// In the upper half of a row.
 std::string outage_bar(const Outage& x, const Scale& time, double y, Timestamp end) {
-  auto down = time(seconds(x.down));
-  auto up = time(seconds(x.up.value_or(end)));
+  auto down = time(in_seconds(x.down));
+  auto up = time(in_seconds(x.up.value_or(end)));
   auto result = bar(down, up, y + 3, 10, x.up ? "down" : "down forever", outage_title(x));
   if (x.up)
     result += line(up, y + 1, up, y + 15, "up");
   if (x.first_callback) {
-    auto working = time(seconds(*x.first_callback));
+    auto working = time(in_seconds(*x.first_callback));
     result += line(up, y + 8, working, y + 8, "up");
     result += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" class=\"works\"/>\n",
                           working, y + 8);
@@ -156,7 +152,7 @@ std::string outage_bar(const Outage& x, const Scale& time, double y, Timestamp e
 
 std::string limit_line(const Scale& x, Timestamp at, double top, double bottom,
                        const std::string& name) {
-  auto where = x(seconds(at));
+  auto where = x(in_seconds(at));
   return line(where, top, where, bottom, "limit") + text(where + 4, top + 10, "start", name);
 }
 
@@ -195,7 +191,7 @@ std::string timeline_chart(const ChaosRun& run) {
     result += fault_mark(x, time, top_of(x.target));
   for (auto& x : run.violations)
     if (x.at) {
-      auto where = time(seconds(*x.at));
+      auto where = time(in_seconds(*x.at));
       result += line(where, margin, where, bottom, "limit");
     }
   return result + "</svg>\n";
@@ -209,7 +205,7 @@ std::string recovery_chart(const ChaosRun& run) {
   auto bound = std::ranges::min_element(run.outages, {}, &Outage::bound)->bound;
   // The bound is shown as long as that does not squeeze the rest.
   auto shows_bound = bound.count() > 0 && bound <= 3 * times.back();
-  auto most_time = seconds(shows_bound ? std::max(bins.back().to, bound) : bins.back().to);
+  auto most_time = in_seconds(shows_bound ? std::max(bins.back().to, bound) : bins.back().to);
   auto most_count = std::ranges::max_element(bins, {}, &HistogramBin::count)->count;
   auto bottom = margin + plot_height;
   Scale x{most_time, numbers_width, width - margin - 40};
@@ -222,8 +218,9 @@ std::string recovery_chart(const ChaosRun& run) {
     if (bin.count == 0)
       continue;
     auto top = y(static_cast<double>(bin.count));
-    result += bar(x(seconds(bin.from)) + 1, x(seconds(bin.to)) - 1, top, bottom - top, "count",
-                  fmt::format("{} from {} to {}", bin.count, rounded(bin.from), rounded(bin.to)));
+    result +=
+      bar(x(in_seconds(bin.from)) + 1, x(in_seconds(bin.to)) - 1, top, bottom - top, "count",
+          fmt::format("{} from {} to {}", bin.count, rounded(bin.from), rounded(bin.to)));
   }
   result += limit_line(x, *percentile(times, 50), margin, bottom, "p50");
   result += limit_line(x, *percentile(times, 99), margin + 12, bottom, "p99");
@@ -250,7 +247,7 @@ std::string resource_chart(const ChaosRun& run, std::uint64_t ResourceSample::*v
     auto i = std::find(names.begin(), names.end(), process.process) - names.begin();
     std::string points;
     for (auto& sample : process.samples)
-      points += fmt::format("{:.1f},{:.1f} ", time(seconds(sample.at)),
+      points += fmt::format("{:.1f},{:.1f} ", time(in_seconds(sample.at)),
                             y(static_cast<double>(sample.*value) / unit));
     result +=
       fmt::format("<polyline points=\"{}\" class=\"line c{}\"><title>{}</title>"

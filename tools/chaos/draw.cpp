@@ -14,9 +14,10 @@ const auto& one_of(const Items& items, SeededRandom& random) {
   return random.one_of(items);
 }
 
-class Drawing {
+class TargetDrawing {
 public:
-  Drawing(const FaultTargets& targets, SeededRandom& random) : targets_(targets), random_(random) {}
+  TargetDrawing(const FaultTargets& targets, SeededRandom& random)
+    : targets_(targets), random_(random) {}
 
   template <class T>
   void operator()(T& x) {
@@ -82,7 +83,7 @@ private:
 } // namespace
 
 Fault draw_targets(Fault fault, const FaultTargets& targets, SeededRandom& random) {
-  std::visit(Drawing{targets, random}, fault);
+  std::visit(TargetDrawing{targets, random}, fault);
   return fault;
 }
 

@@ -175,7 +175,7 @@ Lasting duration_of(const Fault& fault) {
 std::string name_in_plan(const std::string& name) {
   if (!name.empty() && std::ranges::all_of(name, continues_name) && !is_reserved(name))
     return name;
-  return quoted(name);
+  return quoted_in_plan(name);
 }
 
 } // namespace castor::faults

@@ -55,6 +55,9 @@ struct LinkTarget {
 /// Duration of a fault. Nothing: until the run ends, or a later fault ends it.
 using Lasting = std::optional<Timestamp>;
 
+/// The times of faults that are drawn at random are whole milliseconds.
+inline constexpr Timestamp millisecond{1000};
+
 /// The component ends at once, as after a hardware fault. The process of an isolated component ends
 /// too.
 struct Crash {

@@ -14,7 +14,7 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 /// Lists longer than that are of no help in a message.
-constexpr std::size_t most_listed = 10;
+constexpr std::size_t most_listed_targets = 10;
 
 bool has_journal(const ComponentDescription& working_memory) {
   auto mode = working_memory.option("journal");
@@ -204,8 +204,8 @@ private:
     std::string remedy;
     if (out_.size() < most_explained)
       remedy = did_you_mean(name, names);
-    if (remedy.empty() && !names.empty() && names.size() <= most_listed)
-      remedy = "there are: " + list_of(names, most_listed);
+    if (remedy.empty() && !names.empty() && names.size() <= most_listed_targets)
+      remedy = "there are: " + list_of(names, most_listed_targets);
     report("there is no " + std::string{what} + " " + in_quotes(name), std::move(remedy));
   }
 

@@ -54,7 +54,7 @@ std::vector<Word> split_words(std::string_view rest, bool& unfinished) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string quoted_in_plan(std::string_view text) {
   std::string result = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\')

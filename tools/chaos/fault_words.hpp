@@ -44,7 +44,7 @@ std::optional<Word> take_next_word(std::string_view& rest, bool& unfinished);
 std::vector<Word> split_words(std::string_view text, bool& unfinished);
 
 /// The text in quotes, escaped so that it can be parsed again.
-std::string quoted(std::string_view text);
+std::string quoted_in_plan(std::string_view text);
 
 /// Position of the colon that ends a change filter: the first one outside of quotes that is
 /// followed by a blank or by the end of the text. The end of the text if there is none.

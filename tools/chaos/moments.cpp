@@ -10,8 +10,6 @@ namespace castor::faults {
 
 namespace {
 
-constexpr Timestamp millisecond{1000};
-
 /// Of one statement.
 constexpr std::size_t most_moments = 1'000'000;
 

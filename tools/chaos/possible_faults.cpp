@@ -8,7 +8,6 @@ namespace castor::faults {
 
 namespace {
 
-constexpr Timestamp millisecond{1000};
 constexpr std::int64_t highest_percent = 30;
 constexpr std::int64_t longest_jump_ms = 10'000;
 

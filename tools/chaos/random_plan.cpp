@@ -13,7 +13,6 @@ namespace castor::faults {
 
 namespace {
 
-constexpr Timestamp millisecond{1000};
 constexpr std::int64_t most_callbacks = 20;
 
 /// Of the restarts that supervisors allow, those that faults have used.
@@ -60,9 +59,9 @@ std::string failing_component(const Fault& fault) {
 }
 
 /// Draws one fault after the other.
-class Drawing {
+class PlanDrawing {
 public:
-  Drawing(const FaultTargets& targets, const RandomPlanOptions& options, SeededRandom& random)
+  PlanDrawing(const FaultTargets& targets, const RandomPlanOptions& options, SeededRandom& random)
     : targets_(targets), options_(options), random_(random), budget_(targets) {
     for (auto& kind : fault_kinds()) {
       if (options.failures_only && !kind.costs_restart)
@@ -163,7 +162,7 @@ FaultPlan random_plan(const FaultTargets& targets, std::uint64_t seed, Timestamp
   result.file = "seed " + std::to_string(seed);
   result.seed = seed;
   SeededRandom random{seed, "random plan"};
-  Drawing drawing{targets, options, random};
+  PlanDrawing drawing{targets, options, random};
   if (!drawing.has_any())
     return result;
   auto end = duration - std::min(options.rest, duration / 4);

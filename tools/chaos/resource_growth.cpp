@@ -1,5 +1,7 @@
 #include "castor/tools/chaos/resource_growth.hpp"
 
+#include "castor/base/duration.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,10 +12,6 @@ namespace {
 
 /// Every two of so many make some ten thousand slopes.
 constexpr std::size_t most_points = 200;
-
-double seconds(Timestamp x) {
-  return std::chrono::duration<double>(x).count();
-}
 
 /// Evenly chosen; the first and the last are among them.
 std::vector<ResourceSample> thinned(std::span<const ResourceSample> samples) {
@@ -63,7 +61,7 @@ std::vector<std::string> leaks(const ProcessResources& process,
     return {};
   std::vector<double> times;
   for (auto& x : samples)
-    times.push_back(seconds(x.at));
+    times.push_back(in_seconds(x.at));
   std::vector<std::string> result;
   auto look_at = [&](const Resource& resource, double allowed, double allowed_percent) {
     std::vector<double> values;

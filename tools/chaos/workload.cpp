@@ -16,15 +16,15 @@ std::string text_of_thing(const std::string& thing) {
   std::string_view rest = thing;
   for (auto word = take_word(rest); !word.empty(); word = take_word(rest))
     if (is_joint(word) || name_in_plan(std::string{word}).front() == '"')
-      return quoted(thing);
+      return quoted_in_plan(thing);
   return thing;
 }
 
 std::string name_in_workload(const std::string& name) {
-  return is_joint(name) ? quoted(name) : name_in_plan(name);
+  return is_joint(name) ? quoted_in_plan(name) : name_in_plan(name);
 }
 
-std::string text_of(const std::vector<std::string>& names) {
+std::string names_in_workload(const std::vector<std::string>& names) {
   std::string result;
   for (auto& x : names)
     result += (result.empty() ? "" : ", ") + name_in_workload(x);
@@ -32,7 +32,7 @@ std::string text_of(const std::vector<std::string>& names) {
 }
 
 struct ActionPrinter {
-  std::string operator()(const Say& x) const { return "say " + quoted(x.sentence); }
+  std::string operator()(const Say& x) const { return "say " + quoted_in_plan(x.sentence); }
   std::string operator()(const WriteEntry& x) const {
     auto where = x.id.empty() ? x.subarchitecture : x.subarchitecture + '/' + x.id;
     return "write " + name_in_workload(x.type) + ' ' + x.value + " to " + name_in_workload(where);
@@ -47,7 +47,8 @@ struct ActionPrinter {
 };
 
 std::string to_string(const SameEntries& x) {
-  return "same " + text_of(x.types) + (x.but_for.empty() ? "" : " but for " + text_of(x.but_for));
+  return "same " + names_in_workload(x.types) +
+         (x.but_for.empty() ? "" : " but for " + names_in_workload(x.but_for));
 }
 
 } // namespace

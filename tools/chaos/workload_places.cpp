@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view scene_prefix = "scene:";
 
 /// How many names are listed where none of them was meant.
-constexpr std::size_t most_listed = 20;
+constexpr std::size_t most_listed_places = 20;
 
 /// The file of a source that is a scene.
 std::optional<std::string> scene_of(const ComponentDescription& x) {
@@ -117,7 +117,7 @@ private:
     auto remedy = out_.size() < most_explained ? did_you_mean(name, {names.begin(), names.end()})
                                                : std::string{};
     if (remedy.empty() && !names.empty())
-      remedy = "there are: " + list_of(names, most_listed);
+      remedy = "there are: " + list_of(names, most_listed_places);
     report("there is no " + std::string{what} + " " + in_quotes(name), std::move(remedy));
   }
 

@@ -1,3 +1,4 @@
+#include "castor/base/text.hpp"
 #include "castor/tools/cli/completion.hpp"
 
 #include <fmt/core.h>
@@ -9,7 +10,7 @@ namespace {
 
 /// Splits the command line into words, and finds the command, the option before the cursor, and how
 /// many positional arguments there are.
-constexpr const char* driver = R"sh(
+constexpr const char* bash_driver = R"sh(
 # _PROGRAM_add WORD...: offers those that begin with what is typed
 _PROGRAM_add() {
   local word
@@ -100,11 +101,6 @@ _PROGRAM() {
 complete -F _PROGRAM PROGRAM
 )sh";
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-}
-
 std::string action(const Argument& x) {
   switch (x.kind) {
     case ValueKind::choice:
@@ -173,7 +169,7 @@ std::string bash_completion(const Command& program) {
                                                   : fmt::format("'{} {}'", path, at));
     }
   }
-  std::string rest = driver;
+  std::string rest = bash_driver;
   replace_all(rest, "PROGRAM", name);
   replace_all(rest, "VALUES_COMMAND", completion_values);
   return fmt::format(

@@ -15,7 +15,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct CallArguments {
   std::string system;
   std::string subarchitecture;
   std::string type;
@@ -25,7 +25,7 @@ struct Arguments {
   bool json = false;
 };
 
-int call(const Arguments& arguments) {
+int call(const CallArguments& arguments) {
   auto x =
     ask_for_one(choose_system(arguments.system),
                 {{"do", "call"},
@@ -41,7 +41,7 @@ int call(const Arguments& arguments) {
 } // namespace
 
 void add_call(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CallArguments>();
   auto* command = inspection_command(
     app, "call", "send a request to a subarchitecture of a running system", arguments->system);
   command

@@ -44,7 +44,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct ChaosArguments {
   ArchitectureArguments architecture;
   std::string plan;
   std::string workload;
@@ -65,7 +65,7 @@ struct Arguments {
 /// `castor chaos`: prepares what all trials have in common, and makes one after the other.
 class Chaos {
 public:
-  Chaos(const Arguments& arguments, std::vector<std::string> plugins) : arguments_(arguments) {
+  Chaos(const ChaosArguments& arguments, std::vector<std::string> plugins) : arguments_(arguments) {
     setup_.plugins = std::move(plugins);
     setup_.compared = {{arguments.same.begin(), arguments.same.end()},
                        {arguments.but_for.begin(), arguments.but_for.end()}};
@@ -308,8 +308,8 @@ private:
     for (auto& x : arguments_.but_for)
       result += " --but-for " + x;
     for (auto& [option, value, otherwise] :
-         {std::tuple{"settle", arguments_.settle, Arguments{}.settle},
-          std::tuple{"bound", arguments_.bound, Arguments{}.bound}})
+         {std::tuple{"settle", arguments_.settle, ChaosArguments{}.settle},
+          std::tuple{"bound", arguments_.bound, ChaosArguments{}.bound}})
       if (value != otherwise)
         result += fmt::format(" --{} {}", option, value);
     return result;
@@ -337,7 +337,7 @@ private:
   Signals signals_;
   /// What components print is not among it.
   std::optional<JsonOutput> json_;
-  const Arguments& arguments_;
+  const ChaosArguments& arguments_;
   ChaosSetup setup_;
   /// The last run without faults; empty if none was made.
   FaultlessRun faultless_;
@@ -349,7 +349,7 @@ private:
 void add_chaos(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
   auto* command =
     app.add_subcommand("chaos", "run a system with injected faults and verify that it recovers");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ChaosArguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command
     ->add_option("--plan", arguments->plan,

@@ -29,7 +29,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   ArchitectureArguments architecture;
   std::string plan;
   std::string workload;
@@ -45,7 +45,7 @@ std::size_t count_components(const ArchitectureDescription& x) {
   return result;
 }
 
-int check(const Arguments& arguments) {
+int check(const CheckArguments& arguments) {
   auto parsed = parse_architecture(arguments.architecture);
   auto& architecture = parsed.architecture;
   auto findings = findings_in(parsed, arguments.architecture, Classes::all);
@@ -84,7 +84,7 @@ int check(const Arguments& arguments) {
 void add_check(CLI::App& app, Action& chosen) {
   auto* command =
     app.add_subcommand("check", "report the errors of a .cast file without running it");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command->add_option("--plan", arguments->plan, "check a fault plan against the system, too")
     ->type_name("FILE");

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view variable = "CASTOR_CHILD=";
+constexpr std::string_view child_variable = "CASTOR_CHILD=";
 
 /// Never destroyed: the process may be ended by force at any time.
 struct Children {
@@ -84,8 +84,8 @@ void kill_marked(const std::string& mark) {
 
 std::string new_child_mark() {
   static std::atomic<unsigned> number{0};
-  return std::string{variable} + std::to_string(getpid()) + '-' + std::to_string(++number) + '-' +
-         std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
+  return std::string{child_variable} + std::to_string(getpid()) + '-' + std::to_string(++number) +
+         '-' + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
 }
 
 void add_child(pid_t child, const std::string& mark) {
@@ -133,7 +133,7 @@ void kill_children() {
 void kill_own_descendants() {
   auto* mark = std::getenv("CASTOR_CHILD");
   if (mark)
-    kill_marked(std::string{variable} + mark);
+    kill_marked(std::string{child_variable} + mark);
 }
 
 } // namespace castor::cli

@@ -72,7 +72,7 @@ std::string suffix_of(const std::string& help) {
   return {};
 }
 
-Argument read(const CLI::Option& option) {
+Argument read_argument(const CLI::Option& option) {
   Argument result;
   for (auto& x : option.get_snames())
     result.names.push_back('-' + x);
@@ -122,7 +122,7 @@ void read_into(Command& command, const CLI::App& app) {
   for (auto* option : app.get_options({})) {
     if (option->get_group().empty())
       continue;
-    auto x = read(*option);
+    auto x = read_argument(*option);
     (x.names.empty() ? command.positionals : command.options).push_back(std::move(x));
   }
   for (auto* part : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -130,8 +130,8 @@ void read_into(Command& command, const CLI::App& app) {
       read_into(command, *part);
 }
 
-Command read(const CLI::App& app, std::vector<std::string> path,
-             const std::vector<Argument>& inherited) {
+Command read_command(const CLI::App& app, std::vector<std::string> path,
+                     const std::vector<Argument>& inherited) {
   Command result;
   result.path = std::move(path);
   result.help = app.get_description();
@@ -151,7 +151,7 @@ Command read(const CLI::App& app, std::vector<std::string> path,
       continue;
     auto part_path = result.path;
     part_path.push_back(part->get_name());
-    result.commands.push_back(read(*part, std::move(part_path), passed_on));
+    result.commands.push_back(read_command(*part, std::move(part_path), passed_on));
   }
   return result;
 }
@@ -165,7 +165,7 @@ void append(const Command& command, std::vector<const Command*>& result) {
 } // namespace
 
 Command command_tree(const CLI::App& app, const std::string& program) {
-  return read(app, {program}, {});
+  return read_command(app, {program}, {});
 }
 
 std::vector<const Command*> all_commands(const Command& command) {

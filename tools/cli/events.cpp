@@ -18,14 +18,14 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct EventsArguments {
   std::string system;
   bool json = false;
   bool wait = false;
   std::vector<std::string> filter;
 };
 
-int events(const Arguments& arguments) {
+int events(const EventsArguments& arguments) {
   return print_changes(choose_system(arguments.system),
                        {{"do", "events"},
                         {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))},
@@ -36,7 +36,7 @@ int events(const Arguments& arguments) {
 } // namespace
 
 void add_events(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EventsArguments>();
   auto* command = inspection_command(
     app, "events", "print the change events of a running system as they happen", arguments->system);
   command

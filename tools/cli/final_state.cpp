@@ -12,9 +12,7 @@ namespace castor::cli {
 
 namespace {
 
-using Json = nlohmann::json;
-
-void leave_out(Json& x, const std::set<std::string>& names) {
+void leave_out(nlohmann::json& x, const std::set<std::string>& names) {
   if (x.is_object())
     for (auto& name : names)
       x.erase(name);
@@ -40,7 +38,7 @@ std::vector<std::string> state_of(System& system, const ComparedEntries& compare
     for (auto& entry : system.entries(name)) {
       if (compared.types.count(entry->type_name()) == 0)
         continue;
-      auto content = Json::parse(to_json(entry->value));
+      auto content = nlohmann::json::parse(to_json(entry->value));
       leave_out(content, compared.ignored);
       result.push_back(name + ' ' + entry->type_name() + ' ' + content.dump());
     }

@@ -9,7 +9,7 @@ namespace castor::cli {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_for_fish(std::string_view text) {
   std::string result = "'";
   for (auto c : text) {
     if (c == '\'' || c == '\\')
@@ -20,12 +20,13 @@ std::string quoted(std::string_view text) {
 }
 
 /// What is offered as the value, as options of `complete`.
-std::string value_of(const Argument& x, const std::string& program) {
+std::string value_options(const Argument& x, const std::string& program) {
   switch (x.kind) {
     case ValueKind::flag:
       return {};
     case ValueKind::choice:
-      return fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(x.choices, " "))));
+      return fmt::format(" -x -a {}",
+                         quoted_for_fish(fmt::format("{}", fmt::join(x.choices, " "))));
     case ValueKind::file:
       if (x.suffix.empty())
         return " -r -F";
@@ -48,30 +49,30 @@ std::string lines_of(const Command& command) {
   std::string result;
   for (auto& x : command.commands)
     result += fmt::format("complete -c {} -n '__{}_at \"{} 1\"' -f -a {} -d {}\n", program, program,
-                          path, x.path.back(), quoted(x.help));
+                          path, x.path.back(), quoted_for_fish(x.help));
   for (auto* options : {&command.options, &command.inherited})
     for (auto& x : *options) {
       std::string spellings;
       for (auto& name : x.names)
         spellings += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
       result += fmt::format("complete -c {} -n '__{}_at \"{}\"'{}{} -d {}\n", program, program,
-                            path, spellings, value_of(x, program), quoted(x.help));
+                            path, spellings, value_options(x, program), quoted_for_fish(x.help));
     }
   int at = 0;
   for (auto& x : command.positionals) {
     ++at;
-    auto value = value_of(x, program);
+    auto value = value_options(x, program);
     if (x.kind == ValueKind::text)
       continue;
     result += fmt::format("complete -c {} -n '__{}_at \"{} {}{}\"'{} -d {}\n", program, program,
-                          path, at, x.repeatable ? "+" : "", value, quoted(x.help));
+                          path, at, x.repeatable ? "+" : "", value, quoted_for_fish(x.help));
   }
   return result;
 }
 
 /// Finds the command and the number of the positional argument at the cursor, as the completions
 /// below are conditioned on it.
-constexpr const char* driver = R"fish(
+constexpr const char* fish_driver = R"fish(
 # __PROGRAM_at "COMMAND [NUMBER[+]]": whether the cursor is in the command, and at the positional argument
 # of this number, or, with +, of this number or a later one
 function __PROGRAM_at
@@ -108,15 +109,15 @@ std::string fish_completion(const Command& program) {
   std::string lines;
   for (auto* x : all_commands(program)) {
     auto path = fmt::format("{}", fmt::join(x->path, " "));
-    commands += " \\\n    " + quoted(path);
+    commands += " \\\n    " + quoted_for_fish(path);
     for (auto* options : {&x->options, &x->inherited})
       for (auto& option : *options)
         for (auto& option_name : option.names)
           if (option.kind != ValueKind::flag)
-            valued += " \\\n    " + quoted(path + ' ' + option_name);
+            valued += " \\\n    " + quoted_for_fish(path + ' ' + option_name);
     lines += lines_of(*x);
   }
-  std::string rest = driver;
+  std::string rest = fish_driver;
   for (auto at = rest.find("PROGRAM"); at != rest.npos; at = rest.find("PROGRAM", at))
     rest.replace(at, 7, name);
   return fmt::format("# fish completion for {0}\n\n"

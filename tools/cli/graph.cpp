@@ -20,14 +20,14 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct GraphArguments {
   std::string system;
   bool json = false;
   std::string svg;
   std::string png;
 };
 
-int graph(const Arguments& arguments) {
+int graph(const GraphArguments& arguments) {
   auto system = choose_system(arguments.system);
   // What cannot be written is refused before anything is asked for.
   std::ofstream svg;
@@ -57,7 +57,7 @@ int graph(const Arguments& arguments) {
 } // namespace
 
 void add_graph(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GraphArguments>();
   auto* command = inspection_command(
     app, "graph", "draw which components write and read which types, as observed so far",
     arguments->system);

@@ -1,5 +1,6 @@
 #include "castor/tools/cli/graph_picture.hpp"
 
+#include "castor/base/markup.hpp"
 #include "castor/tools/cli/dot_string.hpp"
 
 #include <fmt/core.h>
@@ -26,23 +27,6 @@ constexpr std::size_t most_types = 6;
 
 std::string text(const Json& x) {
   return x.get<std::string>();
-}
-
-std::string escaped(const std::string& x) {
-  std::string result;
-  for (char c : x) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 /// As an arrow's label: one type on a line, with a margin to the arrow.

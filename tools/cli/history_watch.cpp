@@ -1,6 +1,7 @@
 #include "castor/tools/cli/history_watch.hpp"
 
 #include "castor/actors/node/working_memory_class.hpp"
+#include "castor/tools/chaos/recorded_commands.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -97,6 +98,9 @@ HistoryWatch::judge(const std::function<void(const std::string& name)>& begin) c
                                   told == told_.end() ? nothing : told->second);
     });
   }
+  const auto commands = faults::read_commands(folder_);
+  if (!commands.empty())
+    add("commands with valid tokens", [&] { return faults::judge_commands(commands, recording); });
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace castor::cli {
 
 namespace {
 
-std::string text(const Json& x) {
+std::string value_text(const Json& x) {
   return x.is_string() ? x.get<std::string>() : x.dump();
 }
 
@@ -23,7 +23,7 @@ std::string text(const Json& x) {
 std::vector<std::string> cells(const Json& x, const std::vector<const char*>& keys) {
   std::vector<std::string> result;
   for (auto* key : keys)
-    result.push_back(x.contains(key) ? text(x[key]) : "");
+    result.push_back(x.contains(key) ? value_text(x[key]) : "");
   return result;
 }
 
@@ -70,6 +70,8 @@ std::string components_as_text(const Json& report) {
     table.add(row);
     if (auto failure = x["failure"].get<std::string>(); !failure.empty())
       table.remark(failure);
+    if (auto obeys = x["obeys"].get<std::string>(); !obeys.empty())
+      table.remark("obeys " + obeys);
   }
   return table.text();
 }
@@ -79,10 +81,10 @@ std::string working_memories_as_text(const Json& report) {
   for (auto& x : report["working_memories"]) {
     auto row = cells(x, {"subarchitecture", "node", "entries", "filters", "leases", "waiting"});
     auto& journal = x["journal"];
-    row.push_back(text(journal["mode"]));
+    row.push_back(value_text(journal["mode"]));
     if (journal.contains("bytes"))
-      row.back() +=
-        fmt::format(", {}, {} unsynced", megabytes(journal["bytes"]), text(journal["unsynced"]));
+      row.back() += fmt::format(", {}, {} unsynced", megabytes(journal["bytes"]),
+                                value_text(journal["unsynced"]));
     if (journal.contains("failure"))
       row.back() = "FAILED";
     table.add(row);
@@ -110,10 +112,10 @@ std::string links_as_text(const Json& report) {
     for (auto& x : node["links"]) {
       auto row =
         cells(x, {"to", "state", "events_out", "events_in", "messages_out", "messages_in"});
-      row.front() = text(node["name"]) + " - " + row.front();
+      row.front() = value_text(node["name"]) + " - " + row.front();
       row.push_back(megabytes(x["bytes_out"]));
       row.push_back(megabytes(x["bytes_in"]));
-      row.push_back(text(x["connections"]));
+      row.push_back(value_text(x["connections"]));
       row.push_back(megabytes(x["unacknowledged"]));
       table.add(row);
     }
@@ -126,16 +128,16 @@ std::string counts(const Json& x, const std::vector<const char*>& keys) {
   std::string result;
   for (auto* key : keys)
     if (x[key] != 0)
-      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", key, text(x[key]));
+      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", key, value_text(x[key]));
   return result;
 }
 
 } // namespace
 
 std::string system_as_text(const Json& report, bool stats) {
-  auto result =
-    fmt::format("{}: process {}, {:.1f} s old, {}\n\n", text(report["system"]),
-                text(report["process"]), report["age"].get<double>(), text(report["file"]));
+  auto result = fmt::format("{}: process {}, {:.1f} s old, {}\n\n", value_text(report["system"]),
+                            value_text(report["process"]), report["age"].get<double>(),
+                            value_text(report["file"]));
   result += nodes_as_text(report) + '\n' + components_as_text(report) + '\n' +
             working_memories_as_text(report);
   if (!stats)
@@ -167,20 +169,22 @@ std::string usage_as_dot(const Json& report, const std::vector<Json>& accesses) 
   std::map<std::string, std::set<std::string>> types;
   std::set<std::string> known;
   for (auto& x : report["components"]) {
-    auto name = text(x["name"]);
+    auto name = value_text(x["name"]);
     known.insert(name);
     // Task managers alone are no news.
-    components[text(x["subarchitecture"])];
+    components[value_text(x["subarchitecture"])];
   }
-  auto type_of = [](const Json& x) { return text(x["subarchitecture"]) + '/' + text(x["type"]); };
+  auto type_of = [](const Json& x) {
+    return value_text(x["subarchitecture"]) + '/' + value_text(x["type"]);
+  };
   std::string edges;
   std::set<std::string> used;
   for (auto& x : accesses) {
-    auto component = text(x["component"]);
+    auto component = value_text(x["component"]);
     if (known.count(component) == 0)
       continue;
     used.insert(component);
-    types[text(x["subarchitecture"])].insert(type_of(x));
+    types[value_text(x["subarchitecture"])].insert(type_of(x));
     if (auto label = counts(x, {"adds", "overwrites", "deletes"}); !label.empty())
       edges += fmt::format("  {} -> {} [label={}];\n", dot_string(component),
                            dot_string(type_of(x)), dot_string(label));
@@ -189,9 +193,9 @@ std::string usage_as_dot(const Json& report, const std::vector<Json>& accesses) 
                            dot_string(component), dot_string(label));
   }
   for (auto& x : report["components"])
-    if (used.count(text(x["name"])) > 0)
-      components[text(x["subarchitecture"])].insert(text(x["name"]));
-  std::string result = "digraph " + dot_string(text(report["system"])) +
+    if (used.count(value_text(x["name"])) > 0)
+      components[value_text(x["subarchitecture"])].insert(value_text(x["name"]));
+  std::string result = "digraph " + dot_string(value_text(report["system"])) +
                        " {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n"
                        "  edge [fontname=\"sans-serif\", fontsize=10];\n";
   for (auto& [subarchitecture, names] : components) {

@@ -1,6 +1,7 @@
 #include "castor/actors/runtime/push_log.hpp"
 #include "castor/actors/system/inspection_json.hpp"
 #include "castor/actors/system/known_names.hpp"
+#include "castor/base/duration.hpp"
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/inspection_text.hpp"
 #include "castor/tools/cli/journal_export.hpp"
@@ -45,7 +46,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct JournalArguments {
   std::string file;
   std::vector<std::string> files;
   std::vector<std::string> filter;
@@ -54,14 +55,10 @@ struct Arguments {
   bool full = false;
 };
 
-using ArgumentsPtr = std::shared_ptr<Arguments>;
+using JournalArgumentsPtr = std::shared_ptr<JournalArguments>;
 
 /// Byte fields are shown up to this length, unless everything is wanted.
 constexpr std::size_t shown_bytes = 64;
-
-double seconds(UnixTime x) {
-  return std::chrono::duration<double>(x).count();
-}
 
 std::string date(UnixTime x) {
   return fmt::format("{:%Y-%m-%d %H:%M:%S}",
@@ -123,8 +120,8 @@ void list_journal(const std::filesystem::path& file, bool as_json, Table& table)
                             {"entries", entries},
                             {"changes", x.changes},
                             {"sequence", x.sequence},
-                            {"first", seconds(x.first)},
-                            {"last", seconds(x.last)},
+                            {"first", in_seconds(x.first)},
+                            {"last", in_seconds(x.last)},
                             {"bytes", x.bytes},
                             {"session", x.session},
                             {"incarnation", x.incarnation},
@@ -161,7 +158,7 @@ void list_pushes(const std::filesystem::path& file, bool as_json, Table& table) 
              std::to_string(x.dropped), std::to_string(x.lost), file.string()});
 }
 
-int list(const Arguments& arguments) {
+int list_journals(const JournalArguments& arguments) {
   Table journals{{"subarchitecture", ">entries", ">changes", "first", "last", ">size", ">sessions",
                   ">incarnation", "state", "file"}};
   Table pushes{{"stand-alone component", ">pushes", ">pulls", "first", "last", ">size", ">dropped",
@@ -226,7 +223,7 @@ private:
   std::unordered_map<Address, Value> contents_;
 };
 
-int show(const Arguments& arguments) {
+int show_journal(const JournalArguments& arguments) {
   Sieve sieve{arguments.filter};
   auto most = arguments.full ? std::numeric_limits<std::size_t>::max() : shown_bytes;
   bool coloured = isatty(STDOUT_FILENO) != 0;
@@ -267,7 +264,7 @@ int show(const Arguments& arguments) {
 
 template <class F>
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& help, Action& chosen,
-                  const ArgumentsPtr& arguments, F f) {
+                  const JournalArgumentsPtr& arguments, F f) {
   auto* result = app.add_subcommand(name, help);
   on_call(*result, chosen, arguments, f);
   return result;
@@ -283,18 +280,18 @@ void add_journal(CLI::App& app, Action& chosen) {
     "A working memory keeps a journal if its WM line says --journal full or --journal "
     "batched; --journal-keep makes it a recording.");
 
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<JournalArguments>();
   auto* ls = command(*journal, "ls", "list journals and recordings, and check their integrity",
-                     chosen, arguments, list);
+                     chosen, arguments, list_journals);
   ls->add_option("PLACE", arguments->files,
                  "journals and files of pushes, or folders with some; otherwise `journals`")
     ->type_name("FILE|DIR");
   ls->add_flag("--json", arguments->json, "print JSON, one object on a line");
   ls->footer("Example: castor journal ls recordings");
 
-  arguments = std::make_shared<Arguments>();
+  arguments = std::make_shared<JournalArguments>();
   auto* show_command =
-    command(*journal, "show", "print the changes, or the entries", chosen, arguments, show);
+    command(*journal, "show", "print the changes, or the entries", chosen, arguments, show_journal);
   show_command->add_option("FILE", arguments->file, "the journal")->required()->type_name("");
   show_command
     ->add_option("FILTER", arguments->filter,

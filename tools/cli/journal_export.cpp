@@ -30,7 +30,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct JournalExportArguments {
   std::vector<std::string> places;
   std::string mcap;
   std::string jsonl;
@@ -109,7 +109,7 @@ private:
   Progress progress_{"export"};
 };
 
-void export_mcap(const Arguments& arguments, const ReplaySource& source) {
+void export_mcap(const JournalExportArguments& arguments, const ReplaySource& source) {
   McapExport to{arguments.mcap};
   ExportProgress progress{source};
   auto add = [&](const std::string& name, auto& x) {
@@ -120,7 +120,7 @@ void export_mcap(const Arguments& arguments, const ReplaySource& source) {
   to.close();
 }
 
-void export_jsonl(const Arguments& arguments, const ReplaySource& source) {
+void export_jsonl(const JournalExportArguments& arguments, const ReplaySource& source) {
   std::ofstream file;
   if (arguments.jsonl != "-")
     file = create(arguments.jsonl);
@@ -153,7 +153,7 @@ void print_written(const char* format, const std::string& file, const RecordingC
   fmt::print("{}\n", line.dump());
 }
 
-int export_changes(const Arguments& arguments) {
+int export_changes(const JournalExportArguments& arguments) {
   if (arguments.mcap.empty() && arguments.jsonl.empty())
     throw std::runtime_error("say what to write: --mcap OUT or --jsonl OUT");
   auto source = find_replay_source(arguments.places);
@@ -173,7 +173,7 @@ int export_changes(const Arguments& arguments) {
 } // namespace
 
 void add_journal_export(CLI::App& journal, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<JournalExportArguments>();
   auto* command = journal.add_subcommand("export", "export a recording in another format");
   add_places_argument(*command, arguments->places);
   command

@@ -46,7 +46,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct Arguments {
+struct JournalReplayArguments {
   std::vector<std::string> places;
   std::string into;
   ArchitectureArguments architecture;
@@ -111,7 +111,7 @@ struct Plan {
   }
 };
 
-Plan plan_of(const Arguments& arguments) {
+Plan plan_of(const JournalReplayArguments& arguments) {
   Plan result;
   result.source = find_replay_source(arguments.places);
   result.speed = speed_of(arguments.speed);
@@ -149,9 +149,9 @@ void check_contents(const Plan& plan) {
 }
 
 /// What the user sees and does while it goes on.
-class Watch {
+class ReplayWatch {
 public:
-  Watch(const Plan& plan, std::function<bool()> interrupted)
+  ReplayWatch(const Plan& plan, std::function<bool()> interrupted)
     : plan_(plan), interrupted_(std::move(interrupted)) {}
 
   void see(const Json& x) {
@@ -215,7 +215,7 @@ int print_outcome(const Json& x, bool as_json) {
 std::optional<Json> replay_into(const RunningSystem& system, const Plan& plan,
                                 std::function<bool()> interrupted) {
   std::optional<Json> outcome;
-  Watch watch{plan, std::move(interrupted)};
+  ReplayWatch watch{plan, std::move(interrupted)};
   ask(
     system, plan.request(),
     [&](const Json& x) {
@@ -235,7 +235,8 @@ bool has_components(const ArchitectureDescription& architecture) {
 }
 
 /// Runs the system of a file, or that of the recording, without those whose writes are replayed.
-int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescription architecture) {
+int replay_into_own(const JournalReplayArguments& arguments, Plan plan,
+                    ArchitectureDescription architecture) {
   Signals signals;
   TimeLimit destruction;
   auto& source = plan.source;
@@ -316,7 +317,7 @@ int replay_into_own(const Arguments& arguments, Plan plan, ArchitectureDescripti
   return status;
 }
 
-int replay(const Arguments& arguments) {
+int replay(const JournalReplayArguments& arguments) {
   auto plan = plan_of(arguments);
   auto& config = arguments.architecture.file;
   if (!arguments.into.empty() && !config.empty())
@@ -358,7 +359,7 @@ int replay(const Arguments& arguments) {
 } // namespace
 
 void add_journal_replay(CLI::App& journal, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<JournalReplayArguments>();
   auto* command =
     journal.add_subcommand("replay", "replay recorded changes: in the recorded system, in that of "
                                      "a .cast file, or in a running one");

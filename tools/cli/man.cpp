@@ -29,7 +29,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct ManArguments {
   std::vector<std::string> command;
   std::filesystem::path output;
 };
@@ -68,7 +68,7 @@ const Command& find(const Command& program, const std::vector<std::string>& word
 }
 
 /// Lets man(1) show the page; false if that cannot be.
-bool show(const std::string& page) {
+bool show_page(const std::string& page) {
   auto* pipe = popen("man -l - 2>/dev/null", "w");
   if (!pipe)
     return false;
@@ -76,13 +76,13 @@ bool show(const std::string& page) {
   return pclose(pipe) == 0;
 }
 
-int man(const CLI::App& app, const Arguments& arguments) {
+int man(const CLI::App& app, const ManArguments& arguments) {
   auto program = command_tree(app, "castor");
   Edition edition{CASTOR_VERSION, date()};
   auto& command = find(program, arguments.command);
   if (arguments.output.empty()) {
     auto page = man_page(command, program, edition);
-    if (!isatty(STDOUT_FILENO) || !show(page))
+    if (!isatty(STDOUT_FILENO) || !show_page(page))
       std::fputs(page.c_str(), stdout);
     return success;
   }
@@ -104,7 +104,7 @@ int man(const CLI::App& app, const Arguments& arguments) {
 
 void add_man(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand("man", "show the manual page of a command");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ManArguments>();
   command
     ->add_option("COMMAND", arguments->command,
                  "which command, in as many words as it has; without it, castor itself")

@@ -1,6 +1,7 @@
 #include "castor/tools/cli/mcap_export.hpp"
 
 #include "castor/actors/system/inspection_json.hpp"
+#include "castor/base/duration.hpp"
 #include "castor/tools/cli/json_schema.hpp"
 #include "castor/tools/cli/recorded_change.hpp"
 #include "castor/wm/values/json.hpp"
@@ -64,10 +65,6 @@ void empty_long_bytes(Json& x) {
       empty_long_bytes(inner);
 }
 
-double seconds(UnixTime x) {
-  return std::chrono::duration<double>(x).count();
-}
-
 } // namespace
 
 std::string message_of(const std::string& subarchitecture, const JournalRecord& x) {
@@ -110,7 +107,7 @@ void McapExport::add(const std::string& provider, const RecordedPush& x) {
   options.max_bytes = told_bytes;
   auto value = Json::parse(to_json(x.value, options));
   empty_long_bytes(value);
-  Json message{{"time", seconds(x.time)},
+  Json message{{"time", in_seconds(x.time)},
                {"component", provider},
                {"pushed", x.pushed},
                {"type", type.name()},

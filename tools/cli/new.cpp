@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct NewArguments {
   std::string kind;
   std::string name;
   fs::path in = ".";
@@ -43,7 +43,7 @@ struct Arguments {
 }
 
 /// The files of what is to be made; throws std::invalid_argument if it cannot be.
-std::vector<ProjectFile> files_of(const Arguments& arguments, const ProjectName& name) {
+std::vector<ProjectFile> files_of(const NewArguments& arguments, const ProjectName& name) {
   auto files = project_files(arguments.kind, name);
   if (files.empty()) {
     auto kinds = template_kinds();
@@ -67,7 +67,7 @@ std::vector<ProjectFile> files_of(const Arguments& arguments, const ProjectName&
   return files;
 }
 
-void write(const fs::path& folder, const std::vector<ProjectFile>& files) {
+void write_files(const fs::path& folder, const std::vector<ProjectFile>& files) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(folder, error)))
     refuse(fmt::format("{} is there already: choose another name, or another folder with --in",
@@ -115,13 +115,13 @@ std::string missing_installation() {
   return is_in_path(executable) ? std::string{} : fmt::format("export PATH={}:$PATH", bin.string());
 }
 
-int make(const Arguments& arguments) {
+int make(const NewArguments& arguments) {
   auto name = project_name(arguments.name);
   if (!name.name)
     refuse(name.problem);
   auto files = files_of(arguments, *name.name);
   auto folder = (arguments.in / arguments.name).lexically_normal();
-  write(fs::absolute(folder), files);
+  write_files(fs::absolute(folder), files);
 
   auto preparation = missing_installation();
   const std::vector<std::string> commands{
@@ -157,7 +157,7 @@ int make(const Arguments& arguments) {
 void add_new(CLI::App& app, Action& chosen) {
   auto* command =
     app.add_subcommand("new", "create a project with a component, a subarchitecture or a robot");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<NewArguments>();
   command->add_option("KIND", arguments->kind, "what to make")
     ->required()
     ->type_name("component|subarchitecture|robot");

@@ -39,7 +39,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct Arguments {
+struct NodeArguments {
   std::string name;
   std::string listen = "127.0.0.1";
   std::string tls;
@@ -52,7 +52,7 @@ struct Arguments {
 };
 
 /// To people, or to the program that started the node.
-void announce(const Arguments& arguments, const std::string& name, const Endpoint& at) {
+void announce(const NodeArguments& arguments, const std::string& name, const Endpoint& at) {
   auto text = arguments.announce == STDOUT_FILENO
                 ? fmt::format("node {} listens at {}\n", name, to_string(at))
                 : to_string(at) + '\n';
@@ -89,7 +89,7 @@ std::shared_ptr<void> erase_progress() {
   return nullptr;
 }
 
-int node(Arguments arguments) {
+int node(NodeArguments arguments) {
   // Components that do not come back from their own code must not keep the process.
   Signals signals{{arguments.end_with_input, 5s}};
   // Whoever has started the node may be gone, and looks after nobody.
@@ -163,7 +163,7 @@ int node(Arguments arguments) {
 void add_node(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand(
     "node", "offer this process as a node that systems started elsewhere run components in");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<NodeArguments>();
   command
     ->add_option("--name", arguments->name,
                  "name of the node in .cast files; by default that of the machine")

@@ -1,5 +1,7 @@
 #include "castor/tools/cli/project_template.hpp"
 
+#include "castor/base/text.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,11 +32,6 @@ bool is_letter_or_digit(char x) {
 
 bool is_separator(char x) {
   return x == '-' || x == '_';
-}
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
 }
 
 std::string filled_in(std::string_view text, const ProjectName& name) {

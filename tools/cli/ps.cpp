@@ -16,13 +16,13 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct PsArguments {
   std::string system;
   bool json = false;
   bool stats = false;
 };
 
-int ps(const Arguments& arguments) {
+int ps(const PsArguments& arguments) {
   std::vector<RunningSystem> systems;
   if (arguments.system.empty())
     systems = running_systems();
@@ -41,7 +41,7 @@ int ps(const Arguments& arguments) {
 } // namespace
 
 void add_ps(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PsArguments>();
   auto* command = inspection_command(
     app, "ps", "show running systems: nodes, components, working memories", arguments->system);
   add_json_flag(*command, arguments->json);

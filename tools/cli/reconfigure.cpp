@@ -24,7 +24,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct ReconfigureArguments {
   std::string system;
   bool json = false;
   /// Of `add`.
@@ -47,7 +47,7 @@ std::string members_as_text(const Json& x) {
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, "; "));
 }
 
-int change(const Arguments& arguments, const Json& request, const char* verb) {
+int change_system(const ReconfigureArguments& arguments, const Json& request, const char* verb) {
   auto system = choose_system(arguments.system);
   int status = success;
   bool done = false;
@@ -67,7 +67,7 @@ int change(const Arguments& arguments, const Json& request, const char* verb) {
   return status;
 }
 
-int add(const Arguments& arguments) {
+int add_parts(const ReconfigureArguments& arguments) {
   std::error_code error;
   const auto directory = std::filesystem::current_path(error);
   if (error)
@@ -76,22 +76,22 @@ int add(const Arguments& arguments) {
   Json variables = Json::object();
   for (auto& [name, value] : variables_of(arguments.architecture))
     variables[name] = value;
-  return change(arguments,
-                {{"do", "add"},
-                 {"file", (directory / arguments.architecture.file).string()},
-                 {"directory", directory.string()},
-                 {"variables", variables}},
-                "added");
+  return change_system(arguments,
+                       {{"do", "add"},
+                        {"file", (directory / arguments.architecture.file).string()},
+                        {"directory", directory.string()},
+                        {"variables", variables}},
+                       "added");
 }
 
-int remove(const Arguments& arguments) {
-  return change(arguments, {{"do", "remove"}, {"name", arguments.name}}, "removed");
+int remove_part(const ReconfigureArguments& arguments) {
+  return change_system(arguments, {{"do", "remove"}, {"name", arguments.name}}, "removed");
 }
 
 } // namespace
 
 void add_add(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReconfigureArguments>();
   auto* command = inspection_command(
     app, "add", "add the components of a .cast file to a running system", arguments->system);
   add_architecture_arguments(*command, arguments->architecture);
@@ -100,11 +100,11 @@ void add_add(CLI::App& app, Action& chosen) {
     "neither a WM nor a TM line.\nIf anything prevents that, the system is not changed.\n"
     "Example: castor add touch.cast --system playmate");
   add_json_flag(*command, arguments->json);
-  on_call(*command, chosen, arguments, add);
+  on_call(*command, chosen, arguments, add_parts);
 }
 
 void add_remove(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReconfigureArguments>();
   auto* command = inspection_command(
     app, "remove", "stop a component or a subarchitecture of a running system", arguments->system);
   command->add_option("NAME", arguments->name, "of the component or the subarchitecture")
@@ -112,7 +112,7 @@ void add_remove(CLI::App& app, Action& chosen) {
   add_json_flag(*command, arguments->json);
   command->footer("Examples: castor remove recogniser\n"
                   "          castor remove speech");
-  on_call(*command, chosen, arguments, remove);
+  on_call(*command, chosen, arguments, remove_part);
 }
 
 } // namespace castor::cli

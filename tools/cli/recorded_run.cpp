@@ -1,6 +1,7 @@
 #include "castor/tools/cli/recorded_run.hpp"
 
 #include "castor/actors/system/recording.hpp"
+#include "castor/base/duration.hpp"
 #include "castor/base/input_file.hpp"
 #include "castor/tools/cli/output.hpp"
 
@@ -77,10 +78,10 @@ void RecordingFolder::write(const RunFacts& x) const {
 }
 
 Json to_json(const PushLogSummary& x) {
-  auto seconds = [](UnixTime time) { return std::chrono::duration<double>(time).count(); };
-  return {{"provider", x.provider},    {"pushes", x.pushes},      {"pulls", x.pulls},
-          {"first", seconds(x.first)}, {"last", seconds(x.last)}, {"bytes", x.bytes},
-          {"dropped", x.dropped},      {"lost", x.lost}};
+  return {{"provider", x.provider},     {"pushes", x.pushes},
+          {"pulls", x.pulls},           {"first", in_seconds(x.first)},
+          {"last", in_seconds(x.last)}, {"bytes", x.bytes},
+          {"dropped", x.dropped},       {"lost", x.lost}};
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, const std::string& extension) {

@@ -46,7 +46,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct RunArguments {
   ArchitectureArguments architecture;
   RecordArguments record;
   std::string at_most;
@@ -73,7 +73,7 @@ struct Arguments {
 class Timeline {
 public:
   /// @param json where events are printed as JSON; null to print them as text
-  Timeline(const Arguments& arguments, JsonOutput* json)
+  Timeline(const RunArguments& arguments, JsonOutput* json)
     : print_(arguments.trace), coloured_(isatty(STDOUT_FILENO) != 0), json_(json) {
     if (!arguments.output.empty()) {
       file_ = create(arguments.output / "timeline.txt");
@@ -175,7 +175,7 @@ private:
 };
 
 /// Of HOST=ADDRESS[:PORT], by the addresses of the file.
-std::map<std::string, Endpoint> node_addresses(const Arguments& arguments,
+std::map<std::string, Endpoint> node_addresses(const RunArguments& arguments,
                                                const ArchitectureDescription& architecture) {
   std::map<std::string, Endpoint> result;
   for (auto& x : arguments.nodes) {
@@ -199,7 +199,7 @@ std::string nodes_of(const ArchitectureDescription& architecture) {
   return result;
 }
 
-int run(Arguments arguments, const std::vector<std::string>& plugins) {
+int run(RunArguments arguments, const std::vector<std::string>& plugins) {
   Signals signals;
   TimeLimit destruction;
   std::optional<JsonOutput> json;
@@ -332,7 +332,7 @@ int run(Arguments arguments, const std::vector<std::string>& plugins) {
 
 void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plugins) {
   auto* command = app.add_subcommand("run", "run the system that a .cast file describes");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   add_architecture_arguments(*command, arguments->architecture);
   command->add_option("--for", arguments->at_most, "stop after so long")
     ->type_name("DURATION")

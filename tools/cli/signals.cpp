@@ -139,9 +139,10 @@ std::atomic<int> status_of_alarm{1};
 }
 
 /// Turns what handlers have noted into requests.
-class Watch {
+class SignalWatch {
 public:
-  Watch(bool end_with_input, pid_t parent) : end_with_input_(end_with_input), parent_(parent) {}
+  SignalWatch(bool end_with_input, pid_t parent)
+    : end_with_input_(end_with_input), parent_(parent) {}
 
   [[noreturn]] void run() {
     for (;;) {
@@ -232,8 +233,8 @@ Signals::Signals(const Options& options) {
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
   try {
-    std::thread{[watch = Watch{options.end_with_input,
-                               options.end_with_input ? getppid() : 0}]() mutable {
+    std::thread{[watch = SignalWatch{options.end_with_input,
+                                     options.end_with_input ? getppid() : 0}]() mutable {
       watch.run();
     }}.detach();
   } catch (const std::system_error& e) {

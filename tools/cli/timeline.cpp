@@ -1,5 +1,6 @@
 #include "castor/tools/cli/timeline.hpp"
 
+#include "castor/base/duration.hpp"
 #include "castor/base/text.hpp"
 
 #include <fmt/core.h>
@@ -12,7 +13,7 @@ namespace castor::cli {
 
 namespace {
 
-constexpr std::string_view bold = "\033[1m";
+constexpr std::string_view bold_letters = "\033[1m";
 constexpr std::string_view green = "\033[32m";
 constexpr std::string_view yellow = "\033[33m";
 constexpr std::string_view red = "\033[31m";
@@ -43,10 +44,6 @@ std::string seconds(double x) {
   return fmt::format("{:.6f}", x);
 }
 
-double count(Timestamp x) {
-  return std::chrono::duration<double>(x).count();
-}
-
 std::string in_columns(std::string_view time, std::string_view subarchitecture,
                        std::string_view what, std::string_view of, std::string_view id,
                        std::string_view component, std::string_view detail) {
@@ -71,9 +68,9 @@ std::string change_line(double time, std::string_view subarchitecture, std::stri
 } // namespace
 
 std::string timeline_line(const ChangeEvent& event, bool coloured) {
-  return change_line(count(event.time), event.address.subarchitecture, to_string(event.operation),
-                     event.type_name(), event.address.id, event.source, event.version,
-                     event.coalesced, coloured);
+  return change_line(in_seconds(event.time), event.address.subarchitecture,
+                     to_string(event.operation), event.type_name(), event.address.id, event.source,
+                     event.version, event.coalesced, coloured);
 }
 
 std::string timeline_line(const nlohmann::ordered_json& event, bool coloured) {
@@ -84,7 +81,7 @@ std::string timeline_line(const nlohmann::ordered_json& event, bool coloured) {
 }
 
 std::string timeline_line(const TaskEvent& event, bool coloured) {
-  return painted(in_columns(seconds(count(event.time)), event.subarchitecture,
+  return painted(in_columns(seconds(in_seconds(event.time)), event.subarchitecture,
                             fmt::format("TASK {}", to_string(event.step)), event.task.name,
                             event.task.id, event.task.component, event.detail),
                  colour_of(event.step), coloured);
@@ -92,8 +89,8 @@ std::string timeline_line(const TaskEvent& event, bool coloured) {
 
 std::string timeline_head(bool coloured) {
   return painted(
-    in_columns("seconds", "subarch.", "operation", "type", "id", "component", "version"), bold,
-    coloured);
+    in_columns("seconds", "subarch.", "operation", "type", "id", "component", "version"),
+    bold_letters, coloured);
 }
 
 } // namespace castor::cli

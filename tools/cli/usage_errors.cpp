@@ -22,13 +22,13 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// The command that the line is about: "castor", "castor wm", "castor wm get".
-struct Command {
+struct ChosenCommand {
   const CLI::App* app;
   std::string name;
 };
 
-Command command_of(const CLI::App& app) {
-  Command result{&app, "castor"};
+ChosenCommand command_of(const CLI::App& app) {
+  ChosenCommand result{&app, "castor"};
   for (;;) {
     auto chosen = result.app->get_subcommands();
     if (chosen.empty())
@@ -39,7 +39,7 @@ Command command_of(const CLI::App& app) {
 }
 
 /// Those of the command and of all that it is a part of: they may stand behind it, too.
-std::vector<const CLI::Option*> options_of(const Command& command) {
+std::vector<const CLI::Option*> options_of(const ChosenCommand& command) {
   std::vector<const CLI::Option*> result;
   for (auto* app = command.app; app; app = app->get_parent())
     for (auto* x : app->get_options())
@@ -69,7 +69,7 @@ std::string nearest_of(std::string_view word, const Names& names) {
   return std::string{nearest(word, {names.begin(), names.end()})};
 }
 
-std::string unknown_option(const Command& command, const std::string& word) {
+std::string unknown_option(const ChosenCommand& command, const std::string& word) {
   auto name = word.substr(0, word.find('='));
   Names known;
   for (auto* x : options_of(command))
@@ -90,7 +90,7 @@ std::string unknown_option(const Command& command, const std::string& word) {
   return text + fmt::format("did you mean {}?", found);
 }
 
-std::string unknown_command(const Command& command, const std::string& word) {
+std::string unknown_command(const ChosenCommand& command, const std::string& word) {
   auto names = commands_of(*command.app);
   auto text = fmt::format("there is no command `{} {}`; ", command.name, word);
   if (auto guess = nearest_of(word, names); !guess.empty())
@@ -111,7 +111,7 @@ std::string positionals_of(const CLI::App& app) {
   return fmt::format("{}", fmt::join(result, " "));
 }
 
-std::string unexpected_argument(const Command& command, const std::string& word) {
+std::string unexpected_argument(const ChosenCommand& command, const std::string& word) {
   auto takes = positionals_of(*command.app);
   return fmt::format("{}: the argument {} is one too many; {}", command.name, word,
                      takes.empty()
@@ -119,7 +119,7 @@ std::string unexpected_argument(const Command& command, const std::string& word)
                        : "the command takes " + takes + " only; put names with blanks into quotes");
 }
 
-std::string something_missing(const Command& command) {
+std::string something_missing(const ChosenCommand& command) {
   auto names = commands_of(*command.app);
   if (!names.empty())
     return fmt::format("{} needs a command: {}; `{} --help` says what they do", command.name,
@@ -136,7 +136,7 @@ std::string something_missing(const Command& command) {
 }
 
 /// The option that a message of CLI11 begins with.
-const CLI::Option* option_of(const Command& command, std::string_view message) {
+const CLI::Option* option_of(const ChosenCommand& command, std::string_view message) {
   const CLI::Option* result = nullptr;
   std::size_t longest = 0;
   for (auto* x : options_of(command)) {
@@ -158,7 +158,7 @@ std::string name_of(const CLI::Option& x) {
 }
 
 /// An option that was written more often than it may be.
-const CLI::Option* repeated(const Command& command) {
+const CLI::Option* repeated(const ChosenCommand& command) {
   for (auto* x : options_of(command))
     if (static_cast<int>(x->results().size()) > x->get_items_expected_max() &&
         x->get_items_expected_max() > 0)
@@ -166,7 +166,7 @@ const CLI::Option* repeated(const Command& command) {
   return nullptr;
 }
 
-std::string wrong_count(const Command& command, const std::string& message) {
+std::string wrong_count(const ChosenCommand& command, const std::string& message) {
   if (auto* x = repeated(command))
     return fmt::format("{}: {} is written {} times; write it once", command.name, name_of(*x),
                        x->results().size());
@@ -179,7 +179,7 @@ std::string wrong_count(const Command& command, const std::string& message) {
                      x->get_type_name());
 }
 
-std::string wrong_value(const Command& command, const std::string& message) {
+std::string wrong_value(const ChosenCommand& command, const std::string& message) {
   auto* x = option_of(command, message);
   if (!x || x->results().empty())
     return fmt::format("{}: {}", command.name, message);
@@ -191,7 +191,7 @@ std::string wrong_value(const Command& command, const std::string& message) {
 }
 
 /// What a check of ours, or one of CLI11's, says of a value.
-std::string refused_value(const Command& command, const std::string& message) {
+std::string refused_value(const ChosenCommand& command, const std::string& message) {
   std::smatch part;
   // Of CLI::Range and CLI::PositiveNumber, whose numbers are not for people.
   if (std::regex_match(message, part, std::regex{"(.*): Value (.*) not in range (.*) to (.*)"})) {

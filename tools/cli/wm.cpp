@@ -19,7 +19,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct WmArguments {
   std::string system;
   bool json = false;
   bool full = false;
@@ -29,12 +29,12 @@ struct Arguments {
 };
 
 /// The types are known, or the system would have refused the request.
-void say_if_empty(const std::vector<Json>& entries, const Arguments& arguments) {
+void say_if_empty(const std::vector<Json>& entries, const WmArguments& arguments) {
   if (entries.empty())
     fmt::print(stderr, "there are no entries of {}\n", arguments.where);
 }
 
-void print_entries(const std::vector<Json>& entries, const Arguments& arguments) {
+void print_entries(const std::vector<Json>& entries, const WmArguments& arguments) {
   if (!arguments.json) {
     print(entries_as_text(entries));
     return;
@@ -43,7 +43,7 @@ void print_entries(const std::vector<Json>& entries, const Arguments& arguments)
     print(x.dump() + '\n');
 }
 
-int list_entries(const Arguments& arguments) {
+int list_entries(const WmArguments& arguments) {
   auto system = choose_system(arguments.system);
   if (!arguments.where.empty()) {
     auto entries = ask_for_all(system, entries_request(arguments.where));
@@ -60,7 +60,7 @@ int list_entries(const Arguments& arguments) {
   return success;
 }
 
-int get_entries(const Arguments& arguments) {
+int get_entries(const WmArguments& arguments) {
   auto system = choose_system(arguments.system);
   auto entries = ask_for_all(system, values_request(arguments.where, arguments.full));
   say_if_empty(entries, arguments);
@@ -69,7 +69,7 @@ int get_entries(const Arguments& arguments) {
   return success;
 }
 
-int watch_entries(const Arguments& arguments) {
+int watch_entries(const WmArguments& arguments) {
   auto request = values_request(arguments.where, arguments.full);
   request["do"] = "events";
   request["wait"] = arguments.wait;
@@ -78,14 +78,14 @@ int watch_entries(const Arguments& arguments) {
 }
 
 CLI::App* entry_command(CLI::App& wm, const std::string& name, const std::string& help,
-                        const std::shared_ptr<Arguments>& arguments) {
+                        const std::shared_ptr<WmArguments>& arguments) {
   auto* result = inspection_command(wm, name, help, arguments->system);
   add_where_option(*result, arguments->where);
   add_json_flag(*result, arguments->json);
   return result;
 }
 
-void add_full_flag(CLI::App& command, Arguments& arguments) {
+void add_full_flag(CLI::App& command, WmArguments& arguments) {
   command.add_flag("--full", arguments.full, "show byte fields, however long, as base64 text");
 }
 
@@ -94,7 +94,7 @@ void add_full_flag(CLI::App& command, Arguments& arguments) {
 void add_wm(CLI::App& app, Action& chosen) {
   auto* wm = app.add_subcommand("wm", "read and change the working memories of a running system");
   wm->require_subcommand(1);
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<WmArguments>();
   auto* ls = entry_command(*wm, "ls", "list entries", arguments);
   on_call(*ls, chosen, arguments, list_entries);
   auto* get = entry_command(*wm, "get", "print the values of entries", arguments);

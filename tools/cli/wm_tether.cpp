@@ -18,7 +18,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct TetherArguments {
   std::string system;
   bool json = false;
   /// SUBARCHITECTURE[/ID|TYPE]
@@ -63,7 +63,7 @@ std::string why_nothing_is_tethered(const std::string& where, const std::vector<
                      fmt::join(types, ", "));
 }
 
-int show_tethers(const Arguments& arguments) {
+int show_tethers(const TetherArguments& arguments) {
   auto system = choose_system(arguments.system);
   auto entries = tethered_entries(system);
   std::vector<Json> roots;
@@ -86,7 +86,7 @@ int show_tethers(const Arguments& arguments) {
 } // namespace
 
 void add_wm_tether(CLI::App& wm, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TetherArguments>();
   auto* command = inspection_command(
     wm, "tether",
     "follow tethers from binding's unions to the entries that they stand for, and back",

@@ -19,7 +19,7 @@ namespace castor::cli {
 
 namespace {
 
-struct Arguments {
+struct WmWriteArguments {
   std::string system;
   std::string where;
   std::string type;
@@ -30,9 +30,9 @@ struct Arguments {
   bool json = false;
 };
 
-using ArgumentsPtr = std::shared_ptr<Arguments>;
+using WmWriteArgumentsPtr = std::shared_ptr<WmWriteArguments>;
 
-int write(const Arguments& arguments, Json request, const char* what_was_done) {
+int request_write(const WmWriteArguments& arguments, Json request, const char* what_was_done) {
   auto [subarchitecture, id] = split_where(arguments.where);
   request["subarchitecture"] = subarchitecture;
   if (!id.empty())
@@ -52,27 +52,27 @@ int write(const Arguments& arguments, Json request, const char* what_was_done) {
   return success;
 }
 
-int add(const Arguments& arguments) {
-  return write(arguments,
-               {{"do", "write"},
-                {"type", arguments.type},
-                {"value", read_json(arguments.value)},
-                {"wait", arguments.wait}},
-               "added");
+int add_entry(const WmWriteArguments& arguments) {
+  return request_write(arguments,
+                       {{"do", "write"},
+                        {"type", arguments.type},
+                        {"value", read_json(arguments.value)},
+                        {"wait", arguments.wait}},
+                       "added");
 }
 
-int overwrite(const Arguments& arguments) {
-  return write(
+int overwrite_entry(const WmWriteArguments& arguments) {
+  return request_write(
     arguments,
     {{"do", "overwrite"}, {"value", read_json(arguments.value)}, {"merge", arguments.merge}},
     "overwrote");
 }
 
-int delete_entry(const Arguments& arguments) {
-  return write(arguments, {{"do", "delete"}}, "deleted");
+int delete_entry(const WmWriteArguments& arguments) {
+  return request_write(arguments, {{"do", "delete"}}, "deleted");
 }
 
-int list_types(const Arguments& arguments) {
+int list_types(const WmWriteArguments& arguments) {
   Json request{{"do", "types"}};
   if (!arguments.type.empty())
     request["type"] = arguments.type;
@@ -102,14 +102,14 @@ int list_types(const Arguments& arguments) {
   return success;
 }
 
-void add_version(CLI::App& command, const ArgumentsPtr& arguments) {
+void add_version(CLI::App& command, const WmWriteArgumentsPtr& arguments) {
   command
     .add_option("--version", arguments->version,
                 "only if the entry still has this version; `castor wm ls` shows it")
     ->type_name("N");
 }
 
-void add_value(CLI::App& command, const ArgumentsPtr& arguments) {
+void add_value(CLI::App& command, const WmWriteArgumentsPtr& arguments) {
   command
     .add_option("JSON", arguments->value,
                 "the value as `castor wm get` prints it; - reads it from standard input")
@@ -117,8 +117,8 @@ void add_value(CLI::App& command, const ArgumentsPtr& arguments) {
 }
 
 CLI::App* writing_command(CLI::App& wm, const std::string& name, const std::string& help,
-                          const char* where, const ArgumentsPtr& arguments, Action& chosen,
-                          int (*f)(const Arguments&)) {
+                          const char* where, const WmWriteArgumentsPtr& arguments, Action& chosen,
+                          int (*f)(const WmWriteArguments&)) {
   auto* result = inspection_command(wm, name, help, arguments->system);
   result->add_option("WHERE", arguments->where, "the subarchitecture, and the id of the entry")
     ->type_name(where)
@@ -131,9 +131,9 @@ CLI::App* writing_command(CLI::App& wm, const std::string& name, const std::stri
 } // namespace
 
 void add_wm_writes(CLI::App& wm, Action& chosen) {
-  auto arguments = std::make_shared<Arguments>();
-  auto* command =
-    writing_command(wm, "add", "add an entry", "SUBARCHITECTURE[/ID]", arguments, chosen, add);
+  auto arguments = std::make_shared<WmWriteArguments>();
+  auto* command = writing_command(wm, "add", "add an entry", "SUBARCHITECTURE[/ID]", arguments,
+                                  chosen, add_entry);
   command->add_option("TYPE", arguments->type, "of the entry; `castor wm types` lists them")
     ->required();
   add_value(*command, arguments);
@@ -146,9 +146,9 @@ void add_wm_writes(CLI::App& wm, Action& chosen) {
     "Examples: castor wm add kitchen Order '{\"dish\": \"soup\", \"table\": 4}'\n"
     "          castor wm add kitchen/order7 Order - < order.json");
 
-  arguments = std::make_shared<Arguments>();
+  arguments = std::make_shared<WmWriteArguments>();
   command = writing_command(wm, "overwrite", "overwrite an entry", "SUBARCHITECTURE/ID", arguments,
-                            chosen, overwrite);
+                            chosen, overwrite_entry);
   add_value(*command, arguments);
   add_version(*command, arguments);
   command->add_flag("--merge", arguments->merge,
@@ -159,13 +159,13 @@ void add_wm_writes(CLI::App& wm, Action& chosen) {
     "Examples: castor wm overwrite kitchen/order7 '{\"dish\": \"soup\", \"table\": 5}'\n"
     "          castor wm overwrite kitchen/order7 --merge '{\"table\": 5}' --version 3");
 
-  arguments = std::make_shared<Arguments>();
+  arguments = std::make_shared<WmWriteArguments>();
   command = writing_command(wm, "delete", "delete an entry", "SUBARCHITECTURE/ID", arguments,
                             chosen, delete_entry);
   add_version(*command, arguments);
   command->footer("Example: castor wm delete kitchen/order7");
 
-  arguments = std::make_shared<Arguments>();
+  arguments = std::make_shared<WmWriteArguments>();
   command = inspection_command(wm, "types", "list the entry types that the system knows",
                                arguments->system);
   command->add_option("TYPE", arguments->type,

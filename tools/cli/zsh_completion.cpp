@@ -9,7 +9,7 @@ namespace castor::cli {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_for_zsh(std::string_view text) {
   std::string result = "'";
   for (auto c : text)
     result += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
@@ -17,7 +17,7 @@ std::string quoted(std::string_view text) {
 }
 
 /// Text as a part of a specification of _arguments, where colons and brackets separate.
-std::string escaped(std::string_view text) {
+std::string escaped_for_zsh(std::string_view text) {
   std::string result;
   for (auto c : text) {
     if (c == ':' || c == '[' || c == ']' || c == '\\')
@@ -28,8 +28,8 @@ std::string escaped(std::string_view text) {
 }
 
 /// ":MESSAGE:ACTION" of what takes a value.
-std::string value_of(const Argument& x, const std::string& program) {
-  auto message = ':' + escaped(x.value) + ':';
+std::string value_action(const Argument& x, const std::string& program) {
+  auto message = ':' + escaped_for_zsh(x.value) + ':';
   switch (x.kind) {
     case ValueKind::flag:
       return {};
@@ -59,8 +59,8 @@ std::string specification(const Argument& option, const std::string& program) {
     auto text = option.repeatable ? "*" + name : others + name;
     if (option.kind != ValueKind::flag)
       text += is_long ? "=" : "+";
-    text += '[' + escaped(option.help) + ']' + value_of(option, program);
-    result += "    " + quoted(text) + " \\\n";
+    text += '[' + escaped_for_zsh(option.help) + ']' + value_action(option, program);
+    result += "    " + quoted_for_zsh(text) + " \\\n";
   }
   return result;
 }
@@ -79,10 +79,10 @@ std::string function_of(const Command& command) {
   if (command.commands.empty()) {
     for (auto& x : command.positionals)
       specifications += "    " +
-                        quoted((x.repeatable ? "*"
-                                : x.required ? ""
-                                             : ":") +
-                               value_of(x, program)) +
+                        quoted_for_zsh((x.repeatable ? "*"
+                                        : x.required ? ""
+                                                     : ":") +
+                                       value_action(x, program)) +
                         " \\\n";
     return fmt::format("{}() {{\n  _arguments -s \\\n{}    && return 0\n}}\n\n", name,
                        specifications);
@@ -90,8 +90,8 @@ std::string function_of(const Command& command) {
   std::string parts;
   std::string cases;
   for (auto& x : command.commands) {
-    auto part = escaped(x.path.back()) + ':' + x.help;
-    parts += "    " + quoted(part) + '\n';
+    auto part = escaped_for_zsh(x.path.back()) + ':' + x.help;
+    parts += "    " + quoted_for_zsh(part) + '\n';
     cases += fmt::format("        {}) {} ;;\n", x.path.back(), function_name(x));
   }
   return fmt::format("{}() {{\n"

@@ -12,12 +12,8 @@ namespace {
 
 constexpr std::size_t word_bits = 64;
 
-bool locks(const OperationRecord& x) {
-  return x.kind == OperationKind::lock || x.kind == OperationKind::try_lock;
-}
-
 bool obtained_lease(const OperationRecord& x) {
-  return locks(x) && !x.pending() && x.result.status == Status::ok;
+  return x.locks() && !x.pending() && x.result.status == Status::ok;
 }
 
 bool has_written(const OperationRecord& x) {
@@ -96,7 +92,7 @@ void EntrySearch::prepare(std::span<const OperationRecord> operations) {
   keeps_for_good_.assign(operations.size(), false);
   for (OperationIndex x = 0; x < operations.size(); ++x) {
     keeps_for_good_[x] =
-      locks(operations[x]) && operations[x].pending() && keeps_for_good(operations[x]);
+      operations[x].locks() && operations[x].pending() && keeps_for_good(operations[x]);
     if (obtained_lease(operations[x]) && operations[x].result.token != 0)
       previous_token_[x] =
         *std::prev(std::ranges::lower_bound(tokens_, operations[x].result.token));
@@ -254,7 +250,7 @@ EntrySearch::Fit EntrySearch::fit(const EntryState& state, OperationIndex x) con
     if (answer->status != Status::ok || only_looks(operation))
       return Fit::changes_nothing;
   }
-  return !locks(operation) || may_lock(state, x) ? Fit::possible : Fit::impossible;
+  return !operation.locks() || may_lock(state, x) ? Fit::possible : Fit::impossible;
 }
 
 EntrySearch::Fit EntrySearch::fit_lapse(const EntryState& state,
@@ -365,7 +361,7 @@ bool EntrySearch::keeps_for_good(const OperationRecord& lock) const {
     if (x.kind == OperationKind::remove)
       return lock.level == LockLevel::o && (x.pending() || x.result.status == Status::ok);
     return &x != &lock && x.client == lock.client &&
-           (locks(x) || (x.kind == OperationKind::lapse && x.token == 0));
+           (x.locks() || (x.kind == OperationKind::lapse && x.token == 0));
   });
 }
 

@@ -107,6 +107,8 @@ struct OperationRecord {
   /// Whether it may not have happened.
   bool may_be_left_out() const { return pending() || (kind == OperationKind::lapse && !mandatory); }
 
+  bool locks() const { return kind == OperationKind::lock || kind == OperationKind::try_lock; }
+
   bool may_wait() const { return kind == OperationKind::lock || kind == OperationKind::read; }
 
   /// Latest time at which it reached the working memory.

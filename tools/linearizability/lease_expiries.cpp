@@ -5,14 +5,6 @@
 
 namespace castor::linearizability {
 
-namespace {
-
-bool locks(const OperationRecord& x) {
-  return x.kind == OperationKind::lock || x.kind == OperationKind::try_lock;
-}
-
-} // namespace
-
 History possible_lease_expiries(const History& operations, Tick lease_duration,
                                 const std::map<Client, Tick>& ends, Tick end) {
   History result;
@@ -31,7 +23,7 @@ History possible_lease_expiries(const History& operations, Tick lease_duration,
   // A lease that was obtained several times lasts from the first.
   std::map<std::tuple<std::uint32_t, Client, Token>, const OperationRecord*> obtained;
   for (auto& x : operations) {
-    if (!locks(x))
+    if (!x.locks())
       continue;
     if (x.pending()) {
       add(x, 0, x.invoked);

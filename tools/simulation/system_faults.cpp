@@ -50,9 +50,9 @@ Fault local_fault(SeededRandom& random, bool journals) {
   if (kind < 11)
     return Hang{{random.one_of(components), {}}, milliseconds{random.between(10, 800)}};
   if (kind < 13)
-    return JumpClock{{random.one_of(subarchitectures)},
-                     random.below(3) == 0 ? -milliseconds{random.between(1, 500)}
-                                          : milliseconds{random.between(1, 2000)}};
+    return faults::JumpClock{{random.one_of(subarchitectures)},
+                             random.below(3) == 0 ? -milliseconds{random.between(1, 500)}
+                                                  : milliseconds{random.between(1, 2000)}};
   if (kind < 16)
     return SlowJournal{{random.one_of(subarchitectures)},
                        milliseconds{random.between(1, 200)},

@@ -31,9 +31,9 @@ constexpr double padding = 7;
 constexpr double compact_height = 20;
 constexpr double chip_height = 18;
 constexpr std::size_t most_lines = 4;
-/// Of the cards of a group of more than `few`.
+/// Of the cards of a group of more than `few_cards`.
 constexpr std::size_t lines_of_many = 2;
-constexpr std::size_t few = 2;
+constexpr std::size_t few_cards = 2;
 
 constexpr double small_side = 42;
 constexpr std::size_t most_small = 2;
@@ -106,7 +106,8 @@ private:
       }
       y = place_label(row, group, x, y);
       for (auto& z : group.shown)
-        y = place_card(row, column, z, x, y, group.shown.size() > few ? lines_of_many : most_lines);
+        y = place_card(row, column, z, x, y,
+                       group.shown.size() > few_cards ? lines_of_many : most_lines);
       if (!more.empty())
         y = place_chips(row, column, {{fmt::format("+ {} more", more.size()), more}}, x, y);
       y += gap;

@@ -12,13 +12,13 @@ namespace castor::timeline {
 namespace {
 
 /// How much a type tells, the most telling first.
-enum class Rank { scene, linked_elsewhere, linked, few, books };
+enum class KindRank { scene, linked_elsewhere, linked, few, books };
 
 /// Types in a working memory.
 using Kind = std::pair<std::string, std::string>;
 
 /// Of a type that nothing refers to, so many are few.
-constexpr std::size_t few = 2;
+constexpr std::size_t few_entries = 2;
 
 class Selector {
 public:
@@ -55,25 +55,26 @@ private:
       for (auto& x : cell)
         ++counts[kind_of(entry_of(x))];
       for (auto& [kind, count] : counts) {
-        auto& rank = ranks_.try_emplace(kind, Rank::few).first->second;
-        if (count > few)
-          rank = Rank::books;
+        auto& rank = ranks_.try_emplace(kind, KindRank::few).first->second;
+        if (count > few_entries)
+          rank = KindRank::books;
       }
     }
     for (auto& x : figure_.versions) {
       auto kind = kind_of(x.entry);
       for (auto i : x.links)
         if (auto linked = kind_of(i); linked != kind)
-          improve(linked, linked.first == kind.first ? Rank::linked : Rank::linked_elsewhere);
+          improve(linked,
+                  linked.first == kind.first ? KindRank::linked : KindRank::linked_elsewhere);
       if (!x.pictures.empty())
-        improve(kind, Rank::linked);
+        improve(kind, KindRank::linked);
       if (std::ranges::any_of(
             x.pictures, [&](std::size_t i) { return figure_.pictures[i].width >= large_from; }))
-        improve(kind, Rank::scene);
+        improve(kind, KindRank::scene);
     }
   }
 
-  void improve(const Kind& x, Rank rank) {
+  void improve(const Kind& x, KindRank rank) {
     auto& known = ranks_.try_emplace(x, rank).first->second;
     known = std::min(known, rank);
   }
@@ -92,7 +93,7 @@ private:
     std::ranges::stable_sort(result, {}, rank);
     std::size_t count = 0;
     for (auto& x : result) {
-      if (rank(x) == Rank::books)
+      if (rank(x) == KindRank::books)
         continue;
       choose(x, count, before);
       count += x.shown.size();
@@ -137,7 +138,7 @@ private:
 
   const Figure& figure_;
   const SelectionOptions& options_;
-  std::map<Kind, Rank> ranks_;
+  std::map<Kind, KindRank> ranks_;
   /// Who has ever referred to an entry.
   std::map<std::size_t, std::set<std::size_t>> referring_;
   /// In the stage that is looked at.

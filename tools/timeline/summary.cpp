@@ -17,13 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What is told, the most telling first.
-enum class Rank { speech, list, word, link, truth, number, count };
+enum class SnippetRank { speech, list, word, link, truth, number, count };
 
 /// Hypotheses that are less sure than this are left out of lists.
 constexpr double least_confidence = 0.1;
 
 struct Snippet {
-  Rank rank;
+  SnippetRank rank;
   std::string text;
 };
 
@@ -121,16 +121,16 @@ public:
   void tell(const std::string& field, const Json& x, std::vector<Snippet>& into) const {
     if (is_time(field) || is_picture(x))
       return;
-    auto add = [&](Rank rank, const std::string& text) {
+    auto add = [&](SnippetRank rank, const std::string& text) {
       if (!text.empty())
         into.push_back({rank, text});
     };
     if (x.is_string())
       tell_text(field, x.get<std::string>(), into);
     else if (x.is_boolean())
-      add(Rank::truth, x.get<bool>() ? words(field) : "");
+      add(SnippetRank::truth, x.get<bool>() ? words(field) : "");
     else if (x.is_number())
-      add(Rank::number, is_zero(x) ? "" : words(field) + ' ' + number(x));
+      add(SnippetRank::number, is_zero(x) ? "" : words(field) + ' ' + number(x));
     else if (is_address(x))
       tell_address(field, x, into);
     else if (x.is_object())
@@ -144,29 +144,29 @@ private:
     if (x.empty())
       return;
     if (is_id_(x))
-      into.push_back({Rank::link, named(field, arrow + x)});
+      into.push_back({SnippetRank::link, named(field, arrow + x)});
     else if (x.find(' ') != std::string::npos && !names_itself(field))
-      into.push_back({Rank::speech, "\u201c" + x + "\u201d"});
+      into.push_back({SnippetRank::speech, "\u201c" + x + "\u201d"});
     else
-      into.push_back({Rank::word, named(field, x)});
+      into.push_back({SnippetRank::word, named(field, x)});
   }
 
   static void tell_address(const std::string& field, const Json& x, std::vector<Snippet>& into) {
     auto id = x["id"].get<std::string>();
     if (!id.empty())
-      into.push_back(
-        {Rank::link, named(field, arrow + x["subarchitecture"].get<std::string>() + '/' + id)});
+      into.push_back({SnippetRank::link,
+                      named(field, arrow + x["subarchitecture"].get<std::string>() + '/' + id)});
   }
 
   void tell_record(const std::string& field, const Json& x, std::vector<Snippet>& into) const {
     if (auto word = hypothesis(x)) {
       if (auto text = word->text(); !text.empty())
-        into.push_back({Rank::word, named(field, text)});
+        into.push_back({SnippetRank::word, named(field, text)});
     } else if (all(x, &Json::is_number)) {
       if (!are_zeros(x))
-        into.push_back({Rank::number, named(field, tuple(x))});
+        into.push_back({SnippetRank::number, named(field, tuple(x))});
     } else {
-      auto rank = Rank::count;
+      auto rank = SnippetRank::count;
       auto text = in_line(x, {}, &rank);
       if (!text.empty())
         into.push_back({rank, named(field, text)});
@@ -179,7 +179,7 @@ private:
         return;
       auto text = x.size() <= most_numbers ? named(field, tuple(x))
                                            : fmt::format("{} {}", x.size(), words(field));
-      into.push_back({x.size() <= most_numbers ? Rank::number : Rank::count, text});
+      into.push_back({x.size() <= most_numbers ? SnippetRank::number : SnippetRank::count, text});
     } else if (all(x, &Json::is_string) && x.size() <= most_words) {
       std::string text;
       bool are_ids = true;
@@ -187,19 +187,19 @@ private:
         text += (text.empty() ? "" : ", ") + y.get<std::string>();
         are_ids = are_ids && is_id_(y);
       }
-      into.push_back(
-        {are_ids ? Rank::link : Rank::word, named(field, are_ids ? arrow + text : text)});
+      into.push_back({are_ids ? SnippetRank::link : SnippetRank::word,
+                      named(field, are_ids ? arrow + text : text)});
     } else if (std::all_of(x.begin(), x.end(), [](auto& y) { return hypothesis(y).has_value(); })) {
       std::string text;
       for (auto& y : x)
         if (auto word = hypothesis(y); word->confidence >= least_confidence)
           text += (text.empty() ? "" : ", ") + word->text();
       if (!text.empty())
-        into.push_back({Rank::list, named(field, text)});
+        into.push_back({SnippetRank::list, named(field, text)});
     } else if (all(x, &Json::is_object) && x.size() <= most_records) {
       tell_records(x, into);
     } else {
-      into.push_back({Rank::count, fmt::format("{} {}", x.size(), words(field))});
+      into.push_back({SnippetRank::count, fmt::format("{} {}", x.size(), words(field))});
     }
   }
 
@@ -216,7 +216,7 @@ private:
     }
     for (auto& kind : by_kind)
       for (auto& text : kind)
-        into.push_back({Rank::list, std::move(text)});
+        into.push_back({SnippetRank::list, std::move(text)});
   }
 
   /// What most of these records say of a field that is true or false is not worth telling.
@@ -233,7 +233,8 @@ private:
   }
 
   /// A record in few words; empty if there is nothing to it, or only a time.
-  std::string in_line(const Json& x, const std::map<std::string, bool>& usual, Rank* best) const {
+  std::string in_line(const Json& x, const std::map<std::string, bool>& usual,
+                      SnippetRank* best) const {
     std::vector<Snippet> parts;
     bool is_a_time = false;
     for (auto& [field, y] : x.items()) {
@@ -242,12 +243,12 @@ private:
       // As features of binding say it.
       if (y.is_boolean() && field == "negated") {
         if (y.get<bool>())
-          parts.insert(parts.begin(), {Rank::truth, "not"});
+          parts.insert(parts.begin(), {SnippetRank::truth, "not"});
         continue;
       }
       if (auto i = usual.find(field); y.is_boolean() && i != usual.end()) {
         if (y.get<bool>() != i->second)
-          parts.insert(parts.begin(), {Rank::truth, y.get<bool>() ? words(field) : "not"});
+          parts.insert(parts.begin(), {SnippetRank::truth, y.get<bool>() ? words(field) : "not"});
         continue;
       }
       tell(field, y, parts);
@@ -256,7 +257,7 @@ private:
       return {};
     std::string result;
     for (auto& part : parts) {
-      auto text = part.rank == Rank::word ? words(part.text) : part.text;
+      auto text = part.rank == SnippetRank::word ? words(part.text) : part.text;
       result += (result.empty() ? "" : " ") + text;
       if (best)
         *best = std::min(*best, part.rank);

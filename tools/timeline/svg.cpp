@@ -1,5 +1,6 @@
 #include "castor/tools/timeline/svg.hpp"
 
+#include "castor/base/duration.hpp"
 #include "castor/base/markup.hpp"
 #include "castor/tools/timeline/text_width.hpp"
 
@@ -64,10 +65,6 @@ std::string_view name_of(Fate x) {
       return "passed";
   }
   return {};
-}
-
-double seconds(Timestamp x) {
-  return std::chrono::duration<double>(x).count();
 }
 
 std::string text(std::string_view style, double x, double y, std::string_view content,
@@ -160,11 +157,11 @@ private:
       auto& stage = figure_.columns[i];
       auto left = x.x + 44;
       add(text("stage", left, x.y - 28, fmt::format("t = {}", i)));
-      add(
-        text("when", left, x.y - 11,
-             stage.end - stage.begin < std::chrono::milliseconds{10}
-               ? fmt::format("{:.3f} s", seconds(stage.begin))
-               : fmt::format("{:.2f} \u2013 {:.2f} s", seconds(stage.begin), seconds(stage.end))));
+      add(text(
+        "when", left, x.y - 11,
+        stage.end - stage.begin < std::chrono::milliseconds{10}
+          ? fmt::format("{:.3f} s", in_seconds(stage.begin))
+          : fmt::format("{:.2f} \u2013 {:.2f} s", in_seconds(stage.begin), in_seconds(stage.end))));
       if (i > 0)
         add(fmt::format("<line class=\"rule\" x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" "
                         "y2=\"{2:.1f}\"/>",

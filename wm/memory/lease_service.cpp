@@ -158,6 +158,7 @@ Outcome<LockStatus> LeaseService::status(const Address& address) const {
   if (auto* holding = table_.holding(address.id)) {
     result.level = holding->lease.level;
     result.holder = holding->holder;
+    result.token = holding->lease.token;
   }
   if (auto* waiting = table_.waiting(address.id))
     result.waiting = waiting->size();

@@ -92,6 +92,8 @@ struct LockQuery {
 struct LockStatus {
   std::optional<LockLevel> level;
   ClientPtr holder;
+  /// 0 for no lease.
+  LeaseToken token = 0;
   /// How many wait for it.
   std::uint64_t waiting = 0;
 };

@@ -120,7 +120,7 @@ const WireType* seek(Decoder& in, const TypeDescriptor& descriptor, const FieldP
 }
 
 template <class T>
-inline constexpr bool is_number =
+inline constexpr bool is_number_type =
   std::is_same_v<T, std::int64_t> || std::is_same_v<T, std::uint64_t> || std::is_same_v<T, double>;
 
 /// Exact, where a conversion of one side to the other's type would not be.
@@ -139,12 +139,12 @@ struct Order {
     return 0 <=> (*this)(b, a);
   }
   template <class Integer>
-  std::partial_ordering operator()(double a, Integer b) const requires(is_number<Integer>) {
+  std::partial_ordering operator()(double a, Integer b) const requires(is_number_type<Integer>) {
     // long double holds every 64-bit integer exactly on x86-64.
     return static_cast<long double>(a) <=> static_cast<long double>(b);
   }
   template <class Integer>
-  std::partial_ordering operator()(Integer a, double b) const requires(is_number<Integer>) {
+  std::partial_ordering operator()(Integer a, double b) const requires(is_number_type<Integer>) {
     return static_cast<long double>(a) <=> static_cast<long double>(b);
   }
   template <class A, class B>

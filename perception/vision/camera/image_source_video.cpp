@@ -28,7 +28,7 @@ void silence_opencv() {
 }
 
 /// In 8-bit B, G, R, whatever the capture delivers; nothing if it is no picture.
-std::optional<Image> to_image(const cv::Mat& frame) {
+std::optional<Image> image_of_frame(const cv::Mat& frame) {
   cv::Mat pixels = frame;
   if (pixels.empty() || pixels.dims != 2)
     return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<Image> read_frame(cv::VideoCapture& capture) {
     cv::Mat frame;
     if (!capture.read(frame))
       return std::nullopt;
-    return to_image(frame);
+    return image_of_frame(frame);
   } catch (const cv::Exception&) {
     return std::nullopt;
   }

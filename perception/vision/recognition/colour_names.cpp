@@ -18,13 +18,13 @@ namespace {
 
 constexpr int hues = 24;
 constexpr int saturations = 6;
-constexpr int values = 6;
-constexpr std::size_t names = 12;
+constexpr int value_steps = 6;
+constexpr std::size_t name_count = 12;
 
-using Shares = std::array<double, names>;
+using Shares = std::array<double, name_count>;
 
 /// Percentages, by hue, saturation, value and name.
-constexpr std::array<std::uint8_t, hues * saturations * values * names> table{
+constexpr std::array<std::uint8_t, hues * saturations * value_steps * name_count> colour_table{
 #include "castor/perception/vision/recognition/colour_table.inc"
 };
 
@@ -60,9 +60,10 @@ double hue_of(double b, double g, double r, double value, double range) {
 }
 
 void add_node(Shares& shares, int hue, int saturation, int value, double weight) {
-  const auto node = static_cast<std::size_t>((hue * saturations + saturation) * values + value);
-  for (std::size_t name = 0; name < names; ++name)
-    shares[name] += weight * table[node * names + name];
+  const auto node =
+    static_cast<std::size_t>((hue * saturations + saturation) * value_steps + value);
+  for (std::size_t name = 0; name < name_count; ++name)
+    shares[name] += weight * colour_table[node * name_count + name];
 }
 
 /// Trilinear interpolation in the table; sums to about 100.
@@ -71,7 +72,7 @@ Shares shares_of(double b, double g, double r) {
   const double range = value - std::min({b, g, r});
   const Between h = between_hues(hue_of(b, g, r, value, range));
   const Between s = between(value > 0 ? range / value : 0, saturations);
-  const Between v = between(value, values);
+  const Between v = between(value, value_steps);
   Shares shares{};
   for (const auto& [hue, hue_weight] : {std::pair(h.below, 1 - h.weight), {h.above, h.weight}}) {
     for (const auto& [sat, sat_weight] : {std::pair(s.below, 1 - s.weight), {s.above, s.weight}}) {
@@ -235,24 +236,24 @@ SurfacePixels surface_pixels(const Image& region, const Image& mask, const Colou
 
 /// By name: those of one family, orange and brown, or grey and white, differ by their
 /// brightness alone.
-constexpr std::array<std::size_t, names> families{0, 1, 2, 3, 4, 5, 6, 7, 1, 8, 9, 8};
+constexpr std::array<std::size_t, name_count> families{0, 1, 2, 3, 4, 5, 6, 7, 1, 8, 9, 8};
 
 /// Adds the powers of the shares that families have of the votes, scaled so that they sum to 1. How
 /// bright a surface would be in white light is not known so well: within a family, the shares stay.
 void add_confidences(const Shares& votes, double exponent, Shares& confidences) {
   Shares of_family{};
-  for (std::size_t name = 0; name < names; ++name)
+  for (std::size_t name = 0; name < name_count; ++name)
     of_family[families[name]] += votes[name];
   const double most = *std::max_element(of_family.begin(), of_family.end());
   Shares powers{};
   double sum = 0;
-  for (std::size_t name = 0; name < names; ++name) {
+  for (std::size_t name = 0; name < name_count; ++name) {
     const double family = of_family[families[name]];
     if (family > 0)
       powers[name] = std::pow(family / most, exponent) * votes[name] / family;
     sum += powers[name];
   }
-  for (std::size_t name = 0; name < names && sum > 0; ++name)
+  for (std::size_t name = 0; name < name_count && sum > 0; ++name)
     confidences[name] += powers[name] / sum;
 }
 
@@ -292,7 +293,7 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
     for (std::size_t i = 0; i < surface.pixels.size(); i += stride) {
       const cv::Vec3d colour = paint(surface.pixels[i], white, surface.tint, options);
       const Shares shares = shares_of(colour[0], colour[1], colour[2]);
-      for (std::size_t name = 0; name < names; ++name)
+      for (std::size_t name = 0; name < name_count; ++name)
         votes[name] += shares[name];
     }
     add_confidences(votes, options.typical_colours, confidences);
@@ -301,7 +302,7 @@ std::vector<Hypothesis> name_colour(const Image& region, const Image& mask,
   for (const double confidence : confidences)
     sum += confidence;
   std::vector<Hypothesis> result;
-  for (std::size_t name = 0; name < names; ++name) {
+  for (std::size_t name = 0; name < name_count; ++name) {
     if (confidences[name] > 0)
       result.push_back({colour_vocabulary()[name], confidences[name] / sum});
   }

@@ -17,7 +17,7 @@ namespace castor::vision {
 namespace {
 
 /// In units of the radius of the disc of the region's area.
-constexpr double tolerance = 0.08;
+constexpr double fit_tolerance = 0.08;
 constexpr double across_edge = 0.14;
 /// Of the thickness of flat pieces, in units of the width.
 constexpr double thin = 0.06;
@@ -36,7 +36,7 @@ void keep_better(std::optional<Fit>& best, std::optional<OutlineModel> model,
                  const Support& outline, double radius) {
   if (!model)
     return;
-  const Alignment alignment = align(model->support, outline, tolerance * radius);
+  const Alignment alignment = align(model->support, outline, fit_tolerance * radius);
   if (!best || alignment.deviation < best->alignment.deviation)
     best = Fit{std::move(*model), alignment};
 }
@@ -173,7 +173,7 @@ private:
 
 double badness(const std::optional<Fit>& fit, double radius) {
   constexpr double floor = 0.5;
-  const double deviation = fit ? fit->alignment.deviation / radius : tolerance;
+  const double deviation = fit ? fit->alignment.deviation / radius : fit_tolerance;
   return std::log(100 * deviation + floor);
 }
 

@@ -16,7 +16,7 @@ namespace castor::vision {
 namespace {
 
 constexpr int directions = 24;
-constexpr int cells = 4;
+constexpr int grid_cells = 4;
 constexpr std::size_t bands = 8;
 constexpr int min_pixels = 12;
 
@@ -154,7 +154,7 @@ void measure_light(const Brightness& light, const Mask& mask, std::vector<double
     inside = mask;
   Mean all;
   Mean squares;
-  std::array<Mean, cells * cells> grid;
+  std::array<Mean, grid_cells * grid_cells> grid;
   std::array<Mean, bands> upper_columns;
   std::array<Mean, bands> lower_columns;
   std::array<Mean, bands> rows;
@@ -165,8 +165,9 @@ void measure_light(const Brightness& light, const Mask& mask, std::vector<double
       const auto value = static_cast<double>(light(y, x));
       all.add(value);
       squares.add(value * value);
-      grid[static_cast<std::size_t>(y * cells / mask.rows * cells + x * cells / mask.cols)].add(
-        value);
+      grid[static_cast<std::size_t>(y * grid_cells / mask.rows * grid_cells +
+                                    x * grid_cells / mask.cols)]
+        .add(value);
       const auto column = static_cast<std::size_t>(x) * bands / static_cast<std::size_t>(mask.cols);
       (2 * y < mask.rows ? upper_columns : lower_columns)[column].add(value);
       rows[static_cast<std::size_t>(y) * bands / static_cast<std::size_t>(mask.rows)].add(value);
@@ -188,7 +189,7 @@ std::vector<std::string> make_names() {
     names.push_back("support_" + std::to_string(i));
   names.insert(names.end(),
                {"solidity", "ellipse", "rectangle", "triangle", "corners_4", "corners_8"});
-  for (int i = 0; i < cells * cells; ++i)
+  for (int i = 0; i < grid_cells * grid_cells; ++i)
     names.push_back("light_" + std::to_string(i));
   names.insert(names.end(), {"variation", "step_upper", "smooth_upper", "step_lower",
                              "smooth_lower", "step_rows", "smooth_rows"});

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/perception/vision/tabletop/tabletop_scene_statement.hpp"
 
 namespace castor::vision {
 
@@ -14,12 +14,6 @@ namespace {
 
 /// How finely a move is looked at for collisions on the way.
 constexpr int samples_per_move = 25;
-
-std::string readable(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
 
 double seconds(SceneTime time) {
   return static_cast<double>(time.count()) / 1e6;

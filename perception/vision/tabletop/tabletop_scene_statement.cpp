@@ -25,12 +25,6 @@ const std::array<std::string, 6> scene_settings{"table", "camera", "image",
 const std::array<std::string, 3> object_clauses{"size", "turned", "name=..."};
 const std::array<std::string, 3> materials{"wood", "cloth", "plain"};
 
-std::string readable(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 std::string remedy_for(const std::string& word, std::span<const std::string> names,
                        const std::string& what) {
   const auto guess = did_you_mean(word, {names.begin(), names.end()});
@@ -117,6 +111,12 @@ std::vector<double> read_sizes(StatementWords& words, TabletopShape shape) {
 }
 
 } // namespace
+
+std::string readable(double number) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
 
 std::string joined(std::span<const std::string> names) {
   std::string result;

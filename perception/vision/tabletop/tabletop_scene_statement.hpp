@@ -124,6 +124,9 @@ SceneTime read_time(StatementWords& words);
 /// \throws StatementError
 SceneEvent read_event(StatementWords& words);
 
+/// The number with at most six digits, for messages.
+std::string readable(double number);
+
 /// The names, separated by commas.
 std::string joined(std::span<const std::string> names);
 

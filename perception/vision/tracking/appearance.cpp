@@ -18,7 +18,7 @@ namespace {
 /// Lightness is told less finely than the two axes of colour: it changes with every move under a
 /// lamp.
 constexpr std::array<int, 3> bins{8, 16, 16};
-constexpr int cells = bins[0] * bins[1] * bins[2];
+constexpr int histogram_cells = bins[0] * bins[1] * bins[2];
 
 using Histogram = std::vector<float>;
 
@@ -47,7 +47,7 @@ void spread(const cv::Vec3b& lab, F&& f) {
 
 /// Sums to the number of pixels that count.
 Histogram histogram(const cv::Mat& lab, const cv::Mat& mask) {
-  Histogram result(cells);
+  Histogram result(histogram_cells);
   for (int y = 0; y < lab.rows; ++y)
     for (int x = 0; x < lab.cols; ++x)
       if (mask.empty() || mask.at<std::uint8_t>(y, x) != 0)

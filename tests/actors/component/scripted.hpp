@@ -57,6 +57,7 @@ public:
   std::function<void(Scripted&, const TaskId&)> on_adopted;
   std::function<void(Scripted&, const TaskId&)> on_rejected;
 
+  using Base::command;
   using Base::component_name;
   using Base::end_component;
   using Base::end_system;
@@ -65,6 +66,7 @@ public:
   using Base::on_push;
   using Base::pull;
   using Base::sleep_for;
+  using Base::stream_command;
 
   // What follows exists in some of the bases only and is compiled where it is used.
   template <class... Ts>
@@ -204,6 +206,14 @@ public:
   template <class T, class... Ts>
   auto provide(Ts&&... xs) {
     return Base::template provide<T>(std::forward<Ts>(xs)...);
+  }
+  template <class T, class Argument, class F>
+  auto provide_for(F f) {
+    return Base::template provide<T, Argument>(std::move(f));
+  }
+  template <class T, class... Ts>
+  auto on_command(Ts&&... xs) {
+    return Base::template on_command<T>(std::forward<Ts>(xs)...);
   }
   template <class... Ts>
   auto push(Ts&&... xs) {

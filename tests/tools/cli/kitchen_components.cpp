@@ -80,6 +80,22 @@ class Cook final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Cook, "hears of orders and boils water")
 
+struct Heat {
+  int degrees = 0;
+};
+CASTOR_REFLECT(Heat, degrees)
+
+/// Obeys who holds the lease of an order.
+class Stove final : public StandaloneComponent {
+  void start() override {
+    on_command<Heat>([this](const Heat& x) { set(x.degrees); }, [this] { set(0); },
+                     {150ms, Address{"kitchen", "guarded"}});
+  }
+
+  void set(int degrees) { info("has {} degrees", degrees); }
+};
+CASTOR_COMPONENT(Stove, "is commanded")
+
 /// Keeps an order locked.
 class Guard final : public UnmanagedComponent {
   void run() override {

@@ -283,6 +283,44 @@ TEST_F(Operator, CallsAndIsAnswered) {
   }));
 }
 
+TEST_F(Operator, CommandsAnEffectorUnderItsLease) {
+  auto castor = start("COMPONENT CPP stove Stove\n");
+  ASSERT_EQ(ask({"wm", "add", "kitchen/guarded", "Order", soup}).status, 0);
+  auto once = ask({"command", "stove", "Heat", R"({"degrees": 90})"});
+  EXPECT_EQ(once.status, 0) << once.errors;
+  EXPECT_EQ(once.output, "stove has obeyed. It takes its safe state now.\n");
+  EXPECT_TRUE(castor->wait_for_output("has 90 degrees"));
+  EXPECT_TRUE(castor->wait_for_output("has 0 degrees"));
+  auto often = ask({"command", "stove", "Heat", R"({"degrees": 80})", "--for", "400ms", "--json"});
+  EXPECT_EQ(often.status, 0) << often.errors;
+  EXPECT_GT(json::parse(often.output)["commands"], 2);
+}
+
+TEST_F(Operator, SeesWhoIsObeyedUntilTheCommanderIsGone) {
+  auto castor = start("COMPONENT CPP stove Stove\n");
+  ASSERT_EQ(ask({"wm", "add", "kitchen/guarded", "Order", soup}).status, 0);
+  Process commander{command({"command", "stove", "Heat", R"({"degrees": 70})", "--for", "1h"})};
+  EXPECT_TRUE(
+    eventually([] { return ask({"ps"}).output.find("obeys " + me()) != std::string::npos; }));
+  commander.send_signal(SIGKILL);
+  EXPECT_TRUE(castor->wait_for_output("has 0 degrees"));
+  EXPECT_TRUE(eventually([] { return ask({"ps"}).output.find("obeys") == std::string::npos; }));
+}
+
+TEST_F(Operator, IsToldWhyACommandIsNotObeyed) {
+  auto castor = start("COMPONENT CPP stove Stove\n", "CPP UM guard Guard\n");
+  ASSERT_TRUE(castor->wait_for_output("guards"));
+  auto heat = [](const std::string& effector, const std::string& type, const std::string& value) {
+    return refused({"command", effector, type, value});
+  };
+  EXPECT_THAT(heat("stove", "Heat", R"({"degrees": 90})"),
+              HasSubstr("guard of kitchen holds a lease"));
+  EXPECT_THAT(heat("stov", "Heat", "{}"), HasSubstr("did you mean 'stove'?"));
+  EXPECT_THAT(heat("stove", "Het", "{}"), HasSubstr("did you mean 'Heat'?"));
+  EXPECT_THAT(heat("stove", "Heat", R"({"degree": 90})"), HasSubstr("did you mean 'degrees'?"));
+  EXPECT_THAT(heat("stove", "Order", soup), HasSubstr("stove obeys commands of the type Heat"));
+}
+
 TEST_F(Operator, IsToldWhyACallFails) {
   auto castor = start("SUBARCHITECTURE cellar\nCPP WM SubarchitectureWorkingMemory\n"
                       "CPP TM AlwaysPositiveTaskManager\n");
