@@ -260,6 +260,10 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
     return result;
+  // "Do you, robot?" names who is spoken to, and asks nothing of another thing.
+  if (const auto* root = find_nominal(move.content, move.content.root);
+      root == nullptr || root->proposition == "robot")
+    return result;
   if (unclear_) {
     auto clarified = *unclear_;
     if (clarify(clarified, asked_about_, move.content, antecedents))
