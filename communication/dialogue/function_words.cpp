@@ -374,8 +374,9 @@ private:
     if (std::ranges::any_of(words, [](auto& word) { return is_any(word, finite_verbs); }))
       return;
     for (auto i = begin; i < end; ++i)
-      for (const auto* verb : {"is", "are"})
-        result_.push_back(inserted(words, i, {verb}));
+      if (words[i] != "and" && words[i] != "or")
+        for (const auto* verb : {"is", "are"})
+          result_.push_back(inserted(words, i, {verb}));
   }
 
   /// "You see a ball", "how many balls you see".
