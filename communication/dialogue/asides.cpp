@@ -226,7 +226,8 @@ private:
     auto words = without_asides(said, lexicon());
     if (words.empty())
       words = without_asides(said, lexicon(), true);
-    if (words.empty())
+    // "Do you, robot?" says to whom.
+    if (words.empty() || words == WordList{"robot"})
       return std::nullopt;
     if (is_after_person && is_asked_for(begin, words.front())) {
       auto request = words;

@@ -7,6 +7,17 @@
 
 namespace castor::communication {
 
+namespace {
+
+/// "Lying" in "lying on the table": what it goes with means as much without it.
+bool says_nothing(const LexicalEntry& entry, const Lexicon& lexicon) {
+  const auto& category = lexicon.categories()[entry.category];
+  return entry.predications.empty() && !category.arguments.empty() &&
+         category.arguments.back().category == without_last_argument(category);
+}
+
+} // namespace
+
 EntryIndex::EntryIndex(const Lexicon& lexicon) {
   std::map<Key, std::size_t> frequency;
   for (const auto& entry : lexicon.entries())
@@ -15,7 +26,8 @@ EntryIndex::EntryIndex(const Lexicon& lexicon) {
   std::set<std::tuple<std::string_view, CategoryId, std::vector<Predication>>> known;
   for (std::uint32_t number = 0; number < lexicon.entries().size(); ++number) {
     const auto& entry = lexicon.entry(number);
-    if (!known.emplace(entry.family, entry.category, entry.predications).second)
+    if (says_nothing(entry, lexicon) ||
+        !known.emplace(entry.family, entry.category, entry.predications).second)
       continue;
     if (entry.predications.empty() || entry.phrase == quoted_word) {
       always_.push_back(number);

@@ -12,14 +12,14 @@ namespace castor::communication {
 
 /// The entries of a lexicon by what they mean, to find those that may express a given meaning
 /// without looking at all of them. Of the entries of a family that have the same category and mean
-/// the same, it has the first only.
+/// the same, it has the first only, and none that only makes a phrase longer.
 class EntryIndex {
 public:
   explicit EntryIndex(const Lexicon& lexicon);
 
   /// The entries that have no predication, or one that is among `said` but for its nominals, and
-  /// those of quoted words; in the lexicon's order. An entry all of whose predications are among
-  /// `said` is never missing.
+  /// those of quoted words; in the lexicon's order. An entry that has predications, all of them
+  /// among `said`, is never missing.
   std::vector<std::uint32_t> candidates(std::span<const Predication> said) const;
 
 private:

@@ -141,6 +141,8 @@ std::string plural_of(const std::string& noun, const Lexicon& lexicon) {
 /// A place where an article may be missing, and the articles, the likeliest first; empty for none.
 struct Gap {
   std::size_t position = 0;
+  /// Where the noun is.
+  std::size_t noun = 0;
   std::vector<std::string> articles;
 };
 
@@ -161,7 +163,7 @@ public:
         add_gap(i, noun);
         i = noun;
       } else if (is_bare_side(i) || is_bare_same(i))
-        gaps_.push_back({i, {"the"}});
+        gaps_.push_back({i, i, {"the"}});
   }
 
   /// With nouns in their number.
@@ -232,46 +234,43 @@ private:
     // "..., robot": who is spoken to.
     const bool is_called = words_[noun] == "robot" ||
                            (begin > 0 && words_[begin - 1] == "," && noun + 1 == words_.size());
-    const bool is_of_those = begin > 0 && is_any(words_[begin - 1], before_the_named) &&
-                             !(begin > 1 && uses_[begin - 2].is_count);
-    if (uses_[noun].is_plural && is_of_those)
-      gaps_.push_back({begin, {"the", ""}});
-    // "It is true that cube is red."
-    const bool may_be_clause = begin > 1 && words_[begin - 1] == "that";
-    if (may_be_clause && uses_[noun].is_singular) {
-      gaps_.push_back({begin, {"", "the"}});
+    if (is_called)
       return;
-    }
-    if (is_after_determiner(begin) || !uses_[noun].is_singular || is_called ||
-        (begin > 0 && begin == noun && is_in_phrase(begin)))
-      return;
+    if (auto articles = articles_of(begin, noun); !articles.empty())
+      gaps_.push_back({begin, noun, std::move(articles)});
+  }
+
+  /// What may be missing before a noun phrase; empty if nothing.
+  std::vector<std::string> articles_of(std::size_t begin, std::size_t noun) const {
     const auto before = begin > 0 ? std::string_view{words_[begin - 1]} : std::string_view{};
-    if ((before == "than" || before == "as") && are_numbers_compared()) {
-      gaps_.push_back({noun, {std::string{plural_mark}, "the"}});
-      return;
-    }
-    if (std::ranges::find(words_, "are") != words_.end() &&
-        (before == "are" || before == "not" || before == "n't")) {
-      gaps_.push_back({noun, {std::string{plural_mark}, "the"}});
-      return;
-    }
-    const bool is_after_noun = begin > 0 && uses_[begin - 1].is_noun();
+    const auto use_before = begin > 0 ? uses_[begin - 1] : WordUse{};
+    const bool is_after_count = begin > 1 && uses_[begin - 2].is_count;
+    if (uses_[noun].is_plural && is_any(before, before_the_named) && !is_after_count)
+      return {"the", ""};
+    if (!uses_[noun].is_singular)
+      return {};
+    // "It is true that cube is red", "the cube 's colour", "made of wood".
+    if ((before == "that" && begin > 1) || (before == "'s" && uses_[noun].is_part) ||
+        (before == "of" && uses_[noun].is_material))
+      return {"", "the"};
+    if (is_after_determiner(begin) || (begin > 0 && begin == noun && is_in_phrase(begin)))
+      return {};
+    const std::string plural{plural_mark};
+    if ((before == "than" || before == "as") && are_numbers_compared())
+      return {plural, "the"};
+    if ((before == "are" || before == "not" || before == "n't") &&
+        std::ranges::find(words_, "are") != words_.end())
+      return {plural, "the"};
+    if (use_before.is_noun())
+      return use_before.is_part ? std::vector<std::string>{"of the", "", "the"}
+                                : std::vector<std::string>{"", "a", "the"};
     // "The cube is toy", but not "what is colour".
     const bool is_predicate = begin > 1 && words_.front() != "which" &&
-                              (words_[begin - 1] == "is" || words_[begin - 1] == "'s") &&
+                              (before == "is" || before == "'s") &&
                               !is_any(words_[begin - 2], question_words);
-    const bool is_new = begin > 0 && (is_predicate || is_any(words_[begin - 1], introducing) ||
-                                      uses_[begin - 1].is_pronoun);
-    if (uses_[noun].is_material && begin > 0 && words_[begin - 1] == "of")
-      gaps_.push_back({begin, {"", "the"}});
-    else if (is_after_noun && uses_[begin - 1].is_part)
-      gaps_.push_back({begin, {"of the", "", "the"}});
-    else if (is_after_noun)
-      gaps_.push_back({begin, {"", "a", "the"}});
-    else if (is_new)
-      gaps_.push_back({begin, {"a", "the"}});
-    else
-      gaps_.push_back({begin, {"the"}});
+    if (is_predicate || is_any(before, introducing) || use_before.is_pronoun)
+      return {"a", "the"};
+    return {"the"};
   }
 
   Sentence words_;
@@ -304,8 +303,8 @@ std::vector<Sentence> with_articles(const NounPhrases& phrases, const Lexicon& l
       const auto& article = gaps[i].articles[choice[i]];
       const auto position = gaps[i].position;
       if (article == plural_mark) {
-        if (auto plural = plural_of(words[position], lexicon); !plural.empty())
-          words[position] = std::move(plural);
+        if (auto plural = plural_of(words[gaps[i].noun], lexicon); !plural.empty())
+          words[gaps[i].noun] = std::move(plural);
       } else if (const auto articles = words_of(article); !articles.empty())
         words.insert(words.begin() + static_cast<std::ptrdiff_t>(position), articles.begin(),
                      articles.end());
@@ -375,8 +374,9 @@ private:
     if (std::ranges::any_of(words, [](auto& word) { return is_any(word, finite_verbs); }))
       return;
     for (auto i = begin; i < end; ++i)
-      for (const auto* verb : {"is", "are"})
-        result_.push_back(inserted(words, i, {verb}));
+      if (words[i] != "and" && words[i] != "or")
+        for (const auto* verb : {"is", "are"})
+          result_.push_back(inserted(words, i, {verb}));
   }
 
   /// "You see a ball", "how many balls you see".

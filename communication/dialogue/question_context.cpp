@@ -126,6 +126,13 @@ bool is_about_any(const LogicalForm& fragment) {
   return root != nullptr && root->sort == "thing" && feature(*root, "Delimitation") == "any";
 }
 
+/// "The biggest thing" tells itself which one it is.
+bool is_selected(const LogicalForm& fragment) {
+  const auto* root = find_nominal(fragment, fragment.root);
+  return root != nullptr && root->sort == "thing" &&
+         dependent(fragment, *root, "Selection") != nullptr;
+}
+
 /// Whether a fragment was said as a question, which is not noted any more then.
 bool take_said_as_question(LogicalForm& fragment) {
   auto* root = find_nominal(fragment, fragment.root);
@@ -280,6 +287,21 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
           question.move.alternatives.push_back(std::move(other.move.content));
       return question;
     }
+  }
+  // "Biggest thing?"
+  if (is_selected(move.content)) {
+    const auto subject = result.move.content.root;
+    auto& selected = *find_nominal(result.move.content, subject);
+    if (feature(selected, "Delimitation").empty())
+      selected.features.push_back({"Delimitation", "unique"});
+    result.move.content.root = "existence";
+    result.move.content.nominals.push_back({"existence",
+                                            "existence",
+                                            "be",
+                                            {{"Mood", "int"}},
+                                            {{"Wh-Restr", subject}, {"Subject", subject}}});
+    result.move.type = DialogueMoveType::question_w;
+    return result;
   }
   // "Anything left of the ball?", "red things?"
   if (is_about_any(move.content) || is_question) {

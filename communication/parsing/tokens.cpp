@@ -85,7 +85,8 @@ void append_word(std::string word, std::vector<std::string>& words) {
   } else if (ends_with(word, "n't")) {
     words.insert(words.end(), {word.substr(0, word.size() - 3), "n't"});
   } else if (const auto mark = word.find('\''); mark != std::string::npos && mark > 0) {
-    words.insert(words.end(), {word.substr(0, mark), word.substr(mark)});
+    append_word(word.substr(0, mark), words);
+    words.push_back(word.substr(mark));
   } else {
     words.push_back(std::move(word));
   }

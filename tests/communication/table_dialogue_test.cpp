@@ -57,6 +57,36 @@ TEST(TableDialogue, WhatIsLeftOutIsWhatWasSaidBefore) {
   EXPECT_EQ(in_row({"Which are?"}), "I do not know what that is about.");
 }
 
+TEST(TableDialogue, PhrasesSaidAsQuestionsAskWhatThereIs) {
+  EXPECT_EQ(in_row({"A cube?"}), "Yes.");
+  EXPECT_EQ(in_row({"Green things?"}), "No.");
+  EXPECT_EQ(in_row({"Red ball."}), "What about it?");
+  EXPECT_EQ(in_row({"Smallest thing?"}), "There is a small blue cube.");
+  EXPECT_EQ(in_row({"How many balls are red?", "And blue cubes?"}), "There is one blue cube.");
+}
+
+TEST(TableDialogue, HastySpeechIsSaidBackIfMoreThanArticlesIsMissing) {
+  EXPECT_EQ(in_row({"is cube blue"}), "Yes.");
+  EXPECT_EQ(in_row({"where cube"}), "I take 'where cube' for 'where is the cube'. It is to the "
+                                    "right of the ball.");
+  EXPECT_EQ(in_row({"total object count"}), "There are three objects.");
+}
+
+TEST(TableDialogue, WhatBelongsToWhomIsNotKnown) {
+  EXPECT_EQ(in_row({"The ball belongs to Mia."}), "Ok.");
+  EXPECT_EQ(in_row({"The ball belongs to Mia.", "Who owns the ball?"}), "I do not know.");
+  EXPECT_EQ(in_row({"The cube is Mia's bed.", "Where is the bed?"}),
+            "It is to the right of the ball.");
+}
+
+TEST(TableDialogue, SmallTalkHasAnswers) {
+  EXPECT_EQ(in_row({"My name is Tom."}), "Hello.");
+  EXPECT_EQ(in_row({"Hiii robot!"}), "Hello.");
+  EXPECT_EQ(in_row({"Thank you so much, that was lovely."}), "You are welcome.");
+  EXPECT_EQ(in_row({"You are so clever!"}), "Thank you.");
+  EXPECT_EQ(in_row({"I'm off, see you tomorrow!"}), "Bye.");
+}
+
 TEST(TableDialogue, CorrectionsSayWhatWasMeant) {
   EXPECT_EQ(in_row({"What colour is the ball?", "No, not the ball, the cube."}), "It is blue.");
   EXPECT_EQ(in_row({"What colour is the ball?", "I meant the cube, not the ball."}), "It is blue.");
