@@ -79,18 +79,16 @@ TEST_P(SentencesLookedAt, AreAnsweredRightOrNotAtAll) {
   EXPECT_GE(result.total.right, right_at_least);
 }
 
-INSTANTIATE_TEST_SUITE_P(TableSentences, SentencesLookedAt,
-                         testing::Values(std::pair{std::string{"dev"}, std::size_t{226}},
-                                         std::pair{std::string{"visitors_dev"}, std::size_t{169}},
-                                         std::pair{std::string{"dev_2"}, std::size_t{113}},
-                                         std::pair{std::string{"visitors_dev_2"}, std::size_t{112}},
-                                         std::pair{std::string{"guests_dev"}, std::size_t{156}},
-                                         std::pair{std::string{"neighbours_dev"},
-                                                   std::size_t{155}},
-                                         std::pair{std::string{"neighbours_dev_2"},
-                                                   std::size_t{157}},
-                                         std::pair{std::string{"newcomers_dev"},
-                                                   std::size_t{205}}));
+INSTANTIATE_TEST_SUITE_P(
+  TableSentences, SentencesLookedAt,
+  testing::Values(std::pair{std::string{"dev"}, std::size_t{227}},
+                  std::pair{std::string{"visitors_dev"}, std::size_t{169}},
+                  std::pair{std::string{"dev_2"}, std::size_t{114}},
+                  std::pair{std::string{"visitors_dev_2"}, std::size_t{112}},
+                  std::pair{std::string{"guests_dev"}, std::size_t{175}},
+                  std::pair{std::string{"neighbours_dev"}, std::size_t{156}},
+                  std::pair{std::string{"neighbours_dev_2"}, std::size_t{157}},
+                  std::pair{std::string{"newcomers_dev"}, std::size_t{205}}));
 
 /// Sets that nobody has looked at who has changed the grammar.
 class SentencesNeverLookedAt : public testing::TestWithParam<std::pair<std::string, std::size_t>> {
@@ -103,6 +101,6 @@ TEST_P(SentencesNeverLookedAt, AreMostlyUnderstood) {
 
 INSTANTIATE_TEST_SUITE_P(TableSentences, SentencesNeverLookedAt,
                          testing::Values(std::pair{std::string{"students_heldout"},
-                                                   std::size_t{0}}));
+                                                   std::size_t{185}}));
 
 } // namespace castor::communication::test
