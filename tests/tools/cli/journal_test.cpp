@@ -148,7 +148,8 @@ TEST_F(JournalCommand, ReplaysIntoASystemWithoutItsSensors) {
   auto other = write("other.cast", "HOST localhost\nSUBARCHITECTURE a\n"
                                    "CPP WM SubarchitectureWorkingMemory\n"
                                    "CPP TM AlwaysPositiveTaskManager\n"
-                                   "CPP UM clock Clock --count 100\nCPP UM pair Broken\n");
+                                   "CPP UM clock Clock --count 100\n"
+                                   "CPP UM pair Broken --restart temporary\n");
   auto answer = ask({"journal", "replay", journal(), "--config", other, "--speed", "max"});
   // A component has failed.
   EXPECT_EQ(answer.status, 1) << answer.errors;
