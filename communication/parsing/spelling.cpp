@@ -104,7 +104,7 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
 /// "Sooo", "hiii", "cooool" without letters that are there to make it long; empty if that is no
 /// known word.
 std::string without_long_letters(const std::string& word, const Lexicon& lexicon) {
-  for (const std::size_t most : {2, 1}) {
+  for (const std::size_t most : {2U, 1U}) {
     std::string result;
     bool is_shorter = false;
     for (std::size_t begin = 0; begin < word.size();) {
