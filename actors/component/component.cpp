@@ -49,11 +49,25 @@ bool Component::is_running() {
 }
 
 bool Component::sleep_for(std::chrono::nanoseconds duration) {
-  return runtime().deliver(ComponentRuntime::Clock::now() + duration, nullptr);
+  return runtime().deliver(duration, nullptr);
+}
+
+TimerId Component::every(std::chrono::nanoseconds period, std::function<void()> f) {
+  if (period.count() <= 0)
+    throw std::invalid_argument("the period of a timer has to be more than 0 s");
+  return runtime().add_timer(period, std::move(f));
+}
+
+void Component::remove_timer(TimerId id) {
+  runtime().remove_timer(id);
 }
 
 Timestamp Component::now() const {
   return attached(runtime_).now();
+}
+
+TimeHold Component::hold_time() const {
+  return attached(runtime_).hold_time();
 }
 
 void Component::end_component() {

@@ -6,7 +6,9 @@
 #include "castor/actors/component/push_flow.hpp"
 #include "castor/actors/component/restart_type.hpp"
 #include "castor/actors/component/stop_patience.hpp"
+#include "castor/actors/component/timer_id.hpp"
 #include "castor/base/log.hpp"
+#include "castor/wm/clock/activity.hpp"
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/values/value.hpp"
@@ -86,8 +88,19 @@ protected:
   /// Waits, and delivers events that arrive meanwhile; false if the component was told to stop.
   bool sleep_for(std::chrono::nanoseconds duration);
 
-  /// Time since the start of the system.
+  /// Calls `f` every `period`, wherever callbacks are called, for the first time in one period. The
+  /// times do not drift; calls that were missed because this component was busy are left out.
+  /// Throws std::invalid_argument if the period is not positive.
+  TimerId every(std::chrono::nanoseconds period, std::function<void()> f);
+  void remove_timer(TimerId id);
+
+  /// Time since the start of the system, simulated if its clock is (docs/time.md).
   Timestamp now() const;
+
+  /// Keeps simulated time from going on as long as the result lives, while something goes on that
+  /// the runtime does not see, such as work of a thread of one's own. Does nothing if the clock is
+  /// real. May be called and destroyed on any thread.
+  TimeHold hold_time() const;
 
   /// Ends this component with its work done. It is started again only with `--restart permanent`,
   /// the default. Does not return.

@@ -6,12 +6,15 @@
 #include "castor/actors/component/connections.hpp"
 #include "castor/actors/component/operations.hpp"
 #include "castor/actors/component/task_link.hpp"
+#include "castor/actors/component/timer_id.hpp"
+#include "castor/wm/clock/activity.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace castor {
@@ -19,25 +22,29 @@ namespace castor {
 class SubarchitectureComponent;
 
 /// Interface of the runtime for one component. Used on the component's own thread only, except for
-/// the first three functions.
+/// the first four functions.
 class ComponentRuntime {
 public:
-  using Clock = std::chrono::steady_clock;
-
   virtual ~ComponentRuntime() = default;
 
   virtual const ComponentIdentity& identity() const = 0;
   /// Whether the calling thread is the one that runs the component.
   virtual bool is_own_thread() const = 0;
-  /// Time since the start of the system.
+  /// Time since the start of the system, simulated if its clock is.
   virtual Timestamp now() const = 0;
+  /// Keeps simulated time from going on as long as the result lives; nothing if the clock is real.
+  virtual TimeHold hold_time() const = 0;
 
   /// False from the moment the component was told to stop.
   virtual bool is_running() = 0;
 
-  /// Delivers what arrives until `until`, or until `enough` (may be empty) returns true after a
-  /// delivery; false if the component was told to stop.
-  virtual bool deliver(Clock::time_point until, const std::function<bool()>& enough) = 0;
+  /// Delivers what arrives for `duration`, without limit if there is no value, or until `enough`
+  /// (may be empty) returns true after a delivery; false if the component was told to stop.
+  virtual bool deliver(std::optional<std::chrono::nanoseconds> duration,
+                       const std::function<bool()>& enough) = 0;
+
+  virtual TimerId add_timer(std::chrono::nanoseconds period, std::function<void()> call) = 0;
+  virtual void remove_timer(TimerId id) = 0;
 
   /// Number of change callbacks that were called so far.
   virtual std::uint64_t callbacks() const = 0;

@@ -182,8 +182,7 @@ std::size_t SubarchitectureComponent::receiver_count() const {
 bool SubarchitectureComponent::wait_for_changes(std::optional<std::chrono::nanoseconds> timeout) {
   auto& r = runtime();
   auto before = r.callbacks();
-  auto patience = timeout.value_or(std::chrono::hours{24 * 365});
-  r.deliver(ComponentRuntime::Clock::now() + patience, [&] { return r.callbacks() > before; });
+  r.deliver(timeout, [&] { return r.callbacks() > before; });
   return r.callbacks() > before && r.is_running();
 }
 

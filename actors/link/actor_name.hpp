@@ -24,6 +24,9 @@ enum class WellKnownActor : std::uint32_t {};
 /// All numbers up to this one are for well-known actors.
 inline constexpr std::uint32_t last_well_known_number = 15;
 
+/// The simulated clock of a process. Messages to it are no business of the clocks.
+inline constexpr WellKnownActor clock_number{3};
+
 constexpr ActorName make_actor_name(ProcessNumber process, WellKnownActor number) {
   return make_actor_name(process, static_cast<std::uint32_t>(number));
 }

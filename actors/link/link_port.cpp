@@ -56,6 +56,9 @@ void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
   WireWriter out{*parts_.names, parts_.largest_message};
   auto sender = parts_.names->name_of(x.sender);
   auto number = static_cast<std::uint32_t>(to);
+  bool is_for_clock = number == static_cast<std::uint32_t>(clock_number);
+  if (!is_for_clock)
+    write_time(out);
   if (content.match_elements<caf::exit_msg>()) {
     out(MessageSubject::exit, number);
   } else if (content.match_elements<caf::error>()) {
@@ -83,7 +86,16 @@ void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
     message.arrived = [names = parts_.names, to, arrived = std::move(arrived)] {
       arrived(names->actor_of(to));
     };
+  if (!is_for_clock)
+    LinkRecord::add(parts_.record->sent, 1);
   hand_over({std::move(message), out.take_types()});
+}
+
+void LinkPort::write_time(WireWriter& out) const {
+  if (auto* clock = parts_.clock->get()) {
+    auto present = clock->present();
+    out(MessageSubject::timed, present.round, present.time);
+  }
 }
 
 bool LinkPort::open_request(ActorName sender, const caf::mailbox_element& x) {
@@ -96,7 +108,9 @@ bool LinkPort::open_request(ActorName sender, const caf::mailbox_element& x) {
 
 void LinkPort::tell_end(ActorName who) {
   WireWriter out{*parts_.names};
+  write_time(out);
   out(MessageSubject::ended, static_cast<std::uint32_t>(who));
+  LinkRecord::add(parts_.record->sent, 1);
   hand_over({{out.take_head()}, {}});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/link_clock.hpp"
 #include "castor/actors/link/link_messages.hpp"
 #include "castor/actors/link/link_record.hpp"
 #include "castor/actors/link/open_requests.hpp"
@@ -30,6 +31,7 @@ struct LinkPortParts {
   ProcessNumber peer = 0;
   caf::actor link;
   std::shared_ptr<LinkRecord> record;
+  std::shared_ptr<LinkClock> clock = std::make_shared<LinkClock>();
   /// Largest message that the peer takes, in bytes.
   std::size_t largest_message = SessionLimits{}.largest_message;
 };
@@ -56,6 +58,8 @@ private:
   void refuse(ActorName to, caf::mailbox_element& x, const Failure& why);
   /// Remembers a request until it is answered; false if the peer is lost.
   bool open_request(ActorName sender, const caf::mailbox_element& x);
+  /// Begins a message with the present simulated time, if the clock is simulated.
+  void write_time(WireWriter& out) const;
   void hand_over(LinkMessage message);
 
   const LinkPortParts parts_;

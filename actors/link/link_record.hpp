@@ -64,6 +64,11 @@ public:
   Counter connections{0};
   Counter unacknowledged{0};
 
+  /// Messages for the peer's actors that were handed over to the link, and those of the peer that
+  /// have arrived at their receivers here; without those of clocks.
+  Counter sent{0};
+  Counter received{0};
+
   static void add(Counter& to, std::uint64_t n) { to.fetch_add(n, std::memory_order_relaxed); }
 
   void set_news(LinkNews x) {

@@ -2,6 +2,7 @@
 
 #include "castor/actors/link/message_subject.hpp"
 #include "castor/actors/link/remote_actor.hpp"
+#include "castor/base/at_exit.hpp"
 #include "castor/base/log.hpp"
 #include "castor/wm/values/descriptor_encoding.hpp"
 
@@ -57,7 +58,7 @@ void Mesh::add_link(const caf::actor& link, std::shared_ptr<LinkRecord> record,
   }
   requests_->add_process(peer);
   names_->add_port(std::make_shared<LinkPort>(LinkPortParts{
-    names_, messages_, requests_, self_, peer, link, std::move(record), largest_message}));
+    names_, messages_, requests_, self_, peer, link, std::move(record), clock_, largest_message}));
 }
 
 void Mesh::inject(ProcessNumber peer, const LinkFault& x) {
@@ -70,6 +71,16 @@ std::vector<LinkStatus> Mesh::links() const {
   std::vector<LinkStatus> result;
   for (auto& [peer, record] : records_)
     result.push_back(record->status());
+  return result;
+}
+
+MessageCounts Mesh::message_counts() const {
+  std::lock_guard guard{mutex_};
+  MessageCounts result;
+  for (auto& [peer, record] : records_) {
+    result.sent[peer] = record->sent;
+    result.received[peer] = record->received;
+  }
   return result;
 }
 
@@ -126,12 +137,20 @@ void Mesh::drop_too_large(WireReader& in, std::uint64_t size, caf::execution_uni
 }
 
 void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context) {
+  // From before the receiver becomes ready until the message is counted.
+  auto* clock = clock_->get();
+  auto hold = clock ? clock->hold() : TimeHold{};
   WireReader in{*names_, message.head, std::move(message.contents)};
   if (message.too_large > 0) {
     drop_too_large(in, message.too_large, context);
+    count_received(from);
     return;
   }
-  auto subject = in.take<MessageSubject>();
+  receive_subject(from, in.take<MessageSubject>(), in, context);
+}
+
+void Mesh::receive_subject(ProcessNumber from, MessageSubject subject, WireReader& in,
+                           caf::execution_unit* context) {
   switch (subject) {
     case MessageSubject::message:
     case MessageSubject::error:
@@ -140,10 +159,22 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
     case MessageSubject::exit:
       if (auto receiver = local(in.take<std::uint32_t>()))
         caf::anon_send_exit(receiver, caf::exit_reason::user_shutdown);
+      count_received(from);
       return;
     case MessageSubject::ended:
       names_->end_of_remote(make_actor_name(from, in.take<std::uint32_t>()));
+      count_received(from);
       return;
+    case MessageSubject::timed: {
+      ClockAdvance present;
+      present.round = in.take<std::uint64_t>();
+      present.time = in.take<Timestamp>();
+      // Before what was sent after that.
+      if (auto* clock = clock_->get())
+        clock->advance(present);
+      receive_subject(from, in.take<MessageSubject>(), in, context);
+      return;
+    }
     case MessageSubject::types:
       for (auto n = in.take<std::uint32_t>(); n > 0; --n)
         names_->add_type(decode_descriptor(in.take_bytes()));
@@ -151,11 +182,21 @@ void Mesh::receive(ProcessNumber from, IncomingMessage message, caf::execution_u
   }
 }
 
+void Mesh::count_received(ProcessNumber from) {
+  std::lock_guard guard{mutex_};
+  if (auto i = records_.find(from); i != records_.end())
+    LinkRecord::add(i->second->received, 1);
+}
+
 void Mesh::receive_message(ProcessNumber from, bool is_error, WireReader& in,
                            caf::execution_unit* context) {
   auto sender = in.take<caf::strong_actor_ptr>();
   auto number = in.take<std::uint32_t>();
   auto id = take_message_id(in);
+  const AtExit counted{[&] {
+    if (number != static_cast<std::uint32_t>(clock_number))
+      count_received(from);
+  }};
   auto content =
     is_error ? caf::make_message(caf::make_error(caf::sec::runtime_error, in.take<std::string>()))
              : messages_->table().read(in);
@@ -164,7 +205,7 @@ void Mesh::receive_message(ProcessNumber from, bool is_error, WireReader& in,
     LinkRecord::add(records_.at(from)->events_in, events);
   }
   if (auto take = sink(number)) {
-    take(content, context);
+    take(from, content, context);
     return;
   }
   // Who asked is lost, as far as this process knows: there is nobody to answer.

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "castor/actors/link/actor_names.hpp"
+#include "castor/actors/link/link_clock.hpp"
 #include "castor/actors/link/link_fault.hpp"
 #include "castor/actors/link/link_messages.hpp"
 #include "castor/actors/link/link_record.hpp"
+#include "castor/actors/link/message_subject.hpp"
 #include "castor/actors/link/open_requests.hpp"
 #include "castor/actors/link/session.hpp"
 #include "castor/base/caf.hpp"
@@ -28,7 +30,8 @@ namespace castor {
 class Mesh {
 public:
   /// Takes messages in place of an actor, on the network's thread.
-  using Sink = std::function<void(const caf::message& message, caf::execution_unit* context)>;
+  using Sink = std::function<void(ProcessNumber from, const caf::message& message,
+                                  caf::execution_unit* context)>;
 
   Mesh(caf::actor_system& system, std::shared_ptr<LinkMessages> messages, ProcessNumber self)
     : system_(system), messages_(std::move(messages)), self_(self),
@@ -56,6 +59,12 @@ public:
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;
 
+  /// Sends the time of this clock with every message, and keeps it from going on while one arrives.
+  void set_clock(std::shared_ptr<SimulatedClock> x) { clock_->set(std::move(x)); }
+
+  /// Messages exchanged with the other processes so far, without those of their clocks.
+  MessageCounts message_counts() const;
+
   /// The process is lost: ends the representatives of its actors, and fails open requests to them.
   void end_process(ProcessNumber process);
 
@@ -69,8 +78,12 @@ public:
   void receive(ProcessNumber from, IncomingMessage message, caf::execution_unit* context);
 
 private:
+  void receive_subject(ProcessNumber from, MessageSubject subject, WireReader& in,
+                       caf::execution_unit* context);
   void receive_message(ProcessNumber from, bool is_error, WireReader& in,
                        caf::execution_unit* context);
+  /// A message has arrived at its receiver.
+  void count_received(ProcessNumber from);
   void drop_too_large(WireReader& in, std::uint64_t size, caf::execution_unit* context);
   caf::strong_actor_ptr local(std::uint32_t number) const;
   Sink sink(std::uint32_t number) const;
@@ -79,6 +92,7 @@ private:
   const std::shared_ptr<LinkMessages> messages_;
   const ProcessNumber self_;
   const std::shared_ptr<ActorNames> names_;
+  const std::shared_ptr<LinkClock> clock_ = std::make_shared<LinkClock>();
   const std::shared_ptr<OpenRequests> requests_ = std::make_shared<OpenRequests>();
 
   mutable std::mutex mutex_;

@@ -18,7 +18,9 @@ enum class MessageSubject : std::uint8_t {
   ended,
   /// Descriptors of types that later messages refer to.
   types,
+  /// One of the others, with the sender's simulated time before it.
+  timed,
 };
-CASTOR_WIRE_ENUM(MessageSubject, types)
+CASTOR_WIRE_ENUM(MessageSubject, timed)
 
 } // namespace castor

@@ -1,17 +1,24 @@
 #include "castor/actors/node/actor_system_config.hpp"
 
+#include "castor/actors/node/counting_policy.hpp"
 #include "castor/actors/node/threads.hpp"
 
+#include <caf/actor_system.hpp>
 #include <caf/io/middleman.hpp>
+#include <caf/scheduler/coordinator.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace castor {
 
-ActorSystemConfig::ActorSystemConfig(bool networked) {
+ActorSystemConfig::ActorSystemConfig(bool networked, std::shared_ptr<Activity> activity)
+  : activity_(std::move(activity)) {
+  if (activity_)
+    load<caf::scheduler::coordinator<CountingPolicy>>();
   // The default policy polls with sleeps, which costs several times the latency.
   set("scheduler.policy", caf::atom("sharing"));
   const auto workers = std::max<std::size_t>(2, std::thread::hardware_concurrency());
@@ -23,6 +30,11 @@ ActorSystemConfig::ActorSystemConfig(bool networked) {
     load<caf::io::middleman>();
     set("middleman.workers", 0);
   }
+}
+
+std::shared_ptr<Activity> activity_of(const caf::actor_system& system) {
+  auto* config = dynamic_cast<const ActorSystemConfig*>(&system.config());
+  return config ? config->activity() : nullptr;
 }
 
 } // namespace castor

@@ -104,8 +104,8 @@ CASTOR_WIRE(Acknowledged)
 CASTOR_WIRE(StatusQuery)
 CASTOR_WIRE(JournalStatus, mode, bytes, unsynced, held, syncs, incarnation, failure)
 CASTOR_WIRE(WorkingMemoryStatus, subarchitecture, entries, entries_by_type, filters, events,
-            matched, delivered, coalesced, suppressed, backlog, forwarded, routed, refused, leases,
-            waiting, journal)
+            last_event, matched, delivered, coalesced, suppressed, backlog, forwarded, routed,
+            refused, leases, waiting, journal)
 CASTOR_WIRE(UsageQuery)
 CASTOR_WIRE(Usage, component, subarchitecture, type, adds, overwrites, deletes, reads, events)
 CASTOR_WIRE(UsageReport, usages)

@@ -1,5 +1,6 @@
 #include "castor/actors/node/messages.hpp"
 
+#include "castor/actors/node/clock_protocol.hpp"
 #include "castor/actors/node/part_wire.hpp"
 #include "castor/actors/node/types_protocol.hpp"
 
@@ -23,7 +24,8 @@ const WireTable& system_messages() {
     // Parts of a system
     PartPlan, PartMade, JoinParts, RestartComponent, ComponentEnded, ComponentHangs,
     InjectComponentFault, ComponentFault, InjectLinkFault, JumpClock, JournalFault, FaultHappened,
-    PartStatusQuery, PartStatus, EndSystem, TaskEvent, TypesQuery, TypesReport>();
+    PartStatusQuery, PartStatus, EndSystem, TaskEvent, TypesQuery, TypesReport, ClockAdvance,
+    ClockReportFrom>();
   return result;
 }
 

@@ -79,7 +79,8 @@ private:
     listeners_.push_back(spawn_listener(system_, std::move(parts)));
   }
 
-  ActorSystemConfig config_{true};
+  /// Whether the clock of a system is simulated, its plan will say.
+  ActorSystemConfig config_{true, std::make_shared<Activity>()};
   caf::actor_system system_{config_};
   std::shared_ptr<Memberships> memberships_;
   std::vector<caf::actor> listeners_;

@@ -283,8 +283,12 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.subarchitecture = name;
   options.ignored = {wm_class.ignore->begin(), wm_class.ignore->end()};
   options.epoch = services_->epoch;
+  options.clock = services_->clock;
   options.broadcast = plan.broadcast;
   options.leases.duration = wm_class.lease.get();
+  // Nobody hangs while others run, and renewals would change the order in which they do.
+  if (is_one_at_a_time())
+    options.leases.duration = std::chrono::hours{24 * 365 * 100};
   options.store.largest_value = largest_value(wm_class);
   options.writers = writers(name);
   options.incarnation = incarnation;
@@ -397,7 +401,8 @@ void SystemPart::spawn_keeper() {
   KeeperParts parts;
   for (auto& x : running_)
     parts.components.push_back(x.record);
-  parts.working_memories = neighbours_->working_memories;
+  if (!is_one_at_a_time())
+    parts.working_memories = neighbours_->working_memories;
   parts.on_overrun = [to = supervisor_](const Overrun& x) {
     auto& identity = x.component->identity();
     caf::anon_send(to, ComponentHangs{identity.name, identity.incarnation});

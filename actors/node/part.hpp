@@ -40,8 +40,12 @@ struct PartSpawn {
 /// To be used by one thread at a time, and destroyed before the actor system.
 class SystemPart {
 public:
-  SystemPart(caf::actor_system& system, ProcessNumber self, PartSpawn spawn = {})
-    : system_(system), self_(self), spawn_(std::move(spawn)) {}
+  /// `clock` is null if the clock is the real one.
+  SystemPart(caf::actor_system& system, ProcessNumber self, PartSpawn spawn = {},
+             std::shared_ptr<SimulatedClock> clock = nullptr)
+    : system_(system), self_(self), spawn_(std::move(spawn)) {
+    services_->clock = std::move(clock);
+  }
   SystemPart(const SystemPart&) = delete;
   SystemPart& operator=(const SystemPart&) = delete;
   /// Ends all its actors. Components that do not return from their own code stay.
@@ -115,6 +119,9 @@ private:
   void check_threads(const std::vector<const ComponentDescription*>& missing,
                      std::vector<Diagnostic>& problems) const;
   void list_working_memories();
+  bool is_one_at_a_time() const {
+    return services_->clock && services_->clock->activity().is_one_at_a_time();
+  }
   void spawn_keeper();
 
   caf::actor_system& system_;

@@ -1,6 +1,7 @@
 #include "castor/actors/node/part_agent.hpp"
 
 #include "castor/actors/link/remote_actor.hpp"
+#include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
 #include "castor/actors/node/well_known_actors.hpp"
@@ -30,12 +31,25 @@ void watch(Self self) {
   }
 }
 
+/// Makes a clock, if the plan wants a simulated one.
+std::shared_ptr<SimulatedClock> take_up_clock(Self self, const PartPlan& plan) {
+  auto& state = self->state;
+  auto& mesh = state.parts.mesh;
+  auto activity = activity_of(self->system());
+  if (!plan.simulated_clock || state.parts.clock || !mesh || !activity)
+    return state.parts.clock;
+  auto result = std::make_shared<SimulatedClock>(std::move(activity), plan.clock);
+  state.clock_reporter = std::make_unique<ClockReporter>(result, mesh);
+  return result;
+}
+
 PartMade make(Self self, const PartPlan& plan) {
   auto& state = self->state;
   if (state.parts.connect)
     state.parts.connect(plan);
   if (!state.part)
-    state.part = std::make_unique<SystemPart>(self->system(), state.parts.self, state.parts.spawn);
+    state.part = std::make_unique<SystemPart>(self->system(), state.parts.self, state.parts.spawn,
+                                              take_up_clock(self, plan));
   state.supervisor = plan.supervisor;
   auto problems = state.part->apply(plan);
   watch(self);
@@ -164,10 +178,10 @@ caf::response_promise join(Self self, JoinParts others) {
         if (auto i = largest.find(name); i != largest.end())
           state.parts.messages->set_largest_value(remote->actor(), name, i->second);
       }
-    mesh->set_sink(event_sink_number,
-                   [here = state.part->working_memories()](auto& message, auto* context) {
-                     deliver_events(here, message, context);
-                   });
+    mesh->set_sink(event_sink_number, [here = state.part->working_memories()](
+                                        ProcessNumber, auto& message, auto* context) {
+      deliver_events(here, message, context);
+    });
   }
   auto working_memories = state.part->working_memories();
   state.unanswered.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/link/mesh.hpp"
+#include "castor/actors/node/clock_reporter.hpp"
 #include "castor/actors/node/part.hpp"
 #include "castor/actors/node/part_messages.hpp"
 #include "castor/actors/node/part_protocol.hpp"
@@ -24,12 +25,16 @@ struct PartAgentParts {
   /// Called with the plan before the part is made: connects with the other processes.
   std::function<void(const PartPlan&)> connect;
   PartSpawn spawn = {};
+  /// The simulated clock of the coordinator's process. Others make theirs by the plan.
+  std::shared_ptr<SimulatedClock> clock = nullptr;
 };
 
 struct PartAgentState {
   static constexpr const char* name = "part_agent";
 
   PartAgentParts parts;
+  /// Of a node with a simulated clock.
+  std::unique_ptr<ClockReporter> clock_reporter;
   std::unique_ptr<SystemPart> part;
   caf::actor supervisor;
   struct Watched {

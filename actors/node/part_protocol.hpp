@@ -8,6 +8,7 @@
 #include "castor/actors/runtime/status.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/diagnostic.hpp"
+#include "castor/wm/clock/clock_messages.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
@@ -67,6 +68,9 @@ struct PartPlan {
   std::uint64_t pushes_limit = 0;
   /// How long the system has existed, when this was sent.
   Timestamp age{0};
+  /// Whether the clock is simulated, and what it shows.
+  bool simulated_clock = false;
+  ClockAdvance clock;
   /// Time without a connection after which a process is lost.
   std::chrono::milliseconds patience{0};
   /// Receiver of EndSystem.

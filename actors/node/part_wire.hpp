@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/link/wire_table.hpp"
+#include "castor/actors/node/clock_protocol.hpp"
 #include "castor/actors/node/component_wire.hpp"
 #include "castor/actors/node/part_protocol.hpp"
 
@@ -42,9 +43,13 @@ CASTOR_WIRE_EXCEPT(ArchitectureDescription, (left_out), file, config_dir, subarc
                    standalone, host_names, access_rules, supervision, failover)
 CASTOR_WIRE(Diagnostic, severity, where, line, expanded, message, remedy, column)
 CASTOR_WIRE(ProcessDescription, name, host, port, lost)
+CASTOR_WIRE(ClockAdvance, round, time)
+CASTOR_WIRE(MessageCounts, sent, received)
+CASTOR_WIRE(ClockReport, round, next, counts)
+CASTOR_WIRE(ClockReportFrom, from, report)
 CASTOR_WIRE(PartPlan, system, architecture, processes, placement, incarnations, temporary,
-            open_access, broadcast, operations, pushes, pushes_limit, age, patience, coordinator,
-            supervisor, task_observer)
+            open_access, broadcast, operations, pushes, pushes_limit, age, simulated_clock, clock,
+            patience, coordinator, supervisor, task_observer)
 CASTOR_WIRE(PartMade, problems, actors)
 CASTOR_WIRE(JoinParts, actors, processes)
 CASTOR_WIRE(RestartComponent, name, incarnation)

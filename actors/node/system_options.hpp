@@ -4,6 +4,7 @@
 #include "castor/actors/component/stop_patience.hpp"
 #include "castor/actors/component/task_event.hpp"
 #include "castor/actors/link/link.hpp"
+#include "castor/actors/node/clock_options.hpp"
 #include "castor/base/diagnostic.hpp"
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/entry.hpp"
@@ -40,6 +41,9 @@ struct SystemOptions {
   /// Every change event is sent to every working memory, subscribed or not: the original's early
   /// scheme, for comparison.
   bool broadcast = false;
+
+  /// The real clock, or simulated time.
+  ClockOptions clock;
 
   /// Components that fail are started again, as the architecture says. Otherwise each stays down,
   /// and the others go on without it.

@@ -62,7 +62,7 @@ void ComponentCommands::handle_terms_query(caf::mailbox_element& x,
   auto i = obediences_.find(query.type->name());
   Outcome<CommandTermsReply> result;
   if (i != obediences_.end()) {
-    result = CommandTermsReply{i->second.gate.terms(), reading(Clock::now())};
+    result = CommandTermsReply{i->second.gate.terms(), reading(parts_.context.time_point())};
   } else {
     std::string types;
     for (auto& [type, obedience] : obediences_)
@@ -91,12 +91,12 @@ void ComponentCommands::handle_command(caf::mailbox_element& x, const CommandMes
   obedience.requesters.emplace(ticket, requester);
   obedience.gate.offer({ticket, message.commander, message.token, from_reading(message.sent),
                         message.valid_for, message.value},
-                       Clock::now());
+                       parts_.context.time_point());
   decide(obedience);
 }
 
 void ComponentCommands::decide(Obedience& obedience) {
-  while (auto x = obedience.gate.decide(Clock::now())) {
+  while (auto x = obedience.gate.decide(parts_.context.time_point())) {
     if (x->refusal.empty())
       carry_out(obedience, x->offer);
     else
@@ -128,8 +128,8 @@ void ComponentCommands::reply(Obedience& obedience, std::uint64_t ticket, Comman
 
 void ComponentCommands::reply(const Requester& to, const std::string& type, CommandResult result,
                               std::string reason) {
-  CommandDone done{parts_.context.identity().name, type, to.number, result, std::move(reason),
-                   reading(Clock::now())};
+  CommandDone done{parts_.context.identity().name,      type, to.number, result, std::move(reason),
+                   reading(parts_.context.time_point())};
   if (to.request.is_request())
     parts_.actor.respond(to.actor, to.request,
                          caf::make_message(Outcome<CommandDone>{std::move(done)}));
@@ -138,7 +138,7 @@ void ComponentCommands::reply(const Requester& to, const std::string& type, Comm
 }
 
 void ComponentCommands::confirm_lease(Obedience& obedience) {
-  auto now = Clock::now();
+  auto now = parts_.context.time_point();
   auto& entry = *obedience.gate.terms().lease;
   auto& memories = parts_.context.neighbours().working_memories;
   auto memory = memories.find(entry.subarchitecture);
@@ -169,13 +169,13 @@ void ComponentCommands::work() {
     if (status)
       obedience.gate.confirm({asked, status->token, status->holder});
     else
-      obedience.gate.cannot_confirm(status.failure().message, Clock::now());
+      obedience.gate.cannot_confirm(status.failure().message, parts_.context.time_point());
   }
   for (auto& [type, obedience] : obediences_) {
     decide(obedience);
-    if (auto cause = obedience.gate.take_safe_state(Clock::now()))
+    if (auto cause = obedience.gate.take_safe_state(parts_.context.time_point()))
       take_safe_state(obedience, *cause);
-    if (obedience.gate.should_ask(Clock::now()))
+    if (obedience.gate.should_ask(parts_.context.time_point()))
       confirm_lease(obedience);
     decide(obedience);
   }
@@ -242,7 +242,7 @@ ComponentCommands::Effector& ComponentCommands::connect(const std::string& name,
   result = Effector{};
   result.actor = std::move(actor);
   result.terms = std::move(reply.terms);
-  result.clock.synchronise(reply.clock, Clock::now());
+  result.clock.synchronise(reply.clock, parts_.context.time_point());
   return result;
 }
 
@@ -256,7 +256,7 @@ ComponentCommands::make_message(Effector& effector, const Value& x,
   result.value = x;
   result.commander = parts_.context.client();
   result.token = lease ? parts_.context.leases().token(*lease) : 0;
-  result.sent = effector.clock.at(Clock::now());
+  result.sent = effector.clock.at(parts_.context.time_point());
   result.valid_for =
     std::min(valid_for.value_or(effector.terms.valid_for), effector.terms.valid_for);
   result.number = ++effector.last_number;
@@ -268,7 +268,7 @@ void ComponentCommands::command(const std::string& effector, const Value& x,
   auto& to = connect(effector, x.type_ptr());
   auto done = parts_.providers.ask_once<CommandDone>(
     effector, to.actor, make_message(to, x, valid_for), "send a " + x.type_name() + " to");
-  to.clock.synchronise(done.clock, Clock::now());
+  to.clock.synchronise(done.clock, parts_.context.time_point());
   if (done.result == CommandResult::refused)
     throw CommandRefused(done.reason);
   if (done.result == CommandResult::failed)
@@ -296,7 +296,7 @@ void ComponentCommands::done(const CommandDone& x) {
   if (i == effectors_.end() || i->second.under_way != x.number)
     return;
   auto& from = i->second;
-  from.clock.synchronise(x.clock, Clock::now());
+  from.clock.synchronise(x.clock, parts_.context.time_point());
   from.under_way = 0;
   if (x.result != CommandResult::obeyed)
     from.refusal = x.reason;

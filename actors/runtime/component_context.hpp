@@ -30,9 +30,19 @@ public:
   const ClientPtr& client() const { return record_.client(); }
   ComponentServices& services() { return services_; }
 
-  /// Time since the start of the system.
+  /// Time since the start of the system, simulated if its clock is.
   Timestamp now() const {
+    if (services_.clock)
+      return services_.clock->now();
     return std::chrono::duration_cast<Timestamp>(Clock::now() - services_.epoch);
+  }
+
+  /// The same as a point of time; `since_start` is its inverse.
+  Clock::time_point time_point() const {
+    return services_.clock ? services_.epoch + services_.clock->now() : Clock::now();
+  }
+  Timestamp since_start(Clock::time_point x) const {
+    return std::chrono::ceil<Timestamp>(x - services_.epoch);
   }
 
   /// How long operations may take.

@@ -1,29 +1,158 @@
 #include "castor/actors/runtime/mailbox.hpp"
 
+#include <caf/atom.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace castor {
 
+namespace {
+
+/// Message of the clock to an actor that it wakes.
+using WokenAtom = caf::atom_constant<caf::atom("woken")>;
+
+/// After all others.
+constexpr auto last_order = std::numeric_limits<std::uint64_t>::max();
+
+} // namespace
+
+PumpedActor::PumpedActor(caf::actor_config& config, std::shared_ptr<SimulatedClock> clock,
+                         std::uint64_t order)
+  : blocking_actor(config), clock_(std::move(clock)), order_(order) {
+  if (clock_)
+    turn_ = clock_->activity().begin();
+}
+
+// -- waiting
+
 bool PumpedActor::pump(Clock::time_point until) {
+  if (mailbox().empty() && !park(until))
+    return false;
+  file_arrived();
+  return true;
+}
+
+bool PumpedActor::pump_until(Timestamp until) {
   if (mailbox().empty()) {
-    auto left = until - Clock::now();
-    // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a
-    // jump of that clock delays nothing for long.
-    constexpr Clock::duration longest_step = std::chrono::seconds{1};
-    if (left <= Clock::duration::zero())
+    if (clock_->now() >= until)
       return false;
-    if (!await_data(timeout_type::clock::now() + std::min(left, longest_step)))
-      return Clock::now() < until;
+    std::optional<SimulatedClock::Key> key;
+    if (until < Timestamp::max())
+      key = wake_at(until, order_);
+    park(Clock::time_point::max());
+    if (key)
+      clock_->forget(*key);
   }
   file_arrived();
   return true;
 }
 
+bool PumpedActor::pump_until_quiet(Clock::time_point until) {
+  was_woken_ = false;
+  if (mailbox().empty()) {
+    auto key = wake_at(clock_->now(), last_order);
+    park(until);
+    clock_->forget(key);
+  }
+  file_arrived();
+  return was_woken_;
+}
+
+SimulatedClock::Key PumpedActor::wake_at(Timestamp time, std::uint64_t order) {
+  return clock_->wake_at(time, order, [self = caf::strong_actor_ptr{ctrl()}] {
+    self->enqueue(nullptr, caf::make_message_id(), caf::make_message(WokenAtom::value), nullptr);
+  });
+}
+
+bool PumpedActor::await_arrival(Clock::time_point until) {
+  // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a jump
+  // of that clock delays nothing for long.
+  constexpr Clock::duration longest_step = std::chrono::seconds{1};
+  for (;;) {
+    auto left = until - Clock::now();
+    if (left <= Clock::duration::zero())
+      return false;
+    if (await_data(timeout_type::clock::now() + std::min(left, longest_step)))
+      return true;
+  }
+}
+
+// -- activity
+
+void PumpedActor::begin_activity() {
+  if (clock_)
+    clock_->activity().await(turn_);
+}
+
+bool PumpedActor::park(Clock::time_point until) {
+  if (!clock_)
+    return await_arrival(until);
+  Activity::Turn turn = 0;
+  {
+    std::lock_guard guard{parking_mutex_};
+    if (!mailbox().empty())
+      return true;
+    parked_ = true;
+    turn = std::exchange(turn_, 0);
+  }
+  clock_->activity().end(turn);
+  auto has_arrived = await_arrival(until);
+  {
+    // Whoever has sent something has taken a token, too, once the mutex is free.
+    std::lock_guard guard{parking_mutex_};
+    if (std::exchange(parked_, false))
+      turn_ = clock_->activity().begin();
+    turn = turn_;
+  }
+  clock_->activity().await(turn);
+  return has_arrived || !mailbox().empty();
+}
+
+void PumpedActor::enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) {
+  if (!clock_)
+    return blocking_actor::enqueue(std::move(x), context);
+  {
+    std::lock_guard guard{parking_mutex_};
+    if (!closed_) {
+      blocking_actor::enqueue(std::move(x), context);
+      if (std::exchange(parked_, false))
+        turn_ = clock_->activity().begin();
+      return;
+    }
+  }
+  // A closed mailbox answers requests, which must not happen under the mutex: who has asked may be
+  // just closing, too.
+  blocking_actor::enqueue(std::move(x), context);
+}
+
+bool PumpedActor::cleanup(caf::error&& reason, caf::execution_unit* host) {
+  if (!clock_)
+    return blocking_actor::cleanup(std::move(reason), host);
+  Activity::Turn turn = 0;
+  {
+    std::lock_guard guard{parking_mutex_};
+    closed_ = true;
+    turn = std::exchange(turn_, 0);
+  }
+  // Sends the news of the end, under the token.
+  auto result = blocking_actor::cleanup(std::move(reason), host);
+  if (turn != 0)
+    clock_->activity().end(turn);
+  return result;
+}
+
+// -- what arrives
+
 void PumpedActor::file_arrived() {
   constexpr int at_most = 256;
   for (int i = 0; i < at_most && !mailbox().empty(); ++i) {
     auto x = dequeue();
-    if (!x->mid.is_response()) {
+    if (clock_ && x->content().match_elements<WokenAtom>()) {
+      was_woken_ = true;
+    } else if (!x->mid.is_response()) {
       file(std::move(x));
     } else if (auto i_slot = slots_.find(x->mid.integer_value()); i_slot != slots_.end()) {
       i_slot->second = std::move(x);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/base/caf.hpp"
+#include "castor/wm/clock/simulated_clock.hpp"
 
 #include <caf/blocking_actor.hpp>
 #include <caf/mailbox_element.hpp>
@@ -11,6 +12,8 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <utility>
 
@@ -22,15 +25,36 @@ namespace castor {
 /// files it: replies into the slots of their requests, work into a queue, stop and loss into flags.
 /// So an operation inside a callback works, a stop is seen inside every operation, deadlines hold
 /// under a flood of events, and filing costs the same however long the queue is.
+///
+/// With a simulated clock it holds a token of the process's activity, except while it is parked:
+/// its thread waits, and its mailbox is empty. Whoever sends to it then takes a token for it.
 class PumpedActor : public caf::blocking_actor {
 public:
   using Clock = std::chrono::steady_clock;
 
-  explicit PumpedActor(caf::actor_config& config) : blocking_actor(config) {}
+  /// `clock` is null if the clock is the real one. Of those that are woken at one time, the one of
+  /// lower `order` is woken first.
+  PumpedActor(caf::actor_config& config, std::shared_ptr<SimulatedClock> clock,
+              std::uint64_t order);
 
-  /// Files what has arrived; if nothing has, waits for it. False once `until` has passed without
-  /// any.
+  using blocking_actor::enqueue;
+  void enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) override;
+
+  /// Files what has arrived; if nothing has, waits for it. False once `until`, which is real time,
+  /// has passed without any.
   bool pump(Clock::time_point until);
+
+  /// The same until a simulated time; for ever if it is `Timestamp::max()`. Only with a simulated
+  /// clock.
+  bool pump_until(Timestamp until);
+
+  /// Files what has arrived; if nothing has, waits for it until `until`, which is real time, or
+  /// until nobody else in the process has anything to do. Returns whether the latter is the case.
+  /// Only with a simulated clock.
+  bool pump_until_quiet(Clock::time_point until);
+
+  /// Null if the clock is the real one.
+  SimulatedClock* simulated_clock() const { return clock_.get(); }
 
   /// Files what has arrived. Bounded, so that a sender faster than this loop cannot block the
   /// caller.
@@ -57,10 +81,31 @@ public:
   void respond(const caf::strong_actor_ptr& to, caf::message_id request, caf::message reply);
 
 protected:
+  /// To be called by the actor's thread before anything else.
+  void begin_activity();
+
   /// Files a message that is not a reply.
   virtual void file(caf::mailbox_element_ptr x) = 0;
 
+  bool cleanup(caf::error&& reason, caf::execution_unit* host) override;
+
 private:
+  /// Waits until something has arrived; false once `until` has passed without any.
+  bool park(Clock::time_point until);
+  bool await_arrival(Clock::time_point until);
+  SimulatedClock::Key wake_at(Timestamp time, std::uint64_t order);
+
+  const std::shared_ptr<SimulatedClock> clock_;
+  const std::uint64_t order_;
+  /// The clock has woken this actor since this was reset.
+  bool was_woken_ = false;
+  /// Of the following three, which are used only with a simulated clock.
+  std::mutex parking_mutex_;
+  bool parked_ = false;
+  bool closed_ = false;
+  /// Of the token that the actor holds; 0 if it holds none.
+  Activity::Turn turn_ = 0;
+
   std::unordered_map<std::uint64_t, Slot> slots_;
   std::unordered_map<std::uint64_t, std::function<void(caf::mailbox_element&)>> receivers_;
 };

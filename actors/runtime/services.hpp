@@ -5,6 +5,7 @@
 #include "castor/actors/runtime/operation_log.hpp"
 #include "castor/actors/runtime/push_recorder.hpp"
 #include "castor/actors/runtime/record.hpp"
+#include "castor/wm/clock/simulated_clock.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <atomic>
@@ -23,6 +24,9 @@ namespace castor {
 struct ComponentServices {
   /// Time origin of the system.
   std::chrono::steady_clock::time_point epoch;
+
+  /// Null if the clock is the real one.
+  std::shared_ptr<SimulatedClock> clock;
 
   /// Unique number of this run, part of the ids that components make, if entries outlive the
   /// system; otherwise 0.

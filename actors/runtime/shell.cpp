@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <stdexcept>
@@ -28,10 +29,7 @@ constexpr std::size_t longest_failure = 4000;
 
 constexpr const char* unknown_exception = "an exception that is no std::exception";
 
-/// Far enough, and safe to subtract from.
-Clock::time_point never() {
-  return Clock::now() + std::chrono::hours{24 * 365};
-}
+constexpr auto never = Clock::time_point::max();
 
 std::string phase_name(Phase x) {
   switch (x) {
@@ -54,7 +52,8 @@ ComponentShell::EventQueueOptions ComponentShell::event_queue_of(const Component
 }
 
 ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
-  : PumpedActor(config), component_(std::move(parts.component)), record_(std::move(parts.record)),
+  : PumpedActor(config, parts.services->clock, parts.record->identity().number),
+    component_(std::move(parts.component)), record_(std::move(parts.record)),
     services_(std::move(parts.services)), unit_(parts.unit),
     event_queue_(event_queue_of(*component_)),
     context_(*record_, *services_, component_->deadline_, component_->push_limit_),
@@ -79,6 +78,7 @@ std::unique_ptr<Calls> ComponentShell::make_calls(SubarchitectureComponent& comp
 // -- life
 
 void ComponentShell::act() {
+  begin_activity();
   context(unit_);
   thread_ = std::this_thread::get_id();
   record_->thread_begins();
@@ -157,7 +157,7 @@ void ComponentShell::live() {
   await_phase(Phase::run);
   record_->set_state(ComponentState::running);
   code_.run(phase_name(Phase::run), [this] { component_->run(); });
-  while (deliver(never(), nullptr)) {
+  while (deliver_until(never, nullptr)) {
     // Only callbacks from now on.
   }
 }
@@ -185,12 +185,14 @@ void ComponentShell::await_phase(Phase phase) {
     if (life_.is_stopping())
       throw ComponentStopped{};
     faults_.at_runtime();
-    if (life_.has_started())
+    if (life_.has_started()) {
       commands_.work();
+      run_timers();
+    }
     if (life_.has_started() && !inbox_.is_empty())
       handle_next();
     else
-      wait_for_work(never());
+      wait_for_work(never);
   }
   code_.set_activity(phase_name(phase));
 }
@@ -215,6 +217,7 @@ void ComponentShell::forget_actors() {
   tasks_.clear();
   connections_.clear();
   commands_.clear();
+  timers_ = {};
   phase_controller_ = nullptr;
   context_.forget_neighbours();
 }
@@ -288,7 +291,14 @@ void ComponentShell::set_neighbours(NeighboursPtr neighbours) {
 
 // -- work
 
-bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()>& enough) {
+bool ComponentShell::deliver(std::optional<std::chrono::nanoseconds> duration,
+                             const std::function<bool()>& enough) {
+  auto now = context_.time_point();
+  bool is_limited = duration && *duration < never - now;
+  return deliver_until(is_limited ? now + *duration : never, enough);
+}
+
+bool ComponentShell::deliver_until(Clock::time_point until, const std::function<bool()>& enough) {
   UserCode::Pause pause{code_};
   for (;;) {
     file_arrived();
@@ -301,6 +311,7 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
          "the working memory of " + identity().subarchitecture + " has ended",
          {identity().subarchitecture, {}}}};
     commands_.work();
+    run_timers();
     if (inbox_.is_empty()) {
       record_->set_idle();
       if (!wait_for_work(until))
@@ -308,17 +319,28 @@ bool ComponentShell::deliver(Clock::time_point until, const std::function<bool()
       continue;
     }
     handle_next();
-    if ((enough && enough()) || Clock::now() >= until)
+    if ((enough && enough()) || context_.time_point() >= until)
       return true;
   }
 }
 
 bool ComponentShell::wait_for_work(Clock::time_point until) {
-  auto alarm = commands_.next_alarm();
+  auto pump_to = [this](Clock::time_point x) {
+    if (!simulated_clock())
+      return pump(x);
+    return pump_until(x == never ? Timestamp::max() : context_.since_start(x));
+  };
+  auto alarm = std::min(commands_.next_alarm(), timers_.next());
   if (alarm >= until)
-    return pump(until);
-  pump(alarm);
+    return pump_to(until);
+  pump_to(alarm);
   return true;
+}
+
+void ComponentShell::run_timers() {
+  for (auto& [id, call] : timers_.take_due(context_.time_point()))
+    if (timers_.contains(id) && !life_.is_stopping())
+      code_.run("the call of a timer", *call);
 }
 
 void ComponentShell::handle_next() {

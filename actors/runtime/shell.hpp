@@ -16,14 +16,17 @@
 #include "castor/actors/runtime/provider_client.hpp"
 #include "castor/actors/runtime/services.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/actors/runtime/timers.hpp"
 #include "castor/actors/runtime/user_code.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace castor {
 
@@ -42,7 +45,7 @@ struct ShellParts {
 /// them. Before the component enters its first phase it must be sent its neighbours.
 class ComponentShell final : public PumpedActor, public ComponentRuntime {
 public:
-  using Clock = ComponentRuntime::Clock;
+  using Clock = PumpedActor::Clock;
 
   ComponentShell(caf::actor_config& config, ShellParts parts);
 
@@ -54,7 +57,15 @@ public:
   bool is_own_thread() const override { return std::this_thread::get_id() == thread_; }
   Timestamp now() const override { return context_.now(); }
   bool is_running() override { return client_.is_running(); }
-  bool deliver(Clock::time_point until, const std::function<bool()>& enough) override;
+  TimeHold hold_time() const override {
+    return services_->clock ? services_->clock->hold() : TimeHold{};
+  }
+  bool deliver(std::optional<std::chrono::nanoseconds> duration,
+               const std::function<bool()>& enough) override;
+  TimerId add_timer(std::chrono::nanoseconds period, std::function<void()> call) override {
+    return timers_.add(period, context_.time_point(), std::move(call));
+  }
+  void remove_timer(TimerId id) override { timers_.remove(id); }
   std::uint64_t callbacks() const override { return code_.callbacks(); }
   std::uint64_t run() const override { return services_->run.load(); }
   void end_system(int status, const std::string& reason) override {
@@ -100,9 +111,12 @@ private:
 
   // -- work
 
-  /// Files what arrives, or returns at `until` or earlier if commands are due; false once `until`
-  /// has passed without any.
+  /// Delivers until that point of the system's time.
+  bool deliver_until(Clock::time_point until, const std::function<bool()>& enough);
+  /// Files what arrives, or returns at `until`, of the system's time, or earlier if commands or
+  /// timers are due; false once `until` has passed without any.
   bool wait_for_work(Clock::time_point until);
+  void run_timers();
   void handle_next();
   void handle(Inbox::Work& x);
   void handle_change(const ChangeNotice& notice);
@@ -128,6 +142,7 @@ private:
   ComponentConnections connections_;
   ComponentCommands commands_;
   ComponentTasks tasks_;
+  Timers timers_;
 };
 
 } // namespace castor

@@ -25,6 +25,13 @@ void ActorTransitionDriver::remind(const TransitionReminder& of, Timestamp after
   self_->delayed_send(self_, after, of);
 }
 
+void ActorTransitionDriver::delay(const TransitionReminder& of, Timestamp by) {
+  auto reminder = of;
+  if (clock_)
+    reminder.hold = std::make_shared<TimeHold>(clock_->hold());
+  remind(reminder, by);
+}
+
 void ActorTransitionDriver::stop(const std::string& child) {
   if (auto actor = actor_of(child))
     self_->send_exit(actor, caf::exit_reason::user_shutdown);

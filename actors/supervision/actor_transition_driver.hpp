@@ -23,13 +23,14 @@ namespace castor {
 /// agents of the processes that make them.
 class ActorTransitionDriver : public TransitionDriver {
 public:
-  /// All of them have to outlive it. `plan` returns the current plan of the system.
+  /// All of them have to outlive it. `plan` returns the current plan of the system. `clock` is null
+  /// for the real one.
   ActorTransitionDriver(caf::event_based_actor* self, const Processes& processes,
                         const SystemOptions& options, const SystemModel& model,
                         const Failover& failover, Deployments& deployments,
-                        std::function<PartPlan()> plan)
+                        std::function<PartPlan()> plan, std::shared_ptr<SimulatedClock> clock)
     : self_(self), processes_(processes), options_(options), model_(model), failover_(failover),
-      deployments_(deployments), plan_(std::move(plan)) {}
+      deployments_(deployments), plan_(std::move(plan)), clock_(std::move(clock)) {}
 
   TimePoint now() const override { return self_->clock().now(); }
   bool is_interrupted() const override { return options_.interrupted && options_.interrupted(); }
@@ -38,6 +39,7 @@ public:
   bool is_replaced(const std::string& child) const override;
 
   void remind(const TransitionReminder& of, Timestamp after) override;
+  void delay(const TransitionReminder& of, Timestamp by) override;
   void stop(const std::string& child) override;
   bool kill(const std::string& child) override;
   void make(const std::vector<std::string>& children, bool by_plan,
@@ -66,6 +68,8 @@ private:
   const Failover& failover_;
   Deployments& deployments_;
   std::function<PartPlan()> plan_;
+  /// Null for the real clock.
+  std::shared_ptr<SimulatedClock> clock_;
   /// Actors the last phase commands were sent to, by the names of the children.
   std::map<std::string, caf::actor_addr> commanded_;
   std::map<std::pair<std::string, Phase>, ComponentFault> next_life_faults_;

@@ -50,8 +50,9 @@ public:
       deployments_(std::make_shared<Deployments>(self, processes_, options_.part_patience)),
       health_(self, *deployments_, options_),
       tree_(parts_.seed ? *parts_.seed : std::random_device{}()), model_(tree_, failover_),
-      driver_(self, processes_, options_, model_, failover_, *deployments_,
-              [this] { return plan(); }),
+      driver_(
+        self, processes_, options_, model_, failover_, *deployments_, [this] { return plan(); },
+        parts_.clock),
       transitions_(model_, failover_, driver_, *this) {}
 
   caf::behavior begin() {
@@ -133,6 +134,9 @@ private:
     result.pushes = options_.pushes.string();
     result.pushes_limit = options_.pushes_limit;
     result.age = age();
+    result.simulated_clock = parts_.clock != nullptr;
+    if (parts_.clock)
+      result.clock = parts_.clock->present();
     result.patience = options_.link.patience;
     return result;
   }

@@ -63,6 +63,8 @@ struct SupervisorParts {
   const SystemOptions* options = nullptr;
   std::string file;
   std::chrono::steady_clock::time_point epoch;
+  /// Null for the real clock.
+  std::shared_ptr<SimulatedClock> clock = nullptr;
   /// Seed of the jitter of delays; random if there is no value.
   std::optional<std::uint64_t> seed = {};
   /// Receiver of EndSystem.

@@ -2,11 +2,13 @@
 
 #include "castor/actors/node/part_protocol.hpp"
 #include "castor/actors/runtime/shell_protocol.hpp"
+#include "castor/wm/clock/activity.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ namespace castor {
 struct TransitionReminder {
   std::uint64_t transition = 0;
   std::uint64_t turn = 0;
+  /// Simulated time stands as long as the reminder is under way; may be null.
+  std::shared_ptr<TimeHold> hold = nullptr;
 };
 
 /// Executes the commands of a TransitionScheduler, and answers its questions.
@@ -38,6 +42,8 @@ public:
 
   /// To be followed by `TransitionScheduler::remind`.
   virtual void remind(const TransitionReminder& of, Timestamp after) = 0;
+  /// The same; simulated time stands until then.
+  virtual void delay(const TransitionReminder& of, Timestamp by) { remind(of, by); }
   /// To be followed by `TransitionScheduler::ended`, if the child returns from its own code.
   virtual void stop(const std::string& child) = 0;
   /// Kills the process of a child that does not stop; then `ended` or `lose` follow. False if the

@@ -101,7 +101,7 @@ void TransitionScheduler::advance(Iterator i) {
       return;
     x.enter(Step::wait, driver_.now());
     if (x.remakes() && x.delay().count() > 0) {
-      remind_later(x, x.delay());
+      driver_.delay({x.id(), x.turn()}, x.delay());
       return;
     }
   }

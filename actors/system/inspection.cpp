@@ -1,6 +1,7 @@
 #include "castor/actors/system/inspection.hpp"
 
 #include "castor/actors/system/change_requests.hpp"
+#include "castor/actors/system/clock_requests.hpp"
 #include "castor/actors/system/entry_queries.hpp"
 #include "castor/actors/system/event_watch.hpp"
 #include "castor/actors/system/inspection_context.hpp"
@@ -69,6 +70,7 @@ private:
       {"types", [](Inspection& x, const Json& request) { show_types(x.context_, request); }},
       {"wm", [](Inspection& x, const Json& request) { show_entries(x.context_, request); }},
       {"events", [](Inspection& x, const Json& request) { x.watch_.begin(request); }},
+      {"clock", [](Inspection& x, const Json& request) { show_or_set_clock(x.context_, request); }},
       {"graph", [](Inspection& x, const Json&) { x.tell_accesses(); }},
       {"replay", [](Inspection& x, const Json& request) { x.replay_into_system(request); }},
       {"add", [](Inspection& x, const Json& request) { add_components(x.context_, request); }},

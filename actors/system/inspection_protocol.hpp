@@ -15,6 +15,8 @@
 /// Messages to and from inspections.
 namespace castor {
 
+class ClockControl;
+
 /// To an inspection: a request, as a JSON object.
 struct InspectionRequest {
   std::string text;
@@ -44,6 +46,8 @@ struct InspectionParts {
   std::function<void(SystemOrder)> give_order;
   /// Log of the operations of operators, or null.
   std::shared_ptr<OperationLog> operations;
+  /// Null for the real clock.
+  std::shared_ptr<ClockControl> clock;
 };
 
 } // namespace castor

@@ -69,6 +69,7 @@ struct EndpointState {
   SystemRosterPtr roster;
   std::function<void(SystemOrder)> give_order;
   std::shared_ptr<OperationLog> operations;
+  std::shared_ptr<ClockControl> clock;
   std::map<connection_handle, Connection> connections;
   std::uint64_t last_number = 0;
 
@@ -142,6 +143,7 @@ void ask(EndpointSelf* self, connection_handle handle, EndpointState::Connection
     parts.roster = self->state.roster;
     parts.give_order = self->state.give_order;
     parts.operations = self->state.operations;
+    parts.clock = self->state.clock;
     connection.inspection = self->system().spawn(inspection, std::move(parts));
   }
   caf::anon_send(connection.inspection, InspectionRequest{std::move(line)});
@@ -184,10 +186,12 @@ void written(EndpointSelf* self, const caf::io::data_transferred_msg& x) {
 
 caf::behavior endpoint(EndpointSelf* self, fs::path path, int socket,
                        std::function<void(SystemOrder)> give_order,
-                       std::shared_ptr<OperationLog> operations) {
+                       std::shared_ptr<OperationLog> operations,
+                       std::shared_ptr<ClockControl> clock) {
   self->state.socket = std::move(path);
   self->state.give_order = std::move(give_order);
   self->state.operations = std::move(operations);
+  self->state.clock = std::move(clock);
   add_acceptor(
     *self,
     {socket, {no_descriptors.begin(), no_descriptors.end()}, [](const DescriptorShortage& x) {
@@ -228,13 +232,14 @@ fs::path endpoint_of_process(const std::string& system_file) {
 
 caf::actor open_local_endpoint(caf::actor_system& system, const fs::path& socket,
                                std::function<void(SystemOrder)> give_order,
-                               std::shared_ptr<OperationLog> operations) {
+                               std::shared_ptr<OperationLog> operations,
+                               std::shared_ptr<ClockControl> clock) {
   // What killed processes have left behind.
   sweep(socket.parent_path());
   const FolderLock lock{socket.parent_path(), std::chrono::seconds{2}};
   auto fd = listen_at_path(socket);
   return system.middleman().spawn_broker(endpoint, socket, fd, std::move(give_order),
-                                         std::move(operations));
+                                         std::move(operations), std::move(clock));
 }
 
 } // namespace castor

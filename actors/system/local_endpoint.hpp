@@ -16,6 +16,7 @@
 /// docs/introspection.md has the requests.
 namespace castor {
 
+class ClockControl;
 class OperationLog;
 
 /// Path of the socket of a system that this process runs. Throws std::runtime_error if there is no
@@ -24,9 +25,11 @@ std::filesystem::path endpoint_of_process(const std::string& system_file);
 
 /// Listens at the socket, which goes with the actor. It has to be sent a SystemRosterPtr, and again
 /// whenever that has changed. `give_order` is called from any thread. Operations of operators on
-/// working memories are logged in `operations`, unless it is null. Throws std::runtime_error.
+/// working memories are logged in `operations`, unless it is null. `clock` is null for the real
+/// one. Throws std::runtime_error.
 caf::actor open_local_endpoint(caf::actor_system& system, const std::filesystem::path& socket,
                                std::function<void(SystemOrder)> give_order,
-                               std::shared_ptr<OperationLog> operations = nullptr);
+                               std::shared_ptr<OperationLog> operations = nullptr,
+                               std::shared_ptr<ClockControl> clock = nullptr);
 
 } // namespace castor

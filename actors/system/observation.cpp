@@ -20,8 +20,11 @@ Observation::Observation(caf::actor_system& system, const SystemOptions& options
 }
 
 void Observation::make_observer() {
-  if (!observer_)
-    observer_ = system_.spawn<caf::detached>(observer, std::cref(options_));
+  if (observer_)
+    return;
+  // Simulated time waits for those in the pool: what is reported is then always the same.
+  observer_ = options_.clock.pace ? system_.spawn(observer, std::cref(options_))
+                                  : system_.spawn<caf::detached>(observer, std::cref(options_));
 }
 
 void Observation::update() {

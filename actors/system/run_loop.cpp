@@ -1,8 +1,14 @@
 #include "castor/actors/system/run_loop.hpp"
 
+#include "castor/base/at_exit.hpp"
+#include "castor/base/log.hpp"
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -15,6 +21,9 @@ using namespace std::chrono_literals;
 
 /// How often a running system is looked at.
 constexpr std::chrono::milliseconds glance_interval = 50ms;
+
+/// How long simulated time may stand before that is reported.
+constexpr auto standing_time = 3s;
 
 /// A component that was busy for longer than this when looked at keeps a system from being quiet;
 /// one that merely polls does not.
@@ -38,7 +47,14 @@ bool all_failed(const std::vector<ComponentStatus>& components) {
 bool RunLoop::start() {
   started_ = true;
   parts_.observation.update();
-  auto problems = parts_.supervisor.start(names_of(parts_.architecture));
+  auto* clock = parts_.clock;
+  if (clock)
+    clock->set_limit(Timestamp::max());
+  // Simulated time stands again before anybody runs for longer than `wait` allows.
+  auto problems = parts_.supervisor.start(names_of(parts_.architecture), [clock] {
+    if (clock)
+      clock->stand();
+  });
   if (!problems)
     return false;
   if (!problems->empty()) {
@@ -50,29 +66,95 @@ bool RunLoop::start() {
 }
 
 EndReason RunLoop::wait(const RunLimits& until) {
+  return parts_.clock ? wait_for_simulated_time(until) : wait_for_real_time(until);
+}
+
+std::optional<EndReason> RunLoop::look() {
+  if (parts_.inbox.wait(glance_interval))
+    return EndReason::ended_by_component;
+  carry_out_orders();
+  if (interrupted())
+    return EndReason::interrupted;
+  components_ = parts_.status.components();
+  if (all_failed(components_))
+    return EndReason::all_failed;
+  return std::nullopt;
+}
+
+EndReason RunLoop::wait_for_real_time(const RunLimits& until) {
   auto begin = std::chrono::steady_clock::now();
   auto last_activity = begin;
   std::uint64_t last_events = 0;
   for (;;) {
-    if (parts_.inbox.wait(glance_interval))
-      return EndReason::ended_by_component;
-    carry_out_orders();
+    if (auto reason = look())
+      return *reason;
     auto now = std::chrono::steady_clock::now();
-    if (interrupted())
-      return EndReason::interrupted;
     if (until.at_most && now - begin >= *until.at_most)
       return EndReason::time_over;
-    auto components = parts_.status.components();
-    if (all_failed(components))
-      return EndReason::all_failed;
     if (!until.quiet)
       continue;
     auto events = parts_.status.sum_of(&WorkingMemoryStatus::events);
-    if (std::exchange(last_events, events) != events || somebody_is_busy(components))
+    if (std::exchange(last_events, events) != events || somebody_is_busy(components_))
       last_activity = now;
     if (now - last_activity >= *until.quiet)
       return EndReason::quiet;
   }
+}
+
+EndReason RunLoop::wait_for_simulated_time(const RunLimits& until) {
+  auto& clock = *parts_.clock;
+  auto after = [](Timestamp x, std::chrono::nanoseconds duration) {
+    // In microseconds, since the maximum has too many nanoseconds.
+    auto microseconds = std::chrono::ceil<Timestamp>(duration);
+    return microseconds < Timestamp::max() - x ? x + microseconds : Timestamp::max();
+  };
+  auto now = [&] { return clock.clock()->now(); };
+  const auto begin = now();
+  const auto end = until.at_most ? after(begin, *until.at_most) : Timestamp::max();
+  const AtExit stand{[&] { clock.stand(); }};
+  seen_since_ = std::chrono::steady_clock::now();
+  for (;;) {
+    auto quiet = Timestamp::max();
+    if (until.quiet) {
+      auto last_event = begin;
+      for (auto& x : parts_.status.working_memories())
+        last_event = std::max(last_event, x.last_event);
+      quiet = after(last_event, *until.quiet);
+    }
+    if (now() >= end)
+      return EndReason::time_over;
+    if (now() >= quiet)
+      return EndReason::quiet;
+    parts_.inbox.forget_limit();
+    clock.set_limit(std::min(end, quiet));
+    while (!parts_.inbox.is_at_limit()) {
+      if (auto reason = look())
+        return *reason;
+      report_standing_time();
+    }
+  }
+}
+
+void RunLoop::report_standing_time() {
+  auto& clock = *parts_.clock;
+  auto real = std::chrono::steady_clock::now();
+  auto time = clock.clock()->now();
+  auto pace = clock.pace();
+  if (std::exchange(seen_time_, time) != time || pace.paused || clock.busy().empty())
+    seen_since_ = real;
+  if (real - seen_since_ < standing_time)
+    return;
+  seen_since_ = real;
+  std::string names;
+  for (auto& x : components_)
+    if (x.busy > polling)
+      names += (names.empty() ? "" : ", ") + x.identity.full_name();
+  if (!names.empty())
+    log_runtime(
+      LogLevel::warning,
+      fmt::format("simulated time stands at {:.3f} s: it goes on when {} has waited, with "
+                  "sleep_for, wait_for_changes or an operation",
+                  std::chrono::duration<double>{time}.count(), names));
 }
 
 void RunLoop::stop() {

@@ -9,6 +9,11 @@
 #include "castor/actors/system/status_collector.hpp"
 #include "castor/actors/system/supervisor_client.hpp"
 #include "castor/actors/system/system_inbox.hpp"
+#include "castor/wm/clock/clock_control.hpp"
+
+#include <chrono>
+#include <optional>
+#include <vector>
 
 namespace castor {
 
@@ -26,6 +31,8 @@ public:
     Observation& observation;
     Reconfiguration& reconfiguration;
     SystemInbox& inbox;
+    /// Null for the real clock.
+    ClockControl* clock = nullptr;
   };
 
   explicit RunLoop(const Parts& parts) : parts_(parts) {}
@@ -38,6 +45,13 @@ public:
   bool is_stopped() const { return stopped_; }
 
 private:
+  EndReason wait_for_real_time(const RunLimits& until);
+  EndReason wait_for_simulated_time(const RunLimits& until);
+  /// Waits for at most `glance_interval`. The reason to end, if there is one besides time and
+  /// quiet.
+  std::optional<EndReason> look();
+  /// Names those for whom simulated time stands.
+  void report_standing_time();
   void carry_out_orders();
   void refuse_orders();
   bool interrupted() const { return parts_.options.interrupted && parts_.options.interrupted(); }
@@ -47,6 +61,10 @@ private:
   /// Its configuration was wrong, so it has never run.
   bool was_refused_ = false;
   bool stopped_ = false;
+  /// Of the last look: what the components do, which simulated time it is, and since when.
+  std::vector<ComponentStatus> components_;
+  Timestamp seen_time_{0};
+  std::chrono::steady_clock::time_point seen_since_{};
 };
 
 } // namespace castor

@@ -41,13 +41,19 @@ void SupervisorClient::end() {
 }
 
 template <class Answer, class Question>
-std::optional<Answer> SupervisorClient::ask(const Question& question, bool interruptible) {
+std::optional<Answer> SupervisorClient::ask(const Question& question, bool interruptible,
+                                            const std::function<void()>& on_answer) {
   auto answer = std::make_shared<std::promise<std::optional<Answer>>>();
   auto future = answer->get_future();
-  system_.spawn([answer, question, to = supervisor_](caf::event_based_actor* self) {
+  system_.spawn([answer, question, on_answer, to = supervisor_](caf::event_based_actor* self) {
     self->request(to, caf::infinite, question)
-      .then([answer](const Answer& x) { answer->set_value(x); },
-            [answer](const caf::error&) { answer->set_value(std::nullopt); });
+      .then(
+        [answer, on_answer](const Answer& x) {
+          if (on_answer)
+            on_answer();
+          answer->set_value(x);
+        },
+        [answer](const caf::error&) { answer->set_value(std::nullopt); });
   });
   while (future.wait_for(poll_interval) != std::future_status::ready)
     if (interruptible && options_.interrupted && options_.interrupted())
@@ -63,8 +69,9 @@ void SupervisorClient::deploy(const ArchitectureDescription& architecture,
 }
 
 std::optional<std::vector<Diagnostic>>
-SupervisorClient::start(const std::vector<std::string>& names) {
-  auto started = ask<ComponentsStarted>(StartComponents{names}, true);
+SupervisorClient::start(const std::vector<std::string>& names,
+                        const std::function<void()>& on_started) {
+  auto started = ask<ComponentsStarted>(StartComponents{names}, true, on_started);
   if (!started)
     return std::nullopt;
   return std::move(started->problems);

@@ -29,8 +29,11 @@ public:
   void deploy(const ArchitectureDescription& architecture, const Placement& placement);
 
   /// Configures them all, then starts them all, then lets them run. Nothing if interrupted,
-  /// otherwise what is wrong with their configuration; then none of them is started.
-  std::optional<std::vector<Diagnostic>> start(const std::vector<std::string>& names);
+  /// otherwise what is wrong with their configuration; then none of them is started. `on_started`
+  /// is called as soon as they have been started, on another thread, whether or not that is the
+  /// result.
+  std::optional<std::vector<Diagnostic>> start(const std::vector<std::string>& names,
+                                               const std::function<void()>& on_started = {});
 
   /// Returns those that have stopped, in the order of their end.
   std::vector<std::string> stop(const std::vector<std::string>& names);
@@ -51,7 +54,8 @@ public:
 private:
   /// Nothing if the wait for the answer was interrupted.
   template <class Answer, class Question>
-  std::optional<Answer> ask(const Question& question, bool interruptible);
+  std::optional<Answer> ask(const Question& question, bool interruptible,
+                            const std::function<void()>& on_answer = {});
 
   caf::actor_system& system_;
   const SystemOptions& options_;

@@ -2,6 +2,7 @@
 
 #include "castor/actors/node/actor_system_config.hpp"
 #include "castor/actors/node/check.hpp"
+#include "castor/actors/node/clock_protocol.hpp"
 #include "castor/actors/node/incarnation.hpp"
 #include "castor/actors/node/part_agent.hpp"
 #include "castor/actors/node/placement.hpp"
@@ -16,6 +17,7 @@
 #include "castor/actors/system/supervisor_client.hpp"
 #include "castor/actors/system/system_faults.hpp"
 #include "castor/actors/system/system_inbox.hpp"
+#include "castor/wm/clock/clock_control.hpp"
 
 #include <unistd.h>
 
@@ -42,6 +44,22 @@ Placement checked(Placement x, const ArchitectureDescription& architecture) {
 
 } // namespace
 
+/// Null for the real clock.
+std::shared_ptr<Activity> make_activity(const ClockOptions& x, const Placement& placement) {
+  if (!x.pace)
+    return nullptr;
+  if (x.reproducible && placement.processes.size() > 1)
+    throw SystemError{{{Severity::error,
+                        {},
+                        {},
+                        {},
+                        "a run is reproducible in one process only, and this system needs " +
+                          std::to_string(placement.processes.size()),
+                        "leave --reproducible out, or run all components in one process"}}};
+  return std::make_shared<Activity>(x.reproducible ? Activity::Order::one_at_a_time
+                                                   : Activity::Order::parallel);
+}
+
 /// Makes the actors of a system and what works with them, and ends them.
 struct System::Implementation {
   Implementation(ArchitectureDescription described, SystemOptions with)
@@ -64,6 +82,8 @@ struct System::Implementation {
   void end() {
     // Nobody calls this object any more.
     supervisor.end();
+    if (clock)
+      clock->close();
     // Holds stand-alone components, which hold the observer, whose thread the actor system waits
     // for.
     roster.clear();
@@ -79,7 +99,11 @@ struct System::Implementation {
     // Anybody may end the system, from the moment when there is somebody.
     end_listener = system.spawn([this]() -> caf::behavior {
       return {
-        [this](const EndSystem& x) { inbox.end(x.status, x.reason); },
+        [this](const EndSystem& x) {
+          if (clock)
+            clock->stand();
+          inbox.end(x.status, x.reason);
+        },
         [this](const FaultHappened& x) {
           if (options.on_fault_happened)
             options.on_fault_happened(x.number);
@@ -91,6 +115,8 @@ struct System::Implementation {
     PartAgentParts parts;
     parts.mesh = processes.mesh();
     parts.messages = processes.messages();
+    if (clock)
+      parts.clock = clock->clock();
     processes.set_own_agent(system.spawn(part_agent, std::move(parts)));
     supervisor.deploy(architecture, placed);
     if (!options.endpoint.empty())
@@ -103,10 +129,46 @@ struct System::Implementation {
     parts.options = &options;
     parts.file = architecture.file;
     parts.epoch = epoch;
+    if (clock)
+      parts.clock = clock->clock();
     parts.end_listener = end_listener;
     parts.task_observer = observation.task_observer();
     parts.on_change = [this](SystemRosterPtr x) { roster.update(std::move(x)); };
     supervisor.begin(std::move(parts));
+  }
+
+  std::shared_ptr<ClockControl> make_clock() {
+    if (!config.activity())
+      return nullptr;
+    ClockControl::Parts parts;
+    parts.clock = std::make_shared<SimulatedClock>(config.activity(), ClockAdvance{});
+    parts.at_limit = [this] { inbox.note_limit(); };
+    if (auto& mesh = processes.mesh()) {
+      parts.send = [mesh](ClockMember to, const ClockAdvance& x) {
+        if (auto clock_there = mesh->well_known(to, clock_number))
+          clock_there->enqueue(nullptr, caf::make_message_id(), caf::make_message(x), nullptr);
+      };
+      parts.counts = [mesh] { return mesh->message_counts(); };
+      mesh->set_clock(parts.clock);
+    }
+    auto result = std::make_shared<ClockControl>(std::move(parts));
+    if (auto& mesh = processes.mesh())
+      mesh->set_sink(clock_number, [control = result.get()](ProcessNumber, auto& x, auto*) {
+        if (x.template match_elements<ClockReportFrom>()) {
+          auto& [from, report] = x.template get_as<ClockReportFrom>(0);
+          control->receive(from, report);
+        }
+      });
+    result->set_pace(*options.clock.pace);
+    return result;
+  }
+
+  void on_link_news(const LinkNews& x) {
+    if (clock && x.state == LinkState::up)
+      clock->add_member(x.peer);
+    else if (clock && x.state == LinkState::lost)
+      clock->remove_member(x.peer);
+    supervisor.tell(x);
   }
 
   void open_endpoint() {
@@ -114,7 +176,7 @@ struct System::Implementation {
       options.operations.empty() ? nullptr : std::make_shared<OperationLog>(options.operations);
     endpoint = open_local_endpoint(
       system, options.endpoint, [this](SystemOrder x) { inbox.add(std::move(x)); },
-      std::move(operations));
+      std::move(operations), clock);
     roster.set_endpoint(endpoint);
   }
 
@@ -122,22 +184,25 @@ struct System::Implementation {
   const SystemOptions options;
   /// As the file has it; `roster` knows better later.
   const Placement placed;
-  ActorSystemConfig config{placed.processes.size() > 1 || !options.endpoint.empty()};
+  ActorSystemConfig config{placed.processes.size() > 1 || !options.endpoint.empty(),
+                           make_activity(options.clock, placed)};
   caf::actor_system system{config};
   const Clock::time_point epoch = Clock::now();
   SystemInbox inbox;
   RosterFeed roster;
   SupervisorClient supervisor{system, options};
   Processes processes{system, options, new_system_name(architecture),
-                      [this](const LinkNews& x) { supervisor.tell(x); }};
+                      [this](const LinkNews& x) { on_link_news(x); }};
+  /// Null for the real clock.
+  std::shared_ptr<ClockControl> clock = make_clock();
   caf::actor end_listener;
   caf::actor endpoint;
   StatusCollector status{system, options, architecture, processes, roster};
   Observation observation{system, options, architecture, roster, status};
   Reconfiguration reconfiguration{architecture, options,    processes,
                                   roster,       supervisor, observation};
-  RunLoop run_loop{
-    {options, architecture, processes, supervisor, status, observation, reconfiguration, inbox}};
+  RunLoop run_loop{{options, architecture, processes, supervisor, status, observation,
+                    reconfiguration, inbox, clock.get()}};
   SystemFaults faults{system, processes, roster, supervisor, end_listener};
 };
 

@@ -15,6 +15,22 @@ void SystemInbox::add(SystemOrder x) {
   changed_.notify_all();
 }
 
+void SystemInbox::note_limit() {
+  std::lock_guard guard{mutex_};
+  is_at_limit_ = true;
+  changed_.notify_all();
+}
+
+void SystemInbox::forget_limit() {
+  std::lock_guard guard{mutex_};
+  is_at_limit_ = false;
+}
+
+bool SystemInbox::is_at_limit() const {
+  std::lock_guard guard{mutex_};
+  return is_at_limit_;
+}
+
 std::optional<std::pair<int, std::string>> SystemInbox::ended() const {
   std::lock_guard guard{mutex_};
   return ended_;
@@ -27,7 +43,8 @@ std::deque<SystemOrder> SystemInbox::take_orders() {
 
 bool SystemInbox::wait(std::chrono::milliseconds at_most) {
   std::unique_lock guard{mutex_};
-  changed_.wait_for(guard, at_most, [this] { return ended_.has_value() || !orders_.empty(); });
+  changed_.wait_for(guard, at_most,
+                    [this] { return ended_.has_value() || !orders_.empty() || is_at_limit_; });
   return ended_.has_value();
 }
 

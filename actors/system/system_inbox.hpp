@@ -20,11 +20,17 @@ public:
   void end(int status, const std::string& reason);
   void add(SystemOrder x);
 
+  /// Simulated time stands at its limit.
+  void note_limit();
+  void forget_limit();
+  bool is_at_limit() const;
+
   /// Status and reason, once the end was requested.
   std::optional<std::pair<int, std::string>> ended() const;
   std::deque<SystemOrder> take_orders();
 
-  /// Waits for a request, for `at_most`. Returns whether the end was requested.
+  /// Waits for a request, or for the limit of simulated time, for `at_most`. Returns whether the
+  /// end was requested.
   bool wait(std::chrono::milliseconds at_most);
 
 private:
@@ -32,6 +38,7 @@ private:
   std::condition_variable changed_;
   std::optional<std::pair<int, std::string>> ended_;
   std::deque<SystemOrder> orders_;
+  bool is_at_limit_ = false;
 };
 
 } // namespace castor

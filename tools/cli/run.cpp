@@ -9,6 +9,7 @@
 #include "castor/tools/cli/duration_option.hpp"
 #include "castor/tools/cli/local_nodes.hpp"
 #include "castor/tools/cli/output.hpp"
+#include "castor/tools/cli/pace_option.hpp"
 #include "castor/tools/cli/progress.hpp"
 #include "castor/tools/cli/read_architecture.hpp"
 #include "castor/tools/cli/record.hpp"
@@ -51,6 +52,8 @@ struct RunArguments {
   RecordArguments record;
   std::string at_most;
   std::string quiet;
+  std::string speed;
+  bool reproducible = false;
   std::filesystem::path output;
   std::vector<std::string> timelines;
   std::string timeline_gap;
@@ -220,6 +223,10 @@ int run(RunArguments arguments, const std::vector<std::string>& plugins) {
   options.open_access = arguments.open_access;
   options.broadcast = arguments.broadcast;
   options.restarts = !arguments.no_restarts;
+  options.clock.pace = pace(arguments.speed);
+  options.clock.reproducible = arguments.reproducible;
+  if (arguments.reproducible && !options.clock.pace)
+    options.clock.pace = Pace{};
   if (timeline.wanted()) {
     options.on_change = [&](const ChangeEvent& event) { timeline.add(event); };
     options.on_task = [&](const TaskEvent& event) { timeline.add(event); };
@@ -342,6 +349,16 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
                  "stop when no entry has changed and no component was busy for this long")
     ->type_name("DURATION")
     ->check(check_duration);
+  command
+    ->add_option(
+      "--speed", arguments->speed,
+      "simulate time: seconds per second of real time, `max` for as fast as all "
+      "components are done, or `paused`; --for and --until-quiet are simulated time then")
+    ->type_name("FACTOR|max|paused")
+    ->check(check_pace);
+  command->add_flag("--reproducible", arguments->reproducible,
+                    "simulate time, and let components run one at a time, so that each run has the "
+                    "same result; as fast as possible without --speed; in one process only");
   command
     ->add_option("--output", arguments->output,
                  "folder for the timeline, the entries and files that components write; in the "

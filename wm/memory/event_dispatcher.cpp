@@ -14,7 +14,7 @@ constexpr EventStream all_streams[] = {EventStream::component, EventStream::runt
 EventDispatcher::EventDispatcher(WorkingMemoryActor::pointer self, JournalOutbox& outbox,
                                  MonitoredActors& monitored, UsageLog& usage,
                                  const WorkingMemoryOptions& options)
-  : self_(self), outbox_(outbox), monitored_(monitored), usage_(usage),
+  : self_(self), clock_(options.clock), outbox_(outbox), monitored_(monitored), usage_(usage),
     subarchitecture_(options.subarchitecture), peer_deadline_(options.peer_deadline),
     // What is on its way to a former life is nothing that this one has asked for.
     subscriptions_(options.subarchitecture, options.ignored,
@@ -46,6 +46,16 @@ void EventDispatcher::dispatch(const std::vector<CommittedChange>& changes) {
     std::move(outgoing),
     [this](PeerNumber peer, EventFlow::Batch x) { send_near(peer, std::move(x)); },
     [this](RouteNumber route, RoutedEvents x) { send_far(route, std::move(x)); });
+  hold_time_for_backlog();
+}
+
+void EventDispatcher::hold_time_for_backlog() {
+  if (!clock_)
+    return;
+  if (!peers_.has_backlog())
+    time_hold_.reset();
+  else if (!time_hold_)
+    time_hold_ = clock_->hold();
 }
 
 void EventDispatcher::receive(const ChangeNotices& events) {
@@ -109,11 +119,12 @@ void EventDispatcher::unsubscribe(const Unsubscribe& request) {
 
 void EventDispatcher::acknowledge(const EventsTaken& taken) {
   auto who = caf::actor_cast<caf::actor_addr>(self_->current_sender());
-  if (auto route = find_route(who))
+  if (auto route = find_route(who)) {
     peers_.acknowledge(*route, taken.count, [this](RouteNumber x, RoutedEvents events) {
       send_far(x, std::move(events));
     });
-  else if (auto* number = find_subscriber(who, taken.stream))
+    hold_time_for_backlog();
+  } else if (auto* number = find_subscriber(who, taken.stream))
     subscriptions_.acknowledge(
       *number, taken.count,
       [this](Subscriptions::Number x, EventFlow::Batch batch) { send(x, std::move(batch)); });
@@ -280,8 +291,10 @@ void EventDispatcher::end(const caf::actor_addr& who) {
         withdraw(x);
       subscriber_actors_.erase(number);
     }
-  if (auto route = find_route(who))
+  if (auto route = find_route(who)) {
     peers_.end_route(*route);
+    hold_time_for_backlog();
+  }
 }
 
 void EventDispatcher::add_to(WorkingMemoryStatus& status) const {

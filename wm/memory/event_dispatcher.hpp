@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -82,7 +83,13 @@ private:
   void send_near(PeerNumber peer, EventFlow::Batch events);
   void send_far(RouteNumber route, RoutedEvents events);
 
+  /// Simulated time stands while events wait for another process.
+  void hold_time_for_backlog();
+
   WorkingMemoryActor::pointer self_;
+  /// Null for the real clock.
+  std::shared_ptr<SimulatedClock> clock_;
+  std::optional<TimeHold> time_hold_;
   JournalOutbox& outbox_;
   MonitoredActors& monitored_;
   UsageLog& usage_;

@@ -27,6 +27,7 @@ caf::actor start_writer(WorkingMemoryActor::pointer self, const JournalOptions& 
 void JournalOutbox::open(const WorkingMemoryOptions& options, Timestamp now) {
   auto& opened = *options.opened_journal;
   subarchitecture_ = options.subarchitecture;
+  clock_ = options.clock;
   options_ = options.journal;
   status_.mode = options_.mode;
   if (!opened.failure.empty()) {
@@ -61,6 +62,7 @@ void JournalOutbox::receive(const JournalNews& news) {
   status_.syncs = news.syncs;
   if (news.failure.empty()) {
     gate_.synced(news.synced);
+    release_time_if_empty();
     return;
   }
   status_.failure = news.failure;
@@ -69,16 +71,23 @@ void JournalOutbox::receive(const JournalNews& news) {
                     " goes on without a journal: changes from now on are lost when it ends");
     writer_ = nullptr;
     gate_.open();
+    release_time_if_empty();
     return;
   }
   gate_.synced(news.synced);
   gate_.drop();
+  release_time_if_empty();
   auto why = news.failure + ". The working memory of " + subarchitecture_ +
              (options_.mode == JournalMode::full
                 ? " ends; everything that it has acknowledged is in its journal"
                 : " ends; what it has acknowledged last may be lost");
   options_.report(why);
   self_->quit(caf::make_error(caf::sec::runtime_error, why));
+}
+
+void JournalOutbox::release_time_if_empty() {
+  if (gate_.waiting() == 0)
+    time_hold_.reset();
 }
 
 void JournalOutbox::inject_fault(const JournalFault& fault) {

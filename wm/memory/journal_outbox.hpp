@@ -6,6 +6,9 @@
 #include "castor/wm/memory/working_memory_options.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +36,7 @@ public:
   template <class F>
   void emit(F&& f) {
     if (gate_.holds())
-      gate_.push(std::forward<F>(f));
+      hold(std::forward<F>(f));
     else
       f();
   }
@@ -44,7 +47,7 @@ public:
     if (!gate_.holds() || reply.flag != caf::rt_value)
       return reply;
     auto deferred = defer<Reply>(self_);
-    gate_.push([deferred, message = std::move(reply.value)] {
+    hold([deferred, message = std::move(reply.value)] {
       deferred->deliver(Reply{message.template get_as<Reply>(0)});
     });
     return deferred->promise();
@@ -68,6 +71,12 @@ public:
 
 private:
   void append(const std::vector<CommittedChange>& changes);
+  void hold(std::function<void()> output) {
+    gate_.push(std::move(output));
+    if (clock_ && !time_hold_)
+      time_hold_ = clock_->hold();
+  }
+  void release_time_if_empty();
 
   WorkingMemoryActor::pointer self_;
   std::string subarchitecture_;
@@ -75,6 +84,9 @@ private:
   /// Null without a journal.
   caf::actor writer_;
   OutputGate gate_;
+  /// Null for the real clock. Time stands while messages are held back.
+  std::shared_ptr<SimulatedClock> clock_;
+  std::optional<TimeHold> time_hold_;
   /// Without the figures of `gate_`.
   JournalStatus status_;
   /// Origin of event times.

@@ -133,6 +133,11 @@ PeerRoutes::Counters PeerRoutes::counters() const {
   return result;
 }
 
+bool PeerRoutes::has_backlog() const {
+  return std::any_of(routes_.begin(), routes_.end(),
+                     [](auto& x) { return !x.flow.backlog().empty(); });
+}
+
 void PeerRoutes::erase(PeerNumber peer, InterestId id, const PeerInterest& interest) {
   if (auto& x = peers_[peer]; x.route) {
     auto& route = routes_[*x.route];

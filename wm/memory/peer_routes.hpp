@@ -109,6 +109,9 @@ public:
 
   Counters counters() const;
 
+  /// Whether events wait until earlier ones have been acknowledged.
+  bool has_backlog() const;
+
 private:
   struct PeerInterest {
     ChangeFilter filter;

@@ -208,6 +208,8 @@ struct WorkingMemoryStatus {
   std::uint64_t filters = 0;
   /// Changes made here.
   std::uint64_t events = 0;
+  /// When the last one was made.
+  Timestamp last_event{0};
   /// Events that components of this subarchitecture want, one per component and event.
   std::uint64_t matched = 0;
   /// Events sent to components of this subarchitecture, one per component and event.

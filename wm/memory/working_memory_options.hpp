@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/base/caf.hpp"
+#include "castor/wm/clock/simulated_clock.hpp"
 #include "castor/wm/journal/journal.hpp"
 #include "castor/wm/leases/lease_table.hpp"
 #include "castor/wm/store/entry_store.hpp"
@@ -28,6 +29,9 @@ struct WorkingMemoryOptions {
   std::uint64_t incarnation = 1;
   /// Origin of event times.
   std::chrono::steady_clock::time_point epoch{};
+  /// Clock of event times and of times to live; null for the real one. Leases and waits are timed
+  /// by the real one.
+  std::shared_ptr<SimulatedClock> clock;
   /// Every event is sent to every other working memory, regardless of interests.
   bool broadcast = false;
   /// Time limit for another working memory to register a filter.

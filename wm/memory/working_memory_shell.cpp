@@ -41,7 +41,7 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
                                        const WorkingMemoryOptions& options)
   : self_(self), store_(options.subarchitecture, store_options(options)),
     leases_(store_, lease_options(options)), events_(self, outbox_, monitored_, usage_, options),
-    epoch_(options.epoch) {
+    epoch_(options.epoch), clock_(options.clock) {
   allow_writers(options.writers);
   if (!options.opened_journal)
     return;
@@ -51,7 +51,16 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
   set_alarm();
 }
 
+WorkingMemoryShell::~WorkingMemoryShell() {
+  if (clock_)
+    clock_->forget(system_alarm_key_);
+}
+
 Timestamp WorkingMemoryShell::now() const {
+  return clock_ ? clock_->now() + clock_jump_ : lease_now();
+}
+
+Timestamp WorkingMemoryShell::lease_now() const {
   return std::chrono::duration_cast<Timestamp>(self_->clock().now() - epoch_) + clock_jump_;
 }
 
@@ -92,6 +101,7 @@ void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
       remember_client(effect.owner);
     CommittedChange change{nullptr, effect.entry, effect.before};
     change.event = store_.commit(std::move(effect), time);
+    last_event_ = time;
     count_change(*change.event);
     if (change.event->operation == Operation::remove)
       leases_.erase(change.event->address.id);
@@ -113,7 +123,7 @@ caf::result<Outcome<EntryPtr>> WorkingMemoryShell::read(const ReadRequest& reque
   }
   remember_client(client);
   auto answer = defer<Outcome<EntryPtr>>(self_);
-  leases_.wait_to_read(request, now(),
+  leases_.wait_to_read(request, lease_now(),
                        {[this, answer, client = client](Outcome<EntryPtr> x) {
                           if (x)
                             count_read(client, **x);
@@ -135,7 +145,7 @@ caf::result<Outcome<std::vector<EntryPtr>>> WorkingMemoryShell::query(const Quer
   }
   remember_client(client);
   auto answer = defer<Outcome<Entries>>(self_);
-  leases_.wait_to_query(request, now(),
+  leases_.wait_to_query(request, lease_now(),
                         {[this, answer, client = client](Outcome<Entries> x) {
                            if (x)
                              for (auto& entry : *x)
@@ -161,7 +171,7 @@ Outcome<Version> WorkingMemoryShell::version(const VersionQuery& request) {
 
 caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request) {
   catch_up();
-  auto result = leases_.try_lock(request, now());
+  auto result = leases_.try_lock(request, lease_now());
   if (result && !*result)
     return *std::move(result);
   remember_client(request.patience.client);
@@ -170,7 +180,7 @@ caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request)
     return *std::move(result);
   }
   auto answer = defer<Outcome<Lease>>(self_);
-  leases_.wait_to_lock(request, now(),
+  leases_.wait_to_lock(request, lease_now(),
                        {[this, answer](Outcome<Lease> x) { outbox_.reply(answer, std::move(x)); },
                         [answer] { answer->abandon(); }});
   set_alarm();
@@ -179,7 +189,7 @@ caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request)
 
 Outcome<Acknowledged> WorkingMemoryShell::unlock(const UnlockRequest& request) {
   catch_up();
-  auto result = leases_.unlock(request, now());
+  auto result = leases_.unlock(request, lease_now());
   settle();
   set_alarm();
   return result;
@@ -197,13 +207,13 @@ void WorkingMemoryShell::cancel(const CancelWait& request) {
     return;
   }
   catch_up();
-  leases_.cancel(request, now());
+  leases_.cancel(request, lease_now());
   settle();
 }
 
 caf::result<RenewReply> WorkingMemoryShell::renew(const RenewRequest& request) {
   catch_up();
-  return outbox_.reply<RenewReply>(leases_.renew(request, now()));
+  return outbox_.reply<RenewReply>(leases_.renew(request, lease_now()));
 }
 
 void WorkingMemoryShell::follow(DeadlockProbe probe) {
@@ -223,8 +233,8 @@ void WorkingMemoryShell::follow(DeadlockProbe probe) {
 void WorkingMemoryShell::catch_up() {
   if (leases_.empty() && !store_.lifetimes().next_due())
     return;
+  leases_.expire(lease_now());
   auto time = now();
-  leases_.expire(time);
   if (auto due = store_.lifetimes().next_due(); due && *due <= time)
     delete_due(time);
   settle();
@@ -235,7 +245,7 @@ void WorkingMemoryShell::delete_due(Timestamp now) {
   for (auto& id : store_.lifetimes().due(now)) {
     // What others may not delete is not forgotten either, until its lease ends.
     if (auto until = leases_.protected_until(id))
-      store_.lifetimes().postpone(id, *until);
+      store_.lifetimes().postpone(id, now + std::max(Timestamp{1}, *until - lease_now()));
     else
       effects.push_back(store_.prepare_due_deletion(id));
   }
@@ -249,16 +259,42 @@ void WorkingMemoryShell::settle() {
 }
 
 void WorkingMemoryShell::set_alarm() {
-  auto next = std::min(leases_.next_deadline().value_or(Timestamp::max()),
-                       store_.lifetimes().next_due().value_or(Timestamp::max()));
-  if (next >= alarm_)
+  auto leases = leases_.next_deadline().value_or(Timestamp::max());
+  auto lifetimes = store_.lifetimes().next_due().value_or(Timestamp::max());
+  if (!clock_) {
+    set_lease_alarm(std::min(leases, lifetimes));
     return;
-  alarm_ = next;
-  self_->delayed_send(self_, std::max(Timestamp{0}, next - now()), WakeUp{});
+  }
+  set_system_alarm(lifetimes);
+  // Real time would change the order of a reproducible run; clients give up waits themselves.
+  if (!clock_->activity().is_one_at_a_time())
+    set_lease_alarm(leases);
+}
+
+void WorkingMemoryShell::set_lease_alarm(Timestamp next) {
+  if (next >= lease_alarm_)
+    return;
+  lease_alarm_ = next;
+  self_->delayed_send(self_, std::max(Timestamp{0}, next - lease_now()), WakeUp{});
+}
+
+void WorkingMemoryShell::set_system_alarm(Timestamp next) {
+  if (next >= system_alarm_)
+    return;
+  clock_->forget(system_alarm_key_);
+  system_alarm_ = next;
+  // Before the components that are woken at that time.
+  system_alarm_key_ = clock_->wake_at(next - clock_jump_, 0, [self = self_->address()] {
+    if (auto actor = caf::actor_cast<caf::strong_actor_ptr>(self))
+      actor->enqueue(nullptr, caf::make_message_id(), caf::make_message(WakeUp{}), nullptr);
+  });
 }
 
 void WorkingMemoryShell::wake_up() {
-  alarm_ = Timestamp::max();
+  if (!clock_ || lease_alarm_ <= lease_now())
+    lease_alarm_ = Timestamp::max();
+  if (system_alarm_ <= now())
+    system_alarm_ = Timestamp::max();
   catch_up();
   set_alarm();
 }
@@ -298,9 +334,8 @@ void WorkingMemoryShell::end_client(const caf::actor_addr& who) {
   auto client = clients_.extract(who);
   if (!client)
     return;
-  auto time = now();
-  leases_.drop(*client.mapped(), time);
-  store_.lifetimes().end_owner(*client.mapped(), time);
+  leases_.drop(*client.mapped(), lease_now());
+  store_.lifetimes().end_owner(*client.mapped(), now());
   // Also if that was the last lease, when there is nothing to catch up with.
   settle();
   catch_up();
@@ -336,6 +371,7 @@ WorkingMemoryStatus WorkingMemoryShell::status() const {
   for (auto& entry : store_.read_by_type({}))
     ++result.entries_by_type[entry->type_name()];
   result.events = store_.sequence();
+  result.last_event = last_event_;
   result.refused = refused_;
   result.leases = leases_.size();
   result.waiting = leases_.waiting();

@@ -23,6 +23,9 @@ namespace castor {
 class WorkingMemoryShell {
 public:
   WorkingMemoryShell(WorkingMemoryActor::pointer self, const WorkingMemoryOptions& options);
+  WorkingMemoryShell(const WorkingMemoryShell&) = delete;
+  WorkingMemoryShell& operator=(const WorkingMemoryShell&) = delete;
+  ~WorkingMemoryShell();
 
   /// Answers a request for this working memory, delegates one for another.
   template <class Reply, class Request, class F>
@@ -69,8 +72,10 @@ public:
   JournalOutbox& outbox() { return outbox_; }
 
 private:
-  /// Time since the system began.
+  /// Time since the system began, simulated if its clock is.
   Timestamp now() const;
+  /// The same by the real clock, by which leases and waits are timed.
+  Timestamp lease_now() const;
 
   /// Ends leases, waits and entries that are due. Every operation begins with it.
   void catch_up();
@@ -82,8 +87,10 @@ private:
   /// Replies to clients whose waits have ended.
   void settle();
 
-  /// Schedules the next call of `wake_up`.
+  /// Schedules the next calls of `wake_up`.
   void set_alarm();
+  void set_lease_alarm(Timestamp next);
+  void set_system_alarm(Timestamp next);
 
   /// Remembers that the sender of the current message is this client, and monitors it. To be called
   /// before the message's response promise is made, which takes the sender.
@@ -105,12 +112,17 @@ private:
   EventDispatcher events_;
 
   std::chrono::steady_clock::time_point epoch_;
+  /// Null for the real clock.
+  std::shared_ptr<SimulatedClock> clock_;
   /// Clock error, injected by `jump_clock`.
   Timestamp clock_jump_{0};
-  /// Time of the next WakeUp.
-  Timestamp alarm_ = Timestamp::max();
+  /// Times of the next WakeUp by the clock of leases, and by the simulated one.
+  Timestamp lease_alarm_ = Timestamp::max();
+  Timestamp system_alarm_ = Timestamp::max();
+  SimulatedClock::Key system_alarm_key_;
   /// Clients that hold a lease here, wait, or own an entry.
   std::map<caf::actor_addr, ClientPtr> clients_;
+  Timestamp last_event_{0};
   /// Number of refused operations.
   std::uint64_t refused_ = 0;
 };

@@ -24,6 +24,7 @@ CASTOR_REFLECT_ENUM(AfterLast, loop, hold)
 class Camera final : public StandaloneComponent {
   void configure() override {
     ImageSourceOptions options;
+    options.clock = [this, start = now()] { return now() - start; };
     options.base_directory = base_->empty() ? std::string{} : base_.get();
     options.at_end = after_last_ == AfterLast::loop ? ImageSourceOptions::AtEnd::loop
                                                     : ImageSourceOptions::AtEnd::hold_last;

@@ -61,6 +61,8 @@ public:
   using Base::component_name;
   using Base::end_component;
   using Base::end_system;
+  using Base::every;
+  using Base::hold_time;
   using Base::is_running;
   using Base::now;
   using Base::on_push;
