@@ -42,6 +42,10 @@ void OperationsClient::check_may_operate() const {
     throw ComponentStopped{};
 }
 
+bool OperationsClient::is_one_at_a_time() const {
+  return parts_.actor.simulated_clock()->activity().is_one_at_a_time();
+}
+
 std::optional<Failure>
 OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_point until,
                              const std::function<std::optional<WaitEdge>()>& wait) {
@@ -55,7 +59,7 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
     deadlock_.clear();
   }};
   auto next_probe = Clock::now() + between_probes;
-  bool has_probed = false;
+  int quiets = 0;
   parts_.actor.file_arrived();
   while (!done()) {
     if (parts_.life.refuses_operations())
@@ -70,26 +74,26 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
       return Failure{FailureKind::deadlock,
                      identity.full_name() + " gives up waiting; wait cycle: " + deadlock_,
                      waiting_->address};
-    bool should_probe = false;
-    if (!wait || has_probed)
-      parts_.actor.pump(until);
-    else if (parts_.actor.simulated_clock())
-      // Whoever waits last finds the cycle, before time goes on.
-      should_probe = has_probed = parts_.actor.pump_until_quiet(until);
+    bool probes_by_time = parts_.actor.simulated_clock() == nullptr || !is_one_at_a_time();
+    bool is_quiet = false;
+    if (wait && parts_.actor.simulated_clock() && quiets < 2)
+      is_quiet = parts_.actor.pump_until_quiet(until);
     else
-      parts_.actor.pump(std::min(until, next_probe));
+      parts_.actor.pump(wait && probes_by_time ? std::min(until, next_probe) : until);
     // A stream of events wakes us again and again; the deadline holds all the same.
     auto time = Clock::now();
     if (!done() && time >= until)
       return Failure{FailureKind::no_answer, {}, {}};
-    if (!parts_.actor.simulated_clock())
-      should_probe = wait && time >= next_probe;
-    if (!should_probe)
+    bool is_due = wait && probes_by_time && time >= next_probe;
+    if (!is_due && !is_quiet)
       continue;
     next_probe = time + between_probes;
     waiting_ = wait();
     // Finding that out may have been an operation of its own.
     pause.renew();
+    // Those who wait find a cycle before time goes on: first all know for what, then they ask.
+    if (is_quiet && ++quiets == 1)
+      continue;
     if (waiting_)
       send(DeadlockProbe{{*waiting_}, 0});
   }

@@ -106,6 +106,9 @@ public:
 private:
   const WorkingMemoryActor& working_memory() const { return parts_.context.working_memory(); }
 
+  /// Only with a simulated clock.
+  bool is_one_at_a_time() const;
+
   /// Throws unless operations are possible now.
   void check_may_operate() const;
 
