@@ -98,9 +98,8 @@ std::optional<ClockAdvance> ClockControl::decide() {
     return std::nullopt;
   auto decision = control_.decide(Clock::now());
   if (decision.advance && parts_.send)
-    for (auto x : control_.members())
-      if (x != 0)
-        parts_.send(x, *decision.advance);
+    for (auto x : decision.receivers)
+      parts_.send(x, *decision.advance);
   ask_again_ = decision.ask_again;
   if (ask_again_)
     changed_.notify_all();

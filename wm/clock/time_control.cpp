@@ -1,6 +1,7 @@
 #include "castor/wm/clock/time_control.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace castor {
@@ -21,6 +22,7 @@ std::uint64_t count_of(const std::map<ClockMember, std::uint64_t>& counts, Clock
 void TimeControl::remove_member(ClockMember x) {
   members_.erase(x);
   reports_.erase(x);
+  told_.erase(x);
 }
 
 void TimeControl::report(ClockMember from, ClockReport x) {
@@ -39,12 +41,15 @@ void TimeControl::step(Timestamp x) {
   step_limit_ = std::max(step_limit_, now_) + x;
 }
 
+bool TimeControl::has_reported(ClockMember x) const {
+  auto report = reports_.find(x);
+  auto told = told_.find(x);
+  return report != reports_.end() && (told == told_.end() || report->second.round >= told->second);
+}
+
 bool TimeControl::is_quiet() const {
-  for (auto x : members_) {
-    auto i = reports_.find(x);
-    if (i == reports_.end() || i->second.round != round_)
-      return false;
-  }
+  if (!std::all_of(members_.begin(), members_.end(), [&](auto x) { return has_reported(x); }))
+    return false;
   for (auto from : members_)
     for (auto to : members_)
       if (from != to && count_of(reports_.at(from).counts.sent, to) !=
@@ -55,11 +60,8 @@ bool TimeControl::is_quiet() const {
 
 std::vector<ClockMember> TimeControl::busy() const {
   std::vector<ClockMember> result;
-  for (auto x : members_) {
-    auto i = reports_.find(x);
-    if (i == reports_.end() || i->second.round != round_)
-      result.push_back(x);
-  }
+  std::copy_if(members_.begin(), members_.end(), std::back_inserter(result),
+               [&](auto x) { return !has_reported(x); });
   return result;
 }
 
@@ -109,6 +111,13 @@ TimeControl::Decision TimeControl::decide(RealTime real) {
     return result;
   now_ = std::max(now_, target);
   result.advance = ClockAdvance{++round_, now_};
+  told_[0] = round_;
+  for (auto x : members_)
+    // At a pace of real time, what comes from outside gets the right time everywhere.
+    if (x != 0 && (pace_.factor || reports_.at(x).next <= now_)) {
+      told_[x] = round_;
+      result.receivers.push_back(x);
+    }
   return result;
 }
 

@@ -28,22 +28,21 @@ struct Pace {
 /// Decides when the simulated time of a system goes on, and to when, from the reports of its
 /// processes. Real time is an argument.
 ///
-/// Time goes on when every process has reported that nobody there has anything to do in the present
-/// round, and no message is between two of them: for each pair, as many have arrived at one as the
-/// other has sent. Why counts of each pair, and not their sums: suppose that somebody was activated
-/// after its process reported, and take the first one, by a message from another process. That
-/// process had sent it before its own report, or it would have been activated earlier. So the
-/// message is in the sender's count and not in the receiver's, and equal counts need another
-/// message that was sent after the sender's report and received before the receiver's; then again
-/// the sender was activated earlier.
+/// Time goes on when every process has reported that nobody there has anything to do since it was
+/// told that time goes on, and no message is between two of them: for each pair, as many have
+/// arrived at one as the other has sent. Why counts of each pair, and not their sums: suppose that
+/// somebody was activated after its process reported, and take the first one, by a message from
+/// another process. That process had sent it before its own report, or it would have been activated
+/// earlier. So the message is in the sender's count and not in the receiver's, and equal counts
+/// need another message that was sent after the sender's report and received before the receiver's;
+/// then again the sender was activated earlier.
 class TimeControl {
 public:
   using RealTime = std::chrono::steady_clock::time_point;
 
-  /// Member 0 is the process that decides.
+  /// Member 0 is the process that decides, and knows of every round.
   explicit TimeControl(RealTime now) : anchor_real_(now) { members_.insert(0); }
 
-  const std::set<ClockMember>& members() const { return members_; }
   void add_member(ClockMember x) { members_.insert(x); }
   /// The process is lost, or does not take part any more.
   void remove_member(ClockMember x);
@@ -65,8 +64,10 @@ public:
   void step(Timestamp x);
 
   struct Decision {
-    /// For all members, the own process included.
     std::optional<ClockAdvance> advance;
+    /// Other processes to tell. The rest has nobody to wake, and learns of it with the next message
+    /// from a process that knows.
+    std::vector<ClockMember> receivers;
     /// When to ask again, if nothing is reported earlier.
     std::optional<RealTime> ask_again;
     /// Nobody has anything to do before the limit, where time stands.
@@ -74,10 +75,12 @@ public:
   };
   Decision decide(RealTime real);
 
-  /// Members that have not reported for the present round.
+  /// Members that have something to do, as far as is known.
   std::vector<ClockMember> busy() const;
 
 private:
+  /// Whether the member has reported since it was told to go on.
+  bool has_reported(ClockMember x) const;
   bool is_quiet() const;
   Timestamp next() const;
   /// Time that corresponds to `real` at the present pace.
@@ -86,6 +89,8 @@ private:
 
   std::set<ClockMember> members_;
   std::map<ClockMember, ClockReport> reports_;
+  /// Last round that each member was told of.
+  std::map<ClockMember, std::uint64_t> told_;
   std::uint64_t round_ = 0;
   Timestamp now_{0};
   Timestamp limit_ = Timestamp::max();

@@ -56,8 +56,10 @@ private:
 
   void report(ClockMember x) {
     auto& process = processes_[x];
+    // The next to be woken, if there is one.
+    auto next = control_.now() + Timestamp{static_cast<std::int64_t>(1 + below(3))};
     process.reports.push_back(
-      {process.round, Timestamp{static_cast<std::int64_t>(process.round) + 1}, process.counts});
+      {process.round, x == 0 || chance(80) ? next : Timestamp::max(), process.counts});
   }
 
   void advance(ClockMember x, std::uint64_t round) {
@@ -116,7 +118,9 @@ private:
       RC_ASSERT(!x.active);
     ++advances_;
     budget_ += static_cast<int>(below(6));
-    for (ClockMember x = 0; x < processes_.size(); ++x)
+    // The process that decides knows at once.
+    advance(0, decision.advance->round);
+    for (auto x : decision.receivers)
       orders_.emplace_back(x, decision.advance->round);
   }
 

@@ -90,6 +90,21 @@ TEST_F(TimeControlTest, TimeStandsUntilEveryProcessHasReported) {
   EXPECT_EQ(advanced(), Timestamp{4s});
 }
 
+TEST_F(TimeControlTest, OnlyThoseWhoHaveSomebodyToWakeAreTold) {
+  control.add_member(1);
+  control.add_member(2);
+  own_report(5s);
+  report(1, 4s);
+  report(2, 9s);
+  auto decision = control.decide(real);
+  ASSERT_TRUE(decision.advance);
+  EXPECT_EQ(decision.receivers, std::vector<ClockMember>{1});
+  own_report(5s);
+  EXPECT_EQ(advanced(), std::nullopt);
+  report(1, 8s);
+  EXPECT_EQ(advanced(), Timestamp{5s});
+}
+
 TEST_F(TimeControlTest, TimeStandsWhileAMessageIsBetweenTwoProcesses) {
   control.add_member(1);
   control.add_member(2);
