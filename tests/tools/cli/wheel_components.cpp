@@ -106,6 +106,7 @@ class Pusher final : public UnmanagedComponent {
     auto lease = lock(here("wheelhouse"), LockLevel::o);
     command("wheel", Turn{1});
     stream_command("wheel", Turn{1});
+    info("the wheel has obeyed");
     end_system(0, "the wheel has obeyed");
   }
 };
