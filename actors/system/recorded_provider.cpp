@@ -5,8 +5,8 @@ namespace castor {
 
 namespace {
 
-/// Stands in for a stand-alone component: hands out what it is told to (HandOut), and obeys commands
-/// without any effect (`is_stand_in`).
+/// Stands in for a stand-alone component: hands out what it is told to (HandOut), and obeys
+/// commands without any effect (`is_stand_in`).
 class RecordedProvider final : public StandaloneComponent {};
 
 CASTOR_COMPONENT(RecordedProvider,

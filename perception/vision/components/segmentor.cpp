@@ -169,7 +169,7 @@ class Segmentor final : public ManagedComponent {
     write(batch);
   }
 
-  std::optional<ObjectBox> place(const ROI& roi, const vision::Camera& camera) const {
+  std::optional<AlignedBox> place(const ROI& roi, const vision::Camera& camera) const {
     return extent_on_table(camera, roi.contour, false);
   }
 
@@ -180,10 +180,8 @@ class Segmentor final : public ManagedComponent {
     object.time = roi.time;
     object.roi_ids = {roi_id};
     object.managing_process = component_name();
-    if (auto box = place(roi, camera)) {
-      object.box = *box;
-      object.pose.position = box->centroid;
-    }
+    if (auto box = place(roi, camera))
+      place_at(*box, object);
     SceneObjectUpdate update;
     update.object_id = object_id;
     update.position = true;
@@ -205,10 +203,8 @@ class Segmentor final : public ManagedComponent {
     try {
       auto object = *read<SceneObject>(here(fresh.object_id));
       object.time = fresh.time;
-      if (auto box = place(fresh, camera)) {
-        object.box = *box;
-        object.pose.position = box->centroid;
-      }
+      if (auto box = place(fresh, camera))
+        place_at(*box, object);
       SceneObjectUpdate update;
       update.object_id = fresh.object_id;
       update.position = true;
