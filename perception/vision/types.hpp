@@ -64,6 +64,15 @@ struct SceneChanged {
   std::int32_t camera = 0;
 };
 
+/// While an entry of this type exists, vision does not process the scene: pictures taken meanwhile
+/// count for nothing. Added by whoever moves an arm through the picture, to vision's working
+/// memory, before it moves, and deleted when the arm is away; ephemeral, so that it ends with its
+/// creator.
+struct InhibitSceneProcessing {
+  /// Who inhibits, for people.
+  std::string component;
+};
+
 /// Features that the feature extractor adds to a region: evidence, not decisions.
 struct RegionFeatures {
   /// Colour names, the likeliest first.
@@ -173,6 +182,7 @@ CASTOR_REFLECT(ImageBox, center, width, height)
 CASTOR_REFLECT(Hypothesis, value, confidence)
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
+CASTOR_REFLECT(InhibitSceneProcessing, component)
 CASTOR_REFLECT(ScenePicture, image, camera, time)
 CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent,
                is_extent_assumed)
