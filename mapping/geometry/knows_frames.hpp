@@ -69,12 +69,17 @@ private:
     auto known = told_.find(address);
     if (known == told_.end())
       return;
-    frames_.remove(known->second);
+    auto frame = known->second;
+    frames_.remove(frame);
     told_.erase(known);
-    frames_changed();
-    // What contradicted it may be true now.
-    for (auto& other : std::set{refused_})
+    // Others may say the same, and what contradicted it may be true now.
+    auto others = refused_;
+    for (auto& [other, told] : told_)
+      if (told == frame)
+        others.insert(other);
+    for (auto& other : others)
       look_at_transform(other);
+    frames_changed();
   }
 
   FrameTree frames_;

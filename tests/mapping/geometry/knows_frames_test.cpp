@@ -66,12 +66,19 @@ class Localiser final : public UnmanagedComponent {
     // Another opinion does not count, until the first is withdrawn.
     Address other = here("other");
     add(other, Transform{"base", {{7, 7, 0}, {}, "hall"}, 0, true});
-    add(here("hall"), Transform{"hall", {{10, 0, 0}, {}, "map"}, 0, true});
+    Address hall = here("hall");
+    add(hall, Transform{"hall", {{10, 0, 0}, {}, "map"}, 0, true});
     overwrite(base, Transform{"base", {{4, 2, 0}, {}, "map"}, now().count(), false});
     await("4.5, 2");
     delete_entry(base);
     await("17.5, 7");
+    // What two say is not forgotten with one of them.
+    Address twin = here("twin");
+    add(twin, Transform{"base", {{7, 7, 0}, {}, "hall"}, 0, true});
     delete_entry(other);
+    overwrite(hall, Transform{"hall", {{11, 0, 0}, {}, "map"}, 0, true});
+    await("18.5, 7");
+    delete_entry(twin);
     await("no transform between 'map' and 'camera': 'camera' is not connected; connected to 'map': "
           "hall; connected to 'camera': base");
     add(Step{1});
