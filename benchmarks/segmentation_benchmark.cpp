@@ -9,7 +9,7 @@
 // colours of the things found are right that are said with a confidence of this tenth. The name of
 // a paint other than the twelve usual ones is what most people call it.
 #include "castor/benchmarks/clevr/matching.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/segmentation/size_limits.hpp"
@@ -34,6 +34,8 @@
 #include <vector>
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 

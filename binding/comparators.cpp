@@ -1,6 +1,8 @@
 #include "castor/binding/comparators.hpp"
 
-#include <cmath>
+#include "castor/mapping/geometry/poses.hpp"
+
+#include <optional>
 #include <utility>
 
 namespace castor::binding {
@@ -32,11 +34,27 @@ bool subsumes(const std::string& general, const std::string& special,
   return false;
 }
 
+geometry::Point3 point_of(const Feature& location) {
+  return {location.numbers[0], location.numbers[1], location.numbers[2]};
+}
+
+/// The location in that frame; nothing if nobody knows how its own frame lies in that.
+std::optional<geometry::Point3> point_in(const std::string& frame, const Feature& location,
+                                         const geometry::FrameTree* frames) {
+  const auto point = point_of(location);
+  if (location.text == frame)
+    return frame.empty() ? std::nullopt : std::optional{point};
+  const auto pose = frames ? frames->find_pose(location.text, frame) : std::nullopt;
+  return pose ? std::optional{geometry::transform(*pose, point)} : std::nullopt;
+}
+
 Truth compare_places(const Feature& a, const Feature& b, const ComparatorOptions& options) {
   if (a.numbers.size() != 3 || b.numbers.size() != 3)
     return Truth::unknown;
-  const double apart = std::hypot(a.numbers[0] - b.numbers[0], a.numbers[1] - b.numbers[1],
-                                  a.numbers[2] - b.numbers[2]);
+  const auto other = point_in(a.text, b, options.frames);
+  if (!other)
+    return Truth::unknown;
+  const double apart = geometry::distance(point_of(a), *other);
   if (apart <= options.same_place)
     return Truth::yes;
   return apart >= options.other_place ? Truth::no : Truth::unknown;

@@ -2,6 +2,7 @@
 
 #include "castor/binding/features.hpp"
 #include "castor/binding/types.hpp"
+#include "castor/mapping/geometry/frame_tree.hpp"
 
 #include <map>
 #include <set>
@@ -15,6 +16,8 @@ struct ComparatorOptions {
   /// are not. In between it is unknown: sources differ in precision.
   double same_place = 0.05;
   double other_place = 0.10;
+  /// Relates the frames of locations, at the newest time. Not owned; null relates none.
+  const geometry::FrameTree* frames = nullptr;
   /// The most general concept of objects.
   std::string top_concept = "thing";
   /// Concepts and their superconcepts. A concept that is not listed is a kind of the top concept;
@@ -39,6 +42,7 @@ bool may_compare(FeatureKind a, FeatureKind b);
 /// Whether both can be true of one thing: yes if they agree, no if they exclude each other.
 /// Symmetric.
 ///
+/// Locations are compared in one frame. If their frames cannot be related, the result is unknown.
 /// Words are compared as text; "unknown" and empty ones make no statement. A concept agrees with
 /// its superconcepts. For shapes that look alike the result is unknown. Temporal frames, source
 /// ids, groups and singulars only exclude: different ones do, equal ones are no evidence. "Not red"

@@ -23,7 +23,7 @@ enum class FeatureKind {
   shape,
   size,
   material,
-  /// Position: x, y, z in `numbers`, metres.
+  /// Position: x, y, z in `numbers`, metres; in `text` the name of their frame.
   location,
   /// Position as the viewer sees it: to the right, away and up from the origin in `numbers`,
   /// metres. Left out if the viewer looks along y, where it is the location.
@@ -82,9 +82,10 @@ inline Feature negation_of(Feature x) {
   return x;
 }
 
-/// Metres.
-inline Feature location_at(double x, double y, double z) {
-  return {FeatureKind::location, {}, {x, y, z}, {}, false};
+/// Metres, in the frame of that name, such as "table" or "map". Locations in frames that nobody can
+/// relate (geometry::Transform) are neither equal nor different.
+inline Feature location_at(double x, double y, double z, std::string frame) {
+  return {FeatureKind::location, std::move(frame), {x, y, z}, {}, false};
 }
 
 /// As the viewer sees it; metres.

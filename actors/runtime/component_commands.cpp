@@ -1,5 +1,6 @@
 #include "castor/actors/runtime/component_commands.hpp"
 
+#include "castor/actors/component/stand_in.hpp"
 #include "castor/base/log.hpp"
 #include "castor/base/plain_words.hpp"
 
@@ -63,6 +64,8 @@ void ComponentCommands::handle_terms_query(caf::mailbox_element& x,
   Outcome<CommandTermsReply> result;
   if (i != obediences_.end()) {
     result = CommandTermsReply{i->second.gate.terms(), reading(parts_.context.time_point())};
+  } else if (is_stand_in(parts_.context.identity())) {
+    result = CommandTermsReply{CommandTerms{}, reading(parts_.context.time_point())};
   } else {
     std::string types;
     for (auto& [type, obedience] : obediences_)
@@ -77,6 +80,8 @@ void ComponentCommands::handle_terms_query(caf::mailbox_element& x,
 
 void ComponentCommands::handle_command(caf::mailbox_element& x, const CommandMessage& message) {
   const Requester requester{x.sender, x.mid, message.number};
+  if (is_stand_in(parts_.context.identity()))
+    return reply(requester, message.value.type_name(), CommandResult::obeyed, {});
   auto i = obediences_.find(message.value.type_name());
   if (i == obediences_.end() || message.value.type() != *i->second.handler.type)
     return reply(requester, message.value.type_name(), CommandResult::refused,

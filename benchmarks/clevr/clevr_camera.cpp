@@ -8,8 +8,8 @@
 
 #include <Eigen/QR>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::clevr {
 
@@ -34,18 +34,18 @@ CameraGuess to_guess(const Vector& vector) {
 
 } // namespace
 
-vision::Camera make_camera(const CameraGuess& guess, int width, int height,
-                           double metres_per_unit) {
+geometry::Camera make_camera(const CameraGuess& guess, int width, int height,
+                             double metres_per_unit) {
   const double half_height = height * sensor / (2 * lens * width);
   const double angle = 2 * std::atan(half_height) * 180 / std::numbers::pi;
   const Eigen::Vector3d eye(guess.position[0], guess.position[1], guess.position[2]);
   const Eigen::Vector3d target(guess.target[0], guess.target[1], 0);
-  return vision::look_at(vision::to_point(metres_per_unit * eye),
-                         vision::to_point(metres_per_unit * target), angle, width, height);
+  return geometry::look_at(geometry::to_point(metres_per_unit * eye),
+                           geometry::to_point(metres_per_unit * target), angle, width, height);
 }
 
 std::string camera_file(const CameraGuess& guess, int width, int height, double metres_per_unit) {
-  const vision::Camera camera = make_camera(guess, width, height, metres_per_unit);
+  const geometry::Camera camera = make_camera(guess, width, height, metres_per_unit);
   std::ostringstream file;
   file.precision(std::numeric_limits<double>::max_digits10);
   file << "size " << width << ' ' << height << '\n'
@@ -65,12 +65,12 @@ CameraGuess fit_camera(std::span<const Scene* const> scenes, const CameraGuess& 
   const Vector prior = to_vector(start);
   const auto errors = [&](const Vector& vector) {
     std::vector<double> result;
-    const vision::Camera camera = make_camera(to_guess(vector), width, height, 1);
+    const geometry::Camera camera = make_camera(to_guess(vector), width, height, 1);
     const Eigen::Vector3d eye = to_eigen(camera.pose.position);
     const Eigen::Vector3d forward = to_eigen(camera.pose.rotation) * Eigen::Vector3d::UnitZ();
     for (const auto* scene : scenes) {
       for (const auto& object : scene->objects) {
-        const auto pixel = project(camera, object.position).value_or(vision::Point2{});
+        const auto pixel = project(camera, object.position).value_or(geometry::Point2{});
         const double distance = (to_eigen(object.position) - eye).dot(forward);
         result.push_back(pixel.x - object.pixel.x);
         result.push_back(pixel.y - object.pixel.y);

@@ -20,7 +20,8 @@ struct CameraGuess {
 
 /// The camera for images of this size, with `metres_per_unit` metres for a CLEVR unit. CLEVR's lens
 /// of 35 mm before a sensor 32 mm wide gives the angle of view.
-vision::Camera make_camera(const CameraGuess& guess, int width, int height, double metres_per_unit);
+geometry::Camera make_camera(const CameraGuess& guess, int width, int height,
+                             double metres_per_unit);
 
 /// Text of a calibration file with the same camera, for the component Camera (`--calibration`).
 std::string camera_file(const CameraGuess& guess, int width, int height, double metres_per_unit);

@@ -20,8 +20,8 @@ struct Object {
   std::string colour;
   std::string material;
   std::string size;
-  vision::Point3 position;
-  vision::Point2 pixel;
+  geometry::Point3 position;
+  geometry::Point2 pixel;
   /// Distance along the viewing direction.
   double distance = 0;
   /// Rotation about the vertical axis, radians: CLEVR calls the number degrees, but passed it to

@@ -8,8 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::clevr {
 
@@ -45,7 +45,7 @@ std::vector<Vector3d> body(const Object& object) {
 
 } // namespace
 
-cv::Mat_<int> visible_objects(const Scene& scene, const vision::Camera& camera, cv::Size size) {
+cv::Mat_<int> visible_objects(const Scene& scene, const geometry::Camera& camera, cv::Size size) {
   // Points of polygons are counted in 16ths of a pixel.
   constexpr int shift = 4;
   cv::Mat_<int> labels(size, -1);
@@ -60,7 +60,7 @@ cv::Mat_<int> visible_objects(const Scene& scene, const vision::Camera& camera, 
     std::vector<cv::Point> points;
     for (const auto& point : body(object)) {
       const Vector3d position = to_eigen(object.position) + object.radius() * point;
-      const auto pixel = project(camera, vision::to_point(position));
+      const auto pixel = project(camera, geometry::to_point(position));
       if (pixel)
         points.emplace_back(cvRound(pixel->x * (1 << shift)), cvRound(pixel->y * (1 << shift)));
     }

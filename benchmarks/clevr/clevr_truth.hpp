@@ -11,6 +11,6 @@ namespace castor::clevr {
 /// object, -1 where there is none. Edges are sharp here and slightly rounded in the images.
 ///
 /// \param camera in CLEVR's units.
-cv::Mat_<int> visible_objects(const Scene& scene, const vision::Camera& camera, cv::Size size);
+cv::Mat_<int> visible_objects(const Scene& scene, const geometry::Camera& camera, cv::Size size);
 
 } // namespace castor::clevr

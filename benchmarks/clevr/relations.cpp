@@ -34,7 +34,7 @@ std::vector<Found> found_objects(const Outcome& outcome) {
 } // namespace
 
 RelationSummary judge_relations(const std::vector<Outcome>& outcomes,
-                                const vision::Camera& camera) {
+                                const geometry::Camera& camera) {
   const auto directions = spatial::ground_directions(camera.pose);
   if (!directions)
     throw std::invalid_argument("the camera looks straight down: there is no left and right");

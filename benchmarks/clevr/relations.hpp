@@ -41,6 +41,7 @@ struct RelationSummary {
 /// alone, and compares this with the scene graph.
 ///
 /// \param camera camera for the ground positions (metres) and the directions.
-RelationSummary judge_relations(const std::vector<Outcome>& outcomes, const vision::Camera& camera);
+RelationSummary judge_relations(const std::vector<Outcome>& outcomes,
+                                const geometry::Camera& camera);
 
 } // namespace castor::clevr

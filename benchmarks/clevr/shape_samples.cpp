@@ -15,7 +15,7 @@
 #include "castor/benchmarks/clevr/clevr_truth.hpp"
 #include "castor/benchmarks/clevr/damage.hpp"
 #include "castor/benchmarks/clevr/matching.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/recognition/outline_fit.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
@@ -54,7 +54,7 @@ public:
 
   /// \param camera the region is compared with what this one would see.
   /// \param shapes of the objects that `labels` count from 0.
-  void add(const Image& image, const vision::Camera& camera, const cv::Mat_<int>& labels,
+  void add(const Image& image, const geometry::Camera& camera, const cv::Mat_<int>& labels,
            const std::vector<std::size_t>& shapes, std::size_t scene) {
     std::mt19937 random(static_cast<std::uint32_t>(scene));
     std::vector<vision::ROI> regions;
@@ -76,7 +76,7 @@ public:
 
 private:
   /// With and without the camera, and mirrored, which changes nothing in how well shapes fit.
-  void add_views(const vision::ROI& region, const vision::Camera& camera, std::size_t shape,
+  void add_views(const vision::ROI& region, const geometry::Camera& camera, std::size_t shape,
                  double weight, std::size_t scene) {
     if (region.region.bytes.empty())
       return;
@@ -133,19 +133,19 @@ public:
     return scene;
   }
 
-  vision::Camera camera() {
+  geometry::Camera camera() {
     const double elevation = between(studio_ ? 20 : 18, studio_ ? 42 : 70) * std::numbers::pi / 180;
     const double azimuth = between(0, 2 * std::numbers::pi);
     const double distance = studio_ ? between(0.85, 1.15) : between(0.55, 1.2);
     const double level = distance * std::cos(elevation);
-    return vision::look_at(
+    return geometry::look_at(
       {level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation)},
       {between(-0.05, 0.05), between(-0.05, 0.05), 0},
       between(studio_ ? 34 : 28, studio_ ? 42 : 45), 320, 240);
   }
 
   /// A calibration of that camera that is a little off.
-  vision::Camera misjudged(vision::Camera camera) {
+  geometry::Camera misjudged(geometry::Camera camera) {
     camera.pose.position.x += between(-0.02, 0.02);
     camera.pose.position.y += between(-0.02, 0.02);
     camera.pose.position.z += between(-0.02, 0.02);

@@ -5,11 +5,14 @@
 #include "castor/binding/components/binding_component.hpp"
 #include "castor/binding/feature_comparator.hpp"
 #include "castor/binding/features.hpp"
+#include "castor/mapping/geometry/knows_frames.hpp"
+#include "castor/mapping/geometry/poses.hpp"
 
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 // The components are named like the plain classes that they are made of.
 namespace castor::binding::components {
@@ -17,11 +20,12 @@ namespace castor::binding::components {
 namespace {
 
 /// Scores every proxy against every union, and keeps the scores up to date.
-class BindingScorer final : public BindingComponent {
+class BindingScorer final : public geometry::KnowsFrames<BindingComponent> {
   void configure() override {
     ComparatorOptions options;
     options.same_place = same_place_;
     options.other_place = other_place_;
+    options.frames = &frames();
     comparator_ = FeatureComparator{options};
   }
 
@@ -31,6 +35,8 @@ class BindingScorer final : public BindingComponent {
     on_change(changed<FeatureComparisonCompetence>(), competences_changed);
     on_change(overwritten<FeatureComparison>(),
               [this](const ChangeEvent& event) { answered_.insert(event.address.id); });
+    for (auto& name : frames_of_.get())
+      know_frames_of(name);
     for (auto& x : read_all<FeatureComparison>())
       answered_.insert(x.address.id);
     for (auto& x : read_all<ProxyUnionScores>())
@@ -39,6 +45,7 @@ class BindingScorer final : public BindingComponent {
 
   void work(const Changes& changes) override {
     auto all = learn_what_others_know();
+    all = learn_how_frames_lie() || all;
     std::erase_if(scores_, [this](auto& x) {
       if (view().proxy(x.first))
         return false;
@@ -74,6 +81,36 @@ class BindingScorer final : public BindingComponent {
         trace("{} is gone", id);
       }
     return result;
+  }
+
+  void frames_changed() override { frames_changed_ = true; }
+
+  /// True if locations may compare otherwise than before, since the frames of some have moved.
+  bool learn_how_frames_lie() {
+    if (!std::exchange(frames_changed_, false))
+      return false;
+    std::set<std::string> names;
+    for (auto& [id, proxy] : view().proxies())
+      for (auto& x : proxy->features)
+        if (x.kind == FeatureKind::location)
+          names.insert(x.text);
+    auto before = std::exchange(poses_, {});
+    for (auto& in : names)
+      for (auto& frame : names)
+        if (frame < in)
+          if (auto pose = frames().find_pose(frame, in))
+            poses_.emplace(std::pair{frame, in}, *pose);
+    auto is_same = [this](const geometry::Pose& a, const geometry::Pose& b) {
+      return geometry::distance(a.position, b.position) < same_place_ / 2 &&
+             geometry::angle_between(a.rotation, b.rotation) < least_turn;
+    };
+    auto moved = before.size() != poses_.size();
+    for (auto& [pair, pose] : poses_)
+      if (auto x = before.find(pair); x == before.end() || !is_same(x->second, pose))
+        moved = true;
+      else
+        pose = x->second; // many small moves are a large one
+    return moved;
   }
 
   /// Against all unions.
@@ -150,6 +187,12 @@ class BindingScorer final : public BindingComponent {
   Option<double> other_place_{this, "other-place", ComparatorOptions{}.other_place,
                               "locations at least this far apart are different, metres"};
 
+  Option<std::vector<std::string>> frames_of_{
+    this, "frames-of", {}, "subarchitectures whose Transforms relate the frames of locations"};
+
+  /// Radians: where things are some metres from the middle, they move by some centimetres.
+  static constexpr double least_turn = 0.01;
+
   FeatureComparator comparator_;
   binding::BindingScorer scorer_{comparator_};
   std::set<std::string> competent_;
@@ -157,6 +200,9 @@ class BindingScorer final : public BindingComponent {
   /// Comparisons that may have been answered, and all that were asked for, by their entries' ids.
   std::set<std::string> answered_;
   std::set<std::string> asked_;
+  bool frames_changed_ = true;
+  /// Of frames that locations are given in, in others of them.
+  std::map<std::pair<std::string, std::string>, geometry::Pose> poses_;
   /// What stands on working memory.
   std::map<std::string, ProxyUnionScores> scores_;
 };

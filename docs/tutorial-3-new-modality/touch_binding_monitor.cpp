@@ -20,7 +20,7 @@ class TouchBindingMonitor : public BindingMonitor {
     auto tether = tether_to({touch, std::string{castor::type_name<Touch>()}});
     auto place = "touch/place/" + touch.id;
     auto thing = "touch/thing/" + touch.id;
-    tell(place, perceived({tether, location_at(felt.x, felt.y, felt.z)}));
+    tell(place, perceived({tether, location_at(felt.x, felt.y, felt.z, "table")}));
     tell(thing, perceived({tether, feature(FeatureKind::concept_name, "thing"),
                            feature(FeatureKind::material, felt.material)}));
     auto position = perceived({feature(FeatureKind::relation_label, "pos")});

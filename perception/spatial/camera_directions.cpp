@@ -17,13 +17,13 @@ std::optional<GroundDirections> directions_along(double x, double y) {
 
 } // namespace
 
-std::optional<GroundDirections> ground_directions(const vision::Pose& viewer) {
+std::optional<GroundDirections> ground_directions(const geometry::Pose& viewer) {
   // Where the rotation takes the z axis, seen from above.
   const auto& q = viewer.rotation;
   return directions_along(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x));
 }
 
-std::optional<GroundDirections> viewing_directions(const vision::Pose& viewer) {
+std::optional<GroundDirections> viewing_directions(const geometry::Pose& viewer) {
   if (auto result = ground_directions(viewer))
     return result;
   const auto& q = viewer.rotation;

@@ -21,12 +21,12 @@ struct GroundDirections {
 
 /// The directions for a viewer whose body coordinates are those of a camera: x to the right, y
 /// down, z forward. Nothing if it looks straight up or down.
-std::optional<GroundDirections> ground_directions(const vision::Pose& viewer);
+std::optional<GroundDirections> ground_directions(const geometry::Pose& viewer);
 
 /// The directions that a viewer speaks of: those of ground_directions(); else, if it looks straight
 /// down, those of its image; else those from where it stands to the origin. Nothing if it looks
 /// straight up from above the origin.
-std::optional<GroundDirections> viewing_directions(const vision::Pose& viewer);
+std::optional<GroundDirections> viewing_directions(const geometry::Pose& viewer);
 
 /// A point as seen by a viewer: x to the right, y away from it; metres from the origin.
 GroundPoint as_seen(const GroundDirections& directions, const GroundPoint& point);

@@ -56,12 +56,13 @@ std::vector<SpatialRelationship>& list_of(SpatialScene& scene, SpatialRelation r
   return const_cast<std::vector<SpatialRelationship>&>(list_of(std::as_const(scene), relation));
 }
 
-GroundPoint ground_point(const vision::ObjectBox& box) {
+GroundPoint ground_point(const geometry::AlignedBox& box) {
   return {box.centroid.x, box.centroid.y};
 }
 
-bool has_moved(const vision::ObjectBox& before, const vision::ObjectBox& now) {
-  return distance(ground_point(before), ground_point(now)) > now.size.x;
+bool has_moved(const geometry::AlignedBox& before, const geometry::AlignedBox& now) {
+  return before.frame != now.frame ||
+         distance(ground_point(before), ground_point(now)) > now.size.x;
 }
 
 bool is_free(const GroundPoint& static_point, std::span<const GroundPoint> objects,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/entry_pointer.hpp"
+#include "castor/mapping/geometry/types.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/values/reflect.hpp"
 
@@ -20,7 +21,7 @@ inline constexpr SpatialRelation all_spatial_relations[] = {
   SpatialRelation::near, SpatialRelation::front, SpatialRelation::back, SpatialRelation::left,
   SpatialRelation::right};
 
-/// A point on the table; metres.
+/// A point on the plane z = 0 of a frame that the context names; metres.
 struct GroundPoint {
   double x = 0;
   double y = 0;
@@ -32,7 +33,7 @@ struct GroundPoint {
 /// object.
 struct SpatialLocation {
   EntryPointer<vision::SceneObject> object;
-  vision::ObjectBox box;
+  geometry::AlignedBox box;
   std::string label;
 };
 
@@ -57,7 +58,8 @@ struct RelationFinder {
 /// the scene is complete when no component is active any more. The component that adds the scene
 /// lists the active ones, so that the scene cannot seem complete before they have begun.
 struct SpatialScene {
-  vision::Pose viewer;
+  /// Its frame is that of all locations.
+  geometry::Pose viewer;
   /// Microseconds since the system began.
   std::int64_t time = 0;
   /// Ids of SpatialLocation entries.
@@ -74,6 +76,8 @@ struct SpatialScene {
 struct TargetPosition {
   GroundPoint position;
   double value = 0;
+  /// Name of the frame of `position`.
+  std::string frame = {};
 
   friend bool operator==(const TargetPosition&, const TargetPosition&) = default;
 };
@@ -97,7 +101,7 @@ CASTOR_REFLECT(SpatialRelationship, relation, target, landmark, value)
 CASTOR_REFLECT(RelationFinder, relation, component)
 CASTOR_REFLECT(SpatialScene, viewer, time, locations, near, front, back, left, right,
                active_components)
-CASTOR_REFLECT(TargetPosition, position, value)
+CASTOR_REFLECT(TargetPosition, position, value, frame)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
                targets)
 

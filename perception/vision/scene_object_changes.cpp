@@ -14,6 +14,12 @@ SceneObjectUpdate changes(const std::string& id, const SceneObject& before,
   return update;
 }
 
+void place_at(const AlignedBox& box, SceneObject& object) {
+  object.box = box;
+  object.pose.position = box.centroid;
+  object.pose.frame = box.frame;
+}
+
 bool is_change(const SceneObjectUpdate& update) {
   return update.position || update.shape || update.size || update.colour || update.label;
 }

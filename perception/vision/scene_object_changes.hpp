@@ -15,6 +15,9 @@ inline constexpr EntryLife update_life{.time_to_live = std::chrono::minutes{1}};
 SceneObjectUpdate changes(const std::string& id, const SceneObject& before,
                           const SceneObject& after);
 
+/// The object is there, as far as its box tells; how it is turned stays as it is.
+void place_at(const AlignedBox& box, SceneObject& object);
+
 /// Whether an update has any change.
 bool is_change(const SceneObjectUpdate& update);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/mapping/geometry/types.hpp"
 #include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
@@ -9,40 +10,12 @@
 /// Entry types of the vision working memory, its only interface to other subarchitectures.
 namespace castor::vision {
 
-/// A point in an image; pixels, x to the right, y down, (0, 0) the centre of the upper left pixel.
-struct Point2 {
-  double x = 0;
-  double y = 0;
-
-  friend bool operator==(const Point2&, const Point2&) = default;
-};
-
-/// A point on or above the table; metres, z up, z = 0 the table's surface.
-struct Point3 {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-
-  friend bool operator==(const Point3&, const Point3&) = default;
-};
-
-/// A unit quaternion.
-struct Rotation {
-  double w = 1;
-  double x = 0;
-  double y = 0;
-  double z = 0;
-
-  friend bool operator==(const Rotation&, const Rotation&) = default;
-};
-
-/// Maps body coordinates to table coordinates: p_table = rotation * p_body + position.
-struct Pose {
-  Point3 position;
-  Rotation rotation;
-
-  friend bool operator==(const Pose&, const Pose&) = default;
-};
+using geometry::AlignedBox;
+using geometry::Camera;
+using geometry::Point2;
+using geometry::Point3;
+using geometry::Pose;
+using geometry::Rotation;
 
 /// An image in rows from the top; `bytes` has width * height * channels of them, 3 channels are B,
 /// G, R.
@@ -64,42 +37,12 @@ struct ImageBox {
   friend bool operator==(const ImageBox&, const ImageBox&) = default;
 };
 
-/// A box on the table, metres.
-struct ObjectBox {
-  Point3 centroid;
-  Point3 size;
-
-  friend bool operator==(const ObjectBox&, const ObjectBox&) = default;
-};
-
 /// One hypothesis about a property, such as a colour: its name and a confidence in [0, 1].
 struct Hypothesis {
   std::string value = "unknown";
   double confidence = 0;
 
   friend bool operator==(const Hypothesis&, const Hypothesis&) = default;
-};
-
-/// A pinhole camera with the usual lens distortion (radial k1..k3, tangential t1, t2). Its body
-/// coordinates are x to the right, y down, z forward; fx, fy, cx, cy are pixels.
-struct Camera {
-  std::int32_t number = 0;
-  Pose pose;
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-  double fx = 0;
-  double fy = 0;
-  double cx = 0;
-  double cy = 0;
-  double k1 = 0;
-  double k2 = 0;
-  double k3 = 0;
-  double t1 = 0;
-  double t2 = 0;
-  /// Not calibrated: all but the size is assumed, so that where things are is not really known.
-  bool is_assumed = false;
-
-  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// A frame that a camera component delivers by pull or push; never an entry.
@@ -121,6 +64,15 @@ struct SceneChanged {
   std::int32_t camera = 0;
 };
 
+/// While an entry of this type exists, vision does not process the scene: pictures taken meanwhile
+/// count for nothing. Added by whoever moves an arm through the picture, to vision's working
+/// memory, before it moves, and deleted when the arm is away; ephemeral, so that it ends with its
+/// creator.
+struct InhibitSceneProcessing {
+  /// Who inhibits, for people.
+  std::string component;
+};
+
 /// Features that the feature extractor adds to a region: evidence, not decisions.
 struct RegionFeatures {
   /// Colour names, the likeliest first.
@@ -131,8 +83,9 @@ struct RegionFeatures {
   std::vector<double> colour_evidence;
   /// Evidence for shapes, in the order of measure_shape().
   std::vector<double> shape_evidence;
-  /// Position and size of the region on the table; all zero without a calibration.
-  ObjectBox extent;
+  /// Position and size of the region on the table, in the frame of the camera's pose; all zero
+  /// without a calibration.
+  AlignedBox extent;
   /// Whether the extent was measured with a camera that is not calibrated: lengths are a guess
   /// then.
   bool is_extent_assumed = false;
@@ -168,7 +121,7 @@ struct ROI {
 /// An object on the table: the vision system's best hypothesis about it.
 struct SceneObject {
   std::int64_t time = 0;
-  ObjectBox box;
+  AlignedBox box;
   Pose pose;
   Hypothesis label;
   Hypothesis colour;
@@ -224,17 +177,12 @@ struct LearnedWords {
   std::vector<LearnedWord> words;
 };
 
-CASTOR_REFLECT(Point2, x, y)
-CASTOR_REFLECT(Point3, x, y, z)
-CASTOR_REFLECT(Rotation, w, x, y, z)
-CASTOR_REFLECT(Pose, position, rotation)
 CASTOR_REFLECT(Image, width, height, channels, bytes)
 CASTOR_REFLECT(ImageBox, center, width, height)
-CASTOR_REFLECT(ObjectBox, centroid, size)
 CASTOR_REFLECT(Hypothesis, value, confidence)
-CASTOR_REFLECT(Camera, number, pose, width, height, fx, fy, cx, cy, k1, k2, k3, t1, t2, is_assumed)
 CASTOR_REFLECT(CameraFrame, image, camera, time, index)
 CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
+CASTOR_REFLECT(InhibitSceneProcessing, component)
 CASTOR_REFLECT(ScenePicture, image, camera, time)
 CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent,
                is_extent_assumed)

@@ -105,7 +105,7 @@ TEST_F(Binding, ForgetsChoicesThatHaveBecomeOne) {
 }
 
 TEST_F(Binding, CountsRelationsOnceSomebodyMakesThemComparable) {
-  const auto here = location_at(0, 0, 0);
+  const auto here = location_at(0, 0, 0, "table");
   core.set("far", proxy_from("vision", {concept_of("ball")}));
   core.set("r1", relation_from("vision", "left", "a", "far"));
   core.set("r2", relation_from("comsys", "left", "c", "far"));
@@ -117,7 +117,7 @@ TEST_F(Binding, CountsRelationsOnceSomebodyMakesThemComparable) {
 }
 
 TEST_F(Binding, CountsRelationsOfThoseWhoJoinWhatIsComparable) {
-  const auto here = location_at(0, 0, 0);
+  const auto here = location_at(0, 0, 0, "table");
   core.set("far", proxy_from("vision", {concept_of("ball")}));
   core.set("r1", relation_from("vision", "left", "b", "far"));
   core.set("r2", relation_from("comsys", "left", "c", "far"));

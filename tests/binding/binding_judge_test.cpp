@@ -58,7 +58,7 @@ TEST(Ambiguity, NamesWhatWouldDecide) {
   BindingUnion first;
   first.features = {concept_of("ball"), colour("red"), frame("perceived")};
   BindingUnion second;
-  second.features = {concept_of("thing"), shape("round"), location_at(0, 0, 0)};
+  second.features = {concept_of("thing"), shape("round"), location_at(0, 0, 0, "table")};
   const BindingUnion* unions[] = {&first, &second};
   const BestUnionsForProxy best{"p", {"u1", "u2"}};
   const auto ambiguity = describe_ambiguity(best, proxy, unions, FeatureComparator{});

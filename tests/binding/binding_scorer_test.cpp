@@ -101,7 +101,7 @@ TEST_F(Scorer, DoesNotCompareWhatIsOfAnotherType) {
   group.type = ProxyType::group;
   tell(memory, "c", group);
   EXPECT_FALSE(score("c", {"a"}).comparable);
-  add("d", {location_at(0, 0, 0)});
+  add("d", {location_at(0, 0, 0, "table")});
   EXPECT_FALSE(score("d", {"a"}).comparable);
 }
 

@@ -49,7 +49,7 @@ public:
         result = shape(word({"square", "round"}));
         break;
       case 5:
-        return location_at(0.04 * below(6), 0, 0);
+        return location_at(0.04 * below(6), 0, 0, "table");
       case 6:
         return frame(word({"perceived", "desired"}));
       case 7:

@@ -1,9 +1,12 @@
 #include "castor/binding/comparators.hpp"
 
 #include "castor/binding/feature_comparator.hpp"
+#include "castor/mapping/geometry/poses.hpp"
 #include "castor/tests/binding/proxies.hpp"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace castor::binding::test {
 
@@ -44,9 +47,36 @@ TEST(Comparators, KnowWhatAThingIs) {
 }
 
 TEST(Comparators, ComparePlacesByDistance) {
-  EXPECT_EQ(compare_both(location_at(0, 0, 0), location_at(0.03, 0, 0.04)), Truth::yes);
-  EXPECT_EQ(compare_both(location_at(0, 0, 0), location_at(0.07, 0, 0)), Truth::unknown);
-  EXPECT_EQ(compare_both(location_at(0, 0, 0), location_at(0.06, 0, 0.08)), Truth::no);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, "table"), location_at(0.03, 0, 0.04, "table")),
+            Truth::yes);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, "table"), location_at(0.07, 0, 0, "table")),
+            Truth::unknown);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, "table"), location_at(0.06, 0, 0.08, "table")),
+            Truth::no);
+}
+
+TEST(Comparators, PlacesInFramesThatNobodyRelatesAreUnknown) {
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, "table"), location_at(0, 0, 0, "base")),
+            Truth::unknown);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, "table"), location_at(9, 0, 0, "base")),
+            Truth::unknown);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, ""), location_at(0, 0, 0, "")), Truth::unknown);
+  EXPECT_EQ(compare_both(location_at(0, 0, 0, ""), location_at(0, 0, 0, "table")), Truth::unknown);
+}
+
+TEST(Comparators, PlacesInRelatedFramesAreComparedInOne) {
+  // The robot stands one metre before the table and looks along y; x is forward for it.
+  geometry::FrameTree frames;
+  frames.add({"base", {{0, -1, 0}, geometry::rotation_about_z(std::numbers::pi / 2), "table"}, 7});
+  ComparatorOptions options;
+  options.frames = &frames;
+  const auto on_table = location_at(0.2, 0.1, 0.03, "table");
+  EXPECT_EQ(compare_both(on_table, location_at(1.1, -0.2, 0.03, "base"), options), Truth::yes);
+  EXPECT_EQ(compare_both(on_table, location_at(1.1, -0.13, 0.03, "base"), options), Truth::unknown);
+  EXPECT_EQ(compare_both(on_table, location_at(1.1, 0.2, 0.03, "base"), options), Truth::no);
+  EXPECT_EQ(compare_both(on_table, negation_of(location_at(1.1, -0.2, 0.03, "base")), options),
+            Truth::no);
+  EXPECT_EQ(compare_both(on_table, location_at(1.1, -0.2, 0.03, "map"), options), Truth::unknown);
 }
 
 TEST(Comparators, TimeFramesSourcesAndGroupsOnlyExclude) {
@@ -127,7 +157,7 @@ TEST(FeatureComparator, LetsOthersCompareKindsThatItCannot) {
 TEST(Features, AreShownInWords) {
   EXPECT_EQ(to_string(test::colour("red")), "colour red");
   EXPECT_EQ(to_string(not_from("vision")), "not other_source_id vision");
-  EXPECT_EQ(to_string(location_at(0.1, 0.2, 0)), "location (0.1, 0.2, 0)");
+  EXPECT_EQ(to_string(location_at(0.1, 0.2, 0, "table")), "location table (0.1, 0.2, 0)");
   EXPECT_EQ(to_string(tether_to({{"vision", "0:3"}, "SceneObject"})),
             "source_data SceneObject vision/0:3");
 }

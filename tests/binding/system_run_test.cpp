@@ -25,11 +25,13 @@ std::vector<std::pair<std::string, BindingProxy>> proxies_of_the_run() {
   relation.features.insert(relation.features.end(), {perceived, not_from("vision")});
   return {
     {"P1", proxy_from("vision", {concept_of("thing"), tether, perceived, not_from("vision")})},
-    {"P2", proxy_from("vision", {location_at(0.30, 0.10, 0.02), perceived, not_from("vision")})},
+    {"P2",
+     proxy_from("vision", {location_at(0.30, 0.10, 0.02, "table"), perceived, not_from("vision")})},
     {"P3", relation},
-    {"P4", proxy_from("spatial", {location_at(0.31, 0.10, 0.02), perceived, not_from("spatial")})},
-    {"P4'",
-     proxy_from("spatial", {location_at(0.31, 0.10, 0.02), frame("desired"), not_from("spatial")})},
+    {"P4", proxy_from("spatial",
+                      {location_at(0.31, 0.10, 0.02, "table"), perceived, not_from("spatial")})},
+    {"P4'", proxy_from("spatial", {location_at(0.31, 0.10, 0.02, "table"), frame("desired"),
+                                   not_from("spatial")})},
     {"P5", with_precedence(proxy_from("comsys", {concept_of("thing"), colour("blue"),
                                                  shape("square"), not_from("comsys")}),
                            1)},

@@ -45,7 +45,7 @@ void PictureScene::add(const std::string& id, std::vector<binding::Feature> feat
   unions_[id].features = std::move(features);
   unions_[id].proxy_ids = {"proxy of " + id};
   const auto place = "at " + id;
-  unions_[place].features = {binding::location_at(x + width / 2, 0, z + height / 2)};
+  unions_[place].features = {binding::location_at(x + width / 2, 0, z + height / 2, "picture")};
   unions_[place].proxy_ids = {"proxy of " + place};
   relations_.push_back({binding::position_label, place, id});
 }

@@ -21,7 +21,7 @@ public:
     features.push_back(feature(binding::FeatureKind::this_proxy_id, id));
     features.push_back(binding::not_from("vision"));
     core_.set(id, binding::test::proxy_from("vision", std::move(features)));
-    of_place.push_back(binding::location_at(x, y, 0));
+    of_place.push_back(binding::location_at(x, y, 0, "table"));
     of_place.push_back(binding::not_from("vision"));
     core_.set("at " + id, binding::test::proxy_from("vision", std::move(of_place)));
     core_.set("pos " + id, binding::test::relation_from("vision", "pos", "at " + id, id));

@@ -1,5 +1,6 @@
 #include "castor/tools/cli/replay_source.hpp"
 
+#include "castor/actors/component/stand_in.hpp"
 #include "castor/base/suggestion.hpp"
 #include "castor/tools/cli/record.hpp"
 
@@ -117,12 +118,11 @@ void prepare_for_replay(ArchitectureDescription& architecture,
   architecture.left_out = {replayed.begin(), replayed.end()};
   for (auto& x : architecture.subarchitectures)
     std::erase_if(x.components, is_replayed);
-  std::erase_if(architecture.standalone,
-                [&](auto& x) { return is_replayed(x) && recorded.count(x.name) == 0; });
+  // Those that are left out have handed out nothing, but may be commanded.
   for (auto& x : architecture.standalone) {
-    if (recorded.count(x.name) == 0)
+    if (recorded.count(x.name) == 0 && !is_replayed(x))
       continue;
-    x.class_name = "RecordedProvider";
+    x.class_name = stand_in_class;
     x.options.clear();
   }
   RecordArguments no_journals;

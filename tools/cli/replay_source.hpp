@@ -43,8 +43,8 @@ components_named(const std::vector<std::string>& names, const RecordingContents&
                  const std::vector<const ArchitectureDescription*>& architectures);
 
 /// Changes the architecture for a replay in this process: removes the replayed components and all
-/// journals, and replaces recorded stand-alone components by players of their recordings. Removes
-/// recordings without such a player from `pushes`.
+/// journals, and replaces stand-alone components that are recorded or to be replayed by players of
+/// their recordings, if there are any. Removes recordings without such a player from `pushes`.
 void prepare_for_replay(ArchitectureDescription& architecture,
                         const std::set<std::string>& replayed,
                         std::vector<std::filesystem::path>& pushes);

@@ -49,7 +49,7 @@ class SceneManager final : public ManagedComponent {
     auto known = locations_.find(address);
     try {
       auto object = read<SceneObject>(address);
-      if (object->box == vision::ObjectBox{})
+      if (object->box == geometry::AlignedBox{})
         return; // nobody knows yet where it is
       if (known != locations_.end() && !has_moved(known->second, object->box))
         return;
@@ -90,17 +90,23 @@ class SceneManager final : public ManagedComponent {
     scene.viewer = viewer();
     scene.time = last_scene_.count();
     for (auto& [object, box] : locations_)
-      scene.locations.push_back(location_id(object));
+      if (box.frame == scene.viewer.frame)
+        scene.locations.push_back(location_id(object));
+      else
+        warning("{} is in the frame '{}', and the viewer in '{}': it is left out of the scene",
+                location_id(object), box.frame, scene.viewer.frame);
     for (auto& x : read_all<RelationFinder>())
       scene.active_components.push_back(x->component);
+    auto count = scene.locations.size();
     add(std::move(scene), {.time_to_live = memory_.get()});
-    info("a scene of {} locations", locations_.size());
+    info("a scene of {} locations", count);
   }
 
   /// Where the camera is, looking at the middle of the table.
-  vision::Pose viewer() {
-    vision::Pose result;
+  geometry::Pose viewer() {
+    geometry::Pose result;
     result.position = {viewer_x_, viewer_y_, viewer_z_};
+    result.frame = frame_;
     if (!camera_->empty())
       try {
         return pull<vision::CameraFrame>(camera_)->camera.pose;
@@ -120,11 +126,13 @@ class SceneManager final : public ManagedComponent {
   Option<double> viewer_x_{this, "viewer-x", 0, "metres to the right of the table's middle"};
   Option<double> viewer_y_{this, "viewer-y", -1, "metres behind it"};
   Option<double> viewer_z_{this, "viewer-z", 0.5, "metres above it"};
+  Option<std::string> frame_{this, "frame", geometry::table_frame,
+                             "name of the frame of that position"};
   Option<std::chrono::milliseconds> period_{this, "period", 200ms,
                                             "least time from one scene to the next"};
   Option<std::chrono::milliseconds> memory_{this, "memory", 5min, "how long scenes are remembered"};
 
-  std::map<Address, vision::ObjectBox> locations_;
+  std::map<Address, geometry::AlignedBox> locations_;
   /// There is something that the last scene does not show.
   bool dirty_ = false;
   Timestamp last_scene_{0};

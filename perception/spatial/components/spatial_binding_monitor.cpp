@@ -71,13 +71,13 @@ class SpatialBindingMonitor final : public binding::BindingMonitor {
     result.features = {feature(FeatureKind::temporal_frame, frame),
                        binding::not_from(subarchitecture()),
                        binding::tether_to({here(id), std::string{type_name<SpatialLocation>()}}),
-                       binding::location_at(centre.x, centre.y, centre.z)};
+                       binding::location_at(centre.x, centre.y, centre.z, x.box.frame)};
     return result;
   }
 
   /// So that "the leftmost thing" is left of others for whoever sees them.
   static void tell_view(BindingProxy& proxy, const GroundDirections& directions,
-                        const vision::Point3& centre) {
+                        const geometry::Point3& centre) {
     constexpr double same_place = 1e-4; // metres
     const GroundPoint point{centre.x, centre.y};
     const auto seen = as_seen(directions, point);

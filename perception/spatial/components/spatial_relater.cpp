@@ -61,7 +61,7 @@ class SpatialRelater final : public UnmanagedComponent {
   }
 
   std::vector<SpatialRelationship> by_direction(const std::vector<ScenePlace>& places,
-                                                const vision::Pose& viewer) {
+                                                const geometry::Pose& viewer) {
     std::vector<SpatialRelationship> result;
     auto directions = ground_directions(viewer);
     if (!directions || relation_ == SpatialRelation::near)

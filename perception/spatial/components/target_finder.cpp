@@ -33,6 +33,8 @@ class TargetFinder final : public UnmanagedComponent {
     PotentialFields fields{
       objects, {scene.viewer.position.x, scene.viewer.position.y}, settings_.options()};
     query.targets = fields.positions(query.relation, landmark, query.requested_targets);
+    for (auto& target : query.targets)
+      target.frame = scene.viewer.frame;
     return query;
   }
 

@@ -7,17 +7,19 @@
 #include <utility>
 
 #include "castor/base/suggestion.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 
 constexpr int max_pixels_per_side = 100'000;
 
-const std::array<std::string, 8> settings{"size", "focal",  "fov",    "centre",
-                                          "eye",  "target", "number", "distortion"};
+const std::array<std::string, 9> settings{"size",   "focal",  "fov",        "centre", "eye",
+                                          "target", "number", "distortion", "frame"};
 
 /// One reading of one file: collects what the lines say and what is wrong with them.
 class CameraReader {
@@ -69,6 +71,8 @@ private:
       read_numbers(line, keyword, 3, "target 0 0 0");
     else if (keyword == "number")
       read_numbers(line, keyword, 1, "number 0");
+    else if (keyword == "frame")
+      read_frame(line);
     else if (keyword == "distortion")
       read_distortion(line);
     else
@@ -80,8 +84,8 @@ private:
     report(line, "\"" + keyword + "\" is no setting of a camera",
            !guess.empty()
              ? guess
-             : "The settings are size, focal, fov, centre, distortion, eye, target and "
-               "number.");
+             : "The settings are size, focal, fov, centre, distortion, eye, target, number and "
+               "frame.");
   }
 
   void read_numbers(const TextLine& line, const std::string& keyword, std::size_t count,
@@ -102,6 +106,15 @@ private:
       setting.numbers.clear();
     }
     seen_.emplace(keyword, std::move(setting));
+  }
+
+  void read_frame(const TextLine& line) {
+    if (line.words.size() == 2)
+      frame_ = line.words[1];
+    else
+      report(line, "\"frame\" takes one name",
+             "Write the name of the frame that eye and target are given in: frame table");
+    seen_.emplace("frame", Setting{line, {}});
   }
 
   void read_distortion(const TextLine& line) {
@@ -212,13 +225,14 @@ private:
       report(target_setting.line, "eye and target are the same point",
              "Let the target be a point on the table in the middle of the image.");
     else
-      camera_.pose = look_at(eye, target, 45, 1, 1).pose;
+      camera_.pose = look_at(eye, target, 45, 1, 1, frame_).pose;
   }
 
   std::string file_name_;
   std::map<std::string, Setting> seen_;
   std::vector<Diagnostic> problems_;
   Camera camera_;
+  std::string frame_ = table_frame;
 };
 
 } // namespace

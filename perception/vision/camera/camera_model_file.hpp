@@ -19,6 +19,7 @@
 ///     eye 0 -0.9 0.7          # where the camera is, metres, the table's middle is 0 0 0; required
 ///     target 0 0 0            # a point that it sees at the principal point; required
 ///     number 1                # which camera it is; 0 if left out
+///     frame base              # frame of eye and target, in lower case; "table" if left out
 ///
 /// Metres may be written with a unit: 90cm, 900mm. The horizon is taken to be level in the image.
 /// Calibration tools that list five bare distortion numbers usually mean k1 k2 t1 t2 k3.

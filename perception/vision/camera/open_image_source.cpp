@@ -6,11 +6,13 @@
 #include <system_error>
 
 #include "castor/base/input_file.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 

@@ -1,4 +1,5 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/perception/vision/components/looks_at_scene.hpp"
 #include "castor/perception/vision/scene_watch.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -15,8 +16,9 @@ using namespace std::chrono_literals;
 
 /// Watches a camera and keeps one SceneChanged entry up to date. One that is started again goes on
 /// with the entry that it left, and takes what it sees for a change.
-class ChangeDetector final : public UnmanagedComponent {
+class ChangeDetector final : public LooksAtScene<UnmanagedComponent> {
   void start() override {
+    watch_inhibition();
     for (auto& x : read_all<SceneChanged>())
       if (x->camera == number_)
         scene_ = x.address;
@@ -37,7 +39,9 @@ class ChangeDetector final : public UnmanagedComponent {
     options.first_frame_counts = first_frame_ || has_predecessor_;
     SceneWatch watch{options};
     do {
-      auto frame = pull<CameraFrame>(camera_);
+      auto frame = picture_of_scene(camera_);
+      if (!frame)
+        continue;
       tell_of(frame->camera);
       if (auto changed = watch.observe(frame->image)) {
         changed->camera = number_;

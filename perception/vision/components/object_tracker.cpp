@@ -1,4 +1,5 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/perception/vision/components/looks_at_scene.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/tracking/box_tracker.hpp"
 #include "castor/perception/vision/tracking/moved_object.hpp"
@@ -19,7 +20,7 @@ using namespace std::chrono_literals;
 
 /// Takes over the objects that a segmentor has found in a still scene, and keeps their positions up
 /// to date while they move. One that it has lost is the segmentor's again.
-class ObjectTracker final : public UnmanagedComponent {
+class ObjectTracker final : public LooksAtScene<UnmanagedComponent> {
   void configure() override {
     TrackingOptions options;
     options.max_missing = max_missing_;
@@ -29,6 +30,7 @@ class ObjectTracker final : public UnmanagedComponent {
   }
 
   void start() override {
+    watch_inhibition();
     on_change(added<SceneObject>(), [this](const ChangeEvent& event) { take(event.address); });
     on_change(deleted<SceneObject>(),
               [this](const ChangeEvent& event) { forget(event.address.id); });
@@ -46,7 +48,9 @@ class ObjectTracker final : public UnmanagedComponent {
     while (sleep_for(period_.get())) {
       if (followed_.empty())
         continue;
-      auto frame = pull<CameraFrame>(camera_);
+      auto frame = picture_of_scene(camera_);
+      if (!frame)
+        continue;
       for (auto& track : tracker_.update(frame->image)) {
         if (track.is_lost)
           give_back(track.name);

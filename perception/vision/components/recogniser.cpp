@@ -62,10 +62,8 @@ class Recogniser final : public ManagedComponent {
     after.size = best_of(judge_size(features.extent, features.is_extent_assumed, size));
     after.label = {after.colour.value + ' ' + after.shape.value,
                    after.colour.confidence * after.shape.confidence};
-    if (features.extent != ObjectBox{}) {
-      after.box = features.extent;
-      after.pose.position = features.extent.centroid;
-    }
+    if (features.extent != AlignedBox{})
+      place_at(features.extent, after);
     auto update = changes(address.id, *before, after);
     if (!is_change(update))
       return true;

@@ -1,5 +1,6 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/perception/vision/camera/open_image_source.hpp"
+#include "castor/perception/vision/components/looks_at_scene.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/size_on_table.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
@@ -11,6 +12,7 @@
 #include "castor/wm/entries/failure.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +24,7 @@ namespace castor::vision {
 namespace {
 
 /// Cuts a still scene into regions of interest, and keeps one SceneObject behind each.
-class Segmentor final : public ManagedComponent {
+class Segmentor final : public LooksAtScene<ManagedComponent> {
   void configure() override {
     limits_.min_area = min_area_;
     limits_.min_length = min_length_;
@@ -34,6 +36,7 @@ class Segmentor final : public ManagedComponent {
   }
 
   void start() override {
+    watch_inhibition();
     on_change(overwritten<SceneChanged>(), [this](const ChangeEvent& event) {
       consider(event.address, *read<SceneChanged>(event.address));
     });
@@ -82,8 +85,23 @@ class Segmentor final : public ManagedComponent {
          source->description());
   }
 
+  void look_again() override {
+    if (!std::exchange(was_inhibited_, false))
+      return;
+    for (auto& x : read_all<SceneChanged>())
+      if (x->camera == number_ && x->changed)
+        propose_look(x.address);
+  }
+
   void look(const Address& scene) {
-    auto frame = pull<CameraFrame>(camera_);
+    auto frame = picture_of_scene(camera_);
+    while (!frame && !is_inhibited() && sleep_for(time_between_pictures))
+      frame = picture_of_scene(camera_);
+    if (!frame) {
+      was_inhibited_ = true;
+      debug("looks at the scene when nobody inhibits that any more");
+      return;
+    }
     auto segments = segment_table(frame->image, &frame->camera, limits_, segmentation_,
                                   background_model_ ? &*background_model_ : nullptr);
     std::vector<ROI> fresh;
@@ -169,7 +187,7 @@ class Segmentor final : public ManagedComponent {
     write(batch);
   }
 
-  std::optional<ObjectBox> place(const ROI& roi, const vision::Camera& camera) const {
+  std::optional<AlignedBox> place(const ROI& roi, const vision::Camera& camera) const {
     return extent_on_table(camera, roi.contour, false);
   }
 
@@ -180,10 +198,8 @@ class Segmentor final : public ManagedComponent {
     object.time = roi.time;
     object.roi_ids = {roi_id};
     object.managing_process = component_name();
-    if (auto box = place(roi, camera)) {
-      object.box = *box;
-      object.pose.position = box->centroid;
-    }
+    if (auto box = place(roi, camera))
+      place_at(*box, object);
     SceneObjectUpdate update;
     update.object_id = object_id;
     update.position = true;
@@ -205,10 +221,8 @@ class Segmentor final : public ManagedComponent {
     try {
       auto object = *read<SceneObject>(here(fresh.object_id));
       object.time = fresh.time;
-      if (auto box = place(fresh, camera)) {
-        object.box = *box;
-        object.pose.position = box->centroid;
-      }
+      if (auto box = place(fresh, camera))
+        place_at(*box, object);
       SceneObjectUpdate update;
       update.object_id = fresh.object_id;
       update.position = true;
@@ -263,6 +277,11 @@ class Segmentor final : public ManagedComponent {
     this, "unchanged-colour", 12,
     "and has not changed if its mean colour differs by fewer grey levels"};
 
+  /// How soon the camera is asked for a newer picture.
+  static constexpr std::chrono::milliseconds time_between_pictures{20};
+
+  /// A look is due that was inhibited.
+  bool was_inhibited_ = false;
   SegmentationOptions segmentation_;
   SizeLimits limits_;
   std::optional<BackgroundModel> background_model_;

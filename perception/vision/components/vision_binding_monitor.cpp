@@ -68,7 +68,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     auto location = from_here();
     auto& centre = place.centroid;
     location.features.push_back(binding::tether_to(data));
-    location.features.push_back(binding::location_at(centre.x, centre.y, centre.z));
+    location.features.push_back(binding::location_at(centre.x, centre.y, centre.z, place.frame));
     auto position = from_here();
     position.type = binding::ProxyType::relation;
     position.features.push_back(feature(FeatureKind::relation_label, binding::position_label));
@@ -140,9 +140,10 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
                             : feature(kind, word.value));
   }
 
-  static bool has_moved(const ObjectBox& before, const ObjectBox& now) {
-    return std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
-           std::min(before.size.x, now.size.x);
+  static bool has_moved(const AlignedBox& before, const AlignedBox& now) {
+    return before.frame != now.frame ||
+           std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
+             std::min(before.size.x, now.size.x);
   }
 
   static constexpr std::string_view object_prefix = "vision/object/";
@@ -157,7 +158,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
                        "below this confidence, a colour, a shape or a size is told as uncertain"};
 
   /// Where each was when that was last told.
-  std::map<std::string, ObjectBox> objects_;
+  std::map<std::string, AlignedBox> objects_;
 };
 
 CASTOR_COMPONENT(VisionBindingMonitor, "adds the objects on the table to binding")

@@ -7,10 +7,12 @@
 
 #include <Eigen/LU>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 using Eigen::Vector3d;
 

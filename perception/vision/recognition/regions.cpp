@@ -45,7 +45,7 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
   features.shapes = classify_shape(features.shape_evidence, shape, network);
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
-    features.extent = extent_on_table(*camera, roi.contour, flat).value_or(ObjectBox{});
+    features.extent = extent_on_table(*camera, roi.contour, flat).value_or(AlignedBox{});
     features.is_extent_assumed = camera->is_assumed;
   }
   return features;

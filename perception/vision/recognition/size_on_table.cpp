@@ -4,16 +4,18 @@
 #include <cmath>
 #include <utility>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_ray.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_ray.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 using Eigen::Vector3d;
 
 namespace {
 
-std::optional<ObjectBox> flat_extent(const Camera& camera, std::span<const Point2> contour) {
+std::optional<AlignedBox> flat_extent(const Camera& camera, std::span<const Point2> contour) {
   Eigen::AlignedBox3d box;
   for (const auto& pixel : contour) {
     const auto point = back_project(camera, pixel);
@@ -21,7 +23,7 @@ std::optional<ObjectBox> flat_extent(const Camera& camera, std::span<const Point
       return std::nullopt;
     box.extend(to_eigen(*point));
   }
-  return ObjectBox{to_point(box.center()), to_point(box.sizes())};
+  return AlignedBox{to_point(box.center()), to_point(box.sizes()), camera.pose.frame};
 }
 
 /// Where the ray meets the upright plane through `point` with the level normal `normal`.
@@ -31,7 +33,7 @@ std::optional<Vector3d> meet(const EigenRay& ray, const Vector3d& point, const V
   return ray.intersectionPoint(Eigen::Hyperplane<double, 3>(normal, point));
 }
 
-std::optional<ObjectBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
+std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
   const auto by_x = [](const Point2& a, const Point2& b) { return a.x < b.x; };
   const auto by_y = [](const Point2& a, const Point2& b) { return a.y < b.y; };
   const auto [left, right] = std::minmax_element(contour.begin(), contour.end(), by_x);
@@ -63,19 +65,20 @@ std::optional<ObjectBox> solid_extent(const Camera& camera, std::span<const Poin
   // The upper end of the outline is somewhere between the axis of the solid and its far side.
   const auto top_end = meet(to_eigen(*top_ray), centre + (width / 4) * direction, direction);
   const double height = top_end ? std::max(0.0, top_end->z()) : 0;
-  return ObjectBox{{centre.x(), centre.y(), height / 2}, {width, width, height}};
+  return AlignedBox{
+    {centre.x(), centre.y(), height / 2}, {width, width, height}, camera.pose.frame};
 }
 
 } // namespace
 
-std::optional<ObjectBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
-                                         bool flat) {
+std::optional<AlignedBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
+                                          bool flat) {
   if (contour.empty())
     return std::nullopt;
   return flat ? flat_extent(camera, contour) : solid_extent(camera, contour);
 }
 
-std::vector<Hypothesis> judge_size(const ObjectBox& extent, bool is_assumed,
+std::vector<Hypothesis> judge_size(const AlignedBox& extent, bool is_assumed,
                                    const SizeOptions& options) {
   const double longest = std::max({extent.size.x, extent.size.y, extent.size.z});
   if (longest <= 0)

@@ -9,7 +9,8 @@
 
 namespace castor::vision {
 
-/// The box on the table of an object with the outline `contour`. Nothing if its foot is not on the
+/// The box on the table of an object with the outline `contour`, in the frame of the camera's pose,
+/// whose plane z = 0 is the table. Nothing if its foot is not on the
 /// table: at or above the horizon.
 ///
 /// As an image has no depth, these are assumptions: the lowest point of the outline touches the
@@ -17,8 +18,8 @@ namespace castor::vision {
 /// is on the table.
 ///
 /// \param contour image coordinates.
-std::optional<ObjectBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
-                                         bool flat);
+std::optional<AlignedBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
+                                          bool flat);
 
 /// Options for "large" and "small".
 struct SizeOptions {
@@ -35,7 +36,7 @@ struct SizeOptions {
 /// "large" and "small", the likelier first; confidences sum to 1. Nothing for a box without size.
 ///
 /// \param is_assumed whether the extent was measured with a camera that is not calibrated.
-std::vector<Hypothesis> judge_size(const ObjectBox& extent, bool is_assumed,
+std::vector<Hypothesis> judge_size(const AlignedBox& extent, bool is_assumed,
                                    const SizeOptions& options = {});
 
 } // namespace castor::vision

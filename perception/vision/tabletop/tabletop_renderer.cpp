@@ -8,14 +8,16 @@
 #include <stdexcept>
 #include <vector>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_ray.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_ray.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_body.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_bounds.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_light.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_table.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 using Eigen::Vector3d;
 

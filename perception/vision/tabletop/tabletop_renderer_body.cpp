@@ -6,6 +6,8 @@
 
 namespace castor::vision {
 
+using namespace geometry;
+
 using Eigen::Vector3d;
 
 namespace {

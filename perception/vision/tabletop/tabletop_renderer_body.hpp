@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "castor/perception/vision/camera/eigen_ray.hpp"
+#include "castor/mapping/geometry/eigen_ray.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
 
 /// Intersections of rays with the bodies on the table. Private to the renderer, since it includes
@@ -35,10 +35,11 @@ public:
   /// Radius of the bounding sphere about the centre.
   double radius() const { return radius_; }
 
-  std::optional<BodyHit> hit(const EigenRay& ray) const;
+  std::optional<BodyHit> hit(const geometry::EigenRay& ray) const;
 
   /// Whether the ray meets the body between its origin and `limit`; false if it starts within.
-  bool blocks(const EigenRay& ray, double limit = std::numeric_limits<double>::infinity()) const;
+  bool blocks(const geometry::EigenRay& ray,
+              double limit = std::numeric_limits<double>::infinity()) const;
 
 private:
   using Plane = Eigen::Hyperplane<double, 3>;
@@ -49,11 +50,11 @@ private:
   };
 
   void set_sides(const std::vector<Point2>& corners, double height);
-  EigenRay to_body(const EigenRay& ray) const;
-  std::optional<Entry> entry(const EigenRay& ray) const;
-  std::optional<Entry> sphere_entry(const EigenRay& ray) const;
-  std::optional<Entry> cylinder_entry(const EigenRay& ray) const;
-  std::optional<Entry> sides_entry(const EigenRay& ray) const;
+  geometry::EigenRay to_body(const geometry::EigenRay& ray) const;
+  std::optional<Entry> entry(const geometry::EigenRay& ray) const;
+  std::optional<Entry> sphere_entry(const geometry::EigenRay& ray) const;
+  std::optional<Entry> cylinder_entry(const geometry::EigenRay& ray) const;
+  std::optional<Entry> sides_entry(const geometry::EigenRay& ray) const;
   Eigen::Vector3d normal_at(const Eigen::Vector3d& point, int face) const;
 
   enum class Kind { sphere, cylinder, sides };

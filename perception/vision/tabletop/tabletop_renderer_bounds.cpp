@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;

@@ -7,9 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/poses.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 
@@ -74,10 +76,10 @@ bool is_flat(TabletopShape shape) {
 }
 
 Pose pose_of(const TabletopObject& object) {
-  return {{object.x, object.y, object.size.z / 2}, rotation_about_z(turn_of(object))};
+  return {{object.x, object.y, object.size.z / 2}, rotation_about_z(turn_of(object)), table_frame};
 }
 
-ObjectBox bounding_box(const TabletopObject& object) {
+AlignedBox bounding_box(const TabletopObject& object) {
   double left = object.x - object.size.x / 2;
   double right = object.x + object.size.x / 2;
   double near = object.y - object.size.y / 2;
@@ -90,7 +92,8 @@ ObjectBox bounding_box(const TabletopObject& object) {
     std::tie(near, far) = extent_along(corners, 0, 1);
   }
   return {{(left + right) / 2, (near + far) / 2, object.size.z / 2},
-          {right - left, far - near, object.size.z}};
+          {right - left, far - near, object.size.z},
+          table_frame};
 }
 
 std::vector<Point2> footprint(const TabletopObject& object) {

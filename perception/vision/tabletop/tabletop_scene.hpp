@@ -58,7 +58,7 @@ struct TabletopObject {
 Pose pose_of(const TabletopObject& object);
 
 /// The smallest box along the table's axes that holds the object.
-ObjectBox bounding_box(const TabletopObject& object);
+AlignedBox bounding_box(const TabletopObject& object);
 
 /// Outline of the object on the table, anticlockwise; a circle has 32 corners.
 std::vector<Point2> footprint(const TabletopObject& object);

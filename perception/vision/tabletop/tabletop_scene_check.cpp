@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_statement.hpp"
 
 namespace castor::vision {

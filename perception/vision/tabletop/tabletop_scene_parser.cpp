@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "castor/base/suggestion.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_check.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_statement.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 
@@ -35,8 +37,8 @@ public:
         objects_are_missing_ = true;
       }
     }
-    scene_.camera =
-      look_at(camera_.eye, camera_.target, camera_.fov_degrees, image_.width, image_.height);
+    scene_.camera = look_at(camera_.eye, camera_.target, camera_.fov_degrees, image_.width,
+                            image_.height, table_frame);
     play();
     check();
     std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "castor/base/suggestion.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
 #include "castor/perception/vision/text_file.hpp"
 

@@ -1,9 +1,11 @@
 #include "castor/perception/vision/tracking/moved_object.hpp"
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 
@@ -31,7 +33,7 @@ void move_to(const ImageBox& box, const Camera& camera, ROI& roi, SceneObject& o
       shift(object.box.centroid, way);
       shift(object.pose.position, way);
       // Whoever reads the features takes the object to be there.
-      if (roi.features.extent != ObjectBox{})
+      if (roi.features.extent != AlignedBox{})
         shift(roi.features.extent.centroid, way);
     }
   Point2 way{to.x - from.x, to.y - from.y};

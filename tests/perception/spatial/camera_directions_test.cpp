@@ -12,7 +12,7 @@ using enum SpatialRelation;
 
 /// Above (0, -1), looking north and down by 45 degrees: a turn about x by 135 degrees brings z
 /// there and y to the image's lower edge.
-vision::Pose from_the_south() {
+geometry::Pose from_the_south() {
   const double half = 3 * std::acos(-1.0) / 8;
   return {{0, -1, 1}, {std::cos(half), -std::sin(half), 0, 0}};
 }

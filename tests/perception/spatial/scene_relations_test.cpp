@@ -10,7 +10,7 @@ namespace {
 
 using enum SpatialRelation;
 
-vision::ObjectBox box(double x, double y, double width) {
+geometry::AlignedBox box(double x, double y, double width) {
   return {{x, y, 0.05}, {width, width, 0.1}};
 }
 

@@ -14,13 +14,15 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 

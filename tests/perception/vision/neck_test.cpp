@@ -10,14 +10,14 @@
 namespace castor::vision {
 namespace {
 
-constexpr int width = 160;
+constexpr int picture_width = 160;
 
 /// The cells that `draw` paints.
 std::vector<int> cells_of(const std::function<void(cv::Mat&)>& draw) {
-  cv::Mat mask(120, width, CV_8U, cv::Scalar(0));
+  cv::Mat mask(120, picture_width, CV_8U, cv::Scalar(0));
   draw(mask);
   std::vector<int> cells;
-  for (int cell = 0; cell < mask.rows * width; ++cell)
+  for (int cell = 0; cell < mask.rows * picture_width; ++cell)
     if (mask.data[cell] != 0)
       cells.push_back(cell);
   return cells;
@@ -28,7 +28,7 @@ std::vector<std::size_t> parts_of(const std::function<void(cv::Mat&)>& draw) {
   const auto cells = cells_of(draw);
   std::vector<std::size_t> sizes;
   std::vector<int> together;
-  for (const auto& part : divide_at_necks(cells, width)) {
+  for (const auto& part : divide_at_necks(cells, picture_width)) {
     sizes.push_back(part.size());
     together.insert(together.end(), part.begin(), part.end());
   }

@@ -3,7 +3,7 @@
 #include "castor/tests/perception/vision/vision_system.hpp"
 
 #include "castor/actors/component/registry.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/scene_object_changes.hpp"
 #include "castor/perception/vision/tracking/moved_object.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -14,6 +14,8 @@
 #include <stdexcept>
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 

@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/recognition/outline_models.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 Camera camera() {

@@ -10,7 +10,7 @@
 #include "castor/benchmarks/clevr/damage.hpp"
 #include "castor/benchmarks/clevr/evaluation.hpp"
 #include "castor/benchmarks/clevr/relations.hpp"
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/camera/camera_model_file.hpp"
 
 namespace castor::clevr {
@@ -73,10 +73,11 @@ TEST(CameraOfClevr, is_the_same_in_its_file) {
   const CameraGuess guess{{7.25, -6.5, 5.0 / 3}, {0.125, -0.25}};
   const auto read = vision::parse_camera(camera_file(guess, 320, 240, 0.088), "clevr.camera");
   ASSERT_TRUE(read.camera);
-  const vision::Camera camera = make_camera(guess, 320, 240, 0.088);
+  const geometry::Camera camera = make_camera(guess, 320, 240, 0.088);
   EXPECT_EQ(read.camera->width, 320);
   EXPECT_EQ(read.camera->height, 240);
-  for (const vision::Point3& point : {vision::Point3{0, 0, 0}, {0.2, 0.1, 0.05}, {-0.2, 0.15, 0}}) {
+  for (const geometry::Point3& point :
+       {geometry::Point3{0, 0, 0}, {0.2, 0.1, 0.05}, {-0.2, 0.15, 0}}) {
     const auto expected = project(camera, point);
     const auto is = project(*read.camera, point);
     ASSERT_TRUE(expected && is);

@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 TabletopObject thing(TabletopShape shape, const SceneColour& colour, double x, double y,
@@ -63,7 +65,7 @@ TEST(Regions, have_no_size_without_a_camera) {
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_EQ(regions[0].colour.value, "red");
   EXPECT_EQ(regions[0].size.value, "unknown");
-  EXPECT_EQ(regions[0].roi.features.extent, ObjectBox{});
+  EXPECT_EQ(regions[0].roi.features.extent, AlignedBox{});
 }
 
 TEST(Regions, are_only_round_where_the_camera_is_not_known) {

@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 
 /// Segmentation of rendered tables, whose ground truth is known.
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 const Camera tilted_camera = look_at({0, -0.62, 0.55}, {0, 0.03, 0}, 42, 640, 480);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/shape_classifier.hpp"
@@ -13,6 +13,8 @@
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 double measurement(const std::vector<double>& evidence, const std::string& name) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 TabletopObject piece(double x, double side) {

@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 namespace {
 
 const Camera table_camera = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 640, 480);
@@ -74,7 +76,7 @@ TEST(SizeOnTable, judges_by_the_longest_side) {
 
 TEST(SizeOnTable, IsNeverCertainWithAnAssumedCamera) {
   for (const double side : {0.01, 0.05, 0.2, 1.0, 10.0}) {
-    const ObjectBox box{{}, {side, side, side}};
+    const AlignedBox box{{}, {side, side, side}};
     const auto measured = judge_size(box, false);
     const auto assumed = judge_size(box, true);
     ASSERT_EQ(assumed.size(), 2U);

@@ -8,12 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_body.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer_light.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 

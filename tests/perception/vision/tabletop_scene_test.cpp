@@ -9,12 +9,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_check.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
 
 namespace castor::vision {
+
+using namespace geometry;
 
 namespace {
 
@@ -44,7 +46,7 @@ TEST(TabletopScene, IsReadFromAFewLines) {
                               "Red Cube      at 0.10 0.05  size 0.06  turned 30\r\n"
                               "#2040b0 square at -0.1 0.0   size 8cm   # on the left\n"
                               "green can at 0 20cm size 50mm 0.08 name=mug\n");
-  EXPECT_EQ(scene.camera, look_at({0, -0.9, 0.7}, {0, 0, 0}, 45, 640, 480));
+  EXPECT_EQ(scene.camera, look_at({0, -0.9, 0.7}, {0, 0, 0}, 45, 640, 480, "table"));
   EXPECT_EQ(scene.setting.noise, 3);
   EXPECT_EQ(scene.setting.seed, 7U);
   const auto objects = scene.at(0s).objects;

@@ -80,6 +80,20 @@ TEST_F(RecordCommand, ReplaysWhatAStandAloneComponentHandedOutInItsPlace) {
   EXPECT_THAT(read(folder / "output/entries.json"), HasSubstr("\"who\":\"watcher\""));
 }
 
+TEST_F(RecordCommand, AnEffectorThatIsLeftOutObeysWithoutEffect) {
+  auto file = write("wheel.cast", "COMPONENT CPP wheel TestWheel\nSUBARCHITECTURE drive localhost\n"
+                                  "CPP WM SubarchitectureWorkingMemory\n"
+                                  "CPP TM AlwaysPositiveTaskManager\n"
+                                  "CPP UM clock Clock\nCPP UM pusher Pusher\n");
+  auto live = ask({"run", file, "--record", recording()});
+  EXPECT_EQ(live.status, 0) << live.errors;
+  EXPECT_THAT(live.errors, HasSubstr("[wheel] turns with speed 1"));
+  auto replayed = ask(replay_command({"--without", "clock,wheel"}));
+  EXPECT_EQ(replayed.status, 0) << replayed.errors;
+  EXPECT_THAT(replayed.errors, HasSubstr("[drive.pusher] the wheel has obeyed"));
+  EXPECT_THAT(replayed.errors, Not(HasSubstr("turns with speed")));
+}
+
 TEST_F(RecordCommand, TellsScriptsWhatWasRecorded) {
   auto lines = json_lines(record(watched_beacon, {"--for", "1s", "--json"}));
   ASSERT_EQ(lines.size(), 1U);

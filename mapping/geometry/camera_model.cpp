@@ -1,14 +1,16 @@
-#include "castor/perception/vision/camera/camera_model.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+
+#include "castor/mapping/geometry/eigen_bridge.hpp"
+#include "castor/mapping/geometry/poses.hpp"
+
+#include <Eigen/LU>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
-#include <Eigen/LU>
-
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
-
-namespace castor::vision {
+namespace castor::geometry {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -93,30 +95,8 @@ std::optional<Vector2d> undistort(const Camera& camera, const Vector2d& seen) {
 
 } // namespace
 
-Point3 rotate(const Rotation& rotation, const Point3& vector) {
-  return to_point(to_eigen(rotation) * to_eigen(vector));
-}
-
-Rotation inverse(const Rotation& rotation) {
-  return to_rotation(to_eigen(rotation).conjugate());
-}
-
-Rotation compose(const Rotation& first, const Rotation& second) {
-  return to_rotation(to_eigen(first) * to_eigen(second));
-}
-
-Rotation rotation_about_z(double radians) {
-  return {std::cos(radians / 2), 0, 0, std::sin(radians / 2)};
-}
-
-Rotation rotation_from_axes(const Point3& x_axis, const Point3& y_axis, const Point3& z_axis) {
-  Eigen::Matrix3d axes;
-  axes << to_eigen(x_axis), to_eigen(y_axis), to_eigen(z_axis);
-  return to_rotation(Eigen::Quaterniond(axes).normalized());
-}
-
 Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degrees, int width,
-               int height) {
+               int height, std::string frame) {
   const Vector3d way = to_eigen(target) - to_eigen(eye);
   if (!(way.norm() > 0))
     throw std::invalid_argument("look_at: the camera's position and its target are the same point");
@@ -133,7 +113,8 @@ Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degr
   right.normalize();
   const Vector3d down = forward.cross(right);
   Camera camera;
-  camera.pose = {eye, rotation_from_axes(to_point(right), to_point(down), to_point(forward))};
+  camera.pose = {eye, rotation_from_axes(to_point(right), to_point(down), to_point(forward)),
+                 std::move(frame)};
   camera.width = width;
   camera.height = height;
   camera.fx = height / (2 * std::tan(vertical_fov_degrees * std::numbers::pi / 360));
@@ -144,7 +125,7 @@ Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degr
 }
 
 Camera nominal_camera(int width, int height) {
-  Camera camera = look_at({0, -0.75, 0.70}, {0, 0, 0}, 50, width, height);
+  Camera camera = look_at({0, -0.75, 0.70}, {0, 0, 0}, 50, width, height, table_frame);
   camera.is_assumed = true;
   return camera;
 }
@@ -190,4 +171,4 @@ std::optional<Point3> back_project(const Camera& camera, const Point2& pixel, do
   return point;
 }
 
-} // namespace castor::vision
+} // namespace castor::geometry

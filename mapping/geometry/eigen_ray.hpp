@@ -1,9 +1,9 @@
 #pragma once
 
-#include "castor/perception/vision/camera/camera_model.hpp"
-#include "castor/perception/vision/camera/eigen_bridge.hpp"
+#include "castor/mapping/geometry/camera_model.hpp"
+#include "castor/mapping/geometry/eigen_bridge.hpp"
 
-namespace castor::vision {
+namespace castor::geometry {
 
 /// A Ray in the form that Eigen calculates with; its parameter is the distance from the origin,
 /// metres. For source files and private headers only.
@@ -13,4 +13,4 @@ inline EigenRay to_eigen(const Ray& ray) {
   return {to_eigen(ray.origin), to_eigen(ray.direction)};
 }
 
-} // namespace castor::vision
+} // namespace castor::geometry

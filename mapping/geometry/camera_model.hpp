@@ -1,10 +1,12 @@
 #pragma once
 
+#include "castor/mapping/geometry/types.hpp"
+
 #include <optional>
+#include <string>
 
-#include "castor/perception/vision/types.hpp"
-
-/// The geometry between the table and an image of it: a pinhole camera with lens distortion.
+/// The geometry between a scene and an image of it: a pinhole camera with lens distortion. Points
+/// are given in the frame of the camera's pose.
 ///
 /// The lens model is Brown's (D. C. Brown, "Close-range camera calibration", 1971) in the form that
 /// the common calibration tools estimate. On the plane at distance 1 before the camera, with
@@ -13,9 +15,9 @@
 ///     ( x q + 2 t1 x y + t2 (r^2 + 2 x^2),  y q + t1 (r^2 + 2 y^2) + 2 t2 x y )
 ///
 /// and from there the focal lengths and the principal point lead to pixels.
-namespace castor::vision {
+namespace castor::geometry {
 
-/// A ray in table coordinates, metres; `direction` has length 1.
+/// A ray, metres; `direction` has length 1.
 struct Ray {
   Point3 origin;
   Point3 direction;
@@ -23,34 +25,19 @@ struct Ray {
   friend bool operator==(const Ray&, const Ray&) = default;
 };
 
-/// Turns `vector` by `rotation`.
-Point3 rotate(const Rotation& rotation, const Point3& vector);
-
-/// The inverse rotation.
-Rotation inverse(const Rotation& rotation);
-
-/// The rotation by `second`, followed by `first`, as in first * second * vector.
-Rotation compose(const Rotation& first, const Rotation& second);
-
-/// The rotation about the table's normal by `radians`, anticlockwise as seen from above.
-Rotation rotation_about_z(double radians);
-
-/// The rotation whose images of the x, y and z axes are these; they are orthonormal, right-handed.
-Rotation rotation_from_axes(const Point3& x_axis, const Point3& y_axis, const Point3& z_axis);
-
 /// An undistorted camera at `eye` with `target` in the middle of its image and the horizon level
-/// (the table's y axis upwards in the image, if it looks straight down or up).
+/// (the y axis upwards in the image, if it looks straight down or up).
 ///
 /// \param vertical_fov_degrees the angle between the upper and the lower edge of the image.
 /// \param width,height the image's size in pixels; pixels are square.
+/// \param frame name of the frame of eye and target, if there is one.
 /// \throws std::invalid_argument unless eye and target differ, the angle is in (0, 180) and the
-/// size
-///         is positive.
+///         size is positive.
 Camera look_at(const Point3& eye, const Point3& target, double vertical_fov_degrees, int width,
-               int height);
+               int height, std::string frame = {});
 
-/// Assumed camera of a picture without a calibration: its vertical angle is 50 degrees, and it is
-/// 0.75 m before the middle of the table and 0.70 m above it, looking at that middle.
+/// Assumed camera of a picture of a table without a calibration: its vertical angle is 50 degrees,
+/// and it is 0.75 m before the middle of the table and 0.70 m above it, looking at that middle.
 Camera nominal_camera(int width, int height);
 
 /// Projection of `point`, in pixels; it may be outside of the image. Nothing if the point is behind
@@ -65,4 +52,4 @@ std::optional<Ray> viewing_ray(const Camera& camera, const Point2& pixel);
 /// plane: at or above the horizon, or with the plane behind the camera.
 std::optional<Point3> back_project(const Camera& camera, const Point2& pixel, double plane_z = 0);
 
-} // namespace castor::vision
+} // namespace castor::geometry

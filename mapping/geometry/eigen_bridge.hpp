@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 
-#include "castor/perception/vision/types.hpp"
+#include "castor/mapping/geometry/types.hpp"
 
 /// Points and rotations in the form that Eigen calculates with. For source files and private
 /// headers only: no public header includes Eigen.
-namespace castor::vision {
+namespace castor::geometry {
 
 inline Eigen::Vector3d to_eigen(const Point3& point) {
   return {point.x, point.y, point.z};
@@ -24,4 +24,4 @@ inline Rotation to_rotation(const Eigen::Quaterniond& quaternion) {
   return {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()};
 }
 
-} // namespace castor::vision
+} // namespace castor::geometry
