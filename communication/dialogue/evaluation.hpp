@@ -232,6 +232,7 @@ private:
   Truth looks(const std::string& id, const WordMeanings::Look& look);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
+  Things surroundings_of_addressee();
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);
   Truth is_between(const std::string& id, const Nominal& anchor);

@@ -177,6 +177,11 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     return found;
   }
   const bool may_be_seen = vocabulary().is_perceptible(phrase.proposition);
+  // A room may be the office, but nobody has said so.
+  const bool may_be_called_so =
+    vocabulary().is_of_other_kind(phrase.proposition) && !found.possible.empty();
+  if (found.certain.empty() && may_be_called_so)
+    throw Uninterpretable{Reason::unknown, phrase.name};
   if (found.certain.empty() && found.possible.size() > 1 && !is_lenient && may_be_seen)
     throw Uninterpretable{Reason::unknown, phrase.name};
   if (found.certain.empty() && found.possible.size() != 1)

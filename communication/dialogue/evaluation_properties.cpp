@@ -179,6 +179,11 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     const auto there = antecedents_of(region.name + std::string{pointed_at});
     return truth_of(std::ranges::find(there, id) != there.end());
   }
+  if (anchor == nullptr && relation == "here")
+    if (const auto around = surroundings_of_addressee(); !around.empty())
+      return truth_of(std::ranges::any_of(around, [&](auto& place) {
+        return scene_.is_related(binding::containment_label, id, place) == Truth::yes;
+      }));
   if (anchor == nullptr)
     return is_in_part_of_table(id, relation);
   if (relation == "between")
@@ -201,6 +206,15 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
       return is_directly(id, side, other);
     });
   return is_related(id, vocabulary().relation_of(relation).value_or(relation), *anchor);
+}
+
+/// The room that the robot is in: "here".
+Evaluation::Things Evaluation::surroundings_of_addressee() {
+  Things result;
+  for (auto& self : scene_.addressee())
+    for (auto& place : scene_.surroundings(self))
+      result.push_back(place);
+  return result;
 }
 
 /// Behind it or beside it, with nothing between the two on that side. Of what lies rather beside it

@@ -42,6 +42,17 @@ std::string noun_of(const SceneKnowledge& scene, const std::string& id) {
   return vocabulary.noun_of_concept(result.empty() ? vocabulary.general_concept() : result);
 }
 
+/// By its own noun, or by one that is more general: a kitchen may be called a room.
+bool may_be_called(const SceneKnowledge& scene, const std::string& id, const std::string& noun) {
+  if (noun_of(scene, id) == noun)
+    return true;
+  const auto& vocabulary = scene.vocabulary();
+  const auto concepts = scene.words(id, FeatureKind::concept_name);
+  return vocabulary.is_of_other_kind(noun) && std::ranges::any_of(concepts, [&](auto& known) {
+           return vocabulary.ontology().is_kind_of(known, vocabulary.concept_of(noun));
+         });
+}
+
 /// The word for a property that is said by an adjective; empty for a shape that has a noun.
 std::string adjective(const SceneKnowledge& scene, const std::string& id, FeatureKind kind) {
   auto word = first_word(scene, id, kind);
@@ -62,7 +73,7 @@ std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& 
   auto others = scene.is_thing(union_id) ? scene.things() : scene.individuals();
   std::erase(others, union_id);
   if (noun != thing)
-    std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
+    std::erase_if(others, [&](auto& other) { return !may_be_called(scene, other, noun); });
   auto result = definite(noun);
   for (auto& x : properties) {
     auto word = adjective(scene, union_id, x.kind);

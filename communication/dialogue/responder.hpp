@@ -56,7 +56,7 @@ private:
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   std::optional<LogicalForm> place_of(const std::string& id);
-  std::optional<LogicalForm> where_i_am(const Fitting& found, const Nominal& asked);
+  std::optional<LogicalForm> where_it_is(const Fitting& found, const Nominal& asked);
   Response what(const Nominal& phrase);
   Response quality(const Nominal& asked, const Nominal& of);
   Response quality(const std::string& name, const Nominal& of);

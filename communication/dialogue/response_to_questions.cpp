@@ -126,7 +126,7 @@ Response Responder::to_question_w() {
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
-  if (auto where = where_i_am(found, asked))
+  if (auto where = where_it_is(found, asked))
     return answer(std::move(*where));
   if (root().sort == "existence" && is_number(asked))
     return some_of(found, asked);
@@ -144,15 +144,18 @@ Response Responder::about(const Nominal& asked) {
   return list(found.certain.empty() ? found.possible : found.certain);
 }
 
-/// "Which room are you in?": "I am in the kitchen."
-std::optional<LogicalForm> Responder::where_i_am(const Fitting& found, const Nominal& asked) {
+/// "Which room are you in?": "I am in the kitchen."; "which room is the ball in?"
+std::optional<LogicalForm> Responder::where_it_is(const Fitting& found, const Nominal& asked) {
   const auto* subject = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
-  if (subject == nullptr || scope == nullptr || !evaluation_.is_addressee(*subject) ||
+  if (subject == nullptr || scope == nullptr || scope->sort != "region" ||
       dependent(form_, *scope, "Anchor") != &asked || is_negated(root()) ||
-      asks_for_number(asked) || found.certain.size() != 1)
+      asks_for_number(asked) || found.certain.size() != 1 || scene_.is_thing(found.certain.front()))
     return std::nullopt;
-  return ascribe(myself(),
+  const bool is_addressee = evaluation_.is_addressee(*subject);
+  if (!is_addressee && (!is_definite(*subject) || is_plural(*subject)))
+    return std::nullopt;
+  return ascribe(is_addressee ? myself() : pronoun("it"),
                  region(scope->proposition, referring_expression(scene_, found.certain.front())));
 }
 

@@ -149,6 +149,19 @@ TEST_F(Rooms, AreWhereTheRobotAndThingsAre) {
   EXPECT_EQ(talk.say("What is in this room?").text, "There is nothing.");
   EXPECT_EQ(talk.say("Is this the kitchen?").text, "No.");
   EXPECT_EQ(talk.say("What is this room?").text, "It is a room.");
+  EXPECT_EQ(talk.say("What room is this?").text, "There is a room.");
+  EXPECT_EQ(talk.say("Which room are you in?").text, "I am in a room.");
+  EXPECT_EQ(talk.say("Which room is the ball in?").text, "It is in the kitchen.");
+  EXPECT_EQ(talk.say("Is the ball here?").text, "No.");
+  EXPECT_EQ(talk.say("What is here?").text, "There is nothing.");
+}
+
+TEST_F(Rooms, MayBeWhatTheyAreNotKnownToBe) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Are you in the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Is this the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Where is the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Is this an office?").text, "I do not know.");
 }
 
 TEST_F(Rooms, AreNamedByPeople) {
