@@ -25,7 +25,7 @@ class OntologySource final : public UnmanagedComponent {
       texts_.push_back(text_of(name));
     auto read = read_ontology(texts_);
     if (!read.problems.empty())
-      throw std::runtime_error("the ontology cannot be read:\n" + render(read.problems));
+      throw std::runtime_error("the ontology has errors\n" + render(read.problems));
     statements_ = std::move(read.statements);
   }
 

@@ -62,7 +62,8 @@ std::optional<Truth> Evaluation::is_named_by_sense(const std::string& id, const 
   auto& noun = phrase.proposition;
   if (!has_containers())
     return std::nullopt;
-  if (vocabulary().is_content(noun))
+  // Where there are rooms, containers are in something, too.
+  if (vocabulary().is_content(noun) && !scene_.has_places())
     return truth_of(!is_container(id));
   if (vocabulary().is_general(noun))
     return std::nullopt;

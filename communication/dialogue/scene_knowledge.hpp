@@ -137,6 +137,13 @@ public:
   /// As the viewer sees it: x to the right, y away. The same as the place if nothing else is known.
   std::optional<Place> place_in_view(const std::string& union_id) const;
 
+  /// Whether something is in what is no thing, such as a room.
+  bool has_places() const {
+    return std::ranges::any_of(relations_, [this](auto& x) {
+      return x.label == binding::containment_label && !is_thing(x.to);
+    });
+  }
+
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
 

@@ -42,7 +42,7 @@ NamedText text_of(const std::string& name, const std::string& folder) {
 std::shared_ptr<const Lexicon> lexicon_of(const std::vector<NamedText>& files) {
   auto read = read_lexicon(files);
   if (!read.problems.empty())
-    throw std::runtime_error("the lexicon cannot be read:\n" + render(read.problems));
+    throw std::runtime_error("the lexicon has errors\n" + render(read.problems));
   return read.lexicon;
 }
 

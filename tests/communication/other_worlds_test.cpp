@@ -222,6 +222,7 @@ partition place
   world.relate("in", "box 1", "shelf 1");
   world.relate("in", "box 2", "shelf 1");
   world.relate("in", "robot", "aisle");
+  world.relate("in", "shelf 2", "aisle");
   world.know("thing");
   world.know("place");
   world.know("self");
@@ -232,6 +233,9 @@ partition place
   EXPECT_EQ(talk.say("Is there a red box in the green shelf?").text, "No.");
   EXPECT_EQ(talk.say("Where is the red box?").text, "It is in the blue shelf.");
   EXPECT_EQ(talk.say("Where are you?").text, "I am in the aisle.");
+  EXPECT_EQ(talk.say("What is in this aisle?").text, "There is a green shelf.");
+  EXPECT_EQ(talk.say("What is in the blue shelf?").text, "There is a red box and a white box.");
+  EXPECT_EQ(talk.say("What colour is the shelf in this aisle?").text, "It is green.");
   EXPECT_EQ(talk.say("Is there a pallet?").text, "No.");
 }
 

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/word_meanings.hpp"
 
 #include "castor/base/ontology_reader.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"
 
@@ -19,9 +20,9 @@ using ::testing::IsEmpty;
 namespace {
 
 const std::string shared_grammar = "feature number sg pl\n"
-                            "root np n[sg] n[pl]\n"
-                            "family Noun\n"
-                            "  n[?number]<x> : @x:thing(* ^ <Number>?number)\n";
+                                   "root np n[sg] n[pl]\n"
+                                   "family Noun\n"
+                                   "  n[?number]<x> : @x:thing(* ^ <Number>?number)\n";
 
 LexiconText read_words(const std::string& words) {
   const std::vector<NamedText> files{{"shared.ccg", shared_grammar}, {"robot.words", words}};
@@ -109,6 +110,14 @@ TEST(Vocabulary, TellsWhatOtherWordsStandFor) {
   ASSERT_NE(words.side("wall"), nullptr);
   EXPECT_TRUE(words.side("wall")->right);
   EXPECT_FALSE(words.side("wall")->top);
+}
+
+TEST(Vocabulary, NamesTheActionsThatRequestsAskFor) {
+  const auto words = vocabulary_of("action put=PickAndPlace\n", "");
+  const LogicalForm put{"w1", {{"w1", "action", "put", {{"Mood", "imp"}}, {}}}, 0};
+  const LogicalForm sing{"w1", {{"w1", "action", "sing", {{"Mood", "imp"}}, {}}}, 0};
+  EXPECT_EQ(action_asked_for(put, words.meanings()), "PickAndPlace");
+  EXPECT_EQ(action_asked_for(sing, words.meanings()), "");
 }
 
 } // namespace castor::communication::test
