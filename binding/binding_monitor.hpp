@@ -91,6 +91,14 @@ protected:
     return result;
   }
 
+  /// Declares that this subarchitecture knows what there is of a kind, a concept such as "room": it
+  /// tells of all of that by its proxies. With `answers_calls` it is called with a KnowledgeRequest
+  /// whenever somebody asks, and serves that by `on_call`.
+  void declare_knowledge_of(const std::string& kind, bool answers_calls = false) {
+    competences_[kind] = {subarchitecture(), kind, answers_calls};
+    write_competences();
+  }
+
   const std::string& binding() const { return binding_.get(); }
 
 private:
@@ -99,6 +107,16 @@ private:
     for (auto& [id, proxy] : told_)
       wanted_.try_emplace(id, proxy);
     publish();
+    write_competences();
+  }
+
+  void write_competences() {
+    try {
+      for (auto& [kind, x] : competences_)
+        put({binding_, "knowledge of " + kind + " in " + subarchitecture()}, x);
+    } catch (const UnknownSubarchitectureException&) {
+      debug("there is no binding in this system");
+    }
   }
 
   void write_wanted() {
@@ -150,6 +168,7 @@ private:
   /// Proxies still to be written, by id; nothing for one to be deleted.
   std::map<std::string, std::optional<BindingProxy>> wanted_;
   std::map<std::string, BindingProxy> told_;
+  std::map<std::string, KnowledgeCompetence> competences_;
 };
 
 } // namespace castor::binding

@@ -14,26 +14,6 @@ using enum FeatureKind;
 constexpr KindSet words = bit(concept_name) | bit(name) | bit(relation_label) | bit(colour) |
                           bit(shape) | bit(size) | bit(material) | bit(area_id) | bit(person_id);
 
-Truth truth(bool x) {
-  return x ? Truth::yes : Truth::no;
-}
-
-/// Whether `general` is `special` or what that is a kind of. Nobody is a kind of itself: chains end
-/// after as many steps as there are concepts.
-bool subsumes(const std::string& general, const std::string& special,
-              const ComparatorOptions& options) {
-  const std::string* current = &special;
-  for (std::size_t steps = 0; steps <= options.is_a.size() + 1; ++steps) {
-    if (*current == general)
-      return true;
-    if (current->empty() || *current == options.top_concept)
-      return false;
-    const auto found = options.is_a.find(*current);
-    current = found == options.is_a.end() ? &options.top_concept : &found->second;
-  }
-  return false;
-}
-
 geometry::Point3 point_of(const Feature& location) {
   return {location.numbers[0], location.numbers[1], location.numbers[2]};
 }
@@ -60,6 +40,12 @@ Truth compare_places(const Feature& a, const Feature& b, const ComparatorOptions
   return apart >= options.other_place ? Truth::no : Truth::unknown;
 }
 
+Truth compare_concepts(const std::string& a, const std::string& b, const Ontology& ontology) {
+  if (ontology.is_kind_of(a, b) || ontology.is_kind_of(b, a))
+    return Truth::yes;
+  return ontology.excludes(a, b) ? Truth::no : Truth::unknown;
+}
+
 Truth compare_words(const Feature& a, const Feature& b, const ComparatorOptions& options) {
   const auto says_nothing = [](const std::string& text) {
     return text.empty() || text == "unknown";
@@ -67,11 +53,10 @@ Truth compare_words(const Feature& a, const Feature& b, const ComparatorOptions&
   if (says_nothing(a.text) || says_nothing(b.text))
     return Truth::unknown;
   if (a.kind == concept_name)
-    return truth(subsumes(a.text, b.text, options) || subsumes(b.text, a.text, options));
-  if (a.kind == shape &&
-      (options.alike.contains({a.text, b.text}) || options.alike.contains({b.text, a.text})))
-    return Truth::unknown;
-  return truth(a.text == b.text);
+    return compare_concepts(a.text, b.text, *options.ontology);
+  if (a.text == b.text)
+    return Truth::yes;
+  return options.ontology->are_alike(a.text, b.text) ? Truth::unknown : Truth::no;
 }
 
 bool are(FeatureKind a, FeatureKind b, FeatureKind one, FeatureKind other) {
@@ -96,9 +81,9 @@ Truth compare_statements(const Feature& a, const Feature& b, const ComparatorOpt
 /// A concept may be narrower than what is denied: what is no ball may well be a thing.
 Truth compare_concept_with_denied(const Feature& stated, const Feature& denied,
                                   const ComparatorOptions& options) {
-  if (subsumes(denied.text, stated.text, options))
+  if (options.ontology->is_kind_of(stated.text, denied.text))
     return Truth::no;
-  return subsumes(stated.text, denied.text, options) ? Truth::unknown : Truth::yes;
+  return options.ontology->excludes(stated.text, denied.text) ? Truth::yes : Truth::unknown;
 }
 
 } // namespace
@@ -138,7 +123,7 @@ Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& optio
 
 bool is_more_general(const Feature& a, const Feature& b, const ComparatorOptions& options) {
   return a.kind == concept_name && b.kind == concept_name && !a.negated && !b.negated &&
-         a.text != b.text && subsumes(a.text, b.text, options);
+         a.text != b.text && options.ontology->is_kind_of(b.text, a.text);
 }
 
 } // namespace castor::binding

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "castor/base/ontology.hpp"
 #include "castor/binding/features.hpp"
+#include "castor/binding/ontology/shared_ontology.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/mapping/geometry/frame_tree.hpp"
 
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
+#include <memory>
 
 namespace castor::binding {
 
@@ -18,18 +17,9 @@ struct ComparatorOptions {
   double other_place = 0.10;
   /// Relates the frames of locations, at the newest time. Not owned; null relates none.
   const geometry::FrameTree* frames = nullptr;
-  /// The most general concept of objects.
-  std::string top_concept = "thing";
-  /// Concepts and their superconcepts. A concept that is not listed is a kind of the top concept;
-  /// an empty text means no superconcept, as for a room.
-  std::map<std::string, std::string> is_a = {
-    {"location", ""}, {"place", ""}, {"room", ""}, {"area", ""}, {"person", ""}};
-  /// Shapes that one thing may show from different sides, or that say more or less of it: whether
-  /// they agree is unknown.
-  std::set<std::pair<std::string, std::string>> alike = {
-    {"cube", "square"},      {"cube", "rectangle"}, {"cylinder", "circle"},
-    {"square", "rectangle"}, {"sphere", "circle"},  {"cylinder", "rectangle"},
-    {"round", "sphere"},     {"round", "circle"}};
+  /// Says which concepts are kinds of which and which exclude each other, and which words may be
+  /// said of one thing.
+  std::shared_ptr<const Ontology> ontology = shared_ontology();
 };
 
 /// Whether agreeing features of these kinds are evidence for binding, not only able to exclude each
@@ -44,9 +34,10 @@ bool may_compare(FeatureKind a, FeatureKind b);
 ///
 /// Locations are compared in one frame. If their frames cannot be related, the result is unknown.
 /// Words are compared as text; "unknown" and empty ones make no statement. A concept agrees with
-/// its superconcepts. For shapes that look alike the result is unknown. Temporal frames, source
-/// ids, groups and singulars only exclude: different ones do, equal ones are no evidence. "Not red"
-/// excludes red, and agrees with blue.
+/// what it is a kind of, and is excluded by what the ontology excludes; of others the result is
+/// unknown, and so it is of words that are alike. Temporal frames, source ids, groups and singulars
+/// only exclude: different ones do, equal ones are no evidence. "Not red" excludes red, and agrees
+/// with blue.
 Truth compare(const Feature& a, const Feature& b, const ComparatorOptions& options = {});
 
 /// Whether `a` is a proper superconcept of `b`: what is known to be a thing may be a ball, but need

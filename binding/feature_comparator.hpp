@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,6 +20,11 @@ namespace castor::binding {
 class FeatureComparator {
 public:
   explicit FeatureComparator(ComparatorOptions options = {});
+
+  /// From now on concepts are compared by this ontology.
+  void set_ontology(std::shared_ptr<const Ontology> ontology) {
+    options_.ontology = std::move(ontology);
+  }
 
   void add(FeatureComparisonCompetence competence);
   /// Removes a subarchitecture's competences. Its answers no longer count for kinds without another

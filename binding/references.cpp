@@ -50,10 +50,8 @@ bool is_better(const Referents& a, const Referents& b) {
 class Search {
 public:
   Search(const Description& description, const std::map<std::string, BindingUnion>& unions,
-         const FeatureComparator& comparator)
-    : description_(description) {
-    if (!description.relations.empty())
-      relations_ = relations_between(unions);
+         const FeatureComparator& comparator, const std::vector<UnionRelation>& relations)
+    : description_(description), relations_(relations) {
     for (const auto& thing : description.things) {
       auto& fits = fits_.emplace_back();
       for (const auto& [id, of] : unions) {
@@ -104,8 +102,8 @@ private:
   }
 
   const Description& description_;
-  /// Sorted; empty if none is described.
-  std::vector<UnionRelation> relations_;
+  /// Sorted; may be empty if none is described.
+  const std::vector<UnionRelation>& relations_;
   /// For each described thing.
   std::vector<std::vector<Fit>> fits_;
   Referents current_;
@@ -148,13 +146,24 @@ std::vector<UnionRelation> relations_between(const std::map<std::string, Binding
 std::vector<Referents> find_referents(const Description& description,
                                       const std::map<std::string, BindingUnion>& unions,
                                       const FeatureComparator& comparator, std::size_t limit) {
+  return find_referents(description, unions, comparator,
+                        description.relations.empty() ? std::vector<UnionRelation>{}
+                                                      : relations_between(unions),
+                        limit);
+}
+
+std::vector<Referents> find_referents(const Description& description,
+                                      const std::map<std::string, BindingUnion>& unions,
+                                      const FeatureComparator& comparator,
+                                      const std::vector<UnionRelation>& relations,
+                                      std::size_t limit) {
   for (const auto& x : description.relations) {
     if (std::max(x.from, x.to) >= description.things.size())
       throw std::out_of_range("the relation " + x.label +
                               " is about a thing that the description "
                               "does not have");
   }
-  auto result = Search(description, unions, comparator).run();
+  auto result = Search(description, unions, comparator, relations).run();
   if (result.size() > limit)
     result.resize(limit);
   return result;

@@ -26,6 +26,13 @@ std::vector<Referents> find_referents(const Description& description,
                                       const FeatureComparator& comparator,
                                       std::size_t limit = 1000);
 
+/// The same with the relations that hold, sorted.
+std::vector<Referents> find_referents(const Description& description,
+                                      const std::map<std::string, BindingUnion>& unions,
+                                      const FeatureComparator& comparator,
+                                      const std::vector<UnionRelation>& relations,
+                                      std::size_t limit);
+
 /// The possible unions of the first thing of a description, each with its most certain reading.
 std::vector<Referents> distinct_referents(std::span<const Referents> all);
 

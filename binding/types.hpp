@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/entry_pointer.hpp"
+#include "castor/base/ontology.hpp"
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/values/reflect.hpp"
 
@@ -13,6 +14,13 @@
 
 /// Entry types of the binding working memory: proxies, the subarchitectures' descriptions of
 /// things, and unions, proxies of one thing bound together. See docs/binding.md.
+namespace castor {
+
+CASTOR_REFLECT(ConceptProperty, property, value)
+CASTOR_REFLECT(ConceptStatement, name, is_a, defined_by, disjoint_with, is_partitioned, alike)
+
+} // namespace castor
+
 namespace castor::binding {
 
 enum class FeatureKind {
@@ -276,6 +284,34 @@ struct FeatureComparisonCompetence {
   Trust trust_unknown = Trust::not_at_all;
 };
 
+/// What somebody states of concepts, by which they are compared: the contents of ontology files, or
+/// what a subarchitecture adds at run time. Every entry on binding's working memory counts.
+struct ConceptStatements {
+  /// Where they come from, for messages.
+  std::string source;
+  std::vector<ConceptStatement> statements;
+
+  friend bool operator==(const ConceptStatements&, const ConceptStatements&) = default;
+};
+
+/// Declares, on binding's working memory, that a subarchitecture knows what there is of a kind: it
+/// tells binding of that by proxies.
+struct KnowledgeCompetence {
+  std::string subarchitecture;
+  /// A concept, such as "room".
+  std::string kind;
+  /// Whether the subarchitecture is called with a KnowledgeRequest whenever somebody asks for the
+  /// kind; else its proxies are always all it knows.
+  bool answers_calls = false;
+
+  friend bool operator==(const KnowledgeCompetence&, const KnowledgeCompetence&) = default;
+};
+
+/// Request of a call to who is competent: what there is of a kind now.
+struct KnowledgeRequest {
+  std::string kind;
+};
+
 /// Several unions fit a proxy equally well; it was bound to the first of them.
 struct Ambiguity {
   std::string proxy;
@@ -349,6 +385,11 @@ struct UnionRelation {
 /// considered.
 struct ReferenceRequest {
   std::vector<Description> descriptions;
+  /// Concepts that the descriptions are about: who is competent for one of them, and answers calls,
+  /// is asked what there is.
+  std::vector<std::string> kinds = {};
+  /// Version of the ontology that the caller knows, from an earlier reply.
+  std::uint64_t known_ontology = 0;
 };
 
 /// A union and its features.
@@ -370,6 +411,18 @@ struct ReferenceReply {
   std::vector<DescriptionReferents> referents;
   /// All perceived things, and the relations between them.
   std::vector<KnownUnion> unions;
+  std::vector<UnionRelation> relations;
+  /// Who knows what there is of which kinds, whatever was asked.
+  std::vector<KnowledgeCompetence> competences = {};
+  /// By which binding compares concepts, if the caller does not know this version.
+  std::optional<ConceptStatements> ontology = {};
+  std::uint64_t ontology_version = 0;
+};
+
+/// What there is of a kind, from who is competent. A thing or the end of a relation whose id is
+/// that of a proxy is what that proxy stands for.
+struct KnowledgeReply {
+  std::vector<KnownUnion> things;
   std::vector<UnionRelation> relations;
 };
 
@@ -403,9 +456,14 @@ CASTOR_REFLECT(DescribedRelation, label, from, to)
 CASTOR_REFLECT(Description, things, relations)
 CASTOR_REFLECT(Referents, unions, unknown)
 CASTOR_REFLECT(UnionRelation, label, from, to)
-CASTOR_REFLECT(ReferenceRequest, descriptions)
+CASTOR_REFLECT(ReferenceRequest, descriptions, kinds, known_ontology)
 CASTOR_REFLECT(KnownUnion, id, proxy, features)
 CASTOR_REFLECT(DescriptionReferents, readings)
-CASTOR_REFLECT(ReferenceReply, referents, unions, relations)
+CASTOR_REFLECT(ConceptStatements, source, statements)
+CASTOR_REFLECT(KnowledgeCompetence, subarchitecture, kind, answers_calls)
+CASTOR_REFLECT(KnowledgeRequest, kind)
+CASTOR_REFLECT(ReferenceReply, referents, unions, relations, competences, ontology,
+               ontology_version)
+CASTOR_REFLECT(KnowledgeReply, things, relations)
 
 } // namespace castor::binding

@@ -15,6 +15,13 @@ install(FILES
   DESTINATION "${package_dir}" COMPONENT dev)
 install(FILES castor.hpp fwd.hpp DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor" COMPONENT dev)
 install(DIRECTORY configs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/configs")
+# The libraries have them inside; these are for people to read and to copy.
+install(FILES
+  binding/ontology/general.ontology
+  binding/ontology/tabletop.ontology
+  communication/lexicon/english.ccg
+  communication/lexicon/tabletop.words
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/language")
 # The command finds them in the build tree, too.
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share/castor")
 file(CREATE_LINK "${PROJECT_SOURCE_DIR}/configs" "${PROJECT_BINARY_DIR}/share/castor/configs" SYMBOLIC)

@@ -213,6 +213,8 @@ struct DialogueMove {
   /// Explanation for the speaker of the part not understood; otherwise empty.
   std::string problem;
   EntryPointer<PhonString> utterance;
+  /// Type name of the action that a directive asks for, as the lexicon's verbs say; else empty.
+  std::string action;
 };
 
 /// Somebody points at a place on the table: what "this" and "the cube here" are about, until
@@ -353,7 +355,8 @@ CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, questio
                     opening, closing, accept, reject, small_talk)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
-CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance)
+CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance,
+               action)
 CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)

@@ -1,6 +1,8 @@
 #include "castor/binding/components/binding_component.hpp"
 
+#include <map>
 #include <type_traits>
+#include <utility>
 
 namespace castor::binding {
 
@@ -9,6 +11,7 @@ void BindingComponent::start() {
             [this](const ChangeEvent& event) { changes_.proxies.insert(event.address.id); });
   on_change(changed<BindingUnion>(),
             [this](const ChangeEvent& event) { changes_.unions.insert(event.address.id); });
+  on_change(changed<ConceptStatements>(), [this](const ChangeEvent&) { is_ontology_new_ = true; });
   for (auto& x : read_all<BindingProxy>())
     changes_.proxies.insert(x.address.id);
   for (auto& x : read_all<BindingUnion>())
@@ -26,6 +29,22 @@ BindingComponent::Changes BindingComponent::catch_up() {
   look_at<BindingProxy>(changes.proxies);
   look_at<BindingUnion>(changes.unions);
   return changes;
+}
+
+bool BindingComponent::update_ontology(FeatureComparator& comparator) {
+  if (!std::exchange(is_ontology_new_, false))
+    return false;
+  std::map<std::string, ConceptStatements> entries;
+  for (auto& x : read_all<ConceptStatements>())
+    entries.emplace(x.address.id, *x);
+  auto stated = stated_ontology(entries);
+  const bool is_changed = stated.version != ontology_.version;
+  ontology_ = std::move(stated);
+  comparator.set_ontology(ontology_.ontology);
+  if (is_changed)
+    for (auto& problem : ontology_.problems)
+      warning("{}", problem);
+  return is_changed;
 }
 
 void BindingComponent::drop(const std::string& id) {

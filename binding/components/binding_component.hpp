@@ -2,6 +2,8 @@
 
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/binding_view.hpp"
+#include "castor/binding/feature_comparator.hpp"
+#include "castor/binding/ontology/stated_ontology.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -42,6 +44,12 @@ protected:
   /// Updates the view and returns the changes since the last call.
   Changes catch_up();
 
+  /// Has concepts compared by what is stated on working memory now.
+  /// \returns whether that has changed since the last call
+  bool update_ontology(FeatureComparator& comparator);
+
+  const StatedOntology& ontology() const { return ontology_; }
+
   /// Adds or overwrites an entry of the own working memory, unless it has this value already.
   template <class T>
   void put(const std::string& id, T x) {
@@ -63,6 +71,8 @@ private:
 
   Changes changes_;
   BindingView view_;
+  StatedOntology ontology_;
+  bool is_ontology_new_ = true;
 };
 
 } // namespace castor::binding

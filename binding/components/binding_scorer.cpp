@@ -62,6 +62,8 @@ class BindingScorer final : public geometry::KnowsFrames<BindingComponent> {
   /// True if it may be that features compare otherwise than before.
   bool learn_what_others_know() {
     auto result = competences_changed_;
+    if (update_ontology(comparator_))
+      result = true;
     if (std::exchange(competences_changed_, false)) {
       for (auto& name : competent_)
         comparator_.remove(name);

@@ -2,28 +2,39 @@
 
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/types.hpp"
+#include "castor/communication/components/uses_lexicon.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace castor::communication {
 
-/// A component derived from `Base` that can ask binding for the referents of descriptions.
+/// A component derived from `Base` that can ask binding for the referents of descriptions, and
+/// knows by which concepts binding compares.
 template <class Base>
-class AsksBinding : public Base {
+class AsksBinding : public UsesLexicon<Base> {
 protected:
   /// Calls binding. Nothing if there is no binding, or no answer in time.
   std::optional<binding::ReferenceReply> ask(const std::string& binding_subarchitecture,
-                                             std::vector<binding::Description> descriptions) {
+                                             binding::ReferenceRequest request) {
     try {
-      return this->template call<binding::ReferenceRequest, binding::ReferenceReply>(
-        binding_subarchitecture, {std::move(descriptions)},
+      request.known_ontology = known_ontology_;
+      auto reply = this->template call<binding::ReferenceRequest, binding::ReferenceReply>(
+        binding_subarchitecture, std::move(request),
         {.timeout = std::chrono::seconds{3}, .retries = 5});
+      if (reply.ontology) {
+        vocabulary_ = std::make_shared<const Vocabulary>(
+          this->lexicon(), std::make_shared<const Ontology>(reply.ontology->statements));
+        known_ontology_ = reply.ontology_version;
+      }
+      return reply;
     } catch (const UnknownSubarchitectureException&) {
       this->debug("there is no binding in this system");
     } catch (const PermissionException& e) {
@@ -38,14 +49,25 @@ protected:
     return std::nullopt;
   }
 
+  /// What words stand for, by binding's last answer; asks it if there was none.
+  const std::shared_ptr<const Vocabulary>& vocabulary(const std::string& binding_subarchitecture) {
+    if (known_ontology_ == 0)
+      ask(binding_subarchitecture, {});
+    if (!vocabulary_)
+      vocabulary_ =
+        std::make_shared<const Vocabulary>(this->lexicon(), std::make_shared<const Ontology>());
+    return vocabulary_;
+  }
+
   /// Returns `f(scene)`, repeated until binding has answered all questions that `f` adds to the
   /// scene.
   template <class F>
   auto with_scene(const std::string& binding_subarchitecture, F f) {
     return with_knowledge(
-      [&](const std::vector<binding::Description>& asked) {
-        auto reply = ask(binding_subarchitecture, asked);
-        return reply ? std::move(*reply) : unknown_reply(asked.size());
+      vocabulary(binding_subarchitecture),
+      [&](const binding::ReferenceRequest& request) {
+        auto reply = ask(binding_subarchitecture, request);
+        return reply ? std::move(*reply) : unknown_reply(request.descriptions.size());
       },
       std::move(f));
   }
@@ -56,6 +78,10 @@ private:
     reply.referents.resize(questions);
     return reply;
   }
+
+  std::shared_ptr<const Vocabulary> vocabulary_;
+  /// Version of the vocabulary's ontology; 0 if binding has not answered yet.
+  std::uint64_t known_ontology_ = 0;
 };
 
 } // namespace castor::communication

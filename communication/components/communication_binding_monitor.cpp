@@ -6,6 +6,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
+#include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -70,7 +71,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   void look(const std::string& id, const DialogueMove& move) {
     auto address = here("referents of " + id);
     const bool is_known = exists(address);
-    auto meant = move;
+    auto meant = with_names_told(move, *vocabulary(binding()));
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
     auto spoken_of = referents;
     const auto whole = completed(meant, spoken_of);
@@ -96,7 +97,8 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     MoveReferents result{{here(id)}, move.turn, move.problem.empty(), {}, {}, {}};
     const auto place = place_pointed_at(result.pointing);
     auto meant = with_scene(binding(), [&](SceneKnowledge& scene) {
-      auto antecedents = antecedents_in(move, history_);
+      auto antecedents = antecedents_in(move, history_, scene.vocabulary());
+      antecedents.merge(antecedents_by_presence(move, scene));
       if (place) {
         auto shown = antecedents_by_pointing(move, *place, antecedents, scene, reach_);
         result.pointing->taken_up = !shown.empty();

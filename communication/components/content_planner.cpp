@@ -1,11 +1,13 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/communication/components/asks_binding.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,11 +37,16 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
 
   /// All sentences at once, so nothing is said twice.
   void reply(const MoveReferents& referents, const DialogueMove& move) {
-    auto meant = questions_.complete(move, from_entry(referents.pronouns));
+    const auto& words = vocabulary(binding_.get());
+    if (!questions_)
+      questions_.emplace(words);
+    questions_->set_vocabulary(words);
+    auto meant =
+      questions_->complete(with_names_told(move, *words), from_entry(referents.pronouns));
     auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
       return respond(meant.move, meant.antecedents, scene);
     });
-    questions_.note(meant, response);
+    questions_->note(meant, response);
     WriteBatch batch;
     for (auto& text : {said_back(move), response.text})
       if (!text.empty())
@@ -60,7 +67,7 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
 
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
 
-  QuestionContext questions_;
+  std::optional<QuestionContext> questions_;
 };
 
 CASTOR_COMPONENT(ContentPlanner, "decides what to say in reply")

@@ -1,5 +1,6 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/communication/components/uses_lexicon.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/types.hpp"
@@ -13,7 +14,7 @@ namespace castor::communication {
 namespace {
 
 /// Says what is done by an utterance, and what is wrong with one that is not understood.
-class DialogueInterpreter final : public UnmanagedComponent {
+class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
   void start() override {
     on_change(changed<PackedLogicalForm>(), [this](const ChangeEvent& event) {
       if (event.operation != Operation::remove)
@@ -45,6 +46,8 @@ class DialogueInterpreter final : public UnmanagedComponent {
       move.problem = problem_of(form);
     else
       take_readings(form, move);
+    if (move.type == DialogueMoveType::action_directive)
+      move.action = action_asked_for(move.content, lexicon()->meanings());
     add(here("move of " + address.id), std::move(move));
   }
 };

@@ -48,17 +48,18 @@ class ReferenceBinder final : public AsksBinding<UnmanagedComponent> {
     std::vector<binding::Description> descriptions;
     if (packed.readings.size() < 2)
       return supports;
+    const auto words = vocabulary(binding_.get());
     for (auto& reading : packed.readings)
       for (auto& form : unpack(packed, reading.id))
         for (auto& thing : form.nominals)
-          collect(form, thing, supports, descriptions);
-    if (auto reply = ask(binding_.get(), std::move(descriptions)))
+          collect(form, thing, *words, supports, descriptions);
+    if (auto reply = ask(binding_.get(), {std::move(descriptions)}))
       for (std::size_t i = 0; i < supports.size() && i < reply->referents.size(); ++i)
         supports[i].supported = !reply->referents[i].readings.empty();
     return merged(std::move(supports));
   }
 
-  static void collect(const LogicalForm& form, const Nominal& thing,
+  static void collect(const LogicalForm& form, const Nominal& thing, const Vocabulary& words,
                       std::vector<InterpretationSupport>& supports,
                       std::vector<binding::Description>& descriptions) {
     if (thing.sort != "thing")
@@ -67,7 +68,7 @@ class ReferenceBinder final : public AsksBinding<UnmanagedComponent> {
       const auto* region = find_nominal(form, dependent);
       if (mode != "Location" || region == nullptr)
         continue;
-      auto meaning = describe_as(form, without_places(form, thing), *region);
+      auto meaning = describe_as(form, without_places(form, thing), *region, words);
       if (!meaning.not_understood.empty() || meaning.description.relations.empty())
         continue;
       supports.push_back({thing.name, mode, dependent, true});

@@ -1,16 +1,23 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/communication/components/uses_lexicon.hpp"
 #include "castor/communication/dialogue/realiser.hpp"
-#include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/entries/failure.hpp"
+
+#include <optional>
 
 namespace castor::communication {
 
 namespace {
 
 /// Puts what is to be said into words.
-class SentenceRealiser final : public UnmanagedComponent {
+class SentenceRealiser final : public UsesLexicon<UnmanagedComponent> {
+  void configure() override {
+    UsesLexicon::configure();
+    realiser_.emplace(lexicon());
+  }
+
   void start() override {
     on_change(added<ContentPlanningGoal>(),
               [this](const ChangeEvent& event) { realise(event.address); });
@@ -23,11 +30,11 @@ class SentenceRealiser final : public UnmanagedComponent {
   void realise(const Address& address) {
     try {
       auto goal = read<ContentPlanningGoal>(address);
-      auto text = realiser_.realise(goal->content);
+      auto text = realiser_->realise(goal->content);
       if (!text) {
         warning("there are no words for {}", address.id);
         if (!goal->simpler.nominals.empty())
-          text = realiser_.realise(goal->simpler);
+          text = realiser_->realise(goal->simpler);
       }
       add(here(spoken_id(address)),
           SpokenOutputItem{text.value_or("I have no words for my answer."), goal->reply_to,
@@ -39,7 +46,7 @@ class SentenceRealiser final : public UnmanagedComponent {
     }
   }
 
-  Realiser realiser_{english_lexicon()};
+  std::optional<Realiser> realiser_;
 };
 
 CASTOR_COMPONENT(SentenceRealiser, "turns logical forms into sentences")

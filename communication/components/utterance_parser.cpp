@@ -1,7 +1,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/communication/components/uses_lexicon.hpp"
 #include "castor/communication/dialogue/asides.hpp"
-#include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
@@ -24,11 +24,12 @@ namespace {
 /// logical form is overwritten, so that others can use what has been understood so far. If there is
 /// somebody who knows which readings the rest of the system supports, a finished form waits for
 /// that.
-class UtteranceParser final : public UnmanagedComponent {
+class UtteranceParser final : public UsesLexicon<UnmanagedComponent> {
   void configure() override {
+    UsesLexicon::configure();
     ParserOptions options;
     options.readings = readings_;
-    parser_.emplace(english_lexicon(), options);
+    parser_.emplace(lexicon(), options);
   }
 
   void start() override {

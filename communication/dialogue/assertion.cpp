@@ -104,17 +104,20 @@ Telling telling_of(const Nominal& clause, const Nominal& thing, const LogicalFor
 
 /// Adds the proxies that say of a thing what a clause says of it.
 void tell(const Nominal& clause, const Nominal& thing, const LogicalForm& form,
-          const MoveReferents& referents, Told& told) {
+          const MoveReferents& referents, const Vocabulary& vocabulary, Told& told) {
   const auto telling = telling_of(clause, thing, form);
   const auto* said = dependent(form, clause, "Cop-Scope");
   // "Not red and small" may be one of them.
   if (telling == Telling::nothing ||
       (is_negated(clause) && said != nullptr && said->sort == "conjunction"))
     return;
-  auto features = features_of(form, thing);
+  auto features = features_of(form, thing, vocabulary);
   if (const auto* scope = dependent(form, clause, "Cop-Scope"))
-    for (auto& x : features_of(form, *scope))
-      add_to(features, is_negated(clause) && x.text != "thing" ? binding::negation_of(x) : x);
+    for (auto& x : features_of(form, *scope, vocabulary))
+      add_to(features, is_negated(clause) && x.text != vocabulary.general_concept()
+                         ? binding::negation_of(x)
+                         : x);
+  leave_out_general_kind(features, vocabulary);
   std::vector<std::string> meant;
   // What is said of "this" tells what is meant, unless something was pointed at or spoken of.
   if (!is_deictic(thing) || is_known(referents, thing))
@@ -160,7 +163,7 @@ Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnow
     for (const auto* clause : parts_of(form, *root))
       if (const auto* subject = subject_of(form, *clause))
         for (const auto* thing : parts_of(form, *subject))
-          tell(*clause, *thing, form, referents, result);
+          tell(*clause, *thing, form, referents, scene.vocabulary(), result);
     return result;
   }
   return {};

@@ -461,7 +461,7 @@ std::optional<LogicalForm> completed(const LogicalForm& elliptical, LogicalForm 
       word.erase(word.size() - end.size());
     }
   const auto* topic = topic_of(before, *root);
-  if (topic == nullptr || is_the_table(*topic))
+  if (topic == nullptr)
     return std::nullopt;
   const bool asks_which = word == "which" || word == "how-many";
   // "Are they both blue? Which one isn't?"

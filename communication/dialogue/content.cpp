@@ -80,6 +80,10 @@ LogicalForm property(const std::string& sort, const std::string& value) {
   return single(sort, value);
 }
 
+LogicalForm region(const std::string& place) {
+  return single("region", place);
+}
+
 LogicalForm region(const std::string& relation, const LogicalForm& anchor) {
   auto form = single("region", relation);
   attach(form, "Anchor", anchor);
@@ -253,6 +257,16 @@ LogicalForm i_do_not_know() {
   auto form = perception("know");
   root_of(form).features.push_back({"Polarity", "neg"});
   return form;
+}
+
+LogicalForm i_know_nothing_of(const std::string& noun) {
+  auto form = single("ignorance", "know");
+  attach(form, "About", plural(noun));
+  return form;
+}
+
+LogicalForm myself() {
+  return single("person", "i");
 }
 
 LogicalForm i_cannot_do_that() {

@@ -31,6 +31,9 @@ LogicalForm property(const std::string& sort, const std::string& value);
 /// The region in a relation to an anchor: @r:region(left ^ <Anchor>(...)).
 LogicalForm region(const std::string& relation, const LogicalForm& anchor);
 
+/// A region without an anchor: "here".
+LogicalForm region(const std::string& place);
+
 /// "The ball".
 LogicalForm definite(const std::string& noun);
 
@@ -97,6 +100,12 @@ LogicalForm i_do_not_see(const LogicalForm& what);
 
 /// "I do not know."
 LogicalForm i_do_not_know();
+
+/// "I know nothing of rooms."
+LogicalForm i_know_nothing_of(const std::string& noun);
+
+/// "I", the robot.
+LogicalForm myself();
 
 /// "I cannot do that."
 LogicalForm i_cannot_do_that();

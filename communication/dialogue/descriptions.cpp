@@ -18,40 +18,10 @@ using binding::FeatureKind;
 
 constexpr std::array pronouns{"it", "this", "that", "they", "these", "those"};
 
-constexpr std::array general_nouns{"thing", "object", "item", "one", "what"};
-
-using Words = std::array<std::string_view, 2>;
-
-/// Nouns that say how something looks, and the shapes that vision has words for.
-constexpr std::array shapes_of_nouns{
-  Words{"ball", "sphere"},   Words{"sphere", "sphere"},       Words{"cube", "cube"},
-  Words{"box", "cube"},      Words{"block", "cube"},          Words{"cylinder", "cylinder"},
-  Words{"square", "square"}, Words{"triangle", "triangle"},   Words{"circle", "circle"},
-  Words{"disc", "circle"},   Words{"rectangle", "rectangle"}, Words{"pyramid", "pyramid"},
-  Words{"prism", "prism"}};
-
-constexpr std::array shapes_of_adjectives{Words{"square", "square"}, Words{"cubical", "cube"},
-                                          Words{"rectangular", "rectangle"},
-                                          Words{"triangular", "triangle"}, Words{"round", "round"}};
-
-constexpr std::array flat_shapes{"circle", "square", "triangle", "rectangle"};
-
-constexpr std::array relations_of_words{Words{"near", "near"},   Words{"next_to", "near"},
-                                        Words{"left", "left"},   Words{"right", "right"},
-                                        Words{"front", "front"}, Words{"back", "back"}};
-
-template <std::size_t N>
-std::optional<std::string> find_word(const std::array<Words, N>& words, std::string_view word) {
-  for (auto& [from, to] : words)
-    if (from == word)
-      return std::string{to};
-  return std::nullopt;
-}
-
 /// Makes one description, thing after thing.
 class Describer {
 public:
-  explicit Describer(const LogicalForm& form) : form_(form) {}
+  Describer(const LogicalForm& form, const Vocabulary& words) : form_(form), words_(words) {}
 
   /// What is described by the nominal, and its number.
   std::uint32_t thing(const Nominal& nominal) {
@@ -80,7 +50,11 @@ public:
       property(number, scope);
   }
 
-  PhraseMeaning result() && { return std::move(result_); }
+  PhraseMeaning result() && {
+    for (auto& thing : result_.description.things)
+      leave_out_general_kind(thing.features, words_);
+    return std::move(result_);
+  }
 
 private:
   std::uint32_t new_thing() {
@@ -90,7 +64,7 @@ private:
 
   void fill(std::uint32_t number, const Nominal& nominal) {
     numbers_.emplace(nominal.name, number);
-    say(number, feature(FeatureKind::concept_name, "thing"));
+    say(number, feature(FeatureKind::concept_name, words_.general_concept()));
     call(number, nominal);
     modify(number, nominal);
   }
@@ -110,10 +84,11 @@ private:
     auto& noun = nominal.proposition;
     if (is_pronoun(nominal))
       return;
-    if (auto shape = shape_of_noun(noun))
-      say(number, feature(FeatureKind::shape, *shape));
-    else if (!is_general_noun(noun))
-      say(number, feature(FeatureKind::concept_name, noun));
+    const auto& definition = words_.definition(noun);
+    for (const auto& x : definition)
+      say(number, x);
+    if (definition.empty() && !words_.is_general(noun))
+      say(number, feature(FeatureKind::concept_name, words_.concept_of(noun)));
   }
 
   /// What its adjectives and its relative clauses say.
@@ -148,13 +123,10 @@ private:
   }
 
   void property(std::uint32_t number, const Nominal& x) {
-    auto kind = kind_of_quality(x.sort);
-    auto word = x.proposition;
-    if (kind == FeatureKind::shape) {
-      word = shape_of_adjective(word).value_or("");
-    }
-    if (kind && !word.empty())
-      say(number, feature(*kind, word));
+    auto kind = words_.kind_of_quality(x.sort);
+    auto word = words_.value_of(x.sort, x.proposition);
+    if (kind && word)
+      say(number, feature(*kind, *word));
     else if (x.proposition != "other")
       result_.not_understood.push_back(x.proposition);
   }
@@ -173,10 +145,11 @@ private:
   }
 
   void locate(std::uint32_t number, const Nominal& region, const Nominal& anchor) {
-    auto relation = relation_of_word(region.proposition);
-    if (is_the_table(anchor) && (region.proposition == "on" || region.proposition == "at"))
+    auto relation = words_.relation_of(region.proposition);
+    const auto* everywhere = words_.surroundings(anchor);
+    if (everywhere != nullptr && everywhere->is_said_by(region.proposition))
       return;
-    if (!relation || is_the_table(anchor)) {
+    if (!relation || everywhere != nullptr) {
       result_.not_understood.push_back(region.proposition);
       return;
     }
@@ -203,6 +176,7 @@ private:
   }
 
   const LogicalForm& form_;
+  const Vocabulary& words_;
   std::map<std::string, std::uint32_t> numbers_;
   std::map<std::uint32_t, std::uint32_t> places_;
   PhraseMeaning result_;
@@ -211,13 +185,13 @@ private:
 /// Collects things, those first that are spoken of first.
 class ThingCollector {
 public:
-  explicit ThingCollector(const LogicalForm& form) : form_(form) {}
+  ThingCollector(const LogicalForm& form, const Vocabulary& words) : form_(form), words_(words) {}
 
   void visit(const std::string& name) {
     const auto* nominal = find_nominal(form_, name);
     if (nominal == nullptr || !seen_.insert(name).second)
       return;
-    if (nominal->sort == "thing" && !is_the_table(*nominal))
+    if (nominal->sort == "thing" && words_.surroundings(*nominal) == nullptr)
       things.push_back(nominal);
     // What "this is a ball" says of "this" is no other thing.
     if (nominal->sort == "ascription") {
@@ -238,39 +212,22 @@ public:
 
 private:
   const LogicalForm& form_;
+  const Vocabulary& words_;
   std::set<std::string> seen_;
   std::vector<std::string> later_;
 };
 
 } // namespace
 
-bool is_general_noun(std::string_view noun) {
-  return std::ranges::find(general_nouns, noun) != general_nouns.end();
-}
-
-std::optional<std::string> shape_of_noun(std::string_view noun) {
-  return find_word(shapes_of_nouns, noun);
-}
-
-std::optional<std::string> shape_of_adjective(std::string_view adjective) {
-  return find_word(shapes_of_adjectives, adjective);
-}
-
-bool is_flat_shape(std::string_view shape) {
-  return std::ranges::find(flat_shapes, shape) != flat_shapes.end();
-}
-
-std::optional<std::string> relation_of_word(std::string_view word) {
-  return find_word(relations_of_words, word);
-}
-
-bool is_spatial_relation(std::string_view relation) {
-  return std::ranges::any_of(relations_of_words,
-                             [relation](auto& x) { return x.back() == relation; });
-}
-
-bool is_the_table(const Nominal& nominal) {
-  return nominal.proposition == "table" || nominal.proposition == "scene";
+void leave_out_general_kind(std::vector<Feature>& features, const Vocabulary& words) {
+  const bool is_other = std::ranges::any_of(features, [&](auto& x) {
+    return x.kind == FeatureKind::concept_name && !x.negated &&
+           words.ontology().excludes(x.text, words.general_concept());
+  });
+  if (is_other)
+    std::erase_if(features, [&](auto& x) {
+      return x.kind == FeatureKind::concept_name && x.text == words.general_concept();
+    });
 }
 
 bool is_pronoun(const Nominal& nominal) {
@@ -298,9 +255,9 @@ std::size_t place_of_word(const Nominal& nominal) {
   return place;
 }
 
-bool is_anaphoric(const Nominal& nominal) {
+bool is_anaphoric(const Nominal& nominal, const Vocabulary& words) {
   return nominal.sort == "thing" && !feature(nominal, "Proximity").empty() &&
-         is_general_noun(nominal.proposition);
+         words.is_general(nominal.proposition);
 }
 
 bool is_about_others(const LogicalForm& form, const Nominal& x) {
@@ -329,29 +286,22 @@ bool is_whole(const LogicalForm& form, const Nominal& nominal) {
   });
 }
 
-std::optional<FeatureKind> kind_of_quality(const std::string& name) {
-  static const std::map<std::string, FeatureKind> kinds{{"colour", FeatureKind::colour},
-                                                        {"size", FeatureKind::size},
-                                                        {"shape", FeatureKind::shape},
-                                                        {"material", FeatureKind::material}};
-  auto found = kinds.find(name);
-  return found == kinds.end() ? std::nullopt : std::optional{found->second};
-}
-
-PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope) {
-  Describer describer{form};
+PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope,
+                          const Vocabulary& words) {
+  Describer describer{form, words};
   describer.ascribe(describer.thing(phrase), scope);
   return std::move(describer).result();
 }
 
-std::vector<Feature> features_of(const LogicalForm& form, const Nominal& scope) {
-  const Nominal anything{"", "thing", "thing", {}, {}};
-  auto meaning = describe_as(form, anything, scope);
+std::vector<Feature> features_of(const LogicalForm& form, const Nominal& scope,
+                                 const Vocabulary& words) {
+  const Nominal anything{"", "thing", words.general_concept(), {}, {}};
+  auto meaning = describe_as(form, anything, scope, words);
   return meaning.description.things.front().features;
 }
 
-std::vector<const Nominal*> things_spoken_of(const LogicalForm& form) {
-  ThingCollector collector{form};
+std::vector<const Nominal*> things_spoken_of(const LogicalForm& form, const Vocabulary& words) {
+  ThingCollector collector{form, words};
   collector.visit(form.root);
   return std::move(collector.things);
 }

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "castor/binding/types.hpp"
+#include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/types.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// Translates noun phrases into binding's terms: the features of the thing described, and its
@@ -24,10 +23,16 @@ struct PhraseMeaning {
 /// or several of them ("red", "left of the ball", "a cube").
 ///
 /// \pre the phrase is a nominal of the form, of a thing
-PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope);
+PhraseMeaning describe_as(const LogicalForm& form, const Nominal& phrase, const Nominal& scope,
+                          const Vocabulary& words);
 
 /// The features in `scope` alone.
-std::vector<binding::Feature> features_of(const LogicalForm& form, const Nominal& scope);
+std::vector<binding::Feature> features_of(const LogicalForm& form, const Nominal& scope,
+                                          const Vocabulary& words);
+
+/// Takes the concept of everything out of what is said of something of another kind: a kitchen is
+/// no thing, also if it is called "this".
+void leave_out_general_kind(std::vector<binding::Feature>& features, const Vocabulary& words);
 
 /// Whether it refers to one thing known to both speakers: "it", "the ball".
 bool is_definite(const Nominal& nominal);
@@ -57,35 +62,11 @@ bool asks_for_number(const Nominal& nominal);
 bool is_whole(const LogicalForm& form, const Nominal& nominal);
 
 /// "That thing", "this red one": what it stands for may have been said before.
-bool is_anaphoric(const Nominal& nominal);
-
-/// The kind of feature for a quality ("colour", "size") or a sort of property; nothing if binding
-/// has none.
-std::optional<binding::FeatureKind> kind_of_quality(const std::string& name);
-
-/// "Thing", "object" and other nouns that say nothing but that there is something.
-bool is_general_noun(std::string_view noun);
-
-/// Binding's word for the shape that a noun ("ball") or an adjective ("triangular") stands for;
-/// nothing for others.
-std::optional<std::string> shape_of_noun(std::string_view noun);
-std::optional<std::string> shape_of_adjective(std::string_view adjective);
-
-/// Whether a shape, in binding's words, is that of something flat: "circle".
-bool is_flat_shape(std::string_view shape);
-
-/// Binding's word for a spatial relation ("next_to" is "near"); nothing for others.
-std::optional<std::string> relation_of_word(std::string_view word);
-
-/// Whether binding has such relations wherever two things have places.
-bool is_spatial_relation(std::string_view relation);
-
-/// Where everything is that the robot sees.
-bool is_the_table(const Nominal& nominal);
+bool is_anaphoric(const Nominal& nominal, const Vocabulary& words);
 
 /// All things that a form speaks of and that might be perceived, from its root on: those that are
 /// told something about first, others after them. Without those that are only said to be something,
 /// as in "this is a ball".
-std::vector<const Nominal*> things_spoken_of(const LogicalForm& form);
+std::vector<const Nominal*> things_spoken_of(const LogicalForm& form, const Vocabulary& words);
 
 } // namespace castor::communication

@@ -116,4 +116,11 @@ std::string problem_of(const PackedLogicalForm& form) {
   return text.ends_with('?') ? text : text + '.';
 }
 
+std::string action_asked_for(const LogicalForm& request, const WordMeanings& meanings) {
+  const auto* root = find_nominal(request, request.root);
+  const auto known =
+    root == nullptr ? meanings.actions.end() : meanings.actions.find(root->proposition);
+  return known == meanings.actions.end() ? std::string{} : known->second;
+}
+
 } // namespace castor::communication

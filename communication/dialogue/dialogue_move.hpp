@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/communication/parsing/word_meanings.hpp"
 #include "castor/communication/types.hpp"
 
 #include <string>
@@ -26,5 +27,8 @@ std::string said_back(const DialogueMove& move);
 
 /// What to say of an utterance that is not understood, for people to read.
 std::string problem_of(const PackedLogicalForm& form);
+
+/// Type name of the action that a request's verb asks for; empty if no action does what it says.
+std::string action_asked_for(const LogicalForm& request, const WordMeanings& meanings);
 
 } // namespace castor::communication

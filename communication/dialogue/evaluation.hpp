@@ -28,6 +28,8 @@ struct Uninterpretable {
     unknown,
     /// Nothing like it is where somebody points.
     nothing_pointed_at,
+    /// Nobody knows what there is of its kind.
+    unknown_kind,
   };
 
   Reason reason = Reason::word;
@@ -91,6 +93,9 @@ public:
   /// \param among the phrase that the thing is one of; null if any
   Truth is(const std::string& id, const Nominal& scope, const Nominal* among = nullptr);
 
+  /// Whether the phrase stands for who is spoken to, of whom somebody tells.
+  bool is_addressee(const Nominal& phrase);
+
   /// The things that a definite phrase means, which exist: one if it is singular. None while
   /// binding has not been asked.
   std::vector<std::string> meant(const Nominal& phrase);
@@ -151,6 +156,8 @@ private:
   bool is_outside(const std::string& id, const Nominal& phrase);
   bool is_container(const std::string& id) { return !scene_.contents(id).empty(); }
   bool is_container_noun(const std::string& noun);
+  /// The feature of what is called so.
+  binding::Feature named(const std::string& noun) const;
   bool has_containers();
   std::optional<Truth> is_named_by_sense(const std::string& id, const Nominal& phrase);
   Things items(const std::string& container);
@@ -173,6 +180,8 @@ private:
 
   // -- places in containers (evaluation_places.cpp)
   bool is_side_of_container(const Nominal& phrase);
+  bool is_side(const Nominal& phrase) const;
+  bool is_corner(const Nominal& phrase) const;
   bool is_end_of_some(const Nominal& phrase);
   std::optional<Truth> is_in_container_part(const std::string& id, const Nominal& region);
   Truth touches(const std::string& id, const Nominal& region, const Nominal& anchor);
@@ -194,6 +203,7 @@ private:
   const Nominal* phrase_in_predicate(const Nominal& pronoun);
 
   // -- phrases
+  const Things& candidates(const Nominal& phrase);
   Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
   Fitting members_of(const Nominal& phrase);
   Fitting presupposed(const Nominal& x);
@@ -219,9 +229,10 @@ private:
   Things landmarks_of(const Nominal& scope);
   Truth denial(const std::string& id, const Nominal& scope, Truth truth, const Nominal* among);
   Truth has_property(const std::string& id, const Nominal& property);
-  Truth looks(const std::string& id, const std::string& how);
+  Truth looks(const std::string& id, const WordMeanings::Look& look);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
+  Things surroundings_of_addressee();
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);
   Truth is_between(const std::string& id, const Nominal& anchor);
@@ -238,6 +249,8 @@ private:
 
   const Nominal& need(const Nominal& of, const char* mode);
   [[noreturn]] static void not_understood(const std::string& word);
+
+  const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
   const LogicalForm& form_;
   const Antecedents& antecedents_;

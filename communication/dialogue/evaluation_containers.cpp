@@ -32,9 +32,12 @@ bool Evaluation::has_containers() {
 
 bool Evaluation::is_container_noun(const std::string& noun) {
   return std::ranges::any_of(scene_.things(), [&](auto& id) {
-    return is_container(id) &&
-           scene_.has(id, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes;
+    return is_container(id) && scene_.has(id, named(noun)) == Truth::yes;
   });
+}
+
+binding::Feature Evaluation::named(const std::string& noun) const {
+  return binding::feature(FeatureKind::concept_name, vocabulary().concept_of(noun));
 }
 
 /// "A box", "one of the towers".
@@ -59,13 +62,14 @@ std::optional<Truth> Evaluation::is_named_by_sense(const std::string& id, const 
   auto& noun = phrase.proposition;
   if (!has_containers())
     return std::nullopt;
-  if (noun == "object" || noun == "item" || noun == "shape" || noun == "what")
+  // Where there are rooms, containers are in something, too.
+  if (vocabulary().is_content(noun) && !scene_.has_places())
     return truth_of(!is_container(id));
-  if (is_general_noun(noun))
+  if (vocabulary().is_general(noun))
     return std::nullopt;
   if (is_container_noun(noun))
-    return scene_.has(id, binding::feature(FeatureKind::concept_name, noun));
-  auto shape = shape_of_noun(noun);
+    return scene_.has(id, named(noun));
+  auto shape = vocabulary().shape_of(noun);
   // A "grey square" may be a box.
   if (is_container(id) && shape &&
       (*shape != "square" || dependent(form_, phrase, "Colour") == nullptr))
@@ -73,7 +77,7 @@ std::optional<Truth> Evaluation::is_named_by_sense(const std::string& id, const 
   if (shape == "cube") {
     // Pictures are flat: cubes look like squares, or like anything that is stacked.
     const bool is_known = std::ranges::any_of(scene_.things(), [&](auto& other) {
-      return scene_.has(other, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes ||
+      return scene_.has(other, named(noun)) == Truth::yes ||
              scene_.has(other, binding::feature(FeatureKind::shape, *shape)) == Truth::yes;
     });
     if (!is_known)

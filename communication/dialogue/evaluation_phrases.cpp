@@ -80,10 +80,30 @@ Fitting Evaluation::subjects(const Nominal& e, const Nominal& subject) {
 
 Fitting Evaluation::described(const Nominal& phrase) {
   Fitting result;
-  for (auto& id : scene_.things())
+  const auto& all = candidates(phrase);
+  if (scene_.open_questions().empty() && phrase.sort == "thing" && !is_pronoun(phrase) &&
+      !scene_.is_kind_known(phrase.proposition))
+    throw Uninterpretable{Uninterpretable::Reason::unknown_kind, phrase.name};
+  for (auto& id : all)
     if (!is_outside(id, phrase))
       result.add(id, fits(id, phrase));
   return result;
+}
+
+/// What may be called as the phrase says. Things, if its noun stands for others.
+const Evaluation::Things& Evaluation::candidates(const Nominal& phrase) {
+  if (phrase.sort == "conjunction")
+    return candidates(need(phrase, "First"));
+  if (const auto* whole = dependent(form_, phrase, "PartOf"); whole != nullptr && whole != &phrase)
+    return candidates(*whole);
+  // What was spoken of, or is shown, may be anything.
+  if (is_pronoun(phrase))
+    return scene_.individuals();
+  return phrase.sort == "thing" ? scene_.candidates(phrase.proposition) : scene_.things();
+}
+
+bool Evaluation::is_addressee(const Nominal& phrase) {
+  return phrase.sort == "person" && phrase.proposition == "you" && !scene_.addressee().empty();
 }
 
 bool Evaluation::is_pointed_at(const Nominal& phrase) const {
@@ -115,12 +135,16 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   using Reason = Uninterpretable::Reason;
   if (auto known = bound_.find(phrase.name); known != bound_.end())
     return {{known->second}, {known->second}};
+  if (is_addressee(phrase)) {
+    const auto self = scene_.addressee();
+    return {self, self};
+  }
   if (is_pointed_at(phrase))
     return members_pointed_at(phrase);
   if (is_pronoun(phrase))
     return members_of_pronoun(phrase);
   // The table is where everything is; what it is like, nobody has said.
-  if (is_the_table(phrase))
+  if (vocabulary().surroundings(phrase) != nullptr)
     throw Uninterpretable{Reason::unknown, phrase.name};
   // "The side" is nothing that is seen.
   if (phrase.sort == "place" && !has_containers())
@@ -152,7 +176,12 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
       return {found.best(), found.best()};
     return found;
   }
-  const bool may_be_seen = shape_of_noun(phrase.proposition) || is_general_noun(phrase.proposition);
+  const bool may_be_seen = vocabulary().is_perceptible(phrase.proposition);
+  // A room may be the office, but nobody has said so.
+  const bool may_be_called_so =
+    vocabulary().is_of_other_kind(phrase.proposition) && !found.possible.empty();
+  if (found.certain.empty() && may_be_called_so)
+    throw Uninterpretable{Reason::unknown, phrase.name};
   if (found.certain.empty() && found.possible.size() > 1 && !is_lenient && may_be_seen)
     throw Uninterpretable{Reason::unknown, phrase.name};
   if (found.certain.empty() && found.possible.size() != 1)
@@ -188,7 +217,7 @@ Truth Evaluation::quantified(const Nominal& phrase, const Property& scope,
   if (feature(phrase, "Focus") != "only" || dependent(form_, phrase, "Quantity") != nullptr)
     return result;
   // Nothing else is so.
-  for (auto& id : scene_.things())
+  for (auto& id : candidates(phrase))
     if (!is_outside(id, phrase) && (!is_container(id) || is_one_of(id, phrase) != Truth::no))
       result = both(result, either(negation(scope(id)), is_one_of(id, phrase)));
   return result;
@@ -203,6 +232,12 @@ Truth Evaluation::unfocused(const Nominal& phrase, const Property& scope, const 
     if (phrase.proposition == "or")
       return either(first, next);
     return phrase.proposition == "nor" ? both(negation(first), negation(next)) : both(first, next);
+  }
+  if (is_addressee(phrase)) {
+    auto result = Truth::yes;
+    for (auto& id : scene_.addressee())
+      result = both(result, scope(id));
+    return result;
   }
   if (phrase.sort != "thing" && phrase.sort != "entity")
     not_understood(phrase.proposition);
@@ -314,7 +349,7 @@ Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_s
   if (selection == nullptr || !with_selection || result == Truth::no)
     return result;
   Fitting among;
-  for (auto& other : scene_.things())
+  for (auto& other : candidates(phrase))
     among.add(other, fits(other, phrase, false));
   return both(result, is_selected(id, *selection, among));
 }
@@ -329,14 +364,17 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   auto& noun = phrase.proposition;
   if (auto named = is_named_by_sense(id, phrase))
     return *named;
-  if (is_general_noun(noun))
-    return Truth::yes;
-  auto named = scene_.has(id, binding::feature(FeatureKind::concept_name, noun));
-  auto shape = shape_of_noun(noun);
+  if (vocabulary().is_general(noun))
+    return truth_of(scene_.is_thing(id) || dependent(form_, phrase, "PartOf") != nullptr);
+  const auto has_name = scene_.has(id, named(noun));
+  const auto& definition = vocabulary().definition(noun);
   // "Box" may mean a container or a cube: what there is.
-  if (!shape || named == Truth::yes)
-    return named;
-  return has_shape(id, *shape);
+  if (definition.empty() || has_name == Truth::yes || !scene_.is_thing(id))
+    return has_name;
+  auto result = Truth::yes;
+  for (auto& x : definition)
+    result = both(result, x.kind == FeatureKind::shape ? has_shape(id, x.text) : scene_.has(id, x));
+  return result;
 }
 
 /// A shape that looks like another may be meant where nothing else can be. Of what is only known to
@@ -344,7 +382,8 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
 Truth Evaluation::has_shape(const std::string& id, const std::string& shape) {
   const auto known = scene_.words(id, FeatureKind::shape);
   auto result = scene_.has(id, binding::feature(FeatureKind::shape, shape));
-  if (result != Truth::unknown || known.empty() || known.front() == "round")
+  if (result != Truth::unknown || known.empty() ||
+      vocabulary().noun_of_shape(known.front()).empty())
     return result;
   // What is known to be a square is no cube.
   if (!is_lenient_ || scene_.is_sure(id, FeatureKind::shape))
@@ -401,7 +440,7 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
     return Truth::yes;
   if (mode == "Property" && x.proposition == "only") {
     Count so;
-    for (auto& other : scene_.things())
+    for (auto& other : candidates(phrase))
       so.add(other == id ? Truth::no : fits_but_for(other, phrase, x));
     return is_within(so, {0, 0});
   }

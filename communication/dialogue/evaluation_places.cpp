@@ -27,29 +27,6 @@ constexpr double middle_share = 0.25;
 constexpr std::size_t horizontal = 0;
 constexpr std::size_t vertical = 2;
 
-/// Where a side of a container is: any, or the one at an end of an axis.
-struct Side {
-  std::string_view noun;
-  bool left, right, top, bottom;
-};
-
-constexpr std::array sides{
-  Side{"wall", true, true, true, true},         Side{"edge", true, true, true, true},
-  Side{"side", true, true, true, true},         Side{"border", true, true, true, true},
-  Side{"bottom", false, false, false, true},    Side{"base", false, false, false, true},
-  Side{"floor", false, false, false, true},     Side{"top", false, false, true, false},
-  Side{"ceiling", false, false, true, false},   Side{"left-side", true, false, false, false},
-  Side{"right-side", false, true, false, false}};
-
-bool is_corner(const Nominal& x) {
-  return x.proposition == "corner";
-}
-
-const Side* side_of(const Nominal& x) {
-  auto found = std::ranges::find(sides, x.proposition, &Side::noun);
-  return found == sides.end() ? nullptr : &*found;
-}
-
 /// How far a thing is from the sides of what it is in.
 struct Gaps {
   double left, right, top, bottom;
@@ -84,7 +61,17 @@ bool lies_between(const Body& x, const Body& a, const Body& b) {
 
 /// "The edge", "a corner": no thing of its own.
 bool Evaluation::is_side_of_container(const Nominal& phrase) {
-  return (side_of(phrase) != nullptr || is_corner(phrase)) && has_containers();
+  return is_side(phrase) && has_containers();
+}
+
+/// "The edge", "a corner", wherever it is.
+bool Evaluation::is_side(const Nominal& phrase) const {
+  return vocabulary().side(phrase.proposition) != nullptr;
+}
+
+bool Evaluation::is_corner(const Nominal& phrase) const {
+  const auto* side = vocabulary().side(phrase.proposition);
+  return side != nullptr && side->corner;
 }
 
 /// "The base of a tower": whichever is at the base of one.
@@ -108,12 +95,10 @@ std::optional<Truth> Evaluation::is_in_container_part(const std::string& id,
   }
   if (place == "at" && anchor != nullptr && anchor->sort == "conjunction")
     not_understood(place);
-  if ((place == "near" || place == "next_to") && anchor != nullptr &&
-      (is_corner(*anchor) || side_of(*anchor) != nullptr))
+  if ((place == "near" || place == "next_to") && anchor != nullptr && is_side(*anchor))
     return touches_side(id, *anchor, nearly_contact);
   // "In a corner", "on the wall", "at the base".
-  if ((place == "in" || place == "at" || place == "on") && anchor != nullptr &&
-      (is_corner(*anchor) || side_of(*anchor) != nullptr)) {
+  if ((place == "in" || place == "at" || place == "on") && anchor != nullptr && is_side(*anchor)) {
     const auto& end = anchor->proposition;
     const bool is_base = end == "base" || end == "bottom";
     if (!is_base && end != "top")
@@ -155,7 +140,7 @@ Truth Evaluation::touches(const std::string& id, const Nominal& region, const No
   if (anchor.sort == "conjunction") {
     // "Touching the wall and a ball" would be one place; that is never said.
     for (const auto* mode : {"First", "Next"})
-      if (const auto& x = need(anchor, mode); side_of(x) == nullptr && !is_corner(x))
+      if (const auto& x = need(anchor, mode); !is_side(x))
         not_understood(x.proposition);
     auto first = touches(id, region, need(anchor, "First"));
     auto next = touches(id, region, need(anchor, "Next"));
@@ -173,7 +158,7 @@ Truth Evaluation::touches(const std::string& id, const Nominal& region, const No
   const bool is_close = region.proposition == "touching";
   if (is_corner(anchor))
     return touches_side(id, anchor, is_close ? contact : nearly_contact);
-  if (side_of(anchor) != nullptr)
+  if (is_side(anchor))
     return touches_side(id, anchor, is_close ? contact_with_wall : nearly_contact);
   ScopedValue related{related_, id};
   return quantified(anchor, [&](const std::string& other) {
@@ -196,8 +181,8 @@ Truth Evaluation::touches_side(const std::string& id, const Nominal& side, doubl
     const auto gap = gaps(*thing, *whole);
     const bool across = gap.left <= slack || gap.right <= slack;
     const bool along = gap.top <= slack || gap.bottom <= slack;
-    const auto* which = side_of(side);
-    if (which == nullptr)
+    const auto* which = vocabulary().side(side.proposition);
+    if (which == nullptr || which->corner)
       return truth_of(across && along);
     const std::size_t number = (which->left && gap.left <= slack ? 1U : 0U) +
                                (which->right && gap.right <= slack ? 1U : 0U) +

@@ -40,7 +40,7 @@ void Evaluation::check_presuppositions() {
   std::vector<std::pair<const Nominal*, Fitting>> phrases;
   // What the sentence is about comes first.
   std::vector<std::string> names;
-  for (const auto* x : things_spoken_of(form_))
+  for (const auto* x : things_spoken_of(form_, vocabulary()))
     names.push_back(x->name);
   for (auto& x : part_of(form_, form_.root).nominals)
     if (std::ranges::find(names, x.name) == names.end())
@@ -51,8 +51,8 @@ void Evaluation::check_presuppositions() {
     const bool is_universal = delimited == "all" || delimited == "most";
     // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
     // are definite.
-    if (x.sort != "thing" || is_the_table(x) || has_pronoun(x) || (is_other && &x == other) ||
-        is_only_plural(x) || is_other_than_subject(root, x) ||
+    if (x.sort != "thing" || vocabulary().surroundings(x) != nullptr || has_pronoun(x) ||
+        (is_other && &x == other) || is_only_plural(x) || is_other_than_subject(root, x) ||
         (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
       continue;
     phrases.emplace_back(&x, presupposed(x));
@@ -101,8 +101,8 @@ void Evaluation::check_consistency(
 }
 
 bool Evaluation::exclude_each_other(const Nominal& a, const Nominal& b) const {
-  auto shape = shape_of_noun(a.proposition);
-  auto other_shape = shape_of_noun(b.proposition);
+  auto shape = vocabulary().shape_of(a.proposition);
+  auto other_shape = vocabulary().shape_of(b.proposition);
   if (shape && other_shape && *shape != *other_shape)
     return true;
   for (const auto* mode : {"Colour", "Size", "Shape"}) {

@@ -14,7 +14,7 @@ Evaluation::Things Evaluation::antecedents_of(const std::string& name) {
   auto known = antecedents_.find(name);
   if (known == antecedents_.end())
     return result;
-  for (auto& id : scene_.things())
+  for (auto& id : scene_.individuals())
     for (auto& proxy : known->second)
       if (scene_.has(id, binding::feature(binding::FeatureKind::existing_proxy_id, proxy)) ==
           Truth::yes) {
@@ -61,7 +61,7 @@ Fitting Evaluation::members_of_pronoun(const Nominal& phrase) {
 
 /// What was spoken of before, if "that thing" or "this red one" is said of it; else nothing.
 Evaluation::Things Evaluation::pointed_out_before(const Nominal& phrase) {
-  if (!is_anaphoric(phrase))
+  if (!is_anaphoric(phrase, vocabulary()))
     return {};
   const auto* root = find_nominal(form_, form_.root);
   const auto* topic = root == nullptr ? nullptr : dependent(form_, *root, "Topic");
@@ -100,8 +100,9 @@ const Nominal* Evaluation::phrase_in_predicate(const Nominal& pronoun) {
     return nullptr;
   const Nominal* result = nullptr;
   for (auto& x : said.nominals)
-    if (x.sort == "thing" && is_definite(x) && !is_pronoun(x) && !is_the_table(x) &&
-        is_plural(x) == is_plural(pronoun) && place_of_word(x) < place_of_word(pronoun) &&
+    if (x.sort == "thing" && is_definite(x) && !is_pronoun(x) &&
+        vocabulary().surroundings(x) == nullptr && is_plural(x) == is_plural(pronoun) &&
+        place_of_word(x) < place_of_word(pronoun) &&
         (result == nullptr || place_of_word(*result) < place_of_word(x)))
       result = find_nominal(form_, x.name);
   return result;

@@ -99,8 +99,8 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
     for (const auto* mode : {"Anchor", "Than"})
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
-          !is_plural(*anchor) && !is_about_others(form_, *anchor) && !is_the_table(*anchor) &&
-          !is_side_of_container(*anchor))
+          !is_plural(*anchor) && !is_about_others(form_, *anchor) &&
+          vocabulary().surroundings(*anchor) == nullptr && !is_side_of_container(*anchor))
         add(meant(*anchor));
   return result;
 }
@@ -132,24 +132,19 @@ Truth Evaluation::conjoined(const std::string& id, const Nominal& conjunction,
   if (conjunction.proposition == "or")
     return either(a, b);
   // "Red and blue things" are some of each.
-  const bool exclude_each_other = first.sort == next.sort && kind_of_quality(first.sort);
+  const bool exclude_each_other =
+    first.sort == next.sort && vocabulary().kind_of_quality(first.sort);
   const bool is_attribute_of_several = among != nullptr && is_plural(*among);
   return exclude_each_other && is_attribute_of_several ? either(a, b) : both(a, b);
 }
 
 Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
-  auto kind = kind_of_quality(property.sort);
-  auto word = property.proposition;
-  if (word == "round" || word == "flat")
-    return looks(id, word);
-  if (kind == FeatureKind::shape) {
-    auto known = shape_of_adjective(word);
-    if (!known)
-      not_understood(word);
-    word = *known;
-  }
-  if (!kind)
-    not_understood(word);
+  auto kind = vocabulary().kind_of_quality(property.sort);
+  if (const auto* look = vocabulary().look(property.proposition))
+    return looks(id, *look);
+  const auto value = vocabulary().value_of(property.sort, property.proposition);
+  if (!kind || !value)
+    not_understood(property.proposition);
   // A tower of blocks is as all of them are.
   if (is_container(id) && scene_.words(id, *kind).empty()) {
     auto result = Truth::yes;
@@ -157,21 +152,17 @@ Truth Evaluation::has_property(const std::string& id, const Nominal& property) {
       result = both(result, has_property(part, property));
     return result;
   }
-  return kind == FeatureKind::shape ? has_shape(id, word)
-                                    : scene_.has(id, binding::feature(*kind, word));
+  return kind == FeatureKind::shape ? has_shape(id, *value)
+                                    : scene_.has(id, binding::feature(*kind, *value));
 }
 
-/// Round like a ball, a disc, or, from above, a cylinder; flat like a disc or a square.
-Truth Evaluation::looks(const std::string& id, const std::string& how) {
-  const auto words = scene_.words(id, FeatureKind::shape);
-  if (words.empty())
+/// Round like a ball or a disc; flat like a disc or a square.
+Truth Evaluation::looks(const std::string& id, const WordMeanings::Look& look) {
+  const auto kind = vocabulary().kind_of_quality(look.quality);
+  const auto words = kind ? scene_.words(id, *kind) : std::vector<std::string>{};
+  if (words.empty() || look.unknown.contains(words.front()))
     return Truth::unknown;
-  const auto& shape = words.front();
-  if (how == "flat")
-    return shape == "round" ? Truth::unknown : truth_of(is_flat_shape(shape));
-  if (shape == "cylinder")
-    return Truth::unknown;
-  return truth_of(shape == "sphere" || shape == "circle" || shape == "round");
+  return truth_of(look.values.contains(words.front()));
 }
 
 // -- space
@@ -188,6 +179,11 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     const auto there = antecedents_of(region.name + std::string{pointed_at});
     return truth_of(std::ranges::find(there, id) != there.end());
   }
+  if (anchor == nullptr && relation == "here")
+    if (const auto around = surroundings_of_addressee(); !around.empty())
+      return truth_of(std::ranges::any_of(around, [&](auto& place) {
+        return scene_.is_related(binding::containment_label, id, place) == Truth::yes;
+      }));
   if (anchor == nullptr)
     return is_in_part_of_table(id, relation);
   if (relation == "between")
@@ -195,9 +191,8 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   if (relation == "among")
     return is_one_of(id, *anchor);
   // The table is where everything is.
-  if (is_the_table(*anchor)) {
-    const bool is_in_scene = anchor->proposition == "scene" && relation == "in";
-    if (relation != "on" && relation != "at" && !is_in_scene)
+  if (const auto* everywhere = vocabulary().surroundings(*anchor)) {
+    if (!everywhere->is_said_by(relation))
       not_understood(relation);
     // There is one table; what is said of it is meant of something else.
     if (!anchor->relations.empty())
@@ -210,7 +205,16 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     return quantified(*anchor, [&, side = relation.substr(directly.size())](auto& other) {
       return is_directly(id, side, other);
     });
-  return is_related(id, relation_of_word(relation).value_or(relation), *anchor);
+  return is_related(id, vocabulary().relation_of(relation).value_or(relation), *anchor);
+}
+
+/// The room that the robot is in: "here".
+Evaluation::Things Evaluation::surroundings_of_addressee() {
+  Things result;
+  for (auto& self : scene_.addressee())
+    for (auto& place : scene_.surroundings(self))
+      result.push_back(place);
+  return result;
 }
 
 /// Behind it or beside it, with nothing between the two on that side. Of what lies rather beside it
@@ -286,7 +290,8 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
 
 Truth Evaluation::is_related(const std::string& id, const std::string& relation,
                              const Nominal& anchor) {
-  if (!is_spatial_relation(relation) && !scene_.knows_relation(relation) && !has_containers())
+  if (!vocabulary().is_spatial_relation(relation) && !scene_.knows_relation(relation) &&
+      !has_containers())
     not_understood(relation);
   ScopedValue related{related_, id};
   return quantified(anchor, [&](const std::string& other) {
@@ -376,7 +381,7 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
 }
 
 Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {
-  auto kind = kind_of_quality(quality);
+  auto kind = vocabulary().kind_of_quality(quality);
   if (!kind || (is_container(a) && is_container(b))) {
     auto x = value_of(a, {"", "quality", quality, {}, {}});
     auto y = value_of(b, {"", "quality", quality, {}, {}});

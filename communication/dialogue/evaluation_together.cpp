@@ -272,7 +272,7 @@ std::optional<std::string> Evaluation::value_of(const std::string& id, const Nom
         return value_of(item, {"", "quality", "colour", {}, {}});
     return std::nullopt;
   }
-  auto kind = name == "kind" ? FeatureKind::shape : kind_of_quality(name);
+  auto kind = name == "kind" ? FeatureKind::shape : vocabulary().kind_of_quality(name);
   if (!kind)
     not_understood(name);
   auto words = scene_.words(id, *kind);

@@ -94,7 +94,8 @@ public:
       for (auto& x : form_.nominals)
         if (is_here(x) && dependent(form_, x, "Anchor") == nullptr)
           note(x, within_reach(place_, scene_.things(), scene_, reach_));
-        else if (is_shown(form_, x) && (topic == nullptr || topic->name == x.name))
+        else if (is_shown(form_, x, scene_.vocabulary()) &&
+                 (topic == nullptr || topic->name == x.name))
           resolve(x);
     return std::move(result_);
   }
@@ -155,8 +156,8 @@ bool is_stale(const Pointing& pointing, const PointingUse& use,
   return others >= limits.utterances;
 }
 
-bool is_shown(const LogicalForm& form, const Nominal& phrase) {
-  if (phrase.sort != "thing" || is_the_table(phrase))
+bool is_shown(const LogicalForm& form, const Nominal& phrase, const Vocabulary& vocabulary) {
+  if (phrase.sort != "thing" || vocabulary.surroundings(phrase) != nullptr)
     return false;
   if (is_deictic(phrase) || !feature(phrase, "Proximity").empty())
     return true;

@@ -30,7 +30,7 @@ bool is_stale(const Pointing& pointing, const PointingUse& use,
 
 /// Whether a phrase is about what is pointed at, if anything is: "this", "those two cubes", "the
 /// one here".
-bool is_shown(const LogicalForm& form, const Nominal& phrase);
+bool is_shown(const LogicalForm& form, const Nominal& phrase, const Vocabulary& vocabulary);
 
 /// What the phrases of a move, in any of its readings, mean that are about what is pointed at,
 /// under `pointed_at`: the nearest thing of the kind that is spoken of, two if they are as near as

@@ -17,6 +17,15 @@ namespace castor::communication {
 
 namespace {
 
+/// "There is a ball on the table. Which one?" asks of no other table.
+bool is_about_surroundings(const LogicalForm& form, const Vocabulary& vocabulary) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* topic =
+    root == nullptr ? nullptr
+                    : dependent(form, *root, root->sort == "existence" ? "Subject" : "Cop-Restr");
+  return topic != nullptr && vocabulary.surroundings(*topic) != nullptr;
+}
+
 bool is_question(const DialogueMove& x) {
   return x.type == DialogueMoveType::question_w || x.type == DialogueMoveType::question_yn;
 }
@@ -47,7 +56,7 @@ std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& ant
 /// What was meant, once somebody has said "the red one" to "which ball do you mean?": it is the
 /// ball that was spoken of, and red.
 bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
-             const Antecedents& antecedents) {
+             const Antecedents& antecedents, const Vocabulary& vocabulary) {
   const auto name = append(question.move.content, said, question.antecedents, antecedents);
   auto* asked = find_nominal(question.move.content, nominal);
   const auto* fragment = find_nominal(question.move.content, name);
@@ -65,7 +74,7 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
   if (is_pronoun(*asked)) {
     asked->proposition = fragment->proposition == "one" ? "thing" : fragment->proposition;
     asked->features = fragment->features;
-  } else if (!is_general_noun(fragment->proposition))
+  } else if (!vocabulary.is_general(fragment->proposition))
     asked->proposition = fragment->proposition;
   for (auto& relation : fragment->relations)
     asked->relations.push_back(relation);
@@ -98,13 +107,14 @@ std::string noun_asked_next(const LogicalForm& form, const Nominal& one) {
 }
 
 /// The last thing that is called by a noun before a nominal; null if there is none.
-const Nominal* named_before(const LogicalForm& form, const Nominal& one) {
+const Nominal* named_before(const LogicalForm& form, const Nominal& one,
+                            const Vocabulary& vocabulary) {
   if (const auto* subject = parallel_subject(form, one))
     return subject;
   const Nominal* last = nullptr;
   for (auto& x : form.nominals)
-    if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" && !is_the_table(x) &&
-        place_of_word(x) < place_of_word(one) &&
+    if (x.sort == "thing" && !is_pronoun(x) && x.proposition != "one" &&
+        vocabulary.surroundings(x) == nullptr && place_of_word(x) < place_of_word(one) &&
         (last == nullptr || place_of_word(*last) < place_of_word(x)))
       last = &x;
   return last;
@@ -140,11 +150,12 @@ bool take_said_as_question(LogicalForm& fragment) {
          std::erase_if(root->features, [](auto& x) { return x.name == said_as_question; }) > 0;
 }
 
-bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents) {
+bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents,
+                const Vocabulary& vocabulary) {
   auto& form = question.move.content;
   const auto name = append(form, said, question.antecedents, antecedents);
   const auto* fragment = find_nominal(form, name);
-  return fragment != nullptr && substitute_fragment(form, *fragment);
+  return fragment != nullptr && substitute_fragment(form, *fragment, vocabulary);
 }
 
 /// "There are two yellow cubes." "Sorry, only one."
@@ -207,7 +218,7 @@ void QuestionContext::keep_landmark(CompleteMove& move) const {
   const auto* landmark = dependent(clause_->move.content, *before, "Anchor");
   const auto* pronoun = dependent(move.move.content, *now, "Anchor");
   if (pronoun->proposition != "it" || landmark->sort != "thing" || !is_definite(*landmark) ||
-      is_plural(*landmark) || is_the_table(*landmark))
+      is_plural(*landmark) || vocabulary_->surroundings(*landmark) != nullptr)
     return;
   const auto from = pronoun->name;
   const auto name = append(move.move.content, part_of(clause_->move.content, landmark->name),
@@ -224,16 +235,16 @@ void QuestionContext::replace_one(LogicalForm& form) const {
   if (root == nullptr || root->sort == "thing")
     return;
   for (auto& x : form.nominals) {
-    if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x) ||
+    if (x.sort != "thing" || x.proposition != "one" || is_anaphoric(x, *vocabulary_) ||
         is_counted_group(form, x) || dependent(form, x, "PartOf") != nullptr)
       continue;
-    const auto* before = named_before(form, x);
+    const auto* before = named_before(form, x, *vocabulary_);
     const auto noun = before == nullptr ? std::string{} : before->proposition;
     // "Is the cube larger than the others?": there is one cube; "are the cubes larger than the
     // others?": those are all cubes.
     const bool is_unique = before != nullptr && is_definite(*before) && before->relations.empty() &&
                            is_plural(x) && is_about_others(form, x);
-    if (is_general_noun(noun) || is_unique)
+    if (vocabulary_->is_general(noun) || is_unique)
       continue;
     if (!noun.empty())
       x.proposition = noun;
@@ -255,7 +266,8 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   for (auto& alternative : result.move.alternatives)
     replace_one(alternative);
   keep_landmark(result);
-  if (clause_ && is_elliptical(move.content))
+  if (clause_ && is_elliptical(move.content) &&
+      !is_about_surroundings(clause_->move.content, *vocabulary_))
     if (auto whole = completed(move.content, clause_->move.content)) {
       result.move.content = std::move(*whole);
       result.move.alternatives.clear();
@@ -273,7 +285,7 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     return result;
   if (unclear_) {
     auto clarified = *unclear_;
-    if (clarify(clarified, asked_about_, move.content, antecedents))
+    if (clarify(clarified, asked_about_, move.content, antecedents, *vocabulary_))
       return clarified;
   }
   if (clause_ && clause_->move.type == DialogueMoveType::assertion)
@@ -281,9 +293,9 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
       return statement;
   if (question_ && !is_about_any(move.content)) {
     auto question = *question_;
-    if (substitute(question, move.content, antecedents)) {
+    if (substitute(question, move.content, antecedents, *vocabulary_)) {
       for (auto& alternative : move.alternatives)
-        if (auto other = *question_; substitute(other, alternative, antecedents))
+        if (auto other = *question_; substitute(other, alternative, antecedents, *vocabulary_))
           question.move.alternatives.push_back(std::move(other.move.content));
       return question;
     }
@@ -316,7 +328,7 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
 
 CompleteMove completed_after(const CompleteMove& before, const DialogueMove& move,
                              const Antecedents& antecedents, SceneKnowledge& scene) {
-  QuestionContext context;
+  QuestionContext context{scene.shared_vocabulary()};
   context.note(before, respond(before.move, before.antecedents, scene));
   return context.complete(move, antecedents);
 }
@@ -333,11 +345,11 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
   const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
   // "How many things are white? How many brown ones?" is about things.
   if (asked != nullptr && asked->sort == "thing" && asked->proposition != "one" &&
-      is_general_noun(asked->proposition))
+      vocabulary_->is_general(asked->proposition))
     noun_.clear();
   else
-    for (const auto* thing : things_spoken_of(form))
-      if (!is_pronoun(*thing) && !is_general_noun(thing->proposition)) {
+    for (const auto* thing : things_spoken_of(form, *vocabulary_))
+      if (!is_pronoun(*thing) && !vocabulary_->is_general(thing->proposition)) {
         noun_ = thing->proposition;
         break;
       }

@@ -4,8 +4,10 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace castor::communication {
 
@@ -24,6 +26,14 @@ CompleteMove completed_after(const CompleteMove& before, const DialogueMove& mov
 /// mean?", and "and the disc?" after "what colour is the ball?".
 class QuestionContext {
 public:
+  explicit QuestionContext(std::shared_ptr<const Vocabulary> vocabulary)
+    : vocabulary_(std::move(vocabulary)) {}
+
+  /// From now on words mean that.
+  void set_vocabulary(std::shared_ptr<const Vocabulary> vocabulary) {
+    vocabulary_ = std::move(vocabulary);
+  }
+
   /// The move as it is meant: a fragment takes the place of what it is about in a question before.
   CompleteMove complete(const DialogueMove& move, const Antecedents& antecedents) const;
 
@@ -34,6 +44,7 @@ private:
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
 
+  std::shared_ptr<const Vocabulary> vocabulary_;
   std::optional<CompleteMove> question_;
   /// The last question or statement.
   std::optional<CompleteMove> clause_;

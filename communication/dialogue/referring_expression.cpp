@@ -28,20 +28,37 @@ std::string first_word(const SceneKnowledge& scene, const std::string& id, Featu
   return words.empty() ? std::string{} : words.front();
 }
 
+/// By its shape, if there is a noun for it, else by the most special concept.
 std::string noun_of(const SceneKnowledge& scene, const std::string& id) {
-  auto shape = first_word(scene, id, FeatureKind::shape);
-  if (!shape.empty() && shape != "round")
-    return shape == "sphere" ? "ball" : shape;
+  const auto& vocabulary = scene.vocabulary();
+  if (const auto shape = first_word(scene, id, FeatureKind::shape); !shape.empty())
+    if (auto noun = vocabulary.noun_of_shape(shape); !noun.empty())
+      return noun;
+  std::string result;
   for (auto& word : scene.words(id, FeatureKind::concept_name))
-    if (word != "thing")
-      return word;
-  return "thing";
+    if (word != vocabulary.general_concept() &&
+        (result.empty() || vocabulary.ontology().is_kind_of(word, result)))
+      result = word;
+  return vocabulary.noun_of_concept(result.empty() ? vocabulary.general_concept() : result);
 }
 
-/// The word for a property that is said by an adjective. There is a noun for each shape but one.
+/// By its own noun, or by one that is more general: a kitchen may be called a room.
+bool may_be_called(const SceneKnowledge& scene, const std::string& id, const std::string& noun) {
+  if (noun_of(scene, id) == noun)
+    return true;
+  const auto& vocabulary = scene.vocabulary();
+  const auto concepts = scene.words(id, FeatureKind::concept_name);
+  return vocabulary.is_of_other_kind(noun) && std::ranges::any_of(concepts, [&](auto& known) {
+           return vocabulary.ontology().is_kind_of(known, vocabulary.concept_of(noun));
+         });
+}
+
+/// The word for a property that is said by an adjective; empty for a shape that has a noun.
 std::string adjective(const SceneKnowledge& scene, const std::string& id, FeatureKind kind) {
   auto word = first_word(scene, id, kind);
-  return kind == FeatureKind::shape && word != "round" ? std::string{} : word;
+  const bool has_noun =
+    kind == FeatureKind::shape && !scene.vocabulary().noun_of_shape(word).empty();
+  return has_noun ? std::string{} : word;
 }
 
 LogicalForm with_property(LogicalForm thing, const Property& property, const std::string& word) {
@@ -51,11 +68,12 @@ LogicalForm with_property(LogicalForm thing, const Property& property, const std
 /// A definite description without a kind of feature; nothing if it is not enough.
 std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& union_id,
                                       std::optional<FeatureKind> besides) {
-  auto noun = besides == FeatureKind::shape ? "thing" : noun_of(scene, union_id);
-  auto others = scene.things();
+  const auto thing = scene.vocabulary().noun_of_concept(scene.vocabulary().general_concept());
+  auto noun = besides == FeatureKind::shape ? thing : noun_of(scene, union_id);
+  auto others = scene.is_thing(union_id) ? scene.things() : scene.individuals();
   std::erase(others, union_id);
-  if (noun != "thing")
-    std::erase_if(others, [&](auto& other) { return noun_of(scene, other) != noun; });
+  if (noun != thing)
+    std::erase_if(others, [&](auto& other) { return !may_be_called(scene, other, noun); });
   auto result = definite(noun);
   for (auto& x : properties) {
     auto word = adjective(scene, union_id, x.kind);

@@ -22,7 +22,8 @@ Response say(RhetoricalRelation relation, std::string text) {
 }
 
 /// \throws Uninterpretable
-Response respond(Responder& responder, DialogueMoveType type, const LogicalForm& content) {
+Response respond(Responder& responder, DialogueMoveType type, const LogicalForm& content,
+                 const WordMeanings& meanings) {
   if (type == DialogueMoveType::question_w || type == DialogueMoveType::question_yn ||
       type == DialogueMoveType::assertion)
     responder.check_presuppositions();
@@ -45,7 +46,7 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
     case DialogueMoveType::closing:
       return say(RhetoricalRelation::greeting, closing("bye"));
     case DialogueMoveType::small_talk:
-      return say(RhetoricalRelation::answer, small_talk(content));
+      return say(RhetoricalRelation::answer, small_talk(content, meanings));
     case DialogueMoveType::accept:
     case DialogueMoveType::reject:
       return say(RhetoricalRelation::acceptance, marker("ok"));
@@ -61,11 +62,12 @@ Response respond_to_all(Responder& responder, DialogueMoveType type, const Logic
                         const Antecedents& antecedents, SceneKnowledge& scene) {
   const auto questions = questions_in(content);
   if (questions.empty())
-    return respond(responder, type, content);
+    return respond(responder, type, content, scene.vocabulary().meanings());
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (auto& question : questions) {
     Responder one{question, antecedents, scene};
-    auto reply = respond(one, dialogue_move_type(question), question);
+    auto reply =
+      respond(one, dialogue_move_type(question), question, scene.vocabulary().meanings());
     if (reply.sentences.empty())
       return reply;
     for (auto& sentence : reply.sentences)

@@ -36,7 +36,7 @@ const Nominal& Responder::need(const Nominal& of, const char* mode) const {
 }
 
 Response Responder::to_directive() {
-  for (const auto* thing : things_spoken_of(form_))
+  for (const auto* thing : things_spoken_of(form_, vocabulary()))
     if (is_definite(*thing))
       evaluation_.meant(*thing);
   return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
@@ -66,7 +66,7 @@ LogicalForm Responder::described(LogicalForm said) {
   std::vector<Nominal> descriptions;
   for (auto& x : said.nominals)
     for (auto& phrase : form_.nominals) {
-      if (!is_shown(form_, phrase) || !repeats(x, phrase))
+      if (!is_shown(form_, phrase, vocabulary()) || !repeats(x, phrase))
         continue;
       const auto things = evaluation_.meant(phrase);
       if (things.size() != 1)
@@ -111,6 +111,11 @@ Response Responder::to(const Uninterpretable& why) const {
             {}};
   if (why.reason == Reason::unknown || phrase->sort == "person")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  if (why.reason == Reason::unknown_kind)
+    return {RhetoricalRelation::answer,
+            {{i_know_nothing_of(vocabulary().kind_noun(phrase->proposition)), i_do_not_know()}},
+            {},
+            {}};
   if (why.reason == Reason::nothing_pointed_at)
     return {RhetoricalRelation::correction, {}, "I do not see what you point at.", {}};
   // What there are no words for is called by its noun.

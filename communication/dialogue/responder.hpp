@@ -55,6 +55,8 @@ private:
   Response some_of(const Fitting& found, const Nominal& asked) const;
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
+  std::optional<LogicalForm> place_of(const std::string& id);
+  std::optional<LogicalForm> where_it_is(const Fitting& found, const Nominal& asked);
   Response what(const Nominal& phrase);
   Response quality(const Nominal& asked, const Nominal& of);
   Response quality(const std::string& name, const Nominal& of);
@@ -63,6 +65,7 @@ private:
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice_of_clauses();
+  std::optional<binding::FeatureKind> kind_asked_for(const Nominal& quality) const;
   const Nominal* commonest_quality(const Nominal& asked) const;
   Response most_common(const Nominal& quality);
   Response values_seen(const Nominal& asked, const Nominal* region = nullptr);
@@ -82,6 +85,8 @@ private:
   LogicalForm denied(const std::string& id, const Nominal& scope) const;
   LogicalForm called(const Nominal& phrase) const;
   LogicalForm described(LogicalForm said);
+
+  const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
   const LogicalForm& form_;
   SceneKnowledge& scene_;

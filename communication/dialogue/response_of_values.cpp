@@ -16,12 +16,13 @@ namespace {
 
 using binding::FeatureKind;
 
-std::optional<FeatureKind> kind_asked_for(const Nominal& quality) {
-  return quality.proposition == "kind" ? std::optional{FeatureKind::shape}
-                                       : kind_of_quality(quality.proposition);
-}
-
 } // namespace
+
+/// "What kind of thing" asks for a shape.
+std::optional<FeatureKind> Responder::kind_asked_for(const Nominal& quality) const {
+  return quality.proposition == "kind" ? std::optional{FeatureKind::shape}
+                                       : vocabulary().kind_of_quality(quality.proposition);
+}
 
 /// "Which colours do you see?", "how many colours are there?"
 Response Responder::values_seen(const Nominal& asked, const Nominal* region) {

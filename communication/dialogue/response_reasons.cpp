@@ -100,9 +100,10 @@ std::optional<LogicalForm> Responder::what_it_has(const std::string& id, const L
       if (colours.empty() || shapes.empty())
         return std::nullopt;
       const auto names = scene_.words(item, FeatureKind::concept_name);
-      const bool is_block = !names.empty() && names.front() == "block";
-      return possess(owner, with(indefinite(is_block ? "block" : shapes.front()), "Colour",
-                                 property("colour", colours.front())));
+      // What is called a block looks like a square on a picture.
+      const bool has_own_name = !names.empty() && !vocabulary().definition(names.front()).empty();
+      return possess(owner, with(indefinite(has_own_name ? names.front() : shapes.front()),
+                                 "Colour", property("colour", colours.front())));
     }
     return std::nullopt;
   }
@@ -118,7 +119,8 @@ std::optional<LogicalForm> Responder::by_position(const std::string& id, const s
   };
   std::vector<Placed> row;
   for (auto& other : scene_.things())
-    if (scene_.has(other, binding::feature(FeatureKind::concept_name, noun)) == Truth::yes)
+    if (scene_.has(other, binding::feature(FeatureKind::concept_name,
+                                           vocabulary().concept_of(noun))) == Truth::yes)
       if (const auto place = scene_.place(other))
         row.push_back({place->x, other});
   std::ranges::sort(row, {}, &Placed::x);

@@ -78,8 +78,8 @@ bool Responder::is_told_in_vain(const Nominal& said) const {
 /// A kind of thing that vision has no word for, such as a toy.
 bool Responder::says_what_is_not_seen(const Nominal& said) const {
   const auto* kind = dependent(form_, said, said.sort == "existence" ? "Subject" : "Cop-Scope");
-  return kind != nullptr && kind->sort == "thing" && !is_general_noun(kind->proposition) &&
-         !is_pronoun(*kind) && !shape_of_noun(kind->proposition);
+  return kind != nullptr && kind->sort == "thing" && !is_pronoun(*kind) &&
+         !vocabulary().is_perceptible(kind->proposition);
 }
 
 std::optional<Response> Responder::to_preface() {

@@ -126,6 +126,8 @@ Response Responder::to_question_w() {
 /// Of which things the whole question is true.
 Response Responder::about(const Nominal& asked) {
   auto found = evaluation_.answers(root(), asked);
+  if (auto where = where_it_is(found, asked))
+    return answer(std::move(*where));
   if (root().sort == "existence" && is_number(asked))
     return some_of(found, asked);
   const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
@@ -140,6 +142,21 @@ Response Responder::about(const Nominal& asked) {
   if (found.certain.empty() && !found.possible.empty() && !is_tie)
     return answer(i_do_not_know());
   return list(found.certain.empty() ? found.possible : found.certain);
+}
+
+/// "Which room are you in?": "I am in the kitchen."; "which room is the ball in?"
+std::optional<LogicalForm> Responder::where_it_is(const Fitting& found, const Nominal& asked) {
+  const auto* subject = dependent(form_, root(), "Cop-Restr");
+  const auto* scope = dependent(form_, root(), "Cop-Scope");
+  if (subject == nullptr || scope == nullptr || scope->sort != "region" ||
+      dependent(form_, *scope, "Anchor") != &asked || is_negated(root()) ||
+      asks_for_number(asked) || found.certain.size() != 1 || scene_.is_thing(found.certain.front()))
+    return std::nullopt;
+  const bool is_addressee = evaluation_.is_addressee(*subject);
+  if (!is_addressee && (!is_definite(*subject) || is_plural(*subject)))
+    return std::nullopt;
+  return ascribe(is_addressee ? myself() : pronoun("it"),
+                 region(scope->proposition, referring_expression(scene_, found.certain.front())));
 }
 
 /// Whether it is said how many are asked for: "two red things".
@@ -164,9 +181,10 @@ Response Responder::count(const Fitting& found, const Nominal& phrase, const Nom
   if (number.certain == 0 && number.possible > 0)
     return answer(i_do_not_know());
   if (auto share = share_of(number, phrase, scope))
-    return answer(std::move(*share), exists(counted(number, indefinite("thing"))));
+    return answer(std::move(*share),
+                  exists(counted(number, indefinite(vocabulary().general_concept()))));
   auto thing = part_of(form_, phrase.name);
-  auto simpler = exists(counted(number, indefinite("thing")));
+  auto simpler = exists(counted(number, indefinite(vocabulary().general_concept())));
   const auto* mode = scope == nullptr ? nullptr : attribute_mode(*scope);
   if (mode != nullptr && !is_negated(root()))
     thing = with(std::move(thing), mode, part_of(form_, scope->name));
@@ -197,18 +215,18 @@ std::optional<LogicalForm> Responder::share_of(const Count& number, const Nomina
 
 Response Responder::list(const Things& things) const {
   if (things.empty())
-    return answer(exists(none_of(indefinite("thing"))));
+    return answer(exists(none_of(indefinite(vocabulary().general_concept()))));
   std::vector<LogicalForm> descriptions;
   for (auto& id : things)
     descriptions.push_back(indefinite_description(scene_, id));
   return answer(exists(listed(std::move(descriptions))),
-                exists(counted(things.size(), indefinite("thing"))));
+                exists(counted(things.size(), indefinite(vocabulary().general_concept()))));
 }
 
 Response Responder::quality(const std::string& name, const Nominal& of) {
   if (name == "name" || name == "kind")
     return what(of);
-  auto kind = kind_of_quality(name);
+  auto kind = vocabulary().kind_of_quality(name);
   if (!kind)
     throw Uninterpretable{Uninterpretable::Reason::word, name};
   // "What colour do most things have?" is no question of what all of them are.
@@ -229,7 +247,8 @@ Response Responder::quality(const std::string& name, const Nominal& of) {
     auto thing = pronoun("it");
     if (words.empty())
       return answer(i_do_not_know());
-    const bool has_noun = *kind == FeatureKind::shape && words.front() != "round";
+    const bool has_noun =
+      *kind == FeatureKind::shape && !vocabulary().noun_of_shape(words.front()).empty();
     auto value = has_noun ? indefinite(words.front()) : property(name, words.front());
     auto sentence = ascribe(thing, value);
     result.sentences.push_back(
@@ -290,8 +309,9 @@ Response Responder::what(const Nominal& phrase) {
 }
 
 Response Responder::where(const Nominal& phrase) {
-  // Where people are, the table does not tell.
-  if (phrase.sort == "person")
+  const bool is_addressee = evaluation_.is_addressee(phrase);
+  // Where people are, nobody tells.
+  if (phrase.sort == "person" && !is_addressee)
     return answer(i_do_not_know());
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   // "Where do you see a cube?" asks for all of them.
@@ -302,17 +322,37 @@ Response Responder::where(const Nominal& phrase) {
   if (things.empty())
     throw Uninterpretable{Uninterpretable::Reason::nothing_like, phrase.name};
   for (auto& id : things) {
-    auto thing = things.size() == 1 ? pronoun("it") : referring_expression(scene_, id);
-    auto facts = scene_.spatial_facts(id);
-    auto best = std::ranges::find_if(facts, [](auto& fact) { return fact.relation != "near"; });
-    if (best == facts.end())
-      best = facts.begin();
-    auto place = best == facts.end()
-                   ? region("on", definite("table"))
-                   : region(best->relation, referring_expression(scene_, best->landmark));
-    result.sentences.push_back({ascribe(thing, place)});
+    auto thing = is_addressee         ? myself()
+                 : things.size() == 1 ? pronoun("it")
+                                      : referring_expression(scene_, id);
+    const auto place = place_of(id);
+    if (!place)
+      return answer(i_do_not_know());
+    result.sentences.push_back({ascribe(thing, *place)});
   }
   return result;
+}
+
+/// Where an individual is, by what it is in, or by what is near; nothing if nobody tells.
+std::optional<LogicalForm> Responder::place_of(const std::string& id) {
+  // "Where is this room?", if the robot is in it.
+  for (auto& self : scene_.addressee())
+    if (const auto around = scene_.surroundings(self);
+        std::ranges::find(around, id) != around.end())
+      return region("here");
+  if (const auto around = scene_.surroundings(id); !around.empty())
+    return region(binding::containment_label, referring_expression(scene_, around.front()));
+  auto facts = scene_.spatial_facts(id);
+  // What is no thing lies where somebody says so of it, not where it seems by its place.
+  auto best = std::ranges::find_if(facts, [](auto& fact) { return fact.relation != "near"; });
+  if (best == facts.end())
+    best = facts.begin();
+  if (best != facts.end())
+    return region(best->relation, referring_expression(scene_, best->landmark));
+  const auto* everywhere = vocabulary().main_surroundings();
+  if (!scene_.is_thing(id) || everywhere == nullptr)
+    return std::nullopt;
+  return region(everywhere->regions.front(), definite(everywhere->noun));
 }
 
 // -- yes or no
@@ -346,8 +386,8 @@ Response Responder::to_question_yn() {
     // What vision has no word for may be there, but it is not seen.
     const auto* subject =
       root().sort == "existence" ? dependent(form_, root(), "Subject") : nullptr;
-    if (subject != nullptr && subject->sort == "thing" && !is_general_noun(subject->proposition) &&
-        !is_pronoun(*subject) && !shape_of_noun(subject->proposition))
+    if (subject != nullptr && subject->sort == "thing" && !is_pronoun(*subject) &&
+        !vocabulary().is_perceptible(subject->proposition))
       return answer(nothing_like(*subject), i_do_not_see(indefinite(subject->proposition)));
     return yes_or_no(truth);
   }
@@ -358,8 +398,9 @@ Response Responder::to_question_yn() {
   auto things = evaluation_.meant(*restriction);
   if (truth == Truth::yes && things.size() == 1 && !is_sure(things.front(), *scope))
     return answer(unsure(ascribe(pronoun("it"), part_of(form_, scope->name))), marker("yes"));
-  if (truth == Truth::no && things.size() == 1 && kind_of_quality(scope->sort) &&
-      !is_negated(*scope) && !scene_.words(things.front(), *kind_of_quality(scope->sort)).empty())
+  if (truth == Truth::no && things.size() == 1 && vocabulary().kind_of_quality(scope->sort) &&
+      !is_negated(*scope) &&
+      !scene_.words(things.front(), *vocabulary().kind_of_quality(scope->sort)).empty())
     return answer(denied(things.front(), *scope));
   if (is_negative)
     return answer(with_marker(truth == Truth::yes ? "yes" : "no",
@@ -371,7 +412,7 @@ Response Responder::to_question_yn() {
 
 /// Whether what a scope says of a thing is certain.
 bool Responder::is_sure(const std::string& id, const Nominal& scope) const {
-  auto kind = scope.sort == "thing" ? FeatureKind::shape : kind_of_quality(scope.sort);
+  auto kind = scope.sort == "thing" ? FeatureKind::shape : vocabulary().kind_of_quality(scope.sort);
   return !kind || scene_.is_sure(id, *kind);
 }
 
@@ -441,7 +482,7 @@ LogicalForm Responder::denied(const std::string& id, const Nominal& scope) const
 /// "It is blue", in the terms of what was said of it.
 LogicalForm Responder::as_it_is(const std::string& id, const LogicalForm& what,
                                 const Nominal& scope) const {
-  auto kind = kind_of_quality(scope.sort);
+  auto kind = vocabulary().kind_of_quality(scope.sort);
   auto words = kind ? scene_.words(id, *kind) : std::vector<std::string>{};
   return ascribe(what, words.empty() || kind == FeatureKind::shape
                          ? indefinite_description(scene_, id)

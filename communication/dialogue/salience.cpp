@@ -103,8 +103,8 @@ bool is_asked_for_quality(const LogicalForm& form, const Nominal& x) {
          (dependent(form, *root, "Cop-Restr") == &x || dependent(form, *root, "Cop-Scope") == &x);
 }
 
-Antecedents antecedents_in(const LogicalForm& form,
-                           const std::vector<const MoveReferents*>& moves) {
+Antecedents antecedents_in(const LogicalForm& form, const std::vector<const MoveReferents*>& moves,
+                           const Vocabulary& vocabulary) {
   Antecedents result;
   for (auto& x : form.nominals) {
     Proxies found;
@@ -120,7 +120,7 @@ Antecedents antecedents_in(const LogicalForm& form,
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
-    } else if (is_pronoun(x) || (is_anaphoric(x) && !is_one_of_several(x, moves)))
+    } else if (is_pronoun(x) || (is_anaphoric(x, vocabulary) && !is_one_of_several(x, moves)))
       found = latest(moves, is_plural(x));
     // "Are they the same colour? What colour is that?"
     if (found.empty() && is_deictic(x) && !is_plural(x) && is_asked_for_quality(form, x))
@@ -133,16 +133,17 @@ Antecedents antecedents_in(const LogicalForm& form,
 
 } // namespace
 
-Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history) {
+Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history,
+                           const Vocabulary& vocabulary) {
   const auto moves = recent(history);
-  auto result = antecedents_in(move.content, moves);
+  auto result = antecedents_in(move.content, moves, vocabulary);
   // "Are they all red?", before anything else was said, is about all there is.
   if (history.empty())
     for (auto& x : move.content.nominals)
       if (x.proposition == "they" && is_pronoun(x))
         result.emplace(x.name + std::string{first_spoken_of}, Proxies{});
   for (auto& alternative : move.alternatives)
-    result.merge(antecedents_in(alternative, moves));
+    result.merge(antecedents_in(alternative, moves, vocabulary));
   return result;
 }
 
@@ -184,7 +185,7 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
     } catch (const Uninterpretable&) {
       asked = nullptr;
     }
-  for (const auto* thing : things_spoken_of(form)) {
+  for (const auto* thing : things_spoken_of(form, scene.vocabulary())) {
     if (thing == asked)
       continue;
     try {

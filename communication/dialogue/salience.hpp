@@ -12,7 +12,8 @@ namespace castor::communication {
 /// before a move that was not understood.
 ///
 /// \param history referents of the moves before, in any order
-Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history);
+Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history,
+                           const Vocabulary& vocabulary);
 
 /// What a move speaks of, by what is known of the scene: the answer to a question first. Counts
 /// only if `scene` has no open questions afterwards.

@@ -55,12 +55,75 @@ bool SceneKnowledge::knows_relation(const std::string& relation) const {
 
 const std::vector<std::string>& SceneKnowledge::things() {
   if (!has_learned_)
-    ask({{{{feature(FeatureKind::concept_name, "thing")}}}, {}});
+    ask({{{{feature(FeatureKind::concept_name, vocabulary_->general_concept())}}}, {}});
   return things_;
+}
+
+const std::vector<std::string>& SceneKnowledge::candidates(const std::string& noun) {
+  if (vocabulary_->is_of_general_kind(noun))
+    return things();
+  if (!ask_for_kind(vocabulary_->concept_of(noun)))
+    return all_;
+  return vocabulary_->is_of_other_kind(noun) ? others_ : all_;
+}
+
+/// \returns whether the answer is known
+bool SceneKnowledge::ask_for_kind(const std::string& name) {
+  auto place = std::ranges::find(kinds_, name);
+  if (place == kinds_.end())
+    place = kinds_.insert(kinds_.end(), name);
+  const bool is_known =
+    has_learned_ && static_cast<std::size_t>(place - kinds_.begin()) < kinds_asked_;
+  if (!is_known)
+    ask({{{{feature(FeatureKind::concept_name, name)}}}, {}});
+  return is_known;
+}
+
+bool SceneKnowledge::is_kind_known(const std::string& noun) const {
+  const auto& ontology = vocabulary_->ontology();
+  const auto& name =
+    vocabulary_->is_general(noun) ? vocabulary_->general_concept() : vocabulary_->concept_of(noun);
+  const bool is_competent = std::ranges::any_of(scene_.competences, [&](auto& x) {
+    return ontology.is_kind_of(name, x.kind) || ontology.is_kind_of(x.kind, name);
+  });
+  // What the ontology does not know may be a name for anything.
+  return is_competent || !ontology.knows(name) || std::ranges::any_of(all_, [&](auto& id) {
+           return std::ranges::any_of(words(id, FeatureKind::concept_name), [&](auto& known) {
+             return ontology.is_kind_of(known, name) || ontology.is_kind_of(name, known);
+           });
+         });
+}
+
+std::vector<std::string> SceneKnowledge::addressee() {
+  const auto& name = vocabulary_->addressee();
+  std::vector<std::string> result;
+  if (name.empty() || !ask_for_kind(name))
+    return result;
+  for (auto& id : others_) {
+    const auto known = words(id, FeatureKind::concept_name);
+    if (std::ranges::find(known, name) != known.end())
+      result.push_back(id);
+  }
+  return result;
+}
+
+std::vector<std::string> SceneKnowledge::surroundings(const std::string& union_id) const {
+  std::vector<std::string> result;
+  for (auto& x : relations_)
+    if (x.label == binding::containment_label && x.from == union_id && !is_thing(x.to))
+      result.push_back(x.to);
+  return result;
 }
 
 void SceneKnowledge::learn(std::span<const binding::Description> asked,
                            binding::ReferenceReply reply) {
+  // Who was not asked before may tell of individuals that earlier answers say nothing of.
+  if (kinds_asked_ < kinds_.size() &&
+      std::ranges::any_of(reply.competences, &binding::KnowledgeCompetence::answers_calls))
+    known_.clear();
+  kinds_asked_ = kinds_.size();
+  if (reply.ontology)
+    take_ontology(*reply.ontology);
   for (std::size_t i = 0; i < asked.size() && i < reply.referents.size(); ++i) {
     auto& learned = known_.emplace_back();
     learned.feature = asked[i].things.front().features.front();
@@ -68,17 +131,48 @@ void SceneKnowledge::learn(std::span<const binding::Description> asked,
       learned.truth.emplace(found.unions.front(), found.unknown == 0 ? Truth::yes : Truth::unknown);
   }
   open_questions_.clear();
-  const bool has_new_relations = !has_learned_ || reply.relations != scene_.relations;
+  const bool has_new_relations =
+    !has_learned_ || reply.ontology || reply.relations != scene_.relations;
   scene_ = std::move(reply);
   if (!std::ranges::is_sorted(scene_.unions, {}, &KnownUnion::id))
     std::ranges::sort(scene_.unions, {}, &KnownUnion::id);
   has_learned_ = true;
-  things_.clear();
-  for (auto& x : scene_.unions)
-    if (!words(x.id, FeatureKind::concept_name).empty())
-      things_.push_back(x.id);
-  if (has_new_relations)
+  const auto things_before = std::exchange(things_, {});
+  sort_individuals();
+  if (has_new_relations || things_ != things_before)
     relate_things();
+}
+
+void SceneKnowledge::take_ontology(const binding::ConceptStatements& stated) {
+  vocabulary_ = std::make_shared<const Vocabulary>(
+    vocabulary_->lexicon(), std::make_shared<const Ontology>(stated.statements));
+  scene_.ontology.reset();
+}
+
+void SceneKnowledge::sort_individuals() {
+  const auto& ontology = vocabulary_->ontology();
+  const auto& general = vocabulary_->general_concept();
+  things_.clear();
+  others_.clear();
+  std::vector<std::string> unknown;
+  for (auto& x : scene_.unions) {
+    bool is_individual = false;
+    bool is_general = false;
+    bool is_other = false;
+    for (auto& feature : x.features) {
+      if (feature.kind != FeatureKind::concept_name || feature.negated || feature.text.empty() ||
+          feature.text == "unknown")
+        continue;
+      is_individual = true;
+      is_general = is_general || ontology.is_kind_of(feature.text, general);
+      is_other = is_other || ontology.excludes(feature.text, general);
+    }
+    if (is_individual)
+      (is_other ? others_ : is_general ? things_ : unknown).push_back(x.id);
+  }
+  all_ = things_;
+  all_.insert(all_.end(), others_.begin(), others_.end());
+  all_.insert(all_.end(), unknown.begin(), unknown.end());
 }
 
 /// Things are related by the places where they are, or themselves.
@@ -104,7 +198,7 @@ void SceneKnowledge::relate_things() {
   contents_.clear();
   containers_.clear();
   for (auto& x : relations_)
-    if (x.label == binding::containment_label) {
+    if (x.label == binding::containment_label && is_thing(x.to)) {
       contents_[x.to].push_back(x.from);
       containers_[x.from].push_back(x.to);
     }

@@ -2,16 +2,20 @@
 
 #include "castor/binding/types.hpp"
 #include "castor/communication/dialogue/truth.hpp"
+#include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace castor::communication {
@@ -56,12 +60,23 @@ struct SpatialFact {
 /// Cache of binding's answers about the scene. It collects the questions that it could not answer,
 /// so that the caller can ask binding and try again:
 ///
-///     with_knowledge([](auto& questions) { return call<ReferenceRequest, ReferenceReply>(...); },
+///     with_knowledge(vocabulary,
+///                    [](const auto& request) { return call<ReferenceRequest, ...>(...); },
 ///                    [](SceneKnowledge& scene) { return respond(..., scene); });
 ///
 /// What is not known yet is `Truth::unknown`.
+///
+/// Individuals are all of which a concept is known. Those of the vocabulary's general kind are
+/// things; rooms and the robot itself are others.
 class SceneKnowledge {
 public:
+  explicit SceneKnowledge(std::shared_ptr<const Vocabulary> vocabulary)
+    : vocabulary_(std::move(vocabulary)) {}
+
+  /// With the ontology of binding's last answer.
+  const Vocabulary& vocabulary() const { return *vocabulary_; }
+  const std::shared_ptr<const Vocabulary>& shared_vocabulary() const { return vocabulary_; }
+
   /// Whether a feature is true of a thing, by binding's comparison of features.
   Truth has(const std::string& id, const binding::Feature& x);
 
@@ -74,12 +89,38 @@ public:
   /// Descriptions asked for and not known yet.
   const std::vector<binding::Description>& open_questions() const { return open_questions_; }
 
+  /// The open questions, and of what kinds they are.
+  binding::ReferenceRequest request() const { return {open_questions_, kinds_}; }
+
   /// \pre these are open questions, and the reply has as many referents
   void learn(std::span<const binding::Description> asked, binding::ReferenceReply reply);
 
   /// The unions of things, not of places and relations; empty before anything was learned, which
   /// is an open question then.
   const std::vector<std::string>& things();
+
+  /// The individuals that a noun may stand for: rooms for "kitchen". Who is competent for the kind
+  /// is asked, which is an open question before.
+  const std::vector<std::string>& candidates(const std::string& noun);
+
+  /// All of which a concept is known, whatever they are; an open question as things are.
+  const std::vector<std::string>& individuals() {
+    things();
+    return all_;
+  }
+
+  bool is_thing(const std::string& union_id) const {
+    return all_.size() == things_.size() || std::ranges::find(things_, union_id) != things_.end();
+  }
+
+  /// Whether somebody knows what there is of the kind that a noun stands for.
+  bool is_kind_known(const std::string& noun) const;
+
+  /// Who is spoken to; empty if nobody tells of it.
+  std::vector<std::string> addressee();
+
+  /// What an individual is in that is no thing, such as a room.
+  std::vector<std::string> surroundings(const std::string& union_id) const;
 
   /// The proxy by which to refer to a union in the long term.
   std::string proxy_of(const std::string& union_id) const;
@@ -96,13 +137,20 @@ public:
   /// As the viewer sees it: x to the right, y away. The same as the place if nothing else is known.
   std::optional<Place> place_in_view(const std::string& union_id) const;
 
+  /// Whether something is in what is no thing, such as a room.
+  bool has_places() const {
+    return std::ranges::any_of(relations_, [this](auto& x) {
+      return x.label == binding::containment_label && !is_thing(x.to);
+    });
+  }
+
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
 
   /// Where a thing begins and ends; nothing if its place or its extent is not known.
   std::optional<Body> body(const std::string& union_id) const;
 
-  /// The things that are in a thing, such as the blocks of a tower.
+  /// The things that are in a thing, such as the blocks of a tower; none in a room.
   const std::vector<std::string>& contents(const std::string& union_id) const;
 
   /// The things that a thing is in.
@@ -112,11 +160,15 @@ public:
   std::vector<SpatialFact> spatial_facts(const std::string& union_id) const;
 
 private:
+  bool ask_for_kind(const std::string& name);
+  void take_ontology(const binding::ConceptStatements& stated);
+  void sort_individuals();
   const binding::KnownUnion* find(const std::string& union_id) const;
   std::optional<Place> place_by(const std::string& union_id, binding::FeatureKind kind) const;
   void ask(const binding::Description& description);
   void relate_things();
 
+  std::shared_ptr<const Vocabulary> vocabulary_;
   bool has_learned_ = false;
   /// What things a feature is or may be true of, by their ids; of no others.
   struct KnownFeature {
@@ -130,6 +182,12 @@ private:
   /// Its unions are sorted by id.
   binding::ReferenceReply scene_;
   std::vector<std::string> things_;
+  std::vector<std::string> others_;
+  /// Those of which it is not known whether they are things, after the things.
+  std::vector<std::string> all_;
+  /// Concepts of the kinds that were asked for, and how many of them binding has been asked for.
+  std::vector<std::string> kinds_;
+  std::size_t kinds_asked_ = 0;
   /// The locations of each thing.
   std::map<std::string, std::vector<std::string>> locations_;
   /// Between things; sorted and distinct.
@@ -139,14 +197,14 @@ private:
 };
 
 /// The result of `f` once all that it asks a scene for is known.
-/// \param ask answers descriptions with a binding::ReferenceReply
+/// \param ask answers a binding::ReferenceRequest with a binding::ReferenceReply
 template <class Ask, class F>
-auto with_knowledge(Ask ask, F f) {
-  SceneKnowledge scene;
+auto with_knowledge(const std::shared_ptr<const Vocabulary>& vocabulary, Ask ask, F f) {
+  SceneKnowledge scene{vocabulary};
   auto result = f(scene);
   while (!scene.open_questions().empty()) {
-    auto asked = scene.open_questions();
-    scene.learn(asked, ask(asked));
+    const auto request = scene.request();
+    scene.learn(request.descriptions, ask(request));
     result = f(scene);
   }
   return result;

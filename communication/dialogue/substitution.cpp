@@ -16,7 +16,8 @@ namespace {
 /// about, a colour for a colour, a place for a place.
 class Substitution {
 public:
-  Substitution(LogicalForm& form, const Nominal& fragment) : form_(form), fragment_(fragment) {}
+  Substitution(LogicalForm& form, const Nominal& fragment, const Vocabulary& vocabulary)
+    : form_(form), fragment_(fragment), vocabulary_(vocabulary) {}
 
   /// \returns whether there is such a place
   bool run() {
@@ -36,7 +37,7 @@ private:
   /// A definite phrase is rather about what a definite phrase was about.
   bool is_alike(const Nominal& x) const {
     if (fragment_.sort == "thing")
-      return x.sort == "thing" && !is_the_table(x) &&
+      return x.sort == "thing" && vocabulary_.surroundings(x) == nullptr &&
              (!is_strict_ || is_definite(x) == is_definite(fragment_));
     return x.sort == fragment_.sort && x.name != fragment_.name;
   }
@@ -122,8 +123,10 @@ private:
         (is_definite(fragment_) && dependent(form_, *root, "Wh-Restr") != about))
       return false;
     if (scope->sort == "thing") {
-      if (!is_general_noun(about->proposition) || is_general_noun(scope->proposition) ||
-          is_general_noun(fragment_.proposition) || is_definite(*scope) || is_definite(fragment_))
+      if (!vocabulary_.is_general(about->proposition) ||
+          vocabulary_.is_general(scope->proposition) ||
+          vocabulary_.is_general(fragment_.proposition) || is_definite(*scope) ||
+          is_definite(fragment_))
         return false;
       replace(scope->name);
       return true;
@@ -137,7 +140,7 @@ private:
     const auto subject = about->name;
     const auto value = of_kind->dependent;
     auto& asked = *find_nominal(form_, subject);
-    if (!is_general_noun(fragment_.proposition))
+    if (!vocabulary_.is_general(fragment_.proposition))
       asked.proposition = fragment_.proposition;
     for (auto& relation : fragment_.relations)
       if (relation.dependent != value)
@@ -165,7 +168,8 @@ private:
     // "And to the right?"
     auto& fragment = *find_nominal(form_, fragment_.name);
     if (anchor != nullptr && feature(fragment, "Of") == "before" &&
-        dependent(form_, fragment, "Anchor") == nullptr && !is_the_table(*anchor))
+        dependent(form_, fragment, "Anchor") == nullptr &&
+        vocabulary_.surroundings(*anchor) == nullptr)
       fragment.relations.push_back({"Anchor", anchor->name});
   }
 
@@ -198,6 +202,7 @@ private:
 
   LogicalForm& form_;
   const Nominal fragment_;
+  const Vocabulary& vocabulary_;
   std::set<std::string> seen_;
   bool is_strict_ = true;
   bool replaced_ = false;
@@ -205,8 +210,8 @@ private:
 
 } // namespace
 
-bool substitute_fragment(LogicalForm& form, const Nominal& fragment) {
-  return Substitution{form, fragment}.run();
+bool substitute_fragment(LogicalForm& form, const Nominal& fragment, const Vocabulary& vocabulary) {
+  return Substitution{form, fragment, vocabulary}.run();
 }
 
 } // namespace castor::communication

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/types.hpp"
 
 namespace castor::communication {
@@ -9,6 +10,6 @@ namespace castor::communication {
 ///
 /// \param form of the question; has the nominals of the fragment, too
 /// \returns whether there is such a place; otherwise the form is unchanged
-bool substitute_fragment(LogicalForm& form, const Nominal& fragment);
+bool substitute_fragment(LogicalForm& form, const Nominal& fragment, const Vocabulary& vocabulary);
 
 } // namespace castor::communication

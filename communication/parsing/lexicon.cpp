@@ -30,8 +30,11 @@ bool is_quoted(std::string_view word) {
 
 void Lexicon::add(LexicalEntry entry) {
   const auto number = static_cast<std::uint32_t>(entries_.size());
+  auto& same_phrase = phrases_[entry.phrase];
+  if (std::ranges::any_of(same_phrase, [&](auto other) { return entries_[other] == entry; }))
+    return;
+  same_phrase.push_back(number);
   add_words_of(entry.phrase);
-  phrases_[entry.phrase].push_back(number);
   entries_.push_back(std::move(entry));
 }
 

@@ -3,6 +3,7 @@
 #include "castor/communication/parsing/category.hpp"
 #include "castor/communication/parsing/meaning.hpp"
 #include "castor/communication/parsing/symbols.hpp"
+#include "castor/communication/parsing/word_meanings.hpp"
 
 #include <cstdint>
 #include <set>
@@ -29,6 +30,8 @@ struct LexicalEntry {
   /// Whether variable 0 has a predicate.
   bool anchored = false;
   double weight = 0;
+
+  friend bool operator==(const LexicalEntry&, const LexicalEntry&) = default;
 };
 
 /// A rule of type raising for a category.
@@ -68,6 +71,10 @@ public:
   CategoryTable& categories() { return categories_; }
   const CategoryTable& categories() const { return categories_; }
 
+  WordMeanings& meanings() { return meanings_; }
+  const WordMeanings& meanings() const { return meanings_; }
+
+  /// Nothing happens if there is an equal entry: several files may have a word.
   void add(LexicalEntry entry);
   void add_root(Category category) { roots_.push_back(std::move(category)); }
   void add_name(CategoryName name) { names_.push_back(std::move(name)); }
@@ -115,6 +122,7 @@ private:
 
   SymbolTable symbols_;
   CategoryTable categories_;
+  WordMeanings meanings_;
   std::vector<LexicalEntry> entries_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> phrases_;
   std::unordered_map<std::string, double> fillers_;

@@ -4,6 +4,8 @@
 #include "castor/base/text.hpp"
 #include "castor/communication/parsing/family.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/line_pieces.hpp"
+#include "castor/communication/parsing/word_meanings.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -28,40 +30,6 @@ const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside}, {"frame", WordClass::frame},     {"person", WordClass::person},
   {"name", WordClass::name},   {"telling", WordClass::telling}, {"decisive", WordClass::decisive}};
 
-/// A part of a line, and where it begins.
-struct Piece {
-  std::string text;
-  int line = 0;
-  int column = 0;
-};
-
-/// Thrown where reading a line or an item cannot go on.
-struct ReadError {
-  int line;
-  int column;
-  std::string message;
-  std::string remedy;
-};
-
-[[noreturn]] void fail(const Piece& piece, const std::string& message, const std::string& remedy,
-                       std::size_t offset = 0) {
-  throw ReadError{piece.line, piece.column + static_cast<int>(offset), message, remedy};
-}
-
-std::vector<Piece> split(const Piece& whole) {
-  std::vector<Piece> pieces;
-  std::size_t i = 0;
-  while (i < whole.text.size()) {
-    const auto begin = whole.text.find_first_not_of(" \t\r", i);
-    if (begin == std::string::npos)
-      break;
-    i = std::min(whole.text.find_first_of(" \t\r", begin), whole.text.size());
-    pieces.push_back(
-      {whole.text.substr(begin, i - begin), whole.line, whole.column + static_cast<int>(begin)});
-  }
-  return pieces;
-}
-
 /// Takes "{-1.5}" off the end of a piece.
 double take_weight(Piece& piece) {
   while (!piece.text.empty() && piece.text.back() == ' ')
@@ -81,14 +49,27 @@ double take_weight(Piece& piece) {
 
 class LexiconReader {
 public:
-  explicit LexiconReader(std::string file_name) : file_name_(std::move(file_name)) {
-    // nop
+  LexiconText read(std::span<const NamedText> files) {
+    for (auto& file : files)
+      read_file(file);
+    if (problems_.empty() && lexicon_->roots().empty())
+      report({1, 1, "nothing says what an utterance may be", "Add a line such as: root s np"});
+    return {problems_.empty() ? lexicon_ : nullptr, std::move(problems_)};
   }
 
-  LexiconText read(std::string_view text) {
+private:
+  /// What belongs to a line that is wrong itself is skipped.
+  enum class Block { none, skipped, family, words, nouns };
+
+  void read_file(const NamedText& file) {
+    file_name_ = file.name;
+    lines_.clear();
+    block_ = Block::none;
+    const auto before = static_cast<std::ptrdiff_t>(problems_.size());
+    std::string_view text = file.text;
     if (text.size() > max_bytes) {
       report({1, 1, "this is longer than 4 MiB", "Give the name of a lexicon."});
-      return {nullptr, std::move(problems_)};
+      return;
     }
     int number = 0;
     while (!text.empty()) {
@@ -98,17 +79,10 @@ public:
       guarded([&] { read_line(lines_.back(), ++number); });
     }
     guarded([&] { end_family_line(); });
-    if (problems_.empty() && lexicon_->roots().empty())
-      report({1, 1, "nothing says what an utterance may be", "Add a line such as: root s np"});
-    std::ranges::stable_sort(problems_, {}, [](auto& x) {
+    std::ranges::stable_sort(problems_.begin() + before, problems_.end(), {}, [](auto& x) {
       return std::pair{x.where.line(), x.column};
     });
-    return {problems_.empty() ? lexicon_ : nullptr, std::move(problems_)};
   }
-
-private:
-  /// What belongs to a line that is wrong itself is skipped.
-  enum class Block { none, skipped, family, words, nouns };
 
   template <class F>
   void guarded(F&& f) {
@@ -169,7 +143,8 @@ private:
     const auto& keyword = pieces.front();
     block_ = Block::skipped;
     const std::vector<Piece> rest(pieces.begin() + 1, pieces.end());
-    if (std::find(keywords.begin(), keywords.end(), keyword.text) == keywords.end())
+    const bool is_meaning = is_meaning_keyword(keyword.text);
+    if (!is_meaning && std::find(keywords.begin(), keywords.end(), keyword.text) == keywords.end())
       fail(keyword, "\"" + keyword.text + "\" does not begin a line",
            unknown_keyword_remedy(keyword.text));
     if (rest.empty())
@@ -180,7 +155,9 @@ private:
     if (keyword.text == "words" || keyword.text == "nouns")
       return begin_words(rest.front(), keyword.text == "nouns" ? Block::nouns : Block::words);
     block_ = Block::none;
-    if (keyword.text == "feature")
+    if (is_meaning)
+      read_meaning(keyword, rest, lexicon_->meanings());
+    else if (keyword.text == "feature")
       read_feature(rest);
     else if (keyword.text == "root")
       for (const auto& piece : rest)
@@ -197,18 +174,16 @@ private:
       read_fillers(rest);
   }
 
-  static std::string phrase_of(std::string text) {
-    std::ranges::replace(text, '_', ' ');
-    return text;
-  }
-
   static std::string unknown_keyword_remedy(const std::string& word) {
-    const auto meant = did_you_mean(word, keywords);
-    return meant.empty()
-             ? "Lines begin with feature, root, raise, call, filler, aside, frame, "
-               "person, name, telling, decisive, family, words or nouns; what belongs to them is "
-               "indented."
-             : meant;
+    auto known = keywords;
+    known.insert(known.end(), meaning_keywords().begin(), meaning_keywords().end());
+    const auto meant = did_you_mean(word, known);
+    if (!meant.empty())
+      return meant;
+    std::string list;
+    for (const auto& x : known)
+      list += (list.empty() ? "" : x == known.back() ? " or " : ", ") + std::string{x};
+    return "Lines begin with " + list + "; what belongs to them is indented.";
   }
 
   void read_feature(const std::vector<Piece>& pieces) {
@@ -368,8 +343,13 @@ private:
 
 } // namespace
 
+LexiconText read_lexicon(std::span<const NamedText> files) {
+  return LexiconReader{}.read(files);
+}
+
 LexiconText read_lexicon(std::string_view text, const std::string& file_name) {
-  return LexiconReader(file_name).read(text);
+  const NamedText file{file_name, std::string{text}};
+  return read_lexicon({&file, 1});
 }
 
 } // namespace castor::communication

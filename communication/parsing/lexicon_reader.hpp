@@ -1,9 +1,11 @@
 #pragma once
 
 #include "castor/base/diagnostic.hpp"
+#include "castor/base/named_text.hpp"
 #include "castor/communication/parsing/lexicon.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +21,9 @@
 ///     aside lol for_the_record      # words left out of what is not understood with them
 ///     frame tell believe that       # words of parts that are left out of it, with those of
 ///     person i my you               # who speaks or is spoken to
-///     name mia                      # names of people: frame words that no typing error is taken for
-///     telling says ask              # who is named beside them speaks or is spoken to
-///     decisive unless almost        # words that are never left out
+///     name mia                      # names of people: frame words that no typing error is taken
+///     for telling says ask              # who is named beside them speaks or is spoken to decisive
+///     unless almost        # words that are never left out
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)
@@ -36,6 +38,21 @@
 ///     words Noun[pl]                # with a feature's value
 ///       things
 ///
+/// What words stand for, in the terms of the robot's other subarchitectures (WordMeanings):
+///
+///     general thing object          # nouns that say nothing but that there is something
+///     concept desk=table            # a noun whose concept has another name; others are theirs
+///     quality colour shape          # kinds of features; QUALITY=KIND if they have other names
+///     value shape square cubical=cube    # adjectives of a quality, if not all words are values
+///     look flat shape circle ?round      # what looks so by its shape; of ? it is not known
+///     relation near next_to=near    # words of places, and binding's labels of relations
+///     surroundings table on at      # where everything is, and how that is said
+///     addressee self                # the concept of who is spoken to
+///     action put=PickAndPlace       # the actions that verbs ask for
+///     reply thanks You are welcome.      # what is said when the robot is spoken to about itself
+///     content item                  # nouns for what is in things that contain others
+///     side wall left right top bottom    # nouns for sides of these, and corners
+///
 /// Categories have slashes `/` and `\`, of which `/*` allows application only and `/+` also crossed
 /// composition; the letters in <> tie them to the meaning, which is hybrid logic as in
 /// hybrid_logic.hpp. `*` stands for the word's predicate and `?number` for the value of a feature.
@@ -48,11 +65,15 @@ namespace castor::communication {
 struct LexiconText {
   /// Null if there are problems.
   std::shared_ptr<const Lexicon> lexicon;
-  /// All are errors, by line; each has a column and a remedy.
+  /// All are errors, by file and line; each has a column and a remedy.
   std::vector<Diagnostic> problems;
 };
 
-/// Reads a lexicon and reports all of its problems at once.
+/// Reads the files of a lexicon, of which later ones may use the families of earlier ones, and
+/// reports all of their problems at once.
+LexiconText read_lexicon(std::span<const NamedText> files);
+
+/// The same for one file.
 /// @param text contents of the file
 /// @param file_name used in problems
 LexiconText read_lexicon(std::string_view text, const std::string& file_name);

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numbers>
+#include <vector>
 
 namespace castor::binding::test {
 
@@ -36,14 +38,35 @@ TEST(Comparators, KnowWhatAThingIs) {
   EXPECT_EQ(compare_both(concept_of("ball"), concept_of("ball")), Truth::yes);
   EXPECT_EQ(compare_both(concept_of("ball"), concept_of("box")), Truth::no);
   EXPECT_EQ(compare_both(concept_of("thing"), concept_of("room")), Truth::no);
+  EXPECT_EQ(compare_both(concept_of("kitchen"), concept_of("thing")), Truth::no);
+  EXPECT_EQ(compare_both(concept_of("kitchen"), concept_of("room")), Truth::yes);
+  EXPECT_EQ(compare_both(concept_of("kitchen"), concept_of("office")), Truth::no);
+}
+
+TEST(Comparators, CompareConceptsByTheOntology) {
   ComparatorOptions options;
-  options.is_a = {{"football", "ball"}, {"kitchen", "room"}, {"room", ""}, {"a", "b"}, {"b", "a"}};
-  EXPECT_EQ(compare_both(concept_of("football"), concept_of("ball"), options), Truth::yes);
-  EXPECT_EQ(compare_both(concept_of("football"), concept_of("thing"), options), Truth::yes);
-  EXPECT_EQ(compare_both(concept_of("kitchen"), concept_of("room"), options), Truth::yes);
-  EXPECT_EQ(compare_both(concept_of("kitchen"), concept_of("thing"), options), Truth::no);
-  // Circles end.
-  EXPECT_EQ(compare_both(concept_of("a"), concept_of("thing"), options), Truth::no);
+  options.ontology = std::make_shared<const Ontology>(
+    std::vector<ConceptStatement>{{.name = "plant"},
+                                  {.name = "rose", .is_a = {"plant"}},
+                                  {.name = "fern", .is_a = {"plant"}},
+                                  {.name = "bed", .disjoint_with = {"plant"}},
+                                  {.name = "sphere", .alike = {"egg"}}});
+  EXPECT_EQ(compare_both(concept_of("rose"), concept_of("plant"), options), Truth::yes);
+  EXPECT_EQ(compare_both(concept_of("rose"), concept_of("bed"), options), Truth::no);
+  // A rose that is a fern is not ruled out by anybody.
+  EXPECT_EQ(compare_both(concept_of("rose"), concept_of("fern"), options), Truth::unknown);
+  EXPECT_EQ(compare_both(negation_of(concept_of("bed")), concept_of("rose"), options), Truth::yes);
+  EXPECT_EQ(compare_both(negation_of(concept_of("fern")), concept_of("rose"), options),
+            Truth::unknown);
+  EXPECT_EQ(compare_both(feature(shape, "egg"), feature(shape, "sphere"), options), Truth::unknown);
+  EXPECT_FALSE(is_more_general(concept_of("rose"), concept_of("plant"), options));
+  EXPECT_TRUE(is_more_general(concept_of("plant"), concept_of("rose"), options));
+}
+
+TEST(Comparators, DoNotTakeUnknownConceptsForThings) {
+  EXPECT_EQ(compare_both(concept_of("aquarium"), concept_of("thing")), Truth::unknown);
+  EXPECT_EQ(compare_both(concept_of("aquarium"), concept_of("room")), Truth::unknown);
+  EXPECT_EQ(compare_both(concept_of("aquarium"), concept_of("aquarium")), Truth::yes);
 }
 
 TEST(Comparators, ComparePlacesByDistance) {

@@ -69,7 +69,7 @@ TEST(English, Commands) {
   expect_meaning(
     "go to the kitchen",
     "@e:action(go ^ <Mood>imp ^ <Actor>(a:person ^ you) ^ <Destination>(r:place ^ to ^ "
-    "<Anchor>(k:place ^ kitchen ^ <Number>sg ^ <Delimitation>unique)))");
+    "<Anchor>(k:thing ^ kitchen ^ <Number>sg ^ <Delimitation>unique)))");
   for (const auto* same : {"pick up the ball", "pick the ball up", "take the ball"})
     expect_meaning(same, "@e:action(take ^ <Mood>imp ^ <Actor>(a:person ^ you) ^ <Patient>" +
                            the("b", "ball") + ")");

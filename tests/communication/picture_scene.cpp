@@ -108,16 +108,16 @@ void PictureScene::relate_items(const std::vector<std::string>& ids,
     }
 }
 
-binding::ReferenceReply
-PictureScene::reply(const std::vector<binding::Description>& descriptions) const {
+binding::ReferenceReply PictureScene::reply(const binding::ReferenceRequest& request) const {
   static const binding::FeatureComparator comparator;
   binding::ReferenceReply result;
-  for (auto& x : descriptions)
+  for (auto& x : request.descriptions)
     result.referents.push_back(
       {binding::distinct_referents(binding::find_referents(x, unions_, comparator))});
   for (auto& [id, x] : unions_)
     result.unions.push_back({id, x.proxy_ids.front(), x.features});
   result.relations = relations_;
+  result.competences = {{"vision", "thing"}};
   return result;
 }
 

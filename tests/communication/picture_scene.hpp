@@ -30,7 +30,7 @@ public:
   void add_box(const std::vector<PicturedItem>& items, double side, bool is_stacked);
 
   /// Answers what ReferenceResolver would answer.
-  binding::ReferenceReply reply(const std::vector<binding::Description>& descriptions) const;
+  binding::ReferenceReply reply(const binding::ReferenceRequest& request) const;
 
 private:
   void add(const std::string& id, std::vector<binding::Feature> features, double x, double z,

@@ -86,7 +86,7 @@ protected:
 
   TableScene table;
   RhetoricalRelation relation = RhetoricalRelation::narration;
-  QuestionContext context;
+  QuestionContext context{shared_vocabulary()};
 };
 
 TEST_F(Responses, TellWhatSomethingIsLike) {
@@ -180,7 +180,7 @@ TEST_F(Responses, DoNotGuess) {
   EXPECT_EQ(say("Is there a mug?"), "I do not see a mug.");
   EXPECT_EQ(say("Where am I?"), "I do not know.");
   EXPECT_EQ(say("Is the old box blue?"), "I do not know what 'old' means here.");
-  context = {};
+  context = QuestionContext{shared_vocabulary()};
   EXPECT_EQ(say("The red ball."), "What about it?");
   EXPECT_EQ(say("What is at the edge of the table?"), "I do not know.");
 }
@@ -274,7 +274,7 @@ TEST_F(Responses, KnowWhatPronounsStandFor) {
 
 TEST_F(Responses, UnderstandWhatClarifiesThem) {
   auto reply = [&](const std::string& text) {
-    context = {};
+    context = QuestionContext{shared_vocabulary()};
     EXPECT_EQ(say("What size is the box?"), "Which box do you mean?");
     return say(text);
   };
@@ -328,7 +328,7 @@ TEST_F(Responses, NameThingsSoThatTheyAreNotMistaken) {
 // -- what pronouns stand for
 
 Antecedents antecedents(const std::string& text, const std::vector<MoveReferents>& history) {
-  return antecedents_in(move_of(text), history);
+  return antecedents_in(move_of(text), history, *shared_vocabulary());
 }
 
 MoveReferents spoken_of(std::int32_t turn, std::vector<DiscourseReferent> referents) {

@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/tests/binding/proxies.hpp"
 #include "castor/tests/binding/reference/binding_core.hpp"
+#include "castor/tests/communication/shared_vocabulary.hpp"
 
 #include <string>
 #include <utility>
@@ -39,22 +40,24 @@ public:
                       binding::test::proxy_from("communication", std::move(features)), 1));
   }
 
-  binding::ReferenceReply reply(const std::vector<binding::Description>& descriptions) const {
+  binding::ReferenceReply reply(const binding::ReferenceRequest& request) const {
     binding::ReferenceReply result;
-    for (auto& x : descriptions) {
+    for (auto& x : request.descriptions) {
       auto all = find_referents(x, core_.unions(), core_.comparator());
       result.referents.push_back({binding::distinct_referents(all)});
     }
     for (auto& [id, x] : core_.unions())
       result.unions.push_back({id, x.proxy_ids.front(), x.features});
     result.relations = relations_between(core_.unions());
+    result.competences = {{"vision", "thing"}};
     return result;
   }
 
   /// What `f` makes of what is known, asked for as long as it asks.
   template <class F>
   auto known_to(F f) const {
-    return with_knowledge([this](auto& asked) { return reply(asked); }, std::move(f));
+    return with_knowledge(
+      shared_vocabulary(), [this](auto& asked) { return reply(asked); }, std::move(f));
   }
 
 private:

@@ -4,16 +4,39 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
+#include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/salience.hpp"
-#include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
 namespace castor::communication::test {
+
+namespace {
+
+struct Language {
+  explicit Language(const std::shared_ptr<const Lexicon>& lexicon)
+    : parser(lexicon), realiser(lexicon) {}
+
+  Parser parser;
+  Realiser realiser;
+};
+
+/// Made once for each lexicon: that takes some time.
+Language& language_of(const std::shared_ptr<const Lexicon>& lexicon) {
+  static std::map<std::shared_ptr<const Lexicon>, std::unique_ptr<Language>> all;
+  auto& result = all[lexicon];
+  if (!result)
+    result = std::make_unique<Language>(lexicon);
+  return *result;
+}
+
+} // namespace
 
 Reply TableTalk::say(const std::string& text) {
   Reply reply;
@@ -35,8 +58,9 @@ void TableTalk::point(const Pointing& pointing) {
 }
 
 Reply TableTalk::say_sentence(const std::string& text) {
-  static Parser parser{english_lexicon()};
-  static Realiser realiser{english_lexicon()};
+  auto& language = language_of(vocabulary_->lexicon());
+  auto& parser = language.parser;
+  auto& realiser = language.realiser;
   auto words = words_of(text);
   DialogueMove move;
   move.corrections = correct_spelling(words, parser.lexicon());
@@ -56,12 +80,16 @@ Reply TableTalk::say_sentence(const std::string& text) {
     move.problem = problem_of(form);
   } else
     take_readings(form, move);
-  auto antecedents = antecedents_in(move, history_);
+  auto antecedents = antecedents_in(move, history_, *vocabulary_);
+  move = with_names_told(std::move(move), *vocabulary_);
+  antecedents.merge(with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
+    return antecedents_by_presence(move, scene);
+  }));
   MoveReferents referents;
   if (pointing_) {
     referents.pointing = PointingUse{{{"communication", "pointing"}}, gestures_, false};
     if (!is_stale(*pointing_, *referents.pointing, history_, {}, {})) {
-      auto shown = with_knowledge(binding_, [&](SceneKnowledge& scene) {
+      auto shown = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
         return antecedents_by_pointing(move, {pointing_->x, pointing_->y}, antecedents, scene,
                                        PointingLimits{}.reach);
       });
@@ -70,12 +98,13 @@ Reply TableTalk::say_sentence(const std::string& text) {
     }
   }
   auto meant = questions_.complete(move, antecedents);
-  auto response = with_knowledge(
-    binding_, [&](SceneKnowledge& scene) { return respond(meant.move, meant.antecedents, scene); });
+  auto response = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
+    return respond(meant.move, meant.antecedents, scene);
+  });
   questions_.note(meant, response);
   referents.turn = move.turn;
   referents.understood = move.problem.empty();
-  referents.referents = with_knowledge(binding_, [&](SceneKnowledge& scene) {
+  referents.referents = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
     return referents_of(reading_of(meant.move, response.reading), meant.antecedents, scene);
   });
   referents.pronouns = to_entry(meant.antecedents);
@@ -101,7 +130,7 @@ void TableTalk::tell_of(const DialogueMove& move, const MoveReferents& referents
   if (!tell_)
     return;
   auto told = with_knowledge(
-    binding_, [&](SceneKnowledge& scene) { return told_by(move, referents, scene); });
+    vocabulary_, binding_, [&](SceneKnowledge& scene) { return told_by(move, referents, scene); });
   for (auto& features : told.proxies)
     tell_("said " + std::to_string(told_++), std::move(features));
 }

@@ -6,10 +6,12 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
+#include "castor/tests/communication/shared_vocabulary.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,14 +35,16 @@ struct Reply {
 class TableTalk {
 public:
   /// Answers what binding is asked.
-  using Binding = std::function<binding::ReferenceReply(const std::vector<binding::Description>&)>;
+  using Binding = std::function<binding::ReferenceReply(const binding::ReferenceRequest&)>;
 
   /// Is told what is asserted, under a name.
   using Tell = std::function<void(const std::string&, std::vector<binding::Feature>)>;
 
   /// \param tell nobody is told anything without
-  explicit TableTalk(Binding binding, Tell tell = {})
-    : binding_(std::move(binding)), tell_(std::move(tell)) {}
+  explicit TableTalk(Binding binding, Tell tell = {},
+                     const std::shared_ptr<const Vocabulary>& vocabulary = shared_vocabulary())
+    : binding_(std::move(binding)), tell_(std::move(tell)), vocabulary_(vocabulary),
+      questions_(vocabulary) {}
 
   /// \returns the reply to the last sentence
   Reply say(const std::string& text);
@@ -55,6 +59,7 @@ private:
 
   Binding binding_;
   Tell tell_;
+  std::shared_ptr<const Vocabulary> vocabulary_;
   QuestionContext questions_;
   std::vector<MoveReferents> history_;
   std::optional<Pointing> pointing_;

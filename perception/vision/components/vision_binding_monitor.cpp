@@ -24,6 +24,7 @@ using binding::FeatureKind;
 class VisionBindingMonitor final : public binding::BindingMonitor {
   void start() override {
     BindingMonitor::start();
+    declare_knowledge_of("thing");
     on_change(changed<SceneObject>(), [this](const ChangeEvent& event) {
       look(event.address);
       publish();

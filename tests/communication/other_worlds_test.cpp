@@ -1,0 +1,269 @@
+// Robots that talk about other things than a table, with words and concepts of their own.
+
+#include "castor/base/ontology_reader.hpp"
+#include "castor/binding/references.hpp"
+#include "castor/communication/parsing/lexicon_reader.hpp"
+#include "castor/tests/binding/proxies.hpp"
+#include "castor/tests/binding/reference/binding_core.hpp"
+#include "castor/tests/communication/shared_vocabulary.hpp"
+#include "castor/tests/communication/table_talk.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::communication::test {
+
+namespace {
+
+using binding::Feature;
+using binding::FeatureKind;
+using binding::test::concept_of;
+
+/// What is told of a world, bound; with words and concepts besides those that are shared.
+class ToldWorld {
+public:
+  ToldWorld(const std::string& words, const std::string& concepts)
+    : vocabulary_(vocabulary(words, concepts)), core_(options()) {}
+
+  void put(const std::string& id, std::vector<Feature> features) {
+    features.push_back(feature(FeatureKind::this_proxy_id, id));
+    features.push_back(binding::not_from("world"));
+    core_.set(id, binding::test::proxy_from("world", std::move(features)));
+  }
+
+  void relate(const std::string& label, const std::string& from, const std::string& to) {
+    core_.set(label + ' ' + from + ' ' + to,
+              binding::test::relation_from("world", label, from, to));
+  }
+
+  void know(const std::string& kind) { competences_.push_back({"world", kind, false}); }
+
+  TableTalk talk() {
+    return TableTalk{
+      [this](auto& request) { return reply(request); },
+      [this](const std::string& name, std::vector<Feature> features) {
+        core_.set(name, binding::test::with_precedence(
+                          binding::test::proxy_from("communication", std::move(features)), 1));
+      },
+      vocabulary_};
+  }
+
+private:
+  static std::shared_ptr<const Vocabulary> vocabulary(const std::string& words,
+                                                      const std::string& concepts) {
+    std::vector<NamedText> lexicon{shared_lexicon_files().front(), {"robot.words", words}};
+    std::vector<NamedText> ontology{binding::shared_ontology_files().front(),
+                                    {"robot.ontology", concepts}};
+    const auto read = read_lexicon(lexicon);
+    EXPECT_EQ(render(read.problems), "");
+    const auto stated = read_ontology(ontology);
+    EXPECT_EQ(render(stated.problems), "");
+    return std::make_shared<const Vocabulary>(read.lexicon,
+                                              std::make_shared<const Ontology>(stated.statements));
+  }
+
+  binding::ComparatorOptions options() const {
+    binding::ComparatorOptions result;
+    result.ontology = std::make_shared<const Ontology>(vocabulary_->ontology());
+    return result;
+  }
+
+  binding::ReferenceReply reply(const binding::ReferenceRequest& request) const {
+    binding::ReferenceReply result;
+    for (auto& x : request.descriptions)
+      result.referents.push_back(
+        {binding::distinct_referents(find_referents(x, core_.unions(), core_.comparator()))});
+    for (auto& [id, x] : core_.unions())
+      result.unions.push_back({id, x.proxy_ids.front(), x.features});
+    result.relations = relations_between(core_.unions());
+    result.competences = competences_;
+    return result;
+  }
+
+  std::shared_ptr<const Vocabulary> vocabulary_;
+  binding::BindingCore core_;
+  std::vector<binding::KnowledgeCompetence> competences_;
+};
+
+constexpr auto words_of_rooms = R"(
+nouns Thing
+  kitchen office pantry room
+)";
+
+constexpr auto concepts_of_rooms = R"(
+concept pantry: room
+concept ball: thing with shape sphere
+)";
+
+/// A kitchen with a red ball, and another room, with the robot in it.
+struct Rooms : ::testing::Test {
+  Rooms() : world(words_of_rooms, concepts_of_rooms) {
+    world.put("kitchen", {concept_of("room"), concept_of("kitchen")});
+    world.put("room 2", {concept_of("room")});
+    world.put("robot", {concept_of("self")});
+    world.put("ball", {concept_of("thing"), feature(FeatureKind::shape, "sphere"),
+                       feature(FeatureKind::colour, "red")});
+    world.relate("in", "robot", "room 2");
+    world.relate("in", "ball", "kitchen");
+    world.know("room");
+    world.know("self");
+    world.know("thing");
+  }
+
+  ToldWorld world;
+};
+
+} // namespace
+
+TEST_F(Rooms, AreAskedFor) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("How many rooms are there?").text, "There are two rooms.");
+  EXPECT_EQ(talk.say("Which rooms are there?").text, "There is a kitchen and a room.");
+  EXPECT_EQ(talk.say("Is there a kitchen?").text, "Yes.");
+  EXPECT_EQ(talk.say("Is there a pantry?").text, "I do not see a pantry.");
+  EXPECT_EQ(talk.say("Is the kitchen a room?").text, "Yes.");
+  EXPECT_EQ(talk.say("Is the kitchen an office?").text, "No.");
+  EXPECT_EQ(talk.say("Is the ball a room?").text, "No.");
+  EXPECT_EQ(talk.say("Is the kitchen a thing?").text, "No.");
+}
+
+TEST_F(Rooms, AreNoThings) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("What do you see?").text, "There is a red ball.");
+  EXPECT_EQ(talk.say("How many things are there?").text, "There is one thing.");
+  EXPECT_EQ(talk.say("Where is the kitchen?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Is the kitchen left of the ball?").text, "No.");
+}
+
+TEST_F(Rooms, AreWhereTheRobotAndThingsAre) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Where is the ball?").text, "It is in the kitchen.");
+  EXPECT_EQ(talk.say("Is the ball in the kitchen?").text, "Yes.");
+  EXPECT_EQ(talk.say("Are you in the kitchen?").text, "No.");
+  EXPECT_EQ(talk.say("What is in the kitchen?").text, "There is a red ball.");
+  EXPECT_EQ(talk.say("What is in this room?").text, "There is nothing.");
+  EXPECT_EQ(talk.say("Is this the kitchen?").text, "No.");
+  EXPECT_EQ(talk.say("What is this room?").text, "It is a room.");
+  EXPECT_EQ(talk.say("What room is this?").text, "There is a room.");
+  EXPECT_EQ(talk.say("Which room are you in?").text, "I am in a room.");
+  EXPECT_EQ(talk.say("Which room is the ball in?").text, "It is in the kitchen.");
+  EXPECT_EQ(talk.say("Is the ball here?").text, "No.");
+  EXPECT_EQ(talk.say("What is here?").text, "There is nothing.");
+}
+
+TEST_F(Rooms, MayBeWhatTheyAreNotKnownToBe) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Are you in the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Is this the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Where is the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("Is this an office?").text, "I do not know.");
+}
+
+TEST_F(Rooms, AreNamedByPeople) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("This is the office.").text, "Ok.");
+  EXPECT_EQ(talk.say("Where is the office?").text, "It is here.");
+  EXPECT_EQ(talk.say("What is this room?").text, "It is an office.");
+  EXPECT_EQ(talk.say("Where are you?").text, "I am in the office.");
+  EXPECT_EQ(talk.say("Which room are you in?").text, "I am in the office.");
+  EXPECT_EQ(talk.say("Are you in the office?").text, "Yes.");
+  EXPECT_EQ(talk.say("Is the ball in the office?").text, "No.");
+  EXPECT_EQ(talk.say("Is this the office?").text, "Yes.");
+  EXPECT_EQ(talk.say("This is the kitchen.").text, "No, it is an office.");
+}
+
+TEST(OtherWorlds, AreSaidNotToBeKnown) {
+  ToldWorld world("", "");
+  world.put("cup", {concept_of("thing"), concept_of("cup")});
+  world.know("thing");
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Which rooms are there?").text, "I know nothing of rooms.");
+  EXPECT_EQ(talk.say("Where is the kitchen?").text, "I know nothing of rooms.");
+  EXPECT_EQ(talk.say("How many rooms are there?").text, "I know nothing of rooms.");
+  EXPECT_EQ(talk.say("Where are you?").text, "I do not know.");
+}
+
+TEST(OtherWorlds, MayHaveThingsThatNobodyKnowsTheKindOf) {
+  ToldWorld world("nouns Thing\n  aquarium\n", "");
+  world.put("ball", {concept_of("thing"), concept_of("cup")});
+  world.put("aquarium", {concept_of("aquarium")});
+  world.relate("left", "ball", "aquarium");
+  world.know("thing");
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Is there an aquarium?").text, "Yes.");
+  EXPECT_EQ(talk.say("Where is the aquarium?").text, "I do not know.");
+  EXPECT_EQ(talk.say("What do you see?").text, "There is a cup.");
+}
+
+TEST(OtherWorlds, HaveContainersAndPlacesOfTheirOwn) {
+  // A warehouse: shelves with boxes in them, and aisles.
+  ToldWorld world(R"(
+nouns Thing
+  shelf/shelves box aisle pallet
+relation in
+)",
+                  R"(
+concept aisle: place
+concept shelf box pallet: thing
+partition thing
+partition place
+)");
+  world.put("shelf 1", {concept_of("shelf"), feature(FeatureKind::colour, "blue")});
+  world.put("shelf 2", {concept_of("shelf"), feature(FeatureKind::colour, "green")});
+  world.put("box 1", {concept_of("box"), feature(FeatureKind::colour, "red")});
+  world.put("box 2", {concept_of("box"), feature(FeatureKind::colour, "white")});
+  world.put("aisle", {concept_of("aisle")});
+  world.put("robot", {concept_of("self")});
+  world.relate("in", "box 1", "shelf 1");
+  world.relate("in", "box 2", "shelf 1");
+  world.relate("in", "robot", "aisle");
+  world.relate("in", "shelf 2", "aisle");
+  world.know("thing");
+  world.know("place");
+  world.know("self");
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("How many shelves are there?").text, "There are two shelves.");
+  EXPECT_EQ(talk.say("How many boxes are in the blue shelf?").text,
+            "There are two boxes in the blue shelf.");
+  EXPECT_EQ(talk.say("Is there a red box in the green shelf?").text, "No.");
+  EXPECT_EQ(talk.say("Where is the red box?").text, "It is in the blue shelf.");
+  EXPECT_EQ(talk.say("Where are you?").text, "I am in the aisle.");
+  EXPECT_EQ(talk.say("What is in this aisle?").text, "There is a green shelf.");
+  EXPECT_EQ(talk.say("What is in the blue shelf?").text, "There is a red box and a white box.");
+  EXPECT_EQ(talk.say("What colour is the shelf in this aisle?").text, "It is green.");
+  EXPECT_EQ(talk.say("Is there a pallet?").text, "No.");
+}
+
+TEST(OtherWorlds, MayBeGardens) {
+  ToldWorld world(R"(
+nouns Thing
+  plant rose fern flowerbed=bed
+look tall size large
+)",
+                  R"(
+concept plant: thing
+concept rose fern: plant
+concept bed: place
+concept seedling: plant with size small
+)");
+  world.put("rose", {concept_of("rose"), feature(FeatureKind::colour, "red")});
+  world.put("fern", {concept_of("fern"), feature(FeatureKind::colour, "green")});
+  world.put("bed", {concept_of("bed")});
+  world.relate("in", "rose", "bed");
+  world.know("plant");
+  world.know("place");
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("How many plants are there?").text, "There are two plants.");
+  EXPECT_EQ(talk.say("What colour is the rose?").text, "It is red.");
+  EXPECT_EQ(talk.say("Is the rose a plant?").text, "Yes.");
+  EXPECT_EQ(talk.say("Where is the rose?").text, "It is in the bed.");
+  EXPECT_EQ(talk.say("Is the fern in the flowerbed?").text, "No.");
+  EXPECT_EQ(talk.say("Which plant is green?").text, "There is a green fern.");
+}
+
+} // namespace castor::communication::test
