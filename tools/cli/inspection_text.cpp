@@ -103,6 +103,19 @@ std::string event_stages_as_text(const Json& report) {
   return table.text();
 }
 
+/// What components of a system that broadcasts did with events; empty for other systems.
+std::string rejections_as_text(const Json& report) {
+  Table table{{"component", ">events", ">rejected", ">callbacks"}};
+  bool has_rejected = false;
+  for (auto& x : report["components"]) {
+    has_rejected = has_rejected || x["rejected"] != 0;
+    auto row = cells(x, {"name", "events", "rejected", "callbacks"});
+    row.front() = full_name(x);
+    table.add(row);
+  }
+  return has_rejected ? '\n' + table.text() : "";
+}
+
 std::string links_as_text(const Json& report) {
   Table table{{"link", "state", ">events out", ">events in", ">messages out", ">messages in",
                ">sent", ">received", ">connections", ">unacknowledged"}};
@@ -142,7 +155,7 @@ std::string system_as_text(const Json& report, bool stats) {
             working_memories_as_text(report);
   if (!stats)
     return result;
-  result += '\n' + event_stages_as_text(report);
+  result += '\n' + event_stages_as_text(report) + rejections_as_text(report);
   if (report["nodes"].size() > 1)
     result += '\n' + links_as_text(report);
   return result;
