@@ -49,16 +49,22 @@ bool ActionExecution::wait_while_paused() {
   while (!cancelled() && state_.can_pause && state_.wish == ActionWish::pause) {
     if (state_.status != ActionStatus::paused)
       update([](Action& x) { x.status = ActionStatus::paused; });
-    sleep_for(std::chrono::hours{1});
+    // The wish may have changed during the write.
+    wait(ComponentRuntime::Clock::now() + std::chrono::hours{1}, ActionWish::pause);
   }
+  followed_wish_ = state_.wish;
   if (state_.status == ActionStatus::paused)
     update([](Action& x) { x.status = ActionStatus::running; });
   return !cancelled();
 }
 
 bool ActionExecution::sleep_for(std::chrono::nanoseconds duration) {
-  auto until = ComponentRuntime::Clock::now() + duration;
-  auto wish = state_.wish;
+  auto goes_on = wait(ComponentRuntime::Clock::now() + duration, followed_wish_);
+  followed_wish_ = state_.wish;
+  return goes_on;
+}
+
+bool ActionExecution::wait(std::chrono::steady_clock::time_point until, ActionWish wish) {
   // A delivery, of news on this action or of anything else, is an occasion to look.
   while (!cancelled() && state_.wish == wish && ComponentRuntime::Clock::now() < until)
     if (!parts_.runtime.deliver(until, [&] { return actions_.is_changed(address_); }))

@@ -43,6 +43,9 @@ public:
   bool finish(const ActionResult& result);
 
 private:
+  /// Delivers events until then, or until the action is to end or the wish is another one. False if
+  /// the action is to end.
+  bool wait(std::chrono::steady_clock::time_point until, ActionWish wish);
   /// Reads the entry if somebody else has written it.
   void refresh();
   void read_again();
@@ -57,6 +60,8 @@ private:
   Address address_;
   /// As it was last read or written.
   Action state_;
+  /// The wish that the handler knows of: a write may have found a newer one.
+  ActionWish followed_wish_ = ActionWish::proceed;
   bool is_deleted_ = false;
 };
 

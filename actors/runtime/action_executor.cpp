@@ -98,7 +98,9 @@ void ActionExecutor::work_later() {
 // -- what was asked for before
 
 void ActionExecutor::scan(const std::set<std::string>& types) {
-  for (auto& [subarchitecture, working_memory] : parts_.context.neighbours().working_memories)
+  // A copy: the neighbours may change while the component waits for an answer.
+  auto working_memories = parts_.context.neighbours().working_memories;
+  for (auto& [subarchitecture, working_memory] : working_memories)
     try {
       scan(subarchitecture, types);
     } catch (const WorkingMemoryException& e) {

@@ -170,6 +170,34 @@ std::string entries_as_text(const std::vector<Json>& entries) {
   return table.text();
 }
 
+std::string actions_as_text(const std::vector<Json>& actions, const std::vector<Json>& offers) {
+  Table asked{{"action", "type", "status", ">progress", "requester", "executor"}};
+  for (auto& x : actions) {
+    auto& action = x["value"];
+    auto subarchitecture = value_text(x["subarchitecture"]);
+    auto is_over = action["status"] == "over";
+    asked.add({subarchitecture + '/' + value_text(x["id"]), value_text(action["what"]["type"]),
+               value_text(is_over ? action["outcome"] : action["status"]),
+               fmt::format("{:.0f} %", 100 * action["progress"].get<double>()),
+               subarchitecture + '.' + value_text(action["requester"]),
+               value_text(action["subarchitecture"]) + '.' +
+                 (action["executor"] == "" ? "?" : value_text(action["executor"]))});
+    if (action["reason"] != "")
+      asked.remark(value_text(action["reason"]));
+  }
+  Table offered{{"type", "executor", "pause", "cancel", "preconditions"}};
+  auto yes_or_no = [](const Json& x) { return x.get<bool>() ? "yes" : "no"; };
+  for (auto& x : offers) {
+    auto& offer = x["value"];
+    offered.add({value_text(offer["type"]),
+                 value_text(x["subarchitecture"]) + '.' + value_text(offer["component"]),
+                 yes_or_no(offer["can_pause"]), yes_or_no(offer["can_cancel"]),
+                 value_text(offer["preconditions"])});
+  }
+  return (asked.empty() ? "no component has asked for an action\n" : asked.text()) + '\n' +
+         (offered.empty() ? "no component offers actions\n" : offered.text());
+}
+
 std::string change_as_text(const Json& change, bool coloured) {
   auto result = timeline_line(change, coloured) + '\n';
   if (change.contains("value"))
