@@ -112,6 +112,24 @@ bool ArchitectureDescription::may_write(std::string_view writer,
          });
 }
 
+std::optional<std::set<std::string>>
+ArchitectureDescription::readers(std::string_view owner) const {
+  if (std::none_of(read_rules.begin(), read_rules.end(),
+                   [&](const ReadRule& rule) { return rule.owner == owner; }))
+    return std::nullopt;
+  std::set<std::string> result;
+  for (const auto& rule : read_rules)
+    if (rule.owner == owner || rule.owner == "*")
+      result.insert(rule.reader);
+  return result;
+}
+
+bool ArchitectureDescription::may_read(std::string_view reader, std::string_view owner) const {
+  auto listed = readers(owner);
+  return !listed || reader == owner || listed->count("*") > 0 ||
+         listed->count(std::string{reader}) > 0;
+}
+
 SupervisionPolicy ArchitectureDescription::supervision_of(std::string_view who) const noexcept {
   const SupervisionRule* found = nullptr;
   for (const auto& rule : supervision)

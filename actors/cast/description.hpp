@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -87,6 +88,16 @@ struct AccessRule {
   SourceLocation where;
 };
 
+/// Allows components of one subarchitecture to read the working memory of another. If a rule names
+/// an owner, others may not.
+struct ReadRule {
+  /// A subarchitecture, or "*" for all.
+  std::string reader;
+  /// A subarchitecture.
+  std::string owner;
+  SourceLocation where;
+};
+
 /// Supervision policy of a subarchitecture.
 struct SupervisionRule {
   /// Stands for the level above the subarchitectures.
@@ -119,6 +130,7 @@ struct ArchitectureDescription {
   /// Names given by HOSTNAME lines, and what they stand for.
   std::map<std::string, std::string> host_names;
   std::vector<AccessRule> access_rules;
+  std::vector<ReadRule> read_rules;
   std::vector<SupervisionRule> supervision;
   std::vector<FailoverRule> failover;
   /// Components of the file that this run leaves out; options may still name them.
@@ -131,6 +143,12 @@ struct ArchitectureDescription {
   /// Whether components of `writer` may write to the working memory of `owner`: at home always,
   /// elsewhere if an access rule says so.
   bool may_write(std::string_view writer, std::string_view owner) const noexcept;
+
+  /// Subarchitectures whose components may read the working memory of `owner`, besides its own, "*"
+  /// for all; nothing if no rule names it, and everybody may.
+  std::optional<std::set<std::string>> readers(std::string_view owner) const;
+
+  bool may_read(std::string_view reader, std::string_view owner) const;
 
   /// Policy of a subarchitecture, or of SupervisionRule::system.
   SupervisionPolicy supervision_of(std::string_view who) const noexcept;

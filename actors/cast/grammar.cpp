@@ -38,8 +38,7 @@ public:
     read_standalone_components();
     check_reserved_names();
     auto names = subarchitecture_names();
-    result_.access_rules =
-      access_rule_parser_.finish(names, !options_.running_subarchitectures.empty(), log_);
+    access_rule_parser_.finish(names, !options_.running_subarchitectures.empty(), result_, log_);
     supervision_rules_.finish(names, result_, log_);
     result_.host_names = input_.hosts.definitions();
     for (auto& x : dropped_)

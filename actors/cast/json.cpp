@@ -62,6 +62,10 @@ Json json_of(const ArchitectureDescription& architecture) {
   for (const auto& rule : architecture.access_rules)
     rules.push_back(
       {{"writer", rule.writer}, {"owner", rule.owner}, {"where", json_of(rule.where)}});
+  Json read_rules = Json::array();
+  for (const auto& rule : architecture.read_rules)
+    read_rules.push_back(
+      {{"reader", rule.reader}, {"owner", rule.owner}, {"where", json_of(rule.where)}});
   Json result;
   result["file"] = architecture.file;
   result["config_dir"] = architecture.config_dir;
@@ -71,6 +75,7 @@ Json json_of(const ArchitectureDescription& architecture) {
   result["subarchitectures"] = std::move(subarchitectures);
   result["standalone"] = json_of(architecture.standalone);
   result["access_rules"] = std::move(rules);
+  result["read_rules"] = std::move(read_rules);
   result["supervision"] = Json::array();
   for (const auto& rule : architecture.supervision)
     result["supervision"].push_back({{"who", rule.who},

@@ -53,6 +53,8 @@ std::string to_cast(const ArchitectureDescription& architecture) {
   text += "\n";
   for (const auto& rule : architecture.access_rules)
     text += "ACCESS " + rule.writer + " WRITES " + rule.owner + "\n";
+  for (const auto& rule : architecture.read_rules)
+    text += "ACCESS " + rule.reader + " READS " + rule.owner + "\n";
   for (const auto& [who, policy, where] : architecture.supervision)
     text += "SUPERVISE " + who + " " + std::string(to_string(policy.strategy)) + " RESTARTS " +
             std::to_string(policy.restarts) + " IN " + to_string(policy.period) + " DELAY " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/actions.hpp"
 #include "castor/actors/component/calls.hpp"
 #include "castor/actors/component/commands.hpp"
 #include "castor/actors/component/component_identity.hpp"
@@ -60,6 +61,7 @@ public:
   virtual Commands& commands() = 0;
   virtual TaskLink& tasks() = 0;
   virtual std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) = 0;
+  virtual std::unique_ptr<Actions> make_actions(SubarchitectureComponent& component) = 0;
 };
 
 } // namespace castor

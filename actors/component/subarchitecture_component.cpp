@@ -125,6 +125,12 @@ Calls& SubarchitectureComponent::calls() {
   return *calls_;
 }
 
+Actions& SubarchitectureComponent::actions() {
+  if (!actions_)
+    actions_ = runtime().make_actions(*this);
+  return *actions_;
+}
+
 void SubarchitectureComponent::wrong_reply(const TypeDescriptor& got,
                                            const TypeDescriptor& wanted) const {
   throw TypeMismatchException{{FailureKind::wrong_type,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "castor/actors/component/action_handle.hpp"
+#include "castor/actors/component/actions.hpp"
 #include "castor/actors/component/calls.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/entry_pointer.hpp"
@@ -224,6 +226,37 @@ protected:
   /// Inside a handler of `on_call`: whether the caller has ended or waits no longer.
   bool call_cancelled() const { return calls_ && calls_->is_cancelled(); }
 
+  // -- actions over working memory
+
+  /// Asks a component of another subarchitecture (or of this one) for an action, and returns at
+  /// once. `what` and an `Action` are entries here, visible to everybody. If this component ends,
+  /// the action is cancelled, unless the options say that it continues.
+  ///
+  ///     auto action = perform("manipulation", PickAndPlace{...});
+  ///     if (action.wait(1min).outcome == ActionOutcome::succeeded) ...
+  template <ReflectedRecord T>
+  [[nodiscard]] ActionHandle perform(const std::string& subarchitecture_name, T what,
+                                     const ActionOptions& options = {}) {
+    auto address = actions().request(subarchitecture_name, Value::of(std::move(what)), options);
+    return {*actions_, std::move(address)};
+  }
+
+  /// Executes actions whose specific entry is a T, including those already waiting: `handler` is
+  /// called with each, one after the other, and returns an ActionResult. It may take long; it looks
+  /// at `cancelled()` while it works. No action is executed twice. If `handler` throws, the action
+  /// has failed, and this component continues; if this component ends, it has failed, too.
+  template <ReflectedRecord T, std::invocable<ActionInProgress&, const T&> F>
+  void on_action(F handler, ActionOffer offer = {}) {
+    actions().offer(*descriptor_of<T>(), std::move(offer),
+                    [handler = std::move(handler)](ActionInProgress& action, const Value& what) {
+                      auto object = what.template as<T>();
+                      if (!object)
+                        return ActionResult::failed("requester and executor declare " +
+                                                    what.type_name() + " differently");
+                      return handler(action, *object);
+                    });
+  }
+
   // -- pipelining: the same operations, without waiting for each
 
   template <ReflectedRecord T>
@@ -267,6 +300,9 @@ protected:
   void receive_changes(bool on);
 
 private:
+  friend class ActionExecution;
+  friend class ActionExecutor;
+  friend class ActionRequester;
   friend class ComponentCalls;
   friend class ComponentShell;
 
@@ -302,11 +338,13 @@ private:
   static Predicate parse_predicate(std::string_view text, const TypeDescriptor& type);
 
   Calls& calls();
+  Actions& actions();
   [[noreturn]] void wrong_reply(const TypeDescriptor& got, const TypeDescriptor& wanted) const;
 
   std::uint64_t ids_made_ = 0;
-  /// Made with the first call.
+  /// Each is made with its first use.
   std::unique_ptr<Calls> calls_;
+  std::unique_ptr<Actions> actions_;
 
   Option<EventQueue> queue_{this, "queue", EventQueue::all,
                             "change events that arrive while the component is busy: all are "

@@ -21,6 +21,7 @@ public:
     Address address;
     Value value;
     std::optional<EntryLife> life;
+    std::optional<LastWill> last_will = {};
   };
 
   template <ReflectedRecord T>
@@ -37,6 +38,32 @@ public:
   template <ReflectedRecord T>
   WriteBatch& overwrite(Address address, T object) {
     items_.push_back({Operation::overwrite, std::move(address), Value::of(std::move(object)), {}});
+    return *this;
+  }
+
+  /// The entry has another life from now on.
+  template <ReflectedRecord T>
+  WriteBatch& overwrite(Address address, T object, EntryLife life) {
+    return overwrite_value(std::move(address), Value::of(std::move(object)), life);
+  }
+
+  /// Overwrites an entry whose C++ type is not known here.
+  WriteBatch& overwrite_value(Address address, Value value, std::optional<EntryLife> life = {}) {
+    items_.push_back({Operation::overwrite, std::move(address), std::move(value), life});
+    return *this;
+  }
+
+  /// Leaves a will for the entry of the last addition or overwrite: if this component ends, its
+  /// working memory overwrites the entry with `object`. It stays until somebody leaves another.
+  template <ReflectedRecord T>
+  WriteBatch& last_will(T object, EntryLife life = {}) {
+    items_.back().last_will = LastWill{Value::of(std::move(object)), life};
+    return *this;
+  }
+
+  /// Withdraws the will for the entry of the last overwrite.
+  WriteBatch& without_last_will() {
+    items_.back().last_will = LastWill{};
     return *this;
   }
 

@@ -42,10 +42,12 @@ void wire(A& a, WirePart<A, Predicate>& x) {
 
 // -- entries
 
-CASTOR_WIRE(EntryLife, time_to_live, ephemeral, only_once)
+CASTOR_WIRE(EntryLife, time_to_live, ephemeral, only_once, writable_by_all)
+CASTOR_WIRE(LastWill, value, life)
 CASTOR_WIRE(Entry, address, version, value, writer, life)
 
-CASTOR_WIRE(WriteRequest, operation, address, value, last_seen, client, token, life, expected)
+CASTOR_WIRE(WriteRequest, operation, address, value, last_seen, client, token, life, expected,
+            last_will)
 inline void check_read(const WriteRequest& x) {
   if (x.operation != Operation::remove && !x.value.has_value())
     throw DecodeError("a write without a value");
@@ -59,8 +61,10 @@ CASTOR_WIRE_NULLABLE(Patience, client)
 CASTOR_WIRE(ReadRequest, address, patience)
 CASTOR_WIRE(TypeQuery, subarchitecture, type, count, with_derived, predicate)
 CASTOR_WIRE(QueryRequest, query, patience)
-CASTOR_WIRE(ExistsQuery, address)
-CASTOR_WIRE(VersionQuery, address)
+CASTOR_WIRE(ExistsQuery, address, client)
+CASTOR_WIRE_NULLABLE(ExistsQuery, client)
+CASTOR_WIRE(VersionQuery, address, client)
+CASTOR_WIRE_NULLABLE(VersionQuery, client)
 
 // -- leases
 

@@ -228,6 +228,7 @@ void SystemPart::begin(const PartPlan& plan) {
   if (!services_->working_memories.empty())
     return;
   services_->epoch = system_.clock().now() - plan.age;
+  services_->broadcast = plan.broadcast;
   if (!plan.operations.empty())
     services_->operations = std::make_unique<OperationLog>(plan.operations);
   if (auto own = share_of_pushes(plan, self_); own > 0)
@@ -291,6 +292,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
     options.leases.duration = std::chrono::hours{24 * 365 * 100};
   options.store.largest_value = largest_value(wm_class);
   options.writers = writers(name);
+  options.readers = architecture_.readers(name);
   options.incarnation = incarnation;
   options.journal = journal_options(wm_class, name, plan, incarnation);
   options.opened_journal = std::move(journal);

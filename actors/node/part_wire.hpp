@@ -36,11 +36,12 @@ CASTOR_WIRE(ComponentDescription, kind, name, class_name, language, host, option
             subarchitecture, where, line)
 CASTOR_WIRE(SubarchitectureDescription, name, host, working_memory, task_manager, components, where)
 CASTOR_WIRE(AccessRule, writer, owner, where)
+CASTOR_WIRE(ReadRule, reader, owner, where)
 CASTOR_WIRE(SupervisionPolicy, strategy, restarts, period, first_delay, longest_delay)
 CASTOR_WIRE(SupervisionRule, who, policy, where)
 CASTOR_WIRE(FailoverRule, who, hosts, where)
 CASTOR_WIRE_EXCEPT(ArchitectureDescription, (left_out), file, config_dir, subarchitectures,
-                   standalone, host_names, access_rules, supervision, failover)
+                   standalone, host_names, access_rules, read_rules, supervision, failover)
 CASTOR_WIRE(Diagnostic, severity, where, line, expanded, message, remedy, column)
 CASTOR_WIRE(ProcessDescription, name, host, port, lost)
 CASTOR_WIRE(ClockAdvance, round, time)
@@ -67,8 +68,8 @@ CASTOR_WIRE(PartStatusQuery)
 CASTOR_WIRE(ComponentIdentity, name, subarchitecture, class_name, number, incarnation)
 // The coordinator alone knows of restarts.
 CASTOR_WIRE_EXCEPT(ComponentStatus, (restarts, will_restart), identity, is_task_manager, state,
-                   out_of_reach, failure, busy, cpu, events_received, callbacks, reads, writes,
-                   pushes_dropped, obeys)
+                   out_of_reach, failure, busy, cpu, events_received, events_rejected, callbacks,
+                   reads, writes, pushes_dropped, obeys)
 CASTOR_WIRE(LinkNews, peer, state, reason, name)
 CASTOR_WIRE(LinkStatus, news, messages_out, messages_in, bytes_out, bytes_in, events_out, events_in,
             connections, unacknowledged)

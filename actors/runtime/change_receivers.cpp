@@ -9,6 +9,26 @@ void ChangeReceivers::add(ReceiverId id, ChangeCallback callback, Priority prior
   receivers_[id] = std::make_shared<const Receiver>(Receiver{id, priority, std::move(callback)});
 }
 
+bool ChangeReceivers::remove(ReceiverId id) {
+  if (auto filter = filters_.extract(id))
+    index_.erase(id, filter.mapped());
+  return receivers_.erase(id) > 0;
+}
+
+void ChangeReceivers::add_filter(FilterId id, const ChangeFilter& filter) {
+  filters_[id] = filter;
+  index_.insert(id, filter);
+}
+
+bool ChangeReceivers::filter(ChangeNotice& notice) {
+  std::erase(notice.filters, broadcast_);
+  matched_.clear();
+  index_.match(*notice.event, Value{}, matched_);
+  for (auto key : matched_)
+    notice.filters.push_back(static_cast<FilterId>(key));
+  return !notice.filters.empty();
+}
+
 std::vector<std::shared_ptr<const ChangeReceivers::Receiver>>
 ChangeReceivers::of(const std::vector<FilterId>& filters) const {
   std::vector<std::shared_ptr<const Receiver>> result;

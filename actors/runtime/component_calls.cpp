@@ -179,8 +179,10 @@ void ComponentCalls::serve(const TypeDescriptor& request_type, const TypeDescrip
                  with_its_writer);
   component_.on_change(added<Call>().anywhere().where(mine),
                        [this, handler](const ChangeEvent& event) { take(event.address, handler); });
-  // Some may have been waiting for somebody like this component.
-  for (auto& [name, working_memory] : parts_.context.neighbours().working_memories) {
+  // Some may have been waiting for somebody like this component. The neighbours may change while it
+  // waits for an answer.
+  auto working_memories = parts_.context.neighbours().working_memories;
+  for (auto& [name, working_memory] : working_memories) {
     auto waiting = component_.read_where_in<Call>(name, mine);
     std::for_each(waiting.rbegin(), waiting.rend(),
                   [&](auto& call) { take(call.address, handler); });

@@ -104,8 +104,10 @@ std::vector<Version> ComponentOperations::write(const WriteBatch& batch) {
   if (items.empty())
     return {};
   BatchRequest request{items.front().address.subarchitecture, {}};
-  for (auto& x : items)
+  for (auto& x : items) {
     request.writes.push_back(write_request(x.operation, x.address, x.value, x.life));
+    request.writes.back().last_will = x.last_will;
+  }
   auto versions = value_or_throw(parts_.client.finish<std::vector<Version>>(
     parts_.client.begin(request), {request.subarchitecture, {}}));
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -151,13 +153,13 @@ std::vector<EntryPtr> ComponentOperations::query(TypeQuery query) {
 }
 
 bool ComponentOperations::exists(const Address& address) {
-  return value_or_throw(
-    parts_.client.finish<bool>(parts_.client.begin(ExistsQuery{address}), address));
+  return value_or_throw(parts_.client.finish<bool>(
+    parts_.client.begin(ExistsQuery{address, parts_.context.client()}), address));
 }
 
 Version ComponentOperations::version(const Address& address) {
-  return value_or_throw(
-    parts_.client.finish<Version>(parts_.client.begin(VersionQuery{address}), address));
+  return value_or_throw(parts_.client.finish<Version>(
+    parts_.client.begin(VersionQuery{address, parts_.context.client()}), address));
 }
 
 // -- leases
@@ -241,12 +243,24 @@ ReceiverId ComponentOperations::add_receiver(const ChangeFilter& filter, ChangeC
   // Events may arrive before the answer does.
   auto id = last_filter_ + 1;
   parts_.receivers.add(id, std::move(callback), priority);
+  if (parts_.receivers.is_broadcast() && filter.predicate.empty()) {
+    auto own = filter;
+    if (!own.subarchitecture)
+      own.subarchitecture = parts_.context.identity().subarchitecture;
+    parts_.receivers.add_filter(id, own);
+    return last_filter_ = id;
+  }
   try {
     return subscribe(filter, EventStream::component);
   } catch (const WorkingMemoryException&) {
     parts_.receivers.remove(id);
     throw;
   }
+}
+
+void ComponentOperations::receive_broadcasts() {
+  parts_.receivers.set_broadcast(last_filter_ + 1);
+  subscribe(any_change().anywhere(), EventStream::component);
 }
 
 void ComponentOperations::add_listener(const ChangeFilter& filter, ChangeCallback f) {

@@ -57,6 +57,10 @@ public:
   std::size_t receiver_count() const override;
   void receive_changes(bool on) override;
 
+  /// Has all events sent to the component, which filters for itself; only conditions on the content
+  /// are left to working memories. To be called before there are filters.
+  void receive_broadcasts();
+
   /// Calls `f` as soon as an event that matches the filter arrives, possibly inside an operation of
   /// the component: only for the runtime's own bookkeeping.
   void add_listener(const ChangeFilter& filter, ChangeCallback f);

@@ -14,6 +14,10 @@ std::optional<EventsTaken> Inbox::put(ChangeNotice notice) {
   if (!receiving_)
     return acknowledge(EventStream::component);
   ++counters_.events_received;
+  if (receivers_.is_broadcast() && !receivers_.filter(notice)) {
+    ++counters_.events_rejected;
+    return acknowledge(EventStream::component);
+  }
   std::optional<EventsTaken> result;
   if (mode_ == EventQueue::newest) {
     auto older = std::find_if(waiting_.begin(), waiting_.end(),

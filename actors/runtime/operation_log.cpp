@@ -87,7 +87,8 @@ OperationRecorder::Line OperationRecorder::begin_write(const WriteRequest& x) {
   result["expected"] = x.expected;
   result["token"] = x.token;
   result["has_life"] =
-    x.life && (x.life->time_to_live.count() > 0 || x.life->ephemeral || x.life->only_once);
+    x.last_will || (x.life && (x.life->time_to_live.count() > 0 || x.life->ephemeral ||
+                               x.life->only_once || x.life->writable_by_all));
   return result;
 }
 

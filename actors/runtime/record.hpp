@@ -33,6 +33,8 @@ struct ComponentCounters {
   std::atomic<std::uint64_t> events_received{0};
   /// Events replaced by newer ones before they were delivered (`--queue newest`).
   std::atomic<std::uint64_t> events_discarded{0};
+  /// Events that none of its filters matches, in a system that broadcasts.
+  std::atomic<std::uint64_t> events_rejected{0};
   std::atomic<std::uint64_t> callbacks{0};
   /// Pushes that a receiver was too slow for.
   std::atomic<std::uint64_t> pushes_dropped{0};

@@ -40,6 +40,10 @@ struct ComponentServices {
   /// these stay until the end.
   std::vector<std::unique_ptr<CallerRuns>> units;
 
+  /// Every event is sent to every component, which filters for itself, as in the first version of
+  /// the original.
+  bool broadcast = false;
+
   /// Operation log, or null.
   std::unique_ptr<OperationLog> operations;
 

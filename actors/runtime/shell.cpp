@@ -1,6 +1,7 @@
 #include "castor/actors/runtime/shell.hpp"
 
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/actors/runtime/component_actions.hpp"
 #include "castor/actors/runtime/component_calls.hpp"
 #include "castor/actors/runtime/running_components.hpp"
 #include "castor/base/at_exit.hpp"
@@ -73,6 +74,11 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
 std::unique_ptr<Calls> ComponentShell::make_calls(SubarchitectureComponent& component) {
   return std::make_unique<ComponentCalls>(
     component, ComponentCalls::Parts{context_, client_, operations_, inbox_});
+}
+
+std::unique_ptr<Actions> ComponentShell::make_actions(SubarchitectureComponent& component) {
+  return std::make_unique<ComponentActions>(
+    component, ActionParts{*this, context_, client_, operations_, inbox_});
 }
 
 // -- life
@@ -148,6 +154,8 @@ void ComponentShell::live() {
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
   await_phase(Phase::start);
+  if (services_->broadcast && !identity().subarchitecture.empty())
+    operations_.receive_broadcasts();
   code_.run(phase_name(Phase::start), [this] {
     faults_.in_phase(Phase::start);
     component_->start();

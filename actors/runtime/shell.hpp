@@ -76,6 +76,7 @@ public:
   Commands& commands() override { return commands_; }
   TaskLink& tasks() override { return tasks_; }
   std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) override;
+  std::unique_ptr<Actions> make_actions(SubarchitectureComponent& component) override;
 
 private:
   struct EventQueueOptions {

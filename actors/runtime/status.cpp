@@ -19,6 +19,7 @@ ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time
   result.busy = x.busy_for(now);
   result.cpu = x.cpu();
   result.events_received = x.counters.events_received;
+  result.events_rejected = x.counters.events_rejected;
   result.callbacks = x.counters.callbacks;
   result.reads = x.counters.reads;
   result.writes = x.counters.adds + x.counters.overwrites + x.counters.deletes;

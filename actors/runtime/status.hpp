@@ -27,6 +27,8 @@ struct ComponentStatus {
   std::chrono::nanoseconds cpu{0};
 
   std::uint64_t events_received = 0;
+  /// Of these, those that none of its filters matches, in a system that broadcasts.
+  std::uint64_t events_rejected = 0;
   std::uint64_t callbacks = 0;
   std::uint64_t reads = 0;
   std::uint64_t writes = 0;

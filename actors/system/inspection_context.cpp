@@ -37,7 +37,8 @@ void InspectionContext::with_types(std::function<void(TypeCatalogue)> f) {
 }
 
 KnownNames InspectionContext::known_names(TypeCatalogue types) const {
-  KnownNames result{std::move(types), {}, {expiry_source, owner_ended_source, operator_source()}};
+  KnownNames result{
+    std::move(types), {}, {expiry_source, owner_ended_source, last_will_source, operator_source()}};
   for (auto& [name, wm] : parts.roster->working_memories)
     result.subarchitectures.insert(name);
   for (auto& x : parts.roster->components)

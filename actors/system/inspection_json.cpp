@@ -78,6 +78,7 @@ Json to_json(const ComponentStatus& x, const std::string& node) {
           {"busy", in_seconds(x.busy)},
           {"cpu", in_seconds(x.cpu)},
           {"events", x.events_received},
+          {"rejected", x.events_rejected},
           {"callbacks", x.callbacks},
           {"writes", x.writes},
           {"reads", x.reads},

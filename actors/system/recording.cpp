@@ -211,7 +211,8 @@ void Recording::take(JournalTrack& track, JournalRecord record, RecordedWrite& i
   if (record.source == expiry_source && !skipping_)
     return;
   auto& writer = track.writers[record.id];
-  if (record.source != owner_ended_source && record.source != expiry_source)
+  if (record.source != owner_ended_source && record.source != expiry_source &&
+      record.source != last_will_source)
     writer = record.source;
   if (!is_wanted(writer))
     return;

@@ -103,6 +103,19 @@ std::string event_stages_as_text(const Json& report) {
   return table.text();
 }
 
+/// What components of a system that broadcasts did with events; empty for other systems.
+std::string rejections_as_text(const Json& report) {
+  Table table{{"component", ">events", ">rejected", ">callbacks"}};
+  bool has_rejected = false;
+  for (auto& x : report["components"]) {
+    has_rejected = has_rejected || x["rejected"] != 0;
+    auto row = cells(x, {"name", "events", "rejected", "callbacks"});
+    row.front() = full_name(x);
+    table.add(row);
+  }
+  return has_rejected ? '\n' + table.text() : "";
+}
+
 std::string links_as_text(const Json& report) {
   Table table{{"link", "state", ">events out", ">events in", ">messages out", ">messages in",
                ">sent", ">received", ">connections", ">unacknowledged"}};
@@ -142,7 +155,7 @@ std::string system_as_text(const Json& report, bool stats) {
             working_memories_as_text(report);
   if (!stats)
     return result;
-  result += '\n' + event_stages_as_text(report);
+  result += '\n' + event_stages_as_text(report) + rejections_as_text(report);
   if (report["nodes"].size() > 1)
     result += '\n' + links_as_text(report);
   return result;
@@ -155,6 +168,34 @@ std::string entries_as_text(const std::vector<Json>& entries) {
   for (auto& x : entries)
     table.add(cells(x, {"subarchitecture", "id", "type", "version", "writer", "bytes", "value"}));
   return table.text();
+}
+
+std::string actions_as_text(const std::vector<Json>& actions, const std::vector<Json>& offers) {
+  Table asked{{"action", "type", "status", ">progress", "requester", "executor"}};
+  for (auto& x : actions) {
+    auto& action = x["value"];
+    auto subarchitecture = value_text(x["subarchitecture"]);
+    auto is_over = action["status"] == "over";
+    asked.add({subarchitecture + '/' + value_text(x["id"]), value_text(action["what"]["type"]),
+               value_text(is_over ? action["outcome"] : action["status"]),
+               fmt::format("{:.0f} %", 100 * action["progress"].get<double>()),
+               subarchitecture + '.' + value_text(action["requester"]),
+               value_text(action["subarchitecture"]) + '.' +
+                 (action["executor"] == "" ? "?" : value_text(action["executor"]))});
+    if (action["reason"] != "")
+      asked.remark(value_text(action["reason"]));
+  }
+  Table offered{{"type", "executor", "pause", "cancel", "preconditions"}};
+  auto yes_or_no = [](const Json& x) { return x.get<bool>() ? "yes" : "no"; };
+  for (auto& x : offers) {
+    auto& offer = x["value"];
+    offered.add({value_text(offer["type"]),
+                 value_text(x["subarchitecture"]) + '.' + value_text(offer["component"]),
+                 yes_or_no(offer["can_pause"]), yes_or_no(offer["can_cancel"]),
+                 value_text(offer["preconditions"])});
+  }
+  return (asked.empty() ? "no component has asked for an action\n" : asked.text()) + '\n' +
+         (offered.empty() ? "no component offers actions\n" : offered.text());
 }
 
 std::string change_as_text(const Json& change, bool coloured) {

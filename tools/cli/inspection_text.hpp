@@ -17,6 +17,9 @@ std::string system_as_text(const Json& report, bool stats);
 /// The answers to `wm`, each about one entry.
 std::string entries_as_text(const std::vector<Json>& entries);
 
+/// The answers to `wm` for all entries of the types Action and ActionRegistration.
+std::string actions_as_text(const std::vector<Json>& actions, const std::vector<Json>& offers);
+
 /// An event and its value, if there is one, on separate lines.
 std::string change_as_text(const Json& change, bool coloured);
 

@@ -24,6 +24,9 @@ std::string_view to_string(Operation x);
 /// Sources of deletions by the working memory itself.
 inline constexpr const char* expiry_source = "(time to live is over)";
 inline constexpr const char* owner_ended_source = "(its owner has ended)";
+/// Source of an overwrite by the working memory itself: the last will of a component that has
+/// ended.
+inline constexpr const char* last_will_source = "(last will)";
 
 /// A change of an entry, without the content: receivers that need it read the entry.
 struct ChangeEvent {

@@ -21,6 +21,17 @@ struct EntryLife {
   bool ephemeral = false;
   /// The addition fails if the id was ever used before, even by a deleted entry.
   bool only_once = false;
+  /// Components of every subarchitecture may overwrite the entry, whatever the access rules say.
+  bool writable_by_all = false;
+};
+
+/// What an entry is overwritten with when the component that left the will ends, for whatever
+/// reason.
+struct LastWill {
+  /// Empty to withdraw an earlier will.
+  Value value;
+  /// Life of the entry from then on.
+  EntryLife life;
 };
 
 /// An immutable snapshot of an entry.

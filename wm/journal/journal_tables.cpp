@@ -55,6 +55,7 @@ std::uint32_t record_checksum(const JournalRecord& x, std::uint64_t type,
 
 constexpr std::uint64_t ephemeral_flag = 1;
 constexpr std::uint64_t only_once_flag = 2;
+constexpr std::uint64_t writable_by_all_flag = 4;
 
 sqlite::Statement select_records(sqlite::Database& database, const std::string& table) {
   return {database, ("SELECT " + std::string{record_columns} + ", checksum FROM " + table +
@@ -196,6 +197,7 @@ JournalRecord read_record(sqlite::Statement& row, const Types& types, std::uint3
   auto flags = row.number();
   x.life.ephemeral = (flags & ephemeral_flag) != 0;
   x.life.only_once = (flags & only_once_flag) != 0;
+  x.life.writable_by_all = (flags & writable_by_all_flag) != 0;
   x.changed = row.number();
   auto value = row.bytes();
   auto stands = row.number();
@@ -296,7 +298,8 @@ std::uint32_t checksum(std::uint64_t number, std::span<const std::uint8_t> descr
 }
 
 std::uint64_t flags_of(const EntryLife& x) {
-  return (x.ephemeral ? ephemeral_flag : 0) | (x.only_once ? only_once_flag : 0);
+  return (x.ephemeral ? ephemeral_flag : 0) | (x.only_once ? only_once_flag : 0) |
+         (x.writable_by_all ? writable_by_all_flag : 0);
 }
 
 void check_format(sqlite::Database& database) {

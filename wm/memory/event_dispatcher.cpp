@@ -160,11 +160,15 @@ caf::result<Outcome<Acknowledged>> EventDispatcher::announce(const ChangeFilter&
   auto pending = std::make_shared<Pending>();
   pending->promise = self_->make_response_promise<Outcome<Acknowledged>>();
   pending->missing = concerned.size();
+  // Of what a component names it is told that it may not read it; of all there is it gets the rest.
+  bool is_named = !filter.subarchitecture->empty();
   for (auto peer : concerned)
     request_interest(peer, filter, id, true)
       .then(
-        [pending](Acknowledged) {
-          if (--pending->missing == 0)
+        [pending, is_named](const Outcome<Acknowledged>& x) {
+          if (!x && is_named)
+            pending->promise.deliver(x);
+          else if (--pending->missing == 0)
             pending->promise.deliver(Outcome<Acknowledged>{Acknowledged{}});
         },
         [pending, name = peers_.subarchitecture(peer)](const caf::error&) {
@@ -179,7 +183,7 @@ caf::result<Outcome<Acknowledged>> EventDispatcher::announce(const ChangeFilter&
 void EventDispatcher::withdraw(const Subscriptions::WithdrawnInterest& interest) {
   for (auto peer : peers_.concerned(interest.filter))
     request_interest(peer, interest.filter, interest.id, false)
-      .then([](Acknowledged) {}, [](const caf::error&) {});
+      .then([](const Outcome<Acknowledged>&) {}, [](const caf::error&) {});
 }
 
 void EventDispatcher::set_interest(const Interest& interest) {
@@ -215,7 +219,7 @@ caf::result<Acknowledged> EventDispatcher::introduce(const Peers& peers) {
     std::optional<RouteNumber> route;
     if (auto i = peers.routes.find(name); i != peers.routes.end())
       route = find_or_add_route(i->second);
-    auto peer = peers_.add(name, route);
+    auto peer = peers_.add(name, route, readable_by_(name));
     peer_actors_.push_back(caf::actor_cast<WorkingMemoryActor>(actor));
     for (auto& [from, interest] : std::exchange(early_interests_, {}))
       set_interest(from, interest);
@@ -224,7 +228,8 @@ caf::result<Acknowledged> EventDispatcher::introduce(const Peers& peers) {
         return;
       ++pending->missing;
       request_interest(peer, filter, id, true)
-        .then([done](Acknowledged) { done(); }, [done](const caf::error&) { done(); });
+        .then([done](const Outcome<Acknowledged>&) { done(); },
+              [done](const caf::error&) { done(); });
     });
   }
   if (pending->missing == 0)

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +28,9 @@ class EventDispatcher {
 public:
   EventDispatcher(WorkingMemoryActor::pointer self, JournalOutbox& outbox,
                   MonitoredActors& monitored, UsageLog& usage, const WorkingMemoryOptions& options);
+
+  /// Tells which subarchitectures may read here, for broadcasts; all of them until then.
+  void set_readable_by(std::function<bool(const std::string&)> f) { readable_by_ = std::move(f); }
 
   /// Sends the events of one write.
   void dispatch(const std::vector<CommittedChange>& changes);
@@ -100,6 +104,7 @@ private:
   std::map<std::pair<caf::actor_addr, EventStream>, Subscriptions::Number> subscriber_numbers_;
   std::unordered_map<Subscriptions::Number, caf::actor> subscriber_actors_;
 
+  std::function<bool(const std::string&)> readable_by_ = [](const std::string&) { return true; };
   PeerRoutes peers_;
   std::vector<WorkingMemoryActor> peer_actors_;
   /// Actors that forward events to the working memories of another process, by route.

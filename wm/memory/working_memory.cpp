@@ -49,10 +49,7 @@ working_memory(WorkingMemoryActor::stateful_pointer<WorkingMemoryState> self,
     [shell](const Subscribe& x) { return shell->events().subscribe(x); },
     [shell](const Unsubscribe& x) { shell->events().unsubscribe(x); },
     [shell](const EventsTaken& x) { shell->events().acknowledge(x); },
-    [shell](const Interest& x) {
-      shell->events().set_interest(x);
-      return Acknowledged{};
-    },
+    [shell](const Interest& x) { return shell->set_interest(x); },
     [shell](const ChangeNotices& x) { shell->events().receive(x); },
     [shell](const Peers& x) {
       shell->allow_writers(x.writers);

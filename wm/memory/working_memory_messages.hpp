@@ -98,12 +98,16 @@ struct LockStatus {
   std::uint64_t waiting = 0;
 };
 
+/// A query without a client is permitted: it is the runtime's own.
 struct ExistsQuery {
   Address address;
+  ClientPtr client = {};
 };
 
+/// The same.
 struct VersionQuery {
   Address address;
+  ClientPtr client = {};
 };
 
 /// A component gets its events in two streams, each as fast as it takes them, so that those its

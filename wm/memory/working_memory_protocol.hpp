@@ -69,8 +69,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::reacts_to<Unsubscribe>,
   // Lets the sender be sent as many events more.
   caf::reacts_to<EventsTaken>,
-  // Another working memory says what its subarchitecture wants.
-  caf::replies_to<Interest>::with<Acknowledged>,
+  // Another working memory says what its subarchitecture wants; refused if that may not read here.
+  caf::replies_to<Interest>::with<Outcome<Acknowledged>>,
   // Changes in another subarchitecture that somebody here wants to hear of.
   caf::reacts_to<ChangeNotices>,
   // Introduces the other working memories.

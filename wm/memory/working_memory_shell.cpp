@@ -43,6 +43,8 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
     leases_(store_, lease_options(options)), events_(self, outbox_, monitored_, usage_, options),
     epoch_(options.epoch), clock_(options.clock) {
   allow_writers(options.writers);
+  store_.access().set_readers(options.readers);
+  events_.set_readable_by([this](const std::string& x) { return store_.access().may_read(x); });
   if (!options.opened_journal)
     return;
   outbox_.open(options, now());
@@ -99,6 +101,8 @@ void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
   for (auto& effect : effects) {
     if (effect.owner)
       remember_client(effect.owner);
+    if (effect.testator)
+      remember_client(effect.testator);
     CommittedChange change{nullptr, effect.entry, effect.before};
     change.event = store_.commit(std::move(effect), time);
     last_event_ = time;
@@ -116,6 +120,8 @@ void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
 caf::result<Outcome<EntryPtr>> WorkingMemoryShell::read(const ReadRequest& request) {
   catch_up();
   auto& client = request.patience.client;
+  if (auto refused = check_may_read(client, request.address))
+    return Outcome<EntryPtr>{*std::move(refused)};
   if (auto entry = leases_.try_read(request)) {
     if (*entry)
       count_read(client, ***entry);
@@ -138,6 +144,8 @@ caf::result<Outcome<std::vector<EntryPtr>>> WorkingMemoryShell::query(const Quer
   using Entries = std::vector<EntryPtr>;
   catch_up();
   auto& client = request.patience.client;
+  if (auto refused = check_may_read(client, {request.query.subarchitecture, {}}))
+    return Outcome<Entries>{*std::move(refused)};
   if (auto entries = leases_.try_query(request)) {
     for (auto& entry : *entries)
       count_read(client, *entry);
@@ -159,12 +167,37 @@ caf::result<Outcome<std::vector<EntryPtr>>> WorkingMemoryShell::query(const Quer
 
 Outcome<bool> WorkingMemoryShell::exists(const ExistsQuery& request) {
   catch_up();
+  if (auto refused = check_may_read(request.client, request.address))
+    return *std::move(refused);
   return store_.exists(request.address.id);
 }
 
 Outcome<Version> WorkingMemoryShell::version(const VersionQuery& request) {
   catch_up();
+  if (auto refused = check_may_read(request.client, request.address))
+    return *std::move(refused);
   return store_.version(request.address.id);
+}
+
+std::optional<Failure> WorkingMemoryShell::check_may_read(const ClientPtr& client,
+                                                          const Address& address) {
+  auto result = store_.check_may_read(client, address);
+  refused_ += result.has_value();
+  return result;
+}
+
+Outcome<Acknowledged> WorkingMemoryShell::set_interest(const Interest& interest) {
+  // An interest in all subarchitectures is no mistake: it is in those that may be read.
+  if (!store_.access().may_read(interest.subarchitecture)) {
+    ++refused_;
+    return Failure{FailureKind::not_permitted,
+                   "components of " + interest.subarchitecture + " get no change events of " +
+                     store_.subarchitecture() + ": " +
+                     store_.access().readers_text(interest.subarchitecture),
+                   {store_.subarchitecture(), interest.filter.id}};
+  }
+  events_.set_interest(interest);
+  return Acknowledged{};
 }
 
 // -- leases
@@ -247,7 +280,7 @@ void WorkingMemoryShell::delete_due(Timestamp now) {
     if (auto until = leases_.protected_until(id))
       store_.lifetimes().postpone(id, now + std::max(Timestamp{1}, *until - lease_now()));
     else
-      effects.push_back(store_.prepare_due_deletion(id));
+      effects.push_back(store_.prepare_due(id));
   }
   if (!effects.empty())
     commit(std::move(effects));

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -51,6 +52,9 @@ public:
 
   // -- other operations
 
+  /// Refused if the subarchitecture may not read here.
+  Outcome<Acknowledged> set_interest(const Interest& interest);
+
   void cancel(const CancelWait& request);
   caf::result<RenewReply> renew(const RenewRequest& request);
   void follow(DeadlockProbe probe);
@@ -76,6 +80,9 @@ private:
   Timestamp now() const;
   /// The same by the real clock, by which leases and waits are timed.
   Timestamp lease_now() const;
+
+  /// Counts refusals.
+  std::optional<Failure> check_may_read(const ClientPtr& client, const Address& address);
 
   /// Ends leases, waits and entries that are due. Every operation begins with it.
   void catch_up();

@@ -49,7 +49,8 @@ void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) 
     auto& table = types_[x.entry->type_name()];
     table.type = x.entry->value.type_ptr();
     table.recency.push_front(x.entry);
-    auto& [time_to_live, ephemeral, only_once] = x.entry->life;
+    auto time_to_live = x.entry->life.time_to_live;
+    auto ephemeral = x.entry->life.ephemeral;
     bool may_end = time_to_live.count() > 0 || ephemeral;
     // The clock that tells the time since 1970 may have been set back.
     if (may_end)
@@ -69,7 +70,7 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
   auto& address = request.address;
   if (auto failure = check_address(request))
     return *failure;
-  if (!access_.may_write(client.subarchitecture))
+  if (!may_write(request))
     return Failure{FailureKind::not_permitted,
                    to_string(client) + " may not " + std::string{verb(request.operation)} + " " +
                      to_string(address) + ": only components of " + subarchitecture_ +
@@ -87,6 +88,8 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      address};
     if (auto failure = check_value(request))
       return *failure;
+    if (auto failure = check_will(request))
+      return *failure;
     auto life = request.life.value_or(EntryLife{});
     if (life.only_once && tombstones_.contains(address.id))
       return Failure{FailureKind::already_exists,
@@ -99,7 +102,9 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                                           request.value, client.component, life}),
       client.component,
       {},
-      life.ephemeral ? request.client : nullptr};
+      life.ephemeral ? request.client : nullptr,
+      request.last_will ? request.client : nullptr,
+      request.last_will};
   }
   if (i == entries_.end())
     return missing(request);
@@ -133,11 +138,17 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      old.type_name() + ", with a " + request.value.type_name() +
                      ". Delete it and add the new one",
                    address};
+  if (auto failure = check_will(request))
+    return *failure;
   return Effect{
     Operation::overwrite,
     std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, client.component,
                                         request.life.value_or(old.life)}),
-    client.component, i->second.entry};
+    client.component,
+    i->second.entry,
+    {},
+    request.last_will ? request.client : nullptr,
+    request.last_will};
 }
 
 std::optional<Failure> EntryStore::check_atomic(std::span<const WriteRequest> requests) const {
@@ -179,9 +190,11 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
       tombstones_.erase(id);
       table.recency.push_front(entry);
       auto time_to_live = entry->life.time_to_live;
-      bool may_end = time_to_live.count() > 0 || effect.owner;
+      bool may_end = time_to_live.count() > 0 || effect.owner || effect.last_will;
       if (may_end)
         lifetimes_.add(id, time_to_live, std::move(effect.owner), now);
+      if (effect.last_will)
+        lifetimes_.set_will(id, std::move(effect.testator), *std::move(effect.last_will));
       entries_[id] = {entry, sequence_, table.recency.begin(), may_end};
       break;
     }
@@ -192,9 +205,13 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
       slot.entry = entry;
       slot.written = sequence_;
       auto time_to_live = entry->life.time_to_live;
-      slot.may_end = slot.may_end || time_to_live.count() > 0;
-      if (slot.may_end)
+      slot.may_end = slot.may_end || time_to_live.count() > 0 || effect.last_will;
+      if (event->source == last_will_source)
+        lifetimes_.fulfil(id, time_to_live, now);
+      else if (slot.may_end)
         lifetimes_.restart(id, time_to_live, now);
+      if (effect.last_will)
+        lifetimes_.set_will(id, std::move(effect.testator), *std::move(effect.last_will));
       break;
     }
     case Operation::remove: {
@@ -210,8 +227,36 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
   return event;
 }
 
-EntryStore::Effect EntryStore::prepare_due_deletion(const std::string& id) const {
-  return {Operation::remove, entries_.at(id).entry, lifetimes_.source(id)};
+EntryStore::Effect EntryStore::prepare_due(const std::string& id) const {
+  auto& there = entries_.at(id).entry;
+  auto* will = lifetimes_.due_will(id);
+  if (!will)
+    return {Operation::remove, there, lifetimes_.source(id)};
+  return {Operation::overwrite,
+          std::make_shared<const Entry>(Entry{there->address, there->version + 1, will->value,
+                                              lifetimes_.owner(id)->component, will->life}),
+          lifetimes_.source(id), there};
+}
+
+std::optional<Failure> EntryStore::check_may_read(const ClientPtr& client,
+                                                  const Address& address) const {
+  if (!client || access_.may_read(client->subarchitecture))
+    return std::nullopt;
+  return Failure{FailureKind::not_permitted,
+                 to_string(*client) + " may not read " +
+                   (address.id.empty() ? "entries of " + subarchitecture_ : to_string(address)) +
+                   ": " + access_.readers_text(client->subarchitecture),
+                 address};
+}
+
+bool EntryStore::may_write(const WriteRequest& request) const {
+  auto& writer = request.client->subarchitecture;
+  if (access_.may_write(writer))
+    return true;
+  if (request.operation != Operation::overwrite || writer == operators)
+    return false;
+  auto i = entries_.find(request.address.id);
+  return i != entries_.end() && i->second.entry->life.writable_by_all;
 }
 
 Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
@@ -302,6 +347,17 @@ std::optional<Failure> EntryStore::check_value(const WriteRequest& request) cons
   if (auto failure = value_too_large(request, subarchitecture_, options_.largest_value))
     return failure;
   return check_type(request);
+}
+
+std::optional<Failure> EntryStore::check_will(const WriteRequest& request) const {
+  auto& will = request.last_will;
+  if (!will || !will->value.has_value() || will->value.type().hash == request.value.type().hash)
+    return std::nullopt;
+  return Failure{FailureKind::wrong_type,
+                 to_string(*request.client) + " cannot leave a will for " +
+                   to_string(request.address) + ", a " + request.value.type_name() +
+                   ", that is a " + will->value.type_name() + ". A will has the entry's type",
+                 request.address};
 }
 
 std::optional<Failure> EntryStore::check_type(const WriteRequest& request) const {

@@ -49,6 +49,9 @@ public:
     EntryPtr before = {};
     /// Owner of an added ephemeral entry; else null.
     ClientPtr owner = {};
+    /// The client whose will the entry has from now on, and the will; nothing to keep the former.
+    ClientPtr testator = {};
+    std::optional<LastWill> last_will = {};
   };
 
   explicit EntryStore(std::string subarchitecture, EntryStoreOptions options = {});
@@ -63,6 +66,10 @@ public:
 
   const std::string& subarchitecture() const { return subarchitecture_; }
   AccessRules& access() { return access_; }
+  const AccessRules& access() const { return access_; }
+
+  /// Failure if the client may not read here; null for the runtime itself, which may.
+  std::optional<Failure> check_may_read(const ClientPtr& client, const Address& address) const;
 
   /// Failure if these writes cannot be one atomic write: they must be of different entries, all of
   /// this working memory.
@@ -80,8 +87,8 @@ public:
   Lifetimes& lifetimes() { return lifetimes_; }
   const Lifetimes& lifetimes() const { return lifetimes_; }
 
-  /// Prepares the deletion of an entry that is due.
-  Effect prepare_due_deletion(const std::string& id) const;
+  /// Prepares what is due for an entry: its deletion, or its overwrite by a last will.
+  Effect prepare_due(const std::string& id) const;
 
   // -- reading
 
@@ -122,8 +129,10 @@ private:
   /// Reason for messages why there is no entry of that id.
   std::string absence(const std::string& id) const;
   Failure missing(const WriteRequest& request) const;
+  bool may_write(const WriteRequest& request) const;
   std::optional<Failure> check_address(const WriteRequest& request) const;
   std::optional<Failure> check_value(const WriteRequest& request) const;
+  std::optional<Failure> check_will(const WriteRequest& request) const;
   std::optional<Failure> check_type(const WriteRequest& request) const;
 
   std::string subarchitecture_;

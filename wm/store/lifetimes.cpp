@@ -24,27 +24,51 @@ void Lifetimes::restart(const std::string& id, Timestamp time_to_live, Timestamp
     set_due(id, lifetime, expiry(time_to_live, now), expiry_source);
 }
 
+void Lifetimes::set_will(const std::string& id, ClientPtr testator, LastWill will) {
+  auto& lifetime = lifetimes_[id];
+  bool is_left = will.value.has_value();
+  lifetime.testator = is_left ? std::move(testator) : nullptr;
+  lifetime.will = std::move(will);
+  if (is_left || lifetime.owner)
+    owned_.insert(id);
+  else
+    owned_.erase(id);
+}
+
+const LastWill* Lifetimes::due_will(const std::string& id) const {
+  auto& lifetime = lifetimes_.at(id);
+  return lifetime.testator && lifetime.source == last_will_source ? &lifetime.will : nullptr;
+}
+
+void Lifetimes::fulfil(const std::string& id, Timestamp time_to_live, Timestamp now) {
+  set_will(id, nullptr, {});
+  set_due(id, lifetimes_.at(id), expiry(time_to_live, now), expiry_source);
+}
+
 void Lifetimes::erase(const std::string& id) {
   auto i = lifetimes_.find(id);
   if (i == lifetimes_.end())
     return;
   if (i->second.due)
     due_.erase({*i->second.due, id});
-  if (i->second.owner)
-    owned_.erase(id);
+  owned_.erase(id);
   lifetimes_.erase(i);
 }
 
 ClientPtr Lifetimes::owner(const std::string& id) const {
   auto i = lifetimes_.find(id);
-  return i == lifetimes_.end() ? nullptr : i->second.owner;
+  if (i == lifetimes_.end())
+    return nullptr;
+  return i->second.owner ? i->second.owner : i->second.testator;
 }
 
 void Lifetimes::end_owner(const Client& owner, Timestamp now) {
   for (auto& id : owned_) {
     auto& lifetime = lifetimes_.at(id);
-    if (*lifetime.owner == owner)
+    if (lifetime.owner && *lifetime.owner == owner)
       set_due(id, lifetime, now, owner_ended_source);
+    else if (lifetime.testator && *lifetime.testator == owner)
+      set_due(id, lifetime, now, last_will_source);
   }
 }
 

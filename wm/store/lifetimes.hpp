@@ -2,6 +2,7 @@
 
 #include "castor/wm/entries/change_event.hpp"
 #include "castor/wm/entries/client.hpp"
+#include "castor/wm/entries/entry.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
 #include <optional>
@@ -14,7 +15,8 @@
 namespace castor {
 
 /// Automatic deletion of entries: some time after their last write, or with the client that owns
-/// them. Time is passed in. Other entries are not recorded here.
+/// them; and the wills of clients, which are fulfilled when they end. Time is passed in. Other
+/// entries are not recorded here.
 class Lifetimes {
 public:
   /// Adds an entry, to be deleted at `now` + `time_to_live` (unless 0) and when its owner ends
@@ -25,13 +27,22 @@ public:
   /// the entry stays due.
   void restart(const std::string& id, Timestamp time_to_live, Timestamp now);
 
+  /// From now on the entry has the will that this client leaves; none if it is empty.
+  void set_will(const std::string& id, ClientPtr testator, LastWill will);
+
+  /// The will that is to be fulfilled, if that is why the entry is due; else null.
+  const LastWill* due_will(const std::string& id) const;
+
+  /// The will was fulfilled: the entry's time begins anew.
+  void fulfil(const std::string& id, Timestamp time_to_live, Timestamp now);
+
   /// The entry was deleted.
   void erase(const std::string& id);
 
-  /// Owner of the entry; null if it has none, or is not recorded here.
+  /// Owner of the entry, or else the client whose will it has; null if it has neither.
   ClientPtr owner(const std::string& id) const;
 
-  /// The client has ended: its entries are due from now on.
+  /// The client has ended: its entries, and those with its will, are due from now on.
   void end_owner(const Client& owner, Timestamp now);
 
   /// The entry's unknown owner has ended: the entry is due from now on.
@@ -54,6 +65,8 @@ private:
     std::optional<Timestamp> due;
     const char* source = expiry_source;
     ClientPtr owner;
+    ClientPtr testator;
+    LastWill will;
   };
 
   void set_due(const std::string& id, Lifetime& lifetime, std::optional<Timestamp> due,
@@ -62,7 +75,7 @@ private:
   std::unordered_map<std::string, Lifetime> lifetimes_;
   /// Entries by the time at which they are due.
   std::set<std::pair<Timestamp, std::string>> due_;
-  /// The ids of entries with an owner.
+  /// The ids of entries with an owner or a will.
   std::set<std::string> owned_;
 };
 

@@ -29,6 +29,9 @@ struct WriteRequest {
   /// answered yet. If that write has failed and another client wrote this version, the request
   /// fails.
   bool expected = false;
+  /// Nothing for an overwrite that keeps the entry's will. Each will replaces the one before,
+  /// whoever left that.
+  std::optional<LastWill> last_will = {};
 };
 
 } // namespace castor

@@ -55,7 +55,7 @@ TEST(AccessRuleParser, MustBeWellFormed) {
   for (std::string line : {"ACCESS", "ACCESS vision", "ACCESS vision WRITES", "ACCESS # x",
                            "ACCESS vision reads binding", "ACCESS vision WRITES #binding"})
     EXPECT_TRUE(reports(parse(systems + line), Severity::error, 11, "no access rule",
-                        "write ACCESS writer WRITES owner"))
+                        "write ACCESS writer WRITES owner or ACCESS reader READS owner"))
       << line;
   EXPECT_TRUE(reports(parse(systems + "ACCESS vision WRITES binding speech"), Severity::warning, 11,
                       "'speech' is ignored"));
@@ -66,6 +66,40 @@ TEST(AccessRuleParser, WithoutEffectGetAWarning) {
                       "its own working memory in any case"));
   auto repeated = parse(systems + "ACCESS vision WRITES binding\nACCESS vision WRITES binding");
   EXPECT_TRUE(reports(repeated, Severity::warning, 12, "stands at main.cast:11 already"));
+}
+
+TEST(AccessRuleParser, LetOnlySomeRead) {
+  auto result = parse(systems + "ACCESS vision READS binding\n");
+  ASSERT_TRUE(is_clean(result));
+  const auto& architecture = *result.architecture;
+  EXPECT_TRUE(architecture.may_read("vision", "binding"));
+  EXPECT_TRUE(architecture.may_read("binding", "binding"));
+  EXPECT_FALSE(architecture.may_read("speech", "binding"));
+  EXPECT_TRUE(architecture.may_read("speech", "vision")) << "no rule names vision";
+  EXPECT_FALSE(architecture.readers("vision"));
+  auto none = parse(systems + "ACCESS binding READS binding\n");
+  ASSERT_TRUE(is_clean(none));
+  EXPECT_FALSE(none.architecture->may_read("vision", "binding"));
+  auto all = parse(systems + "ACCESS binding READS binding\nACCESS vision READS *\n");
+  ASSERT_TRUE(is_clean(all));
+  EXPECT_TRUE(all.architecture->may_read("vision", "binding"));
+  EXPECT_FALSE(all.architecture->may_read("speech", "binding"));
+  EXPECT_TRUE(all.architecture->may_read("speech", "vision")) << "* restricts nobody";
+}
+
+TEST(AccessRuleParser, CheckRulesForReading) {
+  EXPECT_TRUE(reports(parse(systems + "ACCESS visoin READS binding\n"), Severity::error, 11,
+                      "no subarchitecture 'visoin'", "did you mean 'vision'?"));
+  EXPECT_TRUE(reports(parse(systems + "ACCESS operator READS binding\n"), Severity::error, 11,
+                      "operators may read everywhere", "remove the line"));
+  EXPECT_TRUE(reports(parse(systems + "ACCESS vision READS *\n"), Severity::warning, 11,
+                      "everybody may read everywhere in any case"));
+  EXPECT_TRUE(
+    reports(parse(systems + "ACCESS vision READS binding\nACCESS vision READS binding\n"),
+            Severity::warning, 12, "stands at main.cast:11 already"));
+  EXPECT_TRUE(
+    reports(parse(systems + "ACCESS speech WRITES binding\nACCESS vision READS binding\n"),
+            Severity::warning, 11, "but not read there", "add ACCESS speech READS binding"));
 }
 
 TEST(AccessRuleParser, LetOperatorsWriteEverywhereUnlessTheySayOtherwise) {

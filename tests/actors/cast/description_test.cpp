@@ -146,6 +146,7 @@ TEST(Json, HoldsTheWholeDescription) {
       }
     }
   ],
+  "read_rules": [],
   "supervision": [
     {
       "who": "s",

@@ -115,6 +115,8 @@ std::string facts(const ArchitectureDescription& architecture) {
   std::for_each(architecture.standalone.begin(), architecture.standalone.end(), add);
   for (const auto& rule : architecture.access_rules)
     text += rule.writer + ">" + rule.owner + "\n";
+  for (const auto& rule : architecture.read_rules)
+    text += rule.reader + "<" + rule.owner + "\n";
   for (const auto& [who, policy, where] : architecture.supervision)
     text += who + "|" + std::string(to_string(policy.strategy)) + "|" +
             std::to_string(policy.restarts) + "|" + to_string(policy.period) + "|" +
@@ -152,6 +154,8 @@ RC_GTEST_PROP(RoundTrip, OfADescriptionThroughItsTextChangesNothing, ()) {
   complete(architecture);
   for (const auto& sa : architecture.subarchitectures)
     architecture.access_rules.push_back({sa.name, "*", {}});
+  for (const auto& sa : architecture.subarchitectures)
+    architecture.read_rules.push_back({architecture.subarchitectures.front().name, sa.name, {}});
   for (const auto& sa : architecture.subarchitectures) {
     architecture.supervision.push_back({sa.name, policy(), {}});
     architecture.failover.push_back({sa.name, {"h1", "h2"}, {}});
@@ -166,6 +170,7 @@ RC_GTEST_PROP(AnyText, IsEitherDescribedOrRefused, ()) {
   auto piece = rc::gen::oneOf(
     rc::gen::element<std::string>("\n", " ", "HOST h", "SUBARCHITECTURE s", "CPP WM W", "CPP TM T",
                                   "CPP MG a A", "COMPONENT CPP b B", "ACCESS * WRITES s",
+                                  "ACCESS * READS s",
                                   "SUPERVISE s one_for_all RESTARTS 1 IN 2s", "FAILOVER s TO h",
                                   "SETVAR a=", "SETOPT a=", "%(a)", "%(", ")", "<multiline>",
                                   "</multiline>", "IFEQ(a, %(a))", "IFTRUE(", "ELSE", "ENDIF",

@@ -78,8 +78,8 @@ TEST_F(Operations, ReadingByTypeGivesTheNewestFirst) {
     self.add(Remark{{4, ""}, true});
     self.overwrite(first, Note{10, ""});
     std::vector<std::int64_t> numbers;
-    for (auto& x : self.template read_all<Note>())
-      numbers.push_back(x->number);
+    for (auto& note : self.template read_all<Note>())
+      numbers.push_back(note->number);
     EXPECT_EQ(numbers, (std::vector<std::int64_t>{10, 3, 2}));
     EXPECT_EQ(self.template read_all<Note>(2).size(), 2u);
     EXPECT_EQ(self.template read_all_derived<Note>("a").size(), 4u);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 /// Components whose behaviour a test writes on the spot, and systems made of them.
 namespace castor::test {
@@ -173,6 +174,14 @@ public:
   template <class Request, class F>
   auto on_call(F f) {
     return Base::template on_call<Request>(std::move(f));
+  }
+  template <class T>
+  auto perform(const std::string& subarchitecture, T what, const ActionOptions& options = {}) {
+    return Base::perform(subarchitecture, std::move(what), options);
+  }
+  template <class T, class F>
+  auto on_action(F f, ActionOffer offer = {}) {
+    return Base::template on_action<T>(std::move(f), std::move(offer));
   }
   auto call_cancelled() const { return Base::call_cancelled(); }
   template <class... Ts>

@@ -176,7 +176,7 @@ castor_system_mutant(calls_are_taken_again wm/store/entry_store.cpp
   TO "if (false)")
 
 castor_system_mutant(the_dead_leave_their_entries wm/store/lifetimes.cpp
-  FROM "    if (*lifetime.owner == owner)
+  FROM "    if (lifetime.owner && *lifetime.owner == owner)
       set_due"
   TO "    if (lifetime.owner == nullptr)
       set_due")

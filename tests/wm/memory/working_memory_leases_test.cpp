@@ -421,6 +421,54 @@ TEST_F(WorkingMemoryLeases, AnEphemeralEntryGoesWithItsOwner) {
   EXPECT_EQ(all.notices[0].event->source, owner_ended_source);
 }
 
+TEST_F(WorkingMemoryLeases, ALastWillIsFulfilledWhenItsClientEnds) {
+  auto& all = listen();
+  subscribe(all, "a", 1, changed<Item>());
+  auto& ann = claimant("ann");
+  Address at{"a", "x"};
+  // Whoever made the entry.
+  ASSERT_TRUE(add(at, 1));
+  WriteRequest request{Operation::overwrite, at, Value::of(Item{2}), 0, ann.client};
+  request.last_will = LastWill{Value::of(Item{3}), {.time_to_live = 1s}};
+  tell(ann, request);
+  ASSERT_TRUE(overwrite(at, 1, 4)) << "which keeps the will";
+  caf::anon_send_exit(ann.actor, caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_EQ(told(all),
+            (Told{"ADD a/x", "OVERWRITE a/x", "OVERWRITE a/x", "OVERWRITE a/x"}));
+  EXPECT_EQ(all.notices.back().event->source, last_will_source);
+  auto entry = *ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{at, {}});
+  EXPECT_EQ(entry->value.as<Item>()->number, 3);
+  EXPECT_EQ(entry->version, 3u);
+  EXPECT_EQ(entry->writer, "ann");
+  let_pass(999ms);
+  EXPECT_EQ(status("a").entries, 1u);
+  let_pass(1ms);
+  EXPECT_EQ(status("a").entries, 0u) << "the will says how long it stays";
+}
+
+TEST_F(WorkingMemoryLeases, ALastWillCanBeReplacedAndWithdrawn) {
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob");
+  Address at{"a", "x"};
+  WriteRequest request{Operation::add, at, Value::of(Item{1}), {}, ann.client};
+  request.last_will = LastWill{Value::of(Item{2}), {}};
+  tell(ann, request);
+  request = {Operation::overwrite, at, Value::of(Item{3}), 0, bob.client};
+  request.last_will = LastWill{Value::of(Item{4}), {}};
+  tell(bob, request);
+  caf::anon_send_exit(ann.actor, caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_EQ(ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{at, {}})->get()->version, 1u)
+    << "the will is bob's by now";
+  request = {Operation::overwrite, at, Value::of(Item{5}), 1, bob.client};
+  request.last_will = LastWill{};
+  tell(bob, request);
+  caf::anon_send_exit(bob.actor, caf::exit_reason::kill);
+  scheduler.run();
+  EXPECT_EQ(ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{at, {}})->get()->version, 2u);
+}
+
 TEST_F(WorkingMemoryLeases, SayWhoHoldsThem) {
   ASSERT_TRUE(add({"a", "x"}));
   auto& ann = claimant("ann");

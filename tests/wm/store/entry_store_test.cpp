@@ -478,4 +478,32 @@ TEST_F(EntryStoreRules, ReadsEveryTypeWhereNoneIsNamed) {
   EXPECT_THAT(ids({"vision", "", 0, true}), ElementsAre("tree", "point", "box"));
 }
 
+TEST_F(EntryStoreRules, LetOthersOverwriteWhatIsWritableByAll) {
+  auto stranger = std::make_shared<const Client>(Client{"arm", "manipulation"});
+  auto addition = request(Operation::add, "open", Value::of(Box{}));
+  addition.life = EntryLife{.writable_by_all = true};
+  write(addition);
+  add("closed");
+  auto by = [&](const ClientPtr& client, Operation operation, const std::string& id) {
+    auto x = request(operation, id, Value::of(Box{}), 0);
+    x.client = client;
+    return store.prepare(x);
+  };
+  EXPECT_TRUE(by(stranger, Operation::overwrite, "open"));
+  EXPECT_EQ(by(stranger, Operation::remove, "open").failure().kind, FailureKind::not_permitted);
+  EXPECT_EQ(by(stranger, Operation::overwrite, "closed").failure().kind,
+            FailureKind::not_permitted);
+  auto ann = std::make_shared<const Client>(Client{"operator:ann", "operator"});
+  EXPECT_EQ(by(ann, Operation::overwrite, "open").failure().kind, FailureKind::not_permitted)
+    << "operators are bound by their own rules";
+}
+
+TEST_F(EntryStoreRules, RefuseAWillOfAnotherType) {
+  auto addition = request(Operation::add, "x", Value::of(Box{}));
+  addition.last_will = LastWill{Value::of(Point{}), {}};
+  auto failure = refused(addition);
+  EXPECT_EQ(failure.kind, FailureKind::wrong_type);
+  EXPECT_THAT(failure.message, HasSubstr("a Box, that is a Point"));
+}
+
 } // namespace castor::test

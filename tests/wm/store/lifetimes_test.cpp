@@ -70,6 +70,43 @@ TEST(Lifetimes, APostponedEntryIsDueLaterForTheSameReason) {
   EXPECT_THAT(x.source("a"), StrEq(owner_ended_source));
 }
 
+TEST(Lifetimes, AWillIsDueWhenItsClientEnds) {
+  Lifetimes x;
+  x.add("a", 0ms, nullptr, 0ms);
+  x.set_will("a", ann, {Value::of(Address{}), {}});
+  EXPECT_EQ(x.owner("a"), ann);
+  x.end_owner(*bob, 1ms);
+  EXPECT_FALSE(x.next_due());
+  x.end_owner(*ann, 2ms);
+  EXPECT_THAT(x.due(2ms), ElementsAre("a"));
+  EXPECT_THAT(x.source("a"), StrEq(last_will_source));
+  ASSERT_TRUE(x.due_will("a"));
+  x.fulfil("a", 10ms, 2ms);
+  EXPECT_EQ(x.owner("a"), nullptr);
+  EXPECT_EQ(x.next_due(), Timestamp{12ms});
+  EXPECT_THAT(x.source("a"), StrEq(expiry_source));
+  EXPECT_FALSE(x.due_will("a"));
+}
+
+TEST(Lifetimes, AnEmptyWillWithdrawsTheFormer) {
+  Lifetimes x;
+  x.add("a", 0ms, nullptr, 0ms);
+  x.set_will("a", ann, {Value::of(Address{}), {}});
+  x.set_will("a", bob, {});
+  x.end_owner(*ann, 1ms);
+  x.end_owner(*bob, 1ms);
+  EXPECT_FALSE(x.next_due());
+}
+
+TEST(Lifetimes, AnOwnersEndDeletesAnEntryWhateverItsWill) {
+  Lifetimes x;
+  x.add("a", 0ms, ann, 0ms);
+  x.set_will("a", ann, {Value::of(Address{}), {}});
+  x.end_owner(*ann, 1ms);
+  EXPECT_THAT(x.source("a"), StrEq(owner_ended_source));
+  EXPECT_FALSE(x.due_will("a"));
+}
+
 TEST(Lifetimes, TheLongestDueComeFirstAndTheDeletedNotAtAll) {
   Lifetimes x;
   x.add("a", 30ms, nullptr, 0ms);
