@@ -7,6 +7,7 @@
 #include "castor/base/log.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace castor {
 
@@ -50,7 +51,7 @@ bool ActionExecution::wait_while_paused() {
     if (state_.status != ActionStatus::paused)
       update([](Action& x) { x.status = ActionStatus::paused; });
     // The wish may have changed during the write.
-    wait(ComponentRuntime::Clock::now() + std::chrono::hours{1}, ActionWish::pause);
+    wait(Timestamp::max(), ActionWish::pause);
   }
   followed_wish_ = state_.wish;
   if (state_.status == ActionStatus::paused)
@@ -59,15 +60,22 @@ bool ActionExecution::wait_while_paused() {
 }
 
 bool ActionExecution::sleep_for(std::chrono::nanoseconds duration) {
-  auto goes_on = wait(ComponentRuntime::Clock::now() + duration, followed_wish_);
+  auto goes_on =
+    wait(parts_.runtime.now() + std::chrono::ceil<Timestamp>(duration), followed_wish_);
   followed_wish_ = state_.wish;
   return goes_on;
 }
 
-bool ActionExecution::wait(std::chrono::steady_clock::time_point until, ActionWish wish) {
+bool ActionExecution::wait(Timestamp until, ActionWish wish) {
+  auto& runtime = parts_.runtime;
+  auto left = [&] {
+    return until == Timestamp::max()
+             ? std::nullopt
+             : std::optional<std::chrono::nanoseconds>{until - runtime.now()};
+  };
   // A delivery, of news on this action or of anything else, is an occasion to look.
-  while (!cancelled() && state_.wish == wish && ComponentRuntime::Clock::now() < until)
-    if (!parts_.runtime.deliver(until, [&] { return actions_.is_changed(address_); }))
+  while (!cancelled() && state_.wish == wish && runtime.now() < until)
+    if (!runtime.deliver(left(), [&] { return actions_.is_changed(address_); }))
       return false;
   return !cancelled();
 }

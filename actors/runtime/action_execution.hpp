@@ -45,7 +45,7 @@ public:
 private:
   /// Delivers events until then, or until the action is to end or the wish is another one. False if
   /// the action is to end.
-  bool wait(std::chrono::steady_clock::time_point until, ActionWish wish);
+  bool wait(Timestamp until, ActionWish wish);
   /// Reads the entry if somebody else has written it.
   void refresh();
   void read_again();
