@@ -71,9 +71,8 @@ Removal remove_subarchitecture(ArchitectureDescription& running, const std::stri
   std::erase_if(running.access_rules, [&](auto& y) {
     return y.writer == name || (y.owner == name && y.writer != operators);
   });
-  std::erase_if(running.read_rules, [&](auto& y) {
-    return y.owner == name || (y.owner == "*" && y.reader == name);
-  });
+  std::erase_if(running.read_rules,
+                [&](auto& y) { return y.owner == name || (y.owner == "*" && y.reader == name); });
   for (auto& rule : running.read_rules)
     // Without its last reader everybody might read there.
     if (rule.reader == name)

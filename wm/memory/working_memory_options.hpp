@@ -23,8 +23,8 @@ struct WorkingMemoryOptions {
   std::string subarchitecture;
   /// Other subarchitectures whose components may write here; "*" for all.
   std::set<std::string> writers;
-  /// Other subarchitectures whose components may read here, "*" for all; nothing if no rule is about
-  /// that, and everybody may.
+  /// Other subarchitectures whose components may read here, "*" for all; nothing if no rule is
+  /// about that, and everybody may.
   std::optional<std::set<std::string>> readers = {};
   /// Changes in these subarchitectures are not sent to the components of this one.
   std::set<std::string> ignored;

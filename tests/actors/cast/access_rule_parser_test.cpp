@@ -94,9 +94,8 @@ TEST(AccessRuleParser, CheckRulesForReading) {
                       "operators may read everywhere", "remove the line"));
   EXPECT_TRUE(reports(parse(systems + "ACCESS vision READS *\n"), Severity::warning, 11,
                       "everybody may read everywhere in any case"));
-  EXPECT_TRUE(
-    reports(parse(systems + "ACCESS vision READS binding\nACCESS vision READS binding\n"),
-            Severity::warning, 12, "stands at main.cast:11 already"));
+  EXPECT_TRUE(reports(parse(systems + "ACCESS vision READS binding\nACCESS vision READS binding\n"),
+                      Severity::warning, 12, "stands at main.cast:11 already"));
   EXPECT_TRUE(
     reports(parse(systems + "ACCESS speech WRITES binding\nACCESS vision READS binding\n"),
             Severity::warning, 11, "but not read there", "add ACCESS speech READS binding"));

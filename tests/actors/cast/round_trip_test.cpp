@@ -68,7 +68,8 @@ rc::Gen<SubarchitectureDescription> subarchitecture() {
                  rc::gen::container<std::vector<ComponentDescription>>(component())));
 }
 
-/// Makes all names different, whatever they end with, and fills in what follows from the place of a line.
+/// Makes all names different, whatever they end with, and fills in what follows from the place of a
+/// line.
 void complete(ArchitectureDescription& architecture) {
   std::size_t number = 0;
   std::size_t names = 0;
@@ -168,13 +169,12 @@ RC_GTEST_PROP(RoundTrip, OfADescriptionThroughItsTextChangesNothing, ()) {
 /// Any text at all: what comes back is either a description or an error.
 RC_GTEST_PROP(AnyText, IsEitherDescribedOrRefused, ()) {
   auto piece = rc::gen::oneOf(
-    rc::gen::element<std::string>("\n", " ", "HOST h", "SUBARCHITECTURE s", "CPP WM W", "CPP TM T",
-                                  "CPP MG a A", "COMPONENT CPP b B", "ACCESS * WRITES s",
-                                  "ACCESS * READS s",
-                                  "SUPERVISE s one_for_all RESTARTS 1 IN 2s", "FAILOVER s TO h",
-                                  "SETVAR a=", "SETOPT a=", "%(a)", "%(", ")", "<multiline>",
-                                  "</multiline>", "IFEQ(a, %(a))", "IFTRUE(", "ELSE", "ENDIF",
-                                  "HOSTNAME A", "[A]", "$A", "#", "\"", "-x", "!", "INCLUDE x"),
+    rc::gen::element<std::string>(
+      "\n", " ", "HOST h", "SUBARCHITECTURE s", "CPP WM W", "CPP TM T", "CPP MG a A",
+      "COMPONENT CPP b B", "ACCESS * WRITES s", "ACCESS * READS s",
+      "SUPERVISE s one_for_all RESTARTS 1 IN 2s", "FAILOVER s TO h",
+      "SETVAR a=", "SETOPT a=", "%(a)", "%(", ")", "<multiline>", "</multiline>", "IFEQ(a, %(a))",
+      "IFTRUE(", "ELSE", "ENDIF", "HOSTNAME A", "[A]", "$A", "#", "\"", "-x", "!", "INCLUDE x"),
     rc::gen::arbitrary<std::string>());
   std::string text;
   for (const auto& each : *rc::gen::container<std::vector<std::string>>(piece))

@@ -434,8 +434,7 @@ TEST_F(WorkingMemoryLeases, ALastWillIsFulfilledWhenItsClientEnds) {
   ASSERT_TRUE(overwrite(at, 1, 4)) << "which keeps the will";
   caf::anon_send_exit(ann.actor, caf::exit_reason::kill);
   scheduler.run();
-  EXPECT_EQ(told(all),
-            (Told{"ADD a/x", "OVERWRITE a/x", "OVERWRITE a/x", "OVERWRITE a/x"}));
+  EXPECT_EQ(told(all), (Told{"ADD a/x", "OVERWRITE a/x", "OVERWRITE a/x", "OVERWRITE a/x"}));
   EXPECT_EQ(all.notices.back().event->source, last_will_source);
   auto entry = *ask<Outcome<EntryPtr>>(wm.at("a"), ReadRequest{at, {}});
   EXPECT_EQ(entry->value.as<Item>()->number, 3);

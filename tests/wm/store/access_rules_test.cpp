@@ -40,9 +40,10 @@ TEST(AccessRules, LetOnlyThoseReadWhoWereNamed) {
   EXPECT_FALSE(rules.may_read("planning"));
   EXPECT_TRUE(rules.may_read("operator")) << "people look into everything";
   EXPECT_TRUE(rules.may_read("")) << "the runtime itself";
-  EXPECT_EQ(rules.readers_text("planning"),
-            "only components of vision and of spatial read there, since the system's .cast file has "
-            "rules ACCESS reader READS vision. To allow it, add ACCESS planning READS vision");
+  EXPECT_EQ(
+    rules.readers_text("planning"),
+    "only components of vision and of spatial read there, since the system's .cast file has "
+    "rules ACCESS reader READS vision. To allow it, add ACCESS planning READS vision");
   rules.set_readers({{"*"}});
   EXPECT_TRUE(rules.may_read("planning"));
 }
