@@ -1,6 +1,6 @@
 #include "castor/communication/lexicon/english_lexicon.hpp"
 
-#include "castor/base/input_file.hpp"
+#include "castor/base/shared_text.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"
 
 #include <algorithm>
@@ -17,27 +17,6 @@ std::string_view english_lexicon_text();
 std::string_view tabletop_words_text();
 
 namespace {
-
-std::string names_of(const std::vector<NamedText>& files) {
-  std::string result;
-  for (auto& x : files)
-    result += (result.empty() ? "" : ", ") + x.name;
-  return result;
-}
-
-NamedText text_of(const std::string& name, const std::string& folder) {
-  const auto& shared = shared_lexicon_files();
-  const auto file = std::filesystem::path{folder} / name;
-  try {
-    return {name, read_input_file(file)};
-  } catch (const InputFileError& e) {
-    const auto known = std::ranges::find(shared, name, &NamedText::name);
-    if (known != shared.end() && e.reason() == InputFileError::Reason::missing)
-      return *known;
-    throw std::runtime_error("the lexicon " + file.string() + " cannot be read: " + e.what() +
-                             ". Name a file, or one that comes with Castor: " + names_of(shared));
-  }
-}
 
 std::shared_ptr<const Lexicon> lexicon_of(const std::vector<NamedText>& files) {
   auto read = read_lexicon(files);
@@ -64,7 +43,7 @@ std::shared_ptr<const Lexicon> lexicon_of_files(const std::string& names,
   std::vector<NamedText> files;
   std::istringstream in{names};
   for (std::string name; in >> name;)
-    files.push_back(text_of(name, folder));
+    files.push_back(read_or_shared("the lexicon", name, folder, shared_lexicon_files()));
   const auto& shared = shared_lexicon_files();
   if (std::ranges::equal(files, shared, {}, &NamedText::text, &NamedText::text))
     return english_lexicon();
