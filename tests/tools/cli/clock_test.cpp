@@ -25,7 +25,8 @@ protected:
     arguments.insert(arguments.end(), options.begin(), options.end());
     auto answer = ask(arguments);
     EXPECT_EQ(answer.status, 0) << answer.errors;
-    for (auto& entry : json::parse(read(folder / "output" / "entries.json"))["a"])
+    const auto entries = json::parse(read(folder / "output" / "entries.json"));
+    for (auto& entry : entries["a"])
       if (entry["type"] == "Tick")
         return entry["value"]["number"];
     ADD_FAILURE() << "there is no tick";
