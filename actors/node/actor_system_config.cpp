@@ -3,7 +3,6 @@
 #include "castor/actors/node/counting_policy.hpp"
 #include "castor/actors/node/threads.hpp"
 
-#include <caf/actor_system.hpp>
 #include <caf/io/middleman.hpp>
 #include <caf/scheduler/coordinator.hpp>
 
@@ -16,8 +15,8 @@
 namespace castor {
 
 ActorSystemConfig::ActorSystemConfig(bool networked, std::shared_ptr<Activity> activity)
-  : activity_(std::move(activity)) {
-  if (activity_)
+  : CountingConfig(std::move(activity)) {
+  if (this->activity())
     load<caf::scheduler::coordinator<CountingPolicy>>();
   // The default policy polls with sleeps, which costs several times the latency.
   set("scheduler.policy", caf::atom("sharing"));
@@ -30,11 +29,6 @@ ActorSystemConfig::ActorSystemConfig(bool networked, std::shared_ptr<Activity> a
     load<caf::io::middleman>();
     set("middleman.workers", 0);
   }
-}
-
-std::shared_ptr<Activity> activity_of(const caf::actor_system& system) {
-  auto* config = dynamic_cast<const ActorSystemConfig*>(&system.config());
-  return config ? config->activity() : nullptr;
 }
 
 } // namespace castor

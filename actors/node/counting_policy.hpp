@@ -1,7 +1,6 @@
 #pragma once
 
-#include "castor/actors/node/actor_system_config.hpp"
-#include "castor/wm/clock/activity.hpp"
+#include "castor/actors/node/counting_config.hpp"
 
 #include <caf/policy/unprofiled.hpp>
 #include <caf/resumable.hpp>

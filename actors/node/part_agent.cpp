@@ -1,7 +1,7 @@
 #include "castor/actors/node/part_agent.hpp"
 
 #include "castor/actors/link/remote_actor.hpp"
-#include "castor/actors/node/actor_system_config.hpp"
+#include "castor/actors/node/counting_config.hpp"
 #include "castor/actors/node/types_protocol.hpp"
 #include "castor/actors/node/usage.hpp"
 #include "castor/actors/node/well_known_actors.hpp"

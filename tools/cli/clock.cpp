@@ -98,7 +98,10 @@ void add_clock(CLI::App& app, Action& chosen) {
     ->type_name("FACTOR|max")
     ->check(check_pace);
   command->footer("The clock can be set if the system was started with `castor run --speed`.\n"
-                  "Example: castor clock step 100ms");
+                  "Examples: castor clock show\n"
+                  "          castor clock pause\n"
+                  "          castor clock step 100ms\n"
+                  "          castor clock run --speed 2");
 }
 
 } // namespace castor::cli

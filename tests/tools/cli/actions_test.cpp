@@ -23,10 +23,16 @@ protected:
     return "CPP UM carrier Carrier --diary " + diary() + options + "\n";
   }
 
-  /// Lets the sender of a subarchitecture ask for an action of b.
+  /// Lets the sender of a subarchitecture ask for an action of b, once the system can be found.
   static Answer add_scene(const std::string& where) {
-    return ask({"wm", "add", "--wait", where, "Scene",
-                R"({"number": 1, "state": "running", "after_another": false, "executor": "b"})"});
+    Answer result{};
+    eventually([&] {
+      result =
+        ask({"wm", "add", "--wait", where, "Scene",
+             R"({"number": 1, "state": "running", "after_another": false, "executor": "b"})"});
+      return result.status == 0;
+    });
+    return result;
   }
 
   static std::string actions() { return ask({"actions"}).output; }
