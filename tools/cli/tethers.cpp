@@ -208,7 +208,7 @@ public:
 
   std::string brief() const {
     std::vector<std::string> result;
-    for (auto* part : {&words_, &places_, &numbers_, &lists_})
+    for (auto* part : {&words_, &places_, &numbers_, &nested_words_, &lists_})
       result.insert(result.end(), part->begin(), part->end());
     if (result.size() > most) {
       result.resize(most);
@@ -223,7 +223,7 @@ private:
 
   void look(const std::string& name, const Json& x, int depth) {
     if (x.is_string())
-      add_word(name, x.get<std::string>());
+      add_word(name, x.get<std::string>(), depth);
     else if (x.is_boolean() && x == true)
       numbers_.push_back(name);
     else if (x.is_number())
@@ -231,7 +231,7 @@ private:
     else if (x.is_array() && !x.empty())
       lists_.push_back(fmt::format("{} {}", x.size(), name));
     else if (is_address(x))
-      add_word(name, joined_address(x));
+      add_word(name, joined_address(x), depth);
     else if (x.is_object() && are_numbers(x))
       places_.push_back(name + ' ' + in_brackets(x));
     else if (x.is_object() && x.size() == 2 && x.contains("value") && x.contains("confidence"))
@@ -248,12 +248,14 @@ private:
     return x.is_string() ? x.get<std::string>() : few_digits(x);
   }
 
-  void add_word(const std::string& name, const std::string& word) {
+  void add_word(const std::string& name, const std::string& word, int depth) {
     if (!word.empty())
-      words_.push_back(name + ' ' + word);
+      (depth > 1 ? nested_words_ : words_).push_back(name + ' ' + word);
   }
 
   std::vector<std::string> words_;
+  /// Of fields of fields, such as the frame of a pose.
+  std::vector<std::string> nested_words_;
   std::vector<std::string> places_;
   std::vector<std::string> numbers_;
   std::vector<std::string> lists_;
