@@ -26,8 +26,9 @@ using Milliseconds = std::chrono::milliseconds;
 /// How often a condition is looked at.
 constexpr Milliseconds poll_interval{2};
 
-/// Simulated time from one look at a condition to the next.
+/// Simulated time from one look at a condition to the next, and the most looks at one.
 constexpr Milliseconds simulated_poll_interval{10};
+constexpr int most_simulated_polls = 1000;
 
 /// Real time that simulated time may stand before that is taken for a failure.
 constexpr std::chrono::seconds longest_standstill{30};
@@ -235,12 +236,13 @@ public:
                                      : Clock::now().time_since_epoch();
     };
     auto until = time() + patience(within);
+    const auto step = std::max(simulated_poll_interval, patience(within) / most_simulated_polls);
     while (!condition()) {
       if (time() > until || system_.ended())
         return condition();
       if (!options_.simulated_time)
         std::this_thread::sleep_for(poll_interval);
-      else if (!let_pass(simulated_poll_interval))
+      else if (!let_pass(step))
         return condition();
     }
     return true;

@@ -110,9 +110,9 @@ TEST_F(TestedSystem, InSimulatedTimeAnHourIsOverAtOnce) {
   EXPECT_EQ(system.system().now(), Timestamp{0});
   system.advance(1h);
   EXPECT_EQ(system.system().now(), Timestamp{1h});
-  system.expect_entry("Note in a where number = 1");
-  system.expect_entry("Note in a where number = 2", 2h);
-  EXPECT_THAT(complaint([&] { system.expect_entry("Note in a where number = 9", 1s); }),
+  system.expect_entry("Note in a where number == 1");
+  system.expect_entry("Note in a where number == 2", 2h);
+  EXPECT_THAT(complaint([&] { system.expect_entry("Note in a where number == 9", 1s); }),
               HasSubstr("within 1000 ms, but there is none"));
   EXPECT_LT(system.system().now(), Timestamp{3h});
   EXPECT_GE(system.system().now(), Timestamp{2h + 1s});
@@ -128,12 +128,12 @@ TEST_F(TestedSystem, InSimulatedTimeACrashIsNoticedAndLeasesExpire) {
   TestSystemOptions options;
   options.simulated_time = true;
   TestSystem system{workers(), options};
-  system.expect_entry("Note in a where number = 7");
+  system.expect_entry("Note in a where number == 7");
   system.inject("crash one");
   system.expect_back("one");
   system.expect_nobody_else_down({"one"});
   system.advance(5s);
-  system.expect_no_entry("Note in a where number = 7");
+  system.expect_no_entry("Note in a where number == 7");
 }
 
 TEST_F(TestedSystem, SaysWhoIsNotBackAndWhatThereWasInstead) {
