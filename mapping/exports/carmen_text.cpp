@@ -39,11 +39,12 @@ std::string pose_text(const Pose2& x) {
 } // namespace
 
 std::string carmen_text(const MapContents& map) {
-  std::string result = "# Scans at their corrected poses, by Castor.\n"
-                       "# FLASER count ranges... x y theta odom_x odom_y odom_theta time host time\n"
-                       "# ROBOTLASER1 type start_angle field_of_view angular_resolution max_range "
-                       "accuracy remission_mode count ranges... 0 laser_pose robot_pose tv rv "
-                       "forward_safety_dist side_safety_dist turn_axis time host time\n";
+  std::string result =
+    "# Scans at their corrected poses, by Castor.\n"
+    "# FLASER count ranges... x y theta odom_x odom_y odom_theta time host time\n"
+    "# ROBOTLASER1 type start_angle field_of_view angular_resolution max_range "
+    "accuracy remission_mode count ranges... 0 laser_pose robot_pose tv rv "
+    "forward_safety_dist side_safety_dist turn_axis time host time\n";
   auto out = std::back_inserter(result);
   for (auto& x : map.keyframes) {
     auto& scan = x.scan;
@@ -54,9 +55,8 @@ std::string carmen_text(const MapContents& map) {
       fmt::format_to(out, "FLASER {} {}{} {} {:.6f} {} {:.6f}\n", scan.ranges.size(), ranges, laser,
                      pose_text(x.odometry), seconds, host, seconds);
     } else {
-      auto field = scan.ranges.empty()
-                     ? 0
-                     : static_cast<double>(scan.ranges.size() - 1) * scan.angle_step;
+      auto field =
+        scan.ranges.empty() ? 0 : static_cast<double>(scan.ranges.size() - 1) * scan.angle_step;
       fmt::format_to(out,
                      "ROBOTLASER1 0 {:.6f} {:.6f} {:.6f} {:.3f} 0.01 0 {} {}0 {} {} 0 0 0 0 0 "
                      "{:.6f} {} {:.6f}\n",

@@ -19,9 +19,10 @@ std::string g2o_text(const MapContents& map) {
   }
   for (auto& x : map.constraints) {
     if (x.from >= map.keyframes.size() || x.to >= map.keyframes.size())
-      throw std::out_of_range(fmt::format("a constraint is about the keyframes {} and {}, and there "
-                                          "are {}",
-                                          x.from, x.to, map.keyframes.size()));
+      throw std::out_of_range(
+        fmt::format("a constraint is about the keyframes {} and {}, and there "
+                    "are {}",
+                    x.from, x.to, map.keyframes.size()));
     fmt::format_to(out, "EDGE_SE2 {} {} {} {} {} {}\n", x.from, x.to, x.relative.x, x.relative.y,
                    x.relative.heading, fmt::join(x.information, " "));
   }

@@ -26,10 +26,11 @@ struct OccupancyGridOptions {
 ///
 /// A cell counts the scans that hit it and that passed it; log-odds are calculated from the counts.
 /// So a scan whose pose was corrected is removed exactly, whatever came after it, and the order of
-/// scans does not matter. That is why MRPT's COccupancyGridMap2D is not used here, although it takes
-/// a tenth of the time for a scan: it keeps log-odds of 8 bits, with limits, so that an update cannot
-/// be undone, and one piece that is copied as a whole when the map grows. It also widens beams, so
-/// that walls are two cells thick, and not one. tests/mapping/grid compares both on the same scans.
+/// scans does not matter. That is why MRPT's COccupancyGridMap2D is not used here, although it
+/// takes a tenth of the time for a scan: it keeps log-odds of 8 bits, with limits, so that an
+/// update cannot be undone, and one piece that is copied as a whole when the map grows. It also
+/// widens beams, so that walls are two cells thick, and not one. tests/mapping/grid compares both
+/// on the same scans.
 class OccupancyGrid {
 public:
   /// @throws std::invalid_argument if the cell size is not positive, or log-odds have the wrong
