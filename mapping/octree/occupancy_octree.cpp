@@ -91,11 +91,17 @@ std::set<BlockIndex> OccupancyOctree::insert(const PointCloud& cloud) {
   tree_->computeDiscreteUpdate(points, octomap_point(cloud.sensor), free, occupied,
                                options_.max_range);
   // What OcTree::insertPointCloud does, but it does not tell which voxels it changes.
+  BlockIndex last;
   auto update = [&](const octomap::OcTreeKey& voxel, bool hit) {
     auto* before = tree_->search(voxel);
-    auto log_odds = before ? before->getLogOdds() : 0;
-    if (tree_->updateNode(voxel, hit, true)->getLogOdds() != log_odds || !before)
-      result.insert(block_of(voxel));
+    if (before && (hit ? before->getLogOdds() >= tree_->getClampingThresMaxLog()
+                       : before->getLogOdds() <= tree_->getClampingThresMinLog()))
+      return;
+    tree_->updateNode(voxel, hit, true);
+    if (auto block = block_of(voxel); result.empty() || block != last) {
+      last = block;
+      result.insert(block);
+    }
   };
   for (auto& x : free)
     update(x, false);
