@@ -136,17 +136,17 @@ private:
 
   void take_observation(const CObservation& x) {
     ++result_.contents[x.sensorLabel.empty() ? class_name(x) : class_name(x) + " " + x.sensorLabel];
-    auto time = time_of(x);
+    // Time is asked only of what is used: stamps of other sensors may be missing.
     if (auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&x))
-      take_odometry(*odometry, time);
+      take_odometry(*odometry, time_of(x));
     else if (auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&x))
-      take_scan(*scan, time);
+      take_scan(*scan, time_of(x));
     else if (auto* velodyne = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&x))
-      take_velodyne(*velodyne, time);
+      take_velodyne(*velodyne, time_of(x));
     else if (auto* rotating = dynamic_cast<const mrpt::obs::CObservationRotatingScan*>(&x))
-      take_rotating(*rotating, time);
+      take_rotating(*rotating, time_of(x));
     else if (auto* depths = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&x))
-      take_depths(*depths, time);
+      take_depths(*depths, time_of(x));
   }
 
   std::int64_t time_of(const CObservation& x) {

@@ -27,6 +27,16 @@ struct OctreeBlock {
   friend bool operator==(const OctreeBlock&, const OctreeBlock&) = default;
 };
 
+/// Push: points that a depth camera or a rotating laser of the robot saw at once. The frame is the
+/// robot's: x forward, y to the left, z up from the floor.
+struct SensedCloud {
+  /// When it was measured, microseconds since the system began.
+  std::int64_t time = 0;
+  geometry::Point3 sensor;
+  /// x, y, z of one point after the other, metres.
+  std::vector<float> coordinates;
+};
+
 enum class Occupancy { unknown, free, occupied };
 
 /// Call: whether a point is occupied. Answer: PointOccupancy.
@@ -80,6 +90,7 @@ struct BoxOccupancy {
 };
 
 CASTOR_REFLECT(OctreeBlock, x, y, z, version, voxel_size, bytes)
+CASTOR_REFLECT(SensedCloud, time, sensor, coordinates)
 CASTOR_REFLECT_ENUM(Occupancy, unknown, free, occupied)
 CASTOR_REFLECT(AskPoint, point)
 CASTOR_REFLECT(PointOccupancy, occupancy, probability)

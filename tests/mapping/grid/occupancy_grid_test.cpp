@@ -4,6 +4,7 @@
 #include "castor/mapping/grid/keyframe_grid.hpp"
 #include "castor/mapping/grid/occupancy_grid.hpp"
 #include "castor/mapping/grid/tile_codec.hpp"
+#include "castor/mapping/grid/tile_entries.hpp"
 
 #include "castor/tests/mapping/grid/box_room.hpp"
 
@@ -159,6 +160,39 @@ TEST(CellMap, OfTileEntriesIsThatOfTheGrid) {
   EXPECT_GT(entries.size(), 4U);
   EXPECT_EQ(cell_map(entries), cell_map(grid));
   EXPECT_EQ(cell_map(std::vector<GridTile>{}).columns, 0);
+}
+
+TEST(TileEntries, OnlyChangedTilesAreWritten) {
+  OccupancyGrid grid;
+  TileEntries entries;
+  auto touched = grid.insert(room.scan({}), {});
+  auto first = entries.changed(grid, touched);
+  EXPECT_EQ(first.size(), touched.size());
+  EXPECT_EQ(first[0].version, 1U);
+  EXPECT_TRUE(entries.changed(grid, touched).empty());
+  LaserScan scan;
+  scan.ranges = {1};
+  auto second = entries.changed(grid, grid.insert(scan, {0.1, 0.1, 0}));
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(second[0].version, 2U);
+  EXPECT_EQ(decode_tile(second[0].bytes), grid.cells({0, 0}));
+  // After a restart.
+  TileEntries successor;
+  for (auto& x : first)
+    successor.adopt(x);
+  auto again = successor.changed(grid, touched);
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again[0].version, 2U);
+  EXPECT_EQ(successor.tiles(), touched);
+  EXPECT_EQ(id_of(TileIndex{3, -2}), "tile 3 -2");
+}
+
+TEST(TileEntries, CellsAtTheirLimitsAreNoChange) {
+  OccupancyGrid grid;
+  TileEntries entries;
+  for (int i = 0; i < 20; ++i)
+    entries.changed(grid, grid.insert(room.scan({}), {}));
+  EXPECT_TRUE(entries.changed(grid, grid.insert(room.scan({}), {})).empty());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The octree: evidence, queries, blocks, files.
 
 #include "castor/mapping/grid/tile_codec.hpp"
+#include "castor/mapping/octree/anchored_octree.hpp"
 #include "castor/mapping/octree/occupancy_octree.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
@@ -182,6 +183,46 @@ TEST(OccupancyOctree, TimeForALargeCloud) {
   std::cout << cloud.points.size() << " points at 5 cm: " << milliseconds << " ms, "
             << changed.size() << " blocks of together " << bytes << " bytes\n";
   EXPECT_GT(octree.leaves(), 10000U);
+}
+
+// -- clouds of a robot whose poses are corrected
+
+TEST(AnchoredOctree, AfterARebuildItIsTheOctreeOfTheCorrectedPoses) {
+  AnchoredOctree anchored;
+  auto cloud = std::make_shared<PointCloud>(wall());
+  EXPECT_FALSE(anchored.place("a", cloud, {}).empty());
+  EXPECT_FALSE(anchored.place("b", cloud, {0, 0, 1}).empty());
+  EXPECT_TRUE(anchored.place("b", nullptr, {0.01, 0, 1}).empty());
+  EXPECT_FALSE(anchored.is_outdated());
+  const Pose2 corrected{1, 0.5, 1.5};
+  EXPECT_TRUE(anchored.place("b", nullptr, corrected).empty());
+  EXPECT_TRUE(anchored.is_outdated());
+  OccupancyOctree copy;
+  for (auto& x : anchored.octree().blocks())
+    copy.set_block(x, anchored.octree().block(x));
+  auto changed = anchored.rebuild();
+  EXPECT_FALSE(anchored.is_outdated());
+  OccupancyOctree expected;
+  expected.insert(wall());
+  expected.insert(transform(corrected, *cloud));
+  EXPECT_EQ(anchored.octree().blocks(), expected.blocks());
+  for (auto& x : expected.blocks())
+    EXPECT_EQ(anchored.octree().block(x), expected.block(x));
+  // Who is told of the changed blocks has the same.
+  for (auto& x : changed)
+    copy.set_block(x, anchored.octree().block(x));
+  EXPECT_EQ(copy.blocks(), expected.blocks());
+}
+
+TEST(AnchoredOctree, ARemovedCloudIsGoneAfterARebuild) {
+  AnchoredOctree anchored;
+  anchored.place("a", std::make_shared<PointCloud>(wall()), {});
+  anchored.remove("nobody");
+  EXPECT_FALSE(anchored.is_outdated());
+  anchored.remove("a");
+  EXPECT_TRUE(anchored.is_outdated());
+  EXPECT_FALSE(anchored.rebuild().empty());
+  EXPECT_EQ(anchored.octree().leaves(), 0U);
 }
 
 // -- clouds
