@@ -134,8 +134,12 @@ int run(const Task& task) {
   using Clock = std::chrono::steady_clock;
   auto start = Clock::now();
   mapping::Slam slam{task.options};
-  for (const auto& x : scans)
-    slam.add(x.scan, x.odometry.pose);
+  for (const auto& x : scans) {
+    auto step = slam.add(x.scan, x.odometry.pose);
+    if (task.shows_worst && !step.reason.empty())
+      fmt::print("    {:.3f} s: {}\n",
+                 static_cast<double>(x.logged_time - scans.front().logged_time) / 1e6, step.reason);
+  }
   slam.finish();
   auto seconds = std::chrono::duration<double>(Clock::now() - start).count();
   auto length = static_cast<double>(scans.back().scan.time - scans.front().scan.time) / 1e6;

@@ -51,18 +51,38 @@ FrontEnd::Motion FrontEnd::motion_to(std::int64_t time, const Pose2& odometry) c
     result.reason = "scans are missing";
     result.is_uncertain = way > 0.02 || turn > 0.02;
   }
+  if (last_duration_ > 0 && !result.is_uncertain && seconds < options_.gap) {
+    auto share = std::min(1e6 * seconds / static_cast<double>(last_duration_), 2.);
+    result.as_before = Pose2{share * last_step_.x, share * last_step_.y,
+                             normalised(share * last_step_.heading)};
+  }
   result.prior.translation = options_.odometry_rest + options_.odometry_translation * way;
   result.prior.heading = options_.odometry_rest_heading + options_.odometry_turn * turn +
                          options_.odometry_drift * way;
   return result;
 }
 
-FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Pose2& guess,
-                               const Motion& motion) const {
+ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) const {
+  auto by_odometry = compose(pose_, motion.step);
+  if (!motion.as_before)
+    return matcher_.match(map_, scan, by_odometry, motion.prior);
+  auto late = between(motion.step, *motion.as_before);
+  auto late_by = std::hypot(late.x, late.y);
+  if (late_by < options_.late_odometry && std::abs(late.heading) < options_.late_odometry_heading)
+    return matcher_.match(map_, scan, by_odometry, motion.prior);
+  auto prior = motion.prior;
+  prior.translation += late_by;
+  prior.heading += std::abs(late.heading);
+  auto a = matcher_.match(map_, scan, by_odometry, prior);
+  auto b = matcher_.match(map_, scan, compose(pose_, *motion.as_before), prior);
+  return b.matched > a.matched ? b : a;
+}
+
+FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion) const {
   auto scan = thinned(points, options_.spacing);
   Found result;
   if (!motion.is_uncertain) {
-    result.match = matcher_.match(map_, scan, guess, motion.prior);
+    result.match = match_near(scan, motion);
     result.fits = result.match.matched >= options_.least_matched;
     if (result.fits)
       return result;
@@ -71,7 +91,8 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Pose2& guess,
   SearchWindow window{std::clamp(3 * motion.prior.translation, 0.3, 3.),
                       std::clamp(3 * motion.prior.heading, 0.2, std::numbers::pi / 2)};
   CorrelativeMatcher coarse{map_.points()};
-  auto best = coarse.match(thinned(points, 0.1), guess, window, options_.least_score);
+  auto best = coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window,
+                           options_.least_score);
   if (!best)
     return result;
   auto match = matcher_.match(map_, scan, best->pose);
@@ -96,13 +117,12 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
     make_keyframe(result, scan, odometry, points);
   } else {
     auto motion = motion_to(scan.time, odometry);
-    auto guess = compose(pose_, motion.step);
-    auto found = find(points, guess, motion);
+    auto found = find(points, motion);
     if (found.fits) {
       result.local_pose = found.match.pose;
       result.covariance = found.match.covariance;
     } else {
-      result.local_pose = guess;
+      result.local_pose = compose(pose_, motion.step);
       result.state = LocalisationState::dead_reckoning;
       result.reason = motion.reason.empty() ? "the scan does not fit to the newest keyframes"
                                             : motion.reason + ", and the scan does not fit";
@@ -112,6 +132,10 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
     if (is_far_from_keyframe(result.local_pose))
       make_keyframe(result, scan, odometry, points);
   }
+  // Steps in a very short time say nothing of the speed.
+  auto is_known = result.state == LocalisationState::tracking && scan.time - time_ > 10000;
+  last_step_ = is_known ? between(pose_, result.local_pose) : Pose2{};
+  last_duration_ = is_known && !placed_.empty() ? scan.time - time_ : 0;
   has_resumed_ = false;
   time_ = scan.time;
   odometry_ = odometry;

@@ -30,6 +30,10 @@ struct FrontEndOptions {
   /// ... and what there is at rest, m and radians.
   double odometry_rest = 0.01;
   double odometry_rest_heading = 0.01;
+  /// Where odometry and going on as before differ by more, m and radians, both are tried: odometry
+  /// may be late.
+  double late_odometry = 0.05;
+  double late_odometry_heading = 0.05;
   /// Scans of which less is on known surfaces do not fit.
   double least_matched = 0.4;
   /// Score of a correlative match that is good enough to go on from it.
@@ -83,7 +87,10 @@ private:
   };
 
   struct Motion {
+    /// By odometry.
     Pose2 step;
+    /// If the robot goes on as it did; nothing after a gap.
+    std::optional<Pose2> as_before;
     PosePrior prior;
     /// Its size is not known well: there was a gap, or odometry has jumped.
     bool is_uncertain = false;
@@ -96,7 +103,8 @@ private:
   };
 
   Motion motion_to(std::int64_t time, const Pose2& odometry) const;
-  Found find(const SurfacePoints& points, const Pose2& guess, const Motion& motion) const;
+  Found find(const SurfacePoints& points, const Motion& motion) const;
+  ScanMatch match_near(const SurfacePoints& scan, const Motion& motion) const;
   bool is_far_from_keyframe(const Pose2& pose) const;
   void make_keyframe(FrontEndStep& step, const LaserScan& scan, const Pose2& odometry,
                      const SurfacePoints& points);
@@ -110,6 +118,9 @@ private:
   std::int64_t time_ = 0;
   Pose2 odometry_;
   Pose2 pose_;
+  /// Movement of the robot from one scan to the next, as a step and its time, us.
+  Pose2 last_step_;
+  std::int64_t last_duration_ = 0;
   bool has_resumed_ = false;
 };
 
