@@ -12,7 +12,8 @@
 
 namespace castor::mapping {
 
-/// A component derived from `Base` that is told of keyframes, and of each correction of their poses.
+/// A component derived from `Base` that is told of keyframes, and of each correction of their
+/// poses.
 template <class Base>
 class FollowsKeyframes : public Base {
 protected:

@@ -72,8 +72,8 @@ class GridBuilder final : public FollowsKeyframes<UnmanagedComponent> {
 
   Option<double> cell_size_{this, "cell-size", 0.05, "side of a cell, metres"};
   Option<double> max_range_{this, "max-range", 30, "longer beams are free space only; metres"};
-  Option<double> free_without_return_{
-    this, "free-without-return", 0, "a beam without a return is free space up to here; metres"};
+  Option<double> free_without_return_{this, "free-without-return", 0,
+                                      "a beam without a return is free space up to here; metres"};
 
   std::optional<KeyframeGrid> grid_;
   TileEntries entries_;

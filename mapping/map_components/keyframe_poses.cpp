@@ -31,8 +31,8 @@ std::array<double, 6> information_of(const PoseCovariance& c) {
     return {xx / determinant, xy / determinant, xh / determinant,
             yy / determinant, yh / determinant, hh / determinant};
   constexpr double least = 1e-9;
-  return {1 / std::max(c.xx, least), 0, 0, 1 / std::max(c.yy, least), 0,
-          1 / std::max(c.heading, least)};
+  return {1 / std::max(c.xx, least), 0, 0,
+          1 / std::max(c.yy, least), 0, 1 / std::max(c.heading, least)};
 }
 
 MapContents contents_of(std::vector<Keyframe> keyframes, const std::optional<GraphPoses>& graph,
@@ -48,7 +48,8 @@ MapContents contents_of(std::vector<Keyframe> keyframes, const std::optional<Gra
     auto from = positions.find(x.from);
     auto to = positions.find(x.to);
     if (from != positions.end() && to != positions.end())
-      result.constraints.push_back({from->second, to->second, x.pose, information_of(x.covariance)});
+      result.constraints.push_back(
+        {from->second, to->second, x.pose, information_of(x.covariance)});
   }
   return result;
 }

@@ -8,9 +8,9 @@
 
 namespace castor::mapping {
 
-/// Corrected pose of the robot at a keyframe: that of the graph, or for a keyframe that is not in it
-/// yet, the front end's pose in the frame of the map. Without a graph, the front end's frame is the
-/// map's.
+/// Corrected pose of the robot at a keyframe: that of the graph, or for a keyframe that is not in
+/// it yet, the front end's pose in the frame of the map. Without a graph, the front end's frame is
+/// the map's.
 Pose2 pose_in_map(const Keyframe& keyframe, const std::optional<GraphPoses>& graph);
 
 /// Inverse of a covariance, as an ExportedConstraint has it. A covariance that is not positive

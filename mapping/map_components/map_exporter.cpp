@@ -34,9 +34,9 @@ class MapExporter final : public UnmanagedComponent {
     std::optional<GraphPoses> graph;
     for (auto& x : all<GraphPoses>(keyframes_))
       graph = x;
-    auto result = write_map_files(
-      folder, contents_of(std::move(keyframes), graph, all<Constraint>(keyframes_)),
-      all<GridTile>(maps_), all<OctreeBlock>(maps_));
+    auto result =
+      write_map_files(folder, contents_of(std::move(keyframes), graph, all<Constraint>(keyframes_)),
+                      all<GridTile>(maps_), all<OctreeBlock>(maps_));
     for (auto& x : result.files)
       info("wrote {}", x);
     for (auto& x : result.left_out)
@@ -56,8 +56,8 @@ class MapExporter final : public UnmanagedComponent {
                               "folder for the files at the end of a run; empty: none"};
   Option<SubarchitectureName> keyframes_{this, "keyframes", "",
                                          "subarchitecture of the keyframes; empty: its own"};
-  Option<SubarchitectureName> maps_{
-    this, "maps", "", "subarchitecture of the grid and the octree; empty: its own"};
+  Option<SubarchitectureName> maps_{this, "maps", "",
+                                    "subarchitecture of the grid and the octree; empty: its own"};
 };
 
 CASTOR_COMPONENT(MapExporter, "writes map files that other tools open")

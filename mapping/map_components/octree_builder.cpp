@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +38,9 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     if (!clouds_->empty())
       on_push<SensedCloud>(clouds_, [this](const std::shared_ptr<const SensedCloud>& x) {
         newest_cloud_ = x;
+        if (last_.object)
+          place_cloud(last_, last_robot_);
+        write_blocks();
       });
     on_call<AskPoint>([this](const AskPoint& x) { return octree_->octree().at(x.point); });
     on_call<AskRay>([this](const AskRay& x) { return octree_->octree().cast(x); });
@@ -59,31 +64,38 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     if (!octree_->has(name))
       laser = std::make_shared<PointCloud>(cloud_of(keyframe->scan, {}, laser_height_));
     changed_.merge(octree_->place(name, std::move(laser), robot));
-    place_cloud(*keyframe, name + " cloud", robot);
+    if (!last_.object || keyframe->number >= last_->number) {
+      last_ = keyframe;
+      last_robot_ = robot;
+    }
+    place_cloud(keyframe, robot);
   }
 
-  /// The cloud that came last before a new keyframe, which it is anchored to.
-  void place_cloud(const Keyframe& keyframe, const std::string& name, const Pose2& robot) {
+  /// Anchors the newest cloud to a keyframe of the same time; corrects the pose of one that is.
+  void place_cloud(const EntryOf<Keyframe>& keyframe, const Pose2& robot) {
+    auto name = cloud_of_keyframe(keyframe.address.id);
     if (octree_->has(name)) {
       octree_->place(name, nullptr, robot);
       return;
     }
-    constexpr std::int64_t same_place = 200'000;
-    if (!newest_cloud_ || std::abs(newest_cloud_->time - keyframe.time) > same_place)
+    if (!newest_cloud_ || std::chrono::microseconds{
+                            std::abs(newest_cloud_->time - keyframe->time)} > cloud_window_.get())
       return;
     auto& x = newest_cloud_->coordinates;
     auto cloud = std::make_shared<PointCloud>();
     cloud->sensor = newest_cloud_->sensor;
     for (std::size_t i = 0; i + 2 < x.size(); i += 3)
-      cloud->points.push_back({static_cast<double>(x[i]), static_cast<double>(x[i + 1]),
-                               static_cast<double>(x[i + 2])});
+      cloud->points.push_back(
+        {static_cast<double>(x[i]), static_cast<double>(x[i + 1]), static_cast<double>(x[i + 2])});
     newest_cloud_.reset();
     changed_.merge(octree_->place(name, std::move(cloud), robot));
   }
 
+  static std::string cloud_of_keyframe(const std::string& keyframe) { return keyframe + " cloud"; }
+
   void remove(const std::string& keyframe) override {
     octree_->remove(keyframe);
-    octree_->remove(keyframe + " cloud");
+    octree_->remove(cloud_of_keyframe(keyframe));
   }
 
   void placed() override { write_blocks(); }
@@ -119,12 +131,16 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   Option<double> laser_height_{this, "laser-height", 0.3, "of the laser above the floor, metres"};
   Option<StandaloneName> clouds_{this, "clouds", "",
                                  "stand-alone component that pushes SensedCloud; empty: none"};
-  Option<std::chrono::milliseconds> rebuild_period_{
-    this, "rebuild-period", std::chrono::seconds{5},
-    "corrected poses take effect at most so often"};
+  Option<std::chrono::milliseconds> cloud_window_{
+    this, "cloud-window", std::chrono::milliseconds{100},
+    "a cloud belongs to a keyframe that is at most so much older or newer"};
+  Option<std::chrono::milliseconds> rebuild_period_{this, "rebuild-period", std::chrono::seconds{5},
+                                                    "corrected poses take effect at most so often"};
 
   std::optional<AnchoredOctree> octree_;
   std::shared_ptr<const SensedCloud> newest_cloud_;
+  EntryOf<Keyframe> last_;
+  Pose2 last_robot_;
   std::set<BlockIndex> changed_;
   std::map<BlockIndex, Written> written_;
 };

@@ -18,8 +18,8 @@ public:
   explicit AnchoredOctree(OccupancyOctreeOptions options = {}, double tolerance_metres = 0.05,
                           double tolerance_radians = 0.01);
 
-  /// Adds a cloud, whose points are on the robot, or corrects its pose; the cloud of a known name is
-  /// ignored.
+  /// Adds a cloud, whose points are on the robot, or corrects its pose; the cloud of a known name
+  /// is ignored.
   /// @returns the blocks that have changed
   std::set<BlockIndex> place(const std::string& name, std::shared_ptr<const PointCloud> cloud,
                              const Pose2& robot);
