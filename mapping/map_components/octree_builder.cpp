@@ -26,7 +26,8 @@ std::string id_of(const BlockIndex& x) {
 }
 
 /// Keeps the octree of what lasers and other sensors see at the corrected poses of keyframes, as
-/// OctreeBlock entries, and answers what is asked about it.
+/// OctreeBlock entries, and answers what is asked about it. Clouds that were pushed are in its
+/// memory only: after a restart, there is what the lasers of keyframes have seen.
 class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   void configure() override {
     octree_.emplace(OccupancyOctreeOptions{voxel_size_, max_range_}, voxel_size_.get());
@@ -51,10 +52,8 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
       changed_.insert(block);
     write_blocks();
     every(rebuild_period_.get(), [this] {
-      if (!octree_->is_outdated())
-        return;
-      changed_.merge(octree_->rebuild());
-      write_blocks();
+      if (octree_->is_outdated() && now() >= next_rebuild_)
+        rebuild();
     });
   }
 
@@ -100,6 +99,15 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
 
   void placed() override { write_blocks(); }
 
+  void rebuild() {
+    auto start = std::chrono::steady_clock::now();
+    changed_.merge(octree_->rebuild());
+    write_blocks();
+    // A large map takes long: nine tenths of the time are left for other things.
+    next_rebuild_ =
+      now() + std::chrono::duration_cast<Timestamp>(9 * (std::chrono::steady_clock::now() - start));
+  }
+
   void write_blocks() {
     WriteBatch batch;
     std::size_t blocks = 0;
@@ -141,6 +149,7 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   std::shared_ptr<const SensedCloud> newest_cloud_;
   EntryOf<Keyframe> last_;
   Pose2 last_robot_;
+  Timestamp next_rebuild_{0};
   std::set<BlockIndex> changed_;
   std::map<BlockIndex, Written> written_;
 };

@@ -1,6 +1,7 @@
 // Rawlogs of MRPT.
 
 #include "castor/mapping/logs/rawlog.hpp"
+#include "castor/mapping/logs/robot_log_file.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -185,6 +186,24 @@ TEST(RawlogReader, DamagedFilesAreNamedWithTheByte) {
   EXPECT_THAT(text, HasSubstr("b.rawlog: error"));
   EXPECT_THAT(text, HasSubstr("at byte "));
   EXPECT_THAT(text, HasSubstr("fetch it again"));
+}
+
+TEST(RobotLogFile, IsReadByItsKind) {
+  TemporaryFolder folder;
+  auto rawlog = read_robot_log(write(folder, scan_at(1)));
+  ASSERT_TRUE(rawlog.log) << render(rawlog.diagnostics);
+  EXPECT_EQ(rawlog.log->scans.size(), 1U);
+  auto path = folder / "a.log";
+  std::ofstream(path) << "FLASER 4 1 2 3 4 0 0 0 0 0 0 1.5 host 1.5\n";
+  auto carmen = read_robot_log(path);
+  ASSERT_TRUE(carmen.log) << render(carmen.diagnostics);
+  EXPECT_EQ(carmen.log->scans.at(0).scan.ranges.size(), 4U);
+  const std::filesystem::path cloud = "/usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog";
+  if (!exists(cloud))
+    GTEST_SKIP() << "needs the package mrpt-common";
+  auto clouds = read_robot_log(cloud);
+  EXPECT_FALSE(clouds.log);
+  EXPECT_THAT(render(clouds.diagnostics), HasSubstr("1 clouds of points, but no scan"));
 }
 
 /// The rawlogs that Debian's package mrpt-common has.
