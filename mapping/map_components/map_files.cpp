@@ -9,6 +9,7 @@
 #include "castor/mapping/maps/output_file.hpp"
 #include "castor/mapping/octree/occupancy_octree.hpp"
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -71,8 +72,10 @@ void write_octree(MapFolder& folder, std::span<const OctreeBlock> blocks) {
     return;
   }
   OccupancyOctree octree{{.voxel_size = blocks.front().voxel_size}};
+  std::map<BlockIndex, BlockVoxels> voxels;
   for (auto& x : blocks)
-    octree.set_block({x.x, x.y, x.z}, decode_tile(x.bytes));
+    voxels[{x.x, x.y, x.z}] = decode_tile(x.bytes);
+  octree.set_blocks(voxels);
   for (auto* name : {"map.ot", "map.bt"}) {
     octree.write(folder.file(name));
     folder.wrote(name);

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -201,15 +202,34 @@ BlockVoxels OccupancyOctree::block(const BlockIndex& block) const {
   return result;
 }
 
-void OccupancyOctree::set_block(const BlockIndex& block, const BlockVoxels& voxels) {
-  auto* voxel = voxels.data();
-  for_each_voxel(block, [&](const octomap::OcTreeKey& key) {
-    if (auto x = *voxel++; x != unknown_cell)
-      tree_->setNodeValue(key, static_cast<float>(quantum * x), true);
-    else if (tree_->search(key))
-      tree_->deleteNode(key);
+void OccupancyOctree::set_blocks(const std::map<BlockIndex, BlockVoxels>& blocks) {
+  auto for_each_value = [&](auto&& f) {
+    for (auto& [index, voxels] : blocks) {
+      auto* voxel = voxels.data();
+      for_each_voxel(index, [&](const octomap::OcTreeKey& key) { f(key, *voxel++); });
+    }
+  };
+  bool forgets = false;
+  for_each_value([&](const octomap::OcTreeKey& key, std::int8_t value) {
+    forgets = forgets || (value == unknown_cell && tree_->search(key));
+  });
+  // OctoMap 1.9 cannot delete nodes: its own check ends the program when the last child has gone.
+  if (forgets) {
+    auto rest = std::make_unique<octomap::OcTree>(options_.voxel_size);
+    for (auto& index : this->blocks())
+      if (!blocks.contains(index))
+        for_each_voxel(index, [&](const octomap::OcTreeKey& key) {
+          if (auto* node = tree_->search(key))
+            rest->setNodeValue(key, node->getLogOdds(), true);
+        });
+    tree_ = std::move(rest);
+  }
+  for_each_value([&](const octomap::OcTreeKey& key, std::int8_t value) {
+    if (value != unknown_cell)
+      tree_->setNodeValue(key, static_cast<float>(quantum * value), true);
   });
   tree_->updateInnerOccupancy();
+  tree_->prune();
 }
 
 std::set<BlockIndex> OccupancyOctree::blocks() const {

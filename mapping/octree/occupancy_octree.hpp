@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -71,8 +72,9 @@ public:
   // -- in blocks
 
   BlockVoxels block(const BlockIndex& block) const;
-  /// Sets the voxels of a block to what another octree has there.
-  void set_block(const BlockIndex& block, const BlockVoxels& voxels);
+  /// Sets the voxels of blocks to what another octree has there. That takes a copy of the octree if
+  /// a known voxel becomes unknown, so set all blocks at once.
+  void set_blocks(const std::map<BlockIndex, BlockVoxels>& blocks);
   /// All blocks with a known voxel.
   std::set<BlockIndex> blocks() const;
 

@@ -97,6 +97,12 @@ CASTOR_COMPONENT(OctreeAsker, "asks the octree")
 /// Tells the asker where to ask, once the octree has the corrected poses: the wall of the room is
 /// where it should be.
 class PointTeller final : public UnmanagedComponent {
+  void start() override {
+    // Each wakes run().
+    on_change(added<OctreeBlock>(), [](const ChangeEvent&) {});
+    on_change(overwritten<OctreeBlock>(), [](const ChangeEvent&) {});
+  }
+
   void run() override {
     while (is_running()) {
       auto end = call<AskRay, RayEnd>(subarchitecture(), {{0.1, 0.1, 0.3}, {1, 0, 0}, 10, false});

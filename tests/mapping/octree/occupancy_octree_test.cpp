@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -109,8 +110,10 @@ TEST(OccupancyOctree, ACopyThatIsToldOfChangedBlocksIsTheSame) {
   for (int i = 0; i < 4; ++i) {
     auto changed = octree.insert(wall({0.025, 0.1 * i, 0.025}));
     EXPECT_FALSE(changed.empty());
+    std::map<BlockIndex, BlockVoxels> blocks;
     for (auto& x : changed)
-      copy.set_block(x, decode_tile(encode_tile(octree.block(x))));
+      blocks[x] = decode_tile(encode_tile(octree.block(x)));
+    copy.set_blocks(blocks);
   }
   EXPECT_EQ(copy.blocks(), octree.blocks());
   for (auto& x : octree.blocks())
@@ -136,9 +139,9 @@ TEST(OccupancyOctree, BlocksOfNegativeCoordinates) {
   EXPECT_LT(voxels.back(), 0);
   EXPECT_GT(voxels[voxels.size() - 2], 0);
   OccupancyOctree copy{{.voxel_size = 0.1, .max_range = 5}};
-  copy.set_block({-1, -1, -1}, voxels);
+  copy.set_blocks({{{-1, -1, -1}, voxels}});
   voxels[voxels.size() - 2] = unknown_cell;
-  copy.set_block({-1, -1, -1}, voxels);
+  copy.set_blocks({{{-1, -1, -1}, voxels}});
   EXPECT_EQ(copy.at({-0.15, -0.05, -0.05}).occupancy, Occupancy::unknown);
 }
 
@@ -198,8 +201,13 @@ TEST(AnchoredOctree, AfterARebuildItIsTheOctreeOfTheCorrectedPoses) {
   EXPECT_TRUE(anchored.place("b", nullptr, corrected).empty());
   EXPECT_TRUE(anchored.is_outdated());
   OccupancyOctree copy;
-  for (auto& x : anchored.octree().blocks())
-    copy.set_block(x, anchored.octree().block(x));
+  auto tell = [&](const std::set<BlockIndex>& indices) {
+    std::map<BlockIndex, BlockVoxels> blocks;
+    for (auto& x : indices)
+      blocks[x] = anchored.octree().block(x);
+    copy.set_blocks(blocks);
+  };
+  tell(anchored.octree().blocks());
   auto changed = anchored.rebuild();
   EXPECT_FALSE(anchored.is_outdated());
   OccupancyOctree expected;
@@ -209,8 +217,7 @@ TEST(AnchoredOctree, AfterARebuildItIsTheOctreeOfTheCorrectedPoses) {
   for (auto& x : expected.blocks())
     EXPECT_EQ(anchored.octree().block(x), expected.block(x));
   // Who is told of the changed blocks has the same.
-  for (auto& x : changed)
-    copy.set_block(x, anchored.octree().block(x));
+  tell(changed);
   EXPECT_EQ(copy.blocks(), expected.blocks());
 }
 
