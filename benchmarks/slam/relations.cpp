@@ -40,6 +40,10 @@ std::optional<std::array<double, 8>> numbers_of(std::string_view line) {
   return result;
 }
 
+bool is_before(const TimedPose& x, std::int64_t time) {
+  return x.time < time;
+}
+
 } // namespace
 
 RelationsResult parse_relations(std::string_view text, const std::string& file) {
@@ -100,14 +104,13 @@ Statistics statistics_of(const std::vector<double>& numbers) {
 
 std::optional<mapping::Pose2> pose_at(const std::vector<TimedPose>& path, std::int64_t time,
                                       std::int64_t most_gap) {
-  auto after = std::lower_bound(path.begin(), path.end(), time,
-                                [](const TimedPose& x, std::int64_t t) { return x.time < t; });
+  auto after = std::lower_bound(path.begin(), path.end(), time, is_before);
   // Times in files of relations have fewer digits than those in logs.
   constexpr std::int64_t rounding = 100;
-  if (after != path.end() && after->time - time <= rounding)
-    return after->pose;
-  if (after != path.begin() && time - std::prev(after)->time <= rounding)
-    return std::prev(after)->pose;
+  auto later = after != path.end() ? after->time - time : rounding + 1;
+  auto earlier = after != path.begin() ? time - std::prev(after)->time : rounding + 1;
+  if (std::min(later, earlier) <= rounding)
+    return later < earlier ? after->pose : std::prev(after)->pose;
   if (after == path.begin() || after == path.end())
     return {};
   auto before = std::prev(after);
@@ -118,14 +121,39 @@ std::optional<mapping::Pose2> pose_at(const std::vector<TimedPose>& path, std::i
   return interpolate(before->pose, after->pose, share);
 }
 
+std::int64_t clock_offset(const std::vector<TimedPose>& path,
+                          const std::vector<Relation>& relations) {
+  std::vector<std::int64_t> offsets;
+  auto add = [&](std::int64_t time) {
+    auto after = std::lower_bound(path.begin(), path.end(), time, is_before);
+    if (after == path.end() || after == path.begin())
+      return;
+    auto later = after->time - time;
+    auto earlier = std::prev(after)->time - time;
+    offsets.push_back(later < -earlier ? later : earlier);
+  };
+  for (const auto& x : relations) {
+    add(x.from);
+    add(x.to);
+  }
+  if (offsets.empty())
+    return 0;
+  auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+  std::nth_element(offsets.begin(), middle, offsets.end());
+  // More than rounding: most times are those of no pose.
+  constexpr std::int64_t most = 1000;
+  return std::abs(*middle) <= most ? *middle : 0;
+}
+
 RelationErrors relation_errors(const std::vector<TimedPose>& path,
                                const std::vector<Relation>& relations, std::int64_t most_gap) {
   RelationErrors result;
   std::vector<double> translation;
   std::vector<double> rotation;
+  auto offset = clock_offset(path, relations);
   for (const auto& x : relations) {
-    auto from = pose_at(path, x.from, most_gap);
-    auto to = pose_at(path, x.to, most_gap);
+    auto from = pose_at(path, x.from + offset, most_gap);
+    auto to = pose_at(path, x.to + offset, most_gap);
     if (!from || !to) {
       ++result.without_pose;
       continue;

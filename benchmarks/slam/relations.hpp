@@ -66,6 +66,13 @@ struct RelationErrors {
   std::size_t without_pose = 0;
 };
 
+/// How much later the path's times are than those that relations have for the same, us: the median
+/// difference to the nearest pose. Relations were made from logs whose times were rounded, or that
+/// were written by other versions of the logger.
+std::int64_t clock_offset(const std::vector<TimedPose>& path,
+                          const std::vector<Relation>& relations);
+
+/// The relations' times may be off by clock_offset().
 /// @param path in order of time; between its poses it is interpolated
 /// @param most_gap relations at a time that is further from poses than this are left out, us
 RelationErrors relation_errors(const std::vector<TimedPose>& path,

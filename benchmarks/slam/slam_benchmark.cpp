@@ -7,6 +7,7 @@
 // scans=N each Nth scan, noise=SIGMA adds noise to ranges (m), drift=SHARE to odometry, seed=N;
 // density=FACTOR multiplies the distance of keyframes; loops=0 leaves out loop closing;
 // worst=1 lists the relations that are kept worst.
+// Settings of SLAM are changed by their names, such as keyframe_distance=0.3; see setting().
 // path=FILE writes the path: time x y heading.
 
 #include "castor/benchmarks/slam/relations.hpp"
@@ -47,6 +48,46 @@ struct Task {
   mapping::SlamOptions options;
 };
 
+// Settings of SLAM that can be changed for studies, by their names in the options.
+double* setting(mapping::SlamOptions& x, std::string_view name) {
+  auto& front = x.front_end;
+  auto& loops = x.loop_closer;
+  const std::pair<std::string_view, double*> settings[]{
+    {"keyframe_distance", &front.keyframe_distance},
+    {"keyframe_turn", &front.keyframe_turn},
+    {"odometry_translation", &front.odometry_translation},
+    {"spacing", &front.spacing},
+    {"noise_of_points", &front.matcher.noise},
+    {"last_distance", &front.matcher.last_distance},
+    {"robust_points", &front.matcher.robust_from},
+    {"fit_radius", &front.surface.fit_radius},
+    {"max_range", &front.surface.max_range},
+    {"motion_deviation", &front.motion_deviation},
+    {"motion_deviation_heading", &front.motion_deviation_heading},
+    {"loop_spacing", &loops.spacing},
+    {"loop_last_distance", &loops.matcher.last_distance},
+    {"loop_robust_points", &loops.matcher.robust_from},
+    {"loop_fit_radius", &loops.surface.fit_radius},
+    {"least_path", &loops.least_path},
+    {"near", &loops.near},
+    {"window", &loops.window},
+    {"drift_window", &loops.drift},
+    {"search_distance", &loops.search_distance},
+    {"search_turn", &loops.search_turn},
+    {"least_score", &loops.least_score},
+    {"least_matched", &loops.least_matched},
+    {"least_observability", &loops.least_observability},
+    {"most_deviation", &loops.most_deviation},
+    {"deviation", &loops.deviation},
+    {"deviation_heading", &loops.deviation_heading},
+    {"robust_loops", &x.pose_graph.robust_from},
+  };
+  for (auto& [known, value] : settings)
+    if (known == name)
+      return value;
+  return nullptr;
+}
+
 bool set_option(Task& task, std::string_view name, const std::string& value) {
   auto number = std::atof(value.c_str());
   auto count = static_cast<std::size_t>(std::max(number, 1.));
@@ -69,8 +110,11 @@ bool set_option(Task& task, std::string_view name, const std::string& value) {
   else if (name == "density") {
     task.options.front_end.keyframe_distance *= number;
     task.options.front_end.keyframe_turn *= number;
-  } else
+  } else if (auto* value_of = setting(task.options, name)) {
+    *value_of = number;
+  } else {
     return false;
+  }
   return true;
 }
 

@@ -11,7 +11,7 @@ namespace castor::mapping {
 namespace {
 
 constexpr std::size_t level_count = 6;
-constexpr std::int64_t most_cells = 4'000'000;
+constexpr std::int64_t most_cells_of_grid = 4'000'000;
 
 std::int64_t floored(double x) {
   return static_cast<std::int64_t>(std::floor(x));
@@ -65,7 +65,7 @@ void CorrelativeMatcher::make_finest(const SurfacePoints& map) {
   Level finest;
   finest.columns = floored((right - left_) / cell) + reach + 1;
   finest.rows = floored((top - bottom_) / cell) + reach + 1;
-  if (finest.columns * finest.rows > most_cells)
+  if (finest.columns * finest.rows > most_cells_of_grid)
     return;
   finest.cells.resize(static_cast<std::size_t>(finest.columns * finest.rows));
   for (const auto& x : map) {

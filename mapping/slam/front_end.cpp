@@ -13,10 +13,6 @@ double squared(double x) {
   return x * x;
 }
 
-/// Deviations below these are never believed, m and radians: neighbouring beams err together.
-constexpr double least_deviation = 0.004;
-constexpr double least_turn_deviation = 0.002;
-
 } // namespace
 
 FrontEnd::FrontEnd(const FrontEndOptions& options) : options_(options), matcher_(options.matcher) {}
@@ -171,8 +167,8 @@ Constraint FrontEnd::constraint_to(const FrontEndStep& step) const {
   double xx = 0;
   double heading = 0;
   if (step.state == LocalisationState::tracking) {
-    xx = squared(least_deviation + 0.01 * way);
-    heading = squared(least_turn_deviation + 0.01 * turn);
+    xx = squared(options_.motion_deviation + 0.01 * way);
+    heading = squared(options_.motion_deviation_heading + 0.01 * turn);
     // A wall that is seen far away is no help along it.
     xx = std::max(xx, std::min({step.covariance.xx, step.covariance.yy, 0.01}));
   } else {

@@ -34,6 +34,10 @@ struct FrontEndOptions {
   /// may be late.
   double late_odometry = 0.05;
   double late_odometry_heading = 0.05;
+  /// Deviation of a step from keyframe to keyframe at least, m and radians: neighbouring beams err
+  /// together.
+  double motion_deviation = 0.004;
+  double motion_deviation_heading = 0.002;
   /// Scans of which less is on known surfaces do not fit.
   double least_matched = 0.4;
   /// Score of a correlative match that is good enough to go on from it.

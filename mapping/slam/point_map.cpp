@@ -9,7 +9,7 @@ namespace castor::mapping {
 namespace {
 
 constexpr double smallest_cell = 0.1;
-constexpr double most_cells = 1 << 20;
+constexpr double most_cells_of_map = 1 << 20;
 
 } // namespace
 
@@ -28,7 +28,7 @@ PointMap::PointMap(const SurfacePoints& points) {
   }
   if (points_.empty())
     return;
-  cell_ = std::max(smallest_cell, std::sqrt((right - left_) * (top - bottom_) / most_cells));
+  cell_ = std::max(smallest_cell, std::sqrt((right - left_) * (top - bottom_) / most_cells_of_map));
   columns_ = static_cast<std::int64_t>((right - left_) / cell_) + 1;
   rows_ = static_cast<std::int64_t>((top - bottom_) / cell_) + 1;
   auto cell_of = [&](const SurfacePoint& x) {
