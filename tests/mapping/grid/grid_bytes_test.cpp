@@ -7,6 +7,8 @@
 #include "castor/mapping/logs/carmen_log.hpp"
 #include "castor/mapping/logs/rawlog.hpp"
 
+#include "castor/wm/values/value.hpp"
+
 #include <gtest/gtest.h>
 
 #include <zlib.h>
@@ -48,6 +50,8 @@ struct Costs {
   std::size_t tiles = 0;
   std::size_t bytes = 0;
   std::size_t run_length = 0;
+  /// Values of entries as they cross a link.
+  std::size_t values = 0;
   std::size_t whole = 0;
 };
 
@@ -72,6 +76,7 @@ Costs costs_of(const RobotLog& log) {
     result.tiles += changed.size();
     for (auto& tile : changed) {
       result.bytes += tile.bytes.size();
+      result.values += Value::of(tile).encoded_size();
       result.run_length += run_length_bytes(grid.cells({tile.column, tile.row}));
     }
     // One in twenty: the whole grid takes long to compress.
@@ -82,7 +87,8 @@ Costs costs_of(const RobotLog& log) {
             << " tiles: " << static_cast<double>(result.tiles) / static_cast<double>(result.updates)
             << " tiles of " << result.bytes / result.tiles << " bytes, together "
             << result.bytes / result.updates << " bytes for an update ("
-            << result.run_length / result.updates << " by run lengths); one entry for the grid, "
+            << result.run_length / result.updates << " by run lengths); the value of an event "
+            << result.values / result.tiles << " bytes; one entry for the grid, "
             << "compressed: " << result.whole / result.updates << " bytes; "
             << static_cast<double>(time.count()) / 1e6 / static_cast<double>(result.updates)
             << " ms for an update with its encoding\n";

@@ -32,6 +32,12 @@ struct ToldAnswers {
 };
 CASTOR_REFLECT(ToldAnswers, ray, box, point, problem)
 
+/// Where the asker is to ask.
+struct AskingPlace {
+  geometry::Point3 point;
+};
+CASTOR_REFLECT(AskingPlace, point)
+
 namespace {
 
 using castor::test::TemporaryFolder;
@@ -75,8 +81,8 @@ CASTOR_COMPONENT(KeyframeFeeder, "adds keyframes of a room")
 /// Asks the octree, when it is told to by an entry, and notes the answers.
 class OctreeAsker final : public UnmanagedComponent {
   void start() override {
-    on_change(added<AskPoint>(), [this](const ChangeEvent& event) {
-      auto point = read<AskPoint>(event.address)->point;
+    on_change(added<AskingPlace>(), [this](const ChangeEvent& event) {
+      auto point = read<AskingPlace>(event.address)->point;
       ToldAnswers told;
       told.ray = call<AskRay, RayEnd>(
         subarchitecture(),
@@ -110,7 +116,7 @@ class PointTeller final : public UnmanagedComponent {
         break;
       wait_for_changes();
     }
-    add(AskPoint{{0.1, 0.1, 0.3}});
+    add(AskingPlace{{0.1, 0.1, 0.3}});
   }
 };
 CASTOR_COMPONENT(PointTeller, "says where to ask")
