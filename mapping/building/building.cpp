@@ -78,9 +78,13 @@ Extent extent(const Building& x) {
     }
   for (const auto& thing : x.furniture) {
     const auto& body = thing.body;
-    const double radius = std::hypot(body.length, body.width) / 2;
-    include(result, {body.pose.x - radius, body.pose.y - radius});
-    include(result, {body.pose.x + radius, body.pose.y + radius});
+    const auto c = std::abs(std::cos(body.pose.heading));
+    const auto n = std::abs(std::sin(body.pose.heading));
+    const bool is_disc = body.shape == SolidShape::disc;
+    const double across = (is_disc ? body.length : c * body.length + n * body.width) / 2;
+    const double aside = (is_disc ? body.length : n * body.length + c * body.width) / 2;
+    include(result, {body.pose.x - across, body.pose.y - aside});
+    include(result, {body.pose.x + across, body.pose.y + aside});
   }
   return result.low.x > result.high.x ? Extent{} : result;
 }

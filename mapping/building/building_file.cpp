@@ -106,28 +106,33 @@ private:
   template <class Thing>
   void name_things(std::vector<Thing>& things, std::set<std::string>& taken) {
     for (auto& thing : things) {
-      auto& count = counts_[thing.kind];
+      if (thing.name.empty() && counts_.at(thing.kind) == 1 && taken.insert(thing.kind).second)
+        thing.name = thing.kind;
+      auto& named = named_[thing.kind];
       while (thing.name.empty()) {
-        auto name = thing.kind + "-" + std::to_string(++count);
+        auto name = thing.kind + "-" + std::to_string(++named);
         if (taken.insert(name).second)
           thing.name = std::move(name);
       }
     }
   }
 
-  /// After its kind, with a number: desk-1, desk-2.
+  /// After its kind, with a number if there are several: desk-1, desk-2.
   void name_what_has_no_name() {
     std::set<std::string> taken;
-    for (const auto& x : building_.doors)
-      taken.insert(x.name);
-    for (const auto& x : building_.rooms)
-      taken.insert(x.name);
+    auto collect = [&](const auto& things) {
+      for (const auto& x : things)
+        taken.insert(x.name);
+    };
+    collect(building_.doors);
+    collect(building_.rooms);
+    collect(building_.furniture);
+    collect(building_.objects);
+    collect(building_.people);
     for (const auto& x : building_.furniture)
-      taken.insert(x.name);
+      ++counts_[x.kind];
     for (const auto& x : building_.objects)
-      taken.insert(x.name);
-    for (const auto& x : building_.people)
-      taken.insert(x.name);
+      ++counts_[x.kind];
     name_things(building_.furniture, taken);
     name_things(building_.objects, taken);
   }
@@ -149,8 +154,9 @@ private:
   std::map<int, TextLine> lines_;
   /// Lines of the statements that there may be one of.
   std::map<std::string, int> keywords_;
-  /// How many things of a kind were named.
+  /// How many pieces of furniture and objects there are of a kind, and how many have got a number.
   std::map<std::string, int> counts_;
+  std::map<std::string, int> named_;
   std::vector<Diagnostic> problems_;
   bool walls_may_be_missing_ = false;
 };

@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -27,6 +30,7 @@ const cv::Scalar route_colour(200, 90, 170);
 const cv::Scalar start_colour(60, 60, 220);
 
 /// Pale colours of rooms; neighbours in the file get different ones.
+const cv::Scalar palest(246, 246, 244);
 const std::array<cv::Scalar, 6> pale{cv::Scalar(214, 232, 250), cv::Scalar(222, 245, 222),
                                      cv::Scalar(250, 234, 216), cv::Scalar(210, 245, 250),
                                      cv::Scalar(240, 224, 240), cv::Scalar(238, 242, 214)};
@@ -113,8 +117,10 @@ private:
     std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) {
       return std::abs(signed_area(x_.rooms[i].outline));
     });
+    // The largest is a neighbour of most.
     for (auto i : order) {
-      fill(x_.rooms[i].outline, pale[i % pale.size()]);
+      fill(x_.rooms[i].outline,
+           i == order.front() && order.size() > 2 ? palest : pale[i % pale.size()]);
       for (const auto& hole : x_.rooms[i].holes)
         fill(hole, {255, 255, 255});
     }
@@ -216,35 +222,83 @@ private:
     cv::circle(image_, centre, radius, ink, 1, cv::LINE_AA, fraction_bits);
   }
 
+  /// Place of a text with its middle there.
+  static cv::Rect place_of(const std::string& text, const cv::Point& middle, double size,
+                           int thickness) {
+    int below = 0;
+    auto box = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, size, thickness, &below);
+    return {middle.x - box.width / 2, middle.y - box.height / 2, box.width, box.height};
+  }
+
   /// Text with its middle there, on a pale ground.
   void label(const std::string& text, const cv::Point& middle, double size,
-             const cv::Scalar& colour, bool bold = false) {
-    int below = 0;
-    const int thickness = bold ? 2 : 1;
-    const auto box = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, size, thickness, &below);
-    const cv::Point at(
-      std::clamp(middle.x - box.width / 2, 2, std::max(2, image_.cols - box.width - 2)),
-      middle.y + box.height / 2);
+             const cv::Scalar& colour, int thickness = 1) {
+    auto place = place_of(text, middle, size, thickness);
+    place.x = std::clamp(place.x, 2, std::max(2, image_.cols - place.width - 2));
+    const cv::Point at(place.x, place.y + place.height);
     cv::putText(image_, text, at, cv::FONT_HERSHEY_SIMPLEX, size, {255, 255, 255}, thickness + 3,
                 cv::LINE_AA);
     cv::putText(image_, text, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, thickness, cv::LINE_AA);
+    labels_.push_back(place + cv::Size(6, 8) - cv::Point(3, 4));
+  }
+
+  void draw_room_label(const Room& room) {
+    // Where there is neither furniture nor anything else that is drawn.
+    auto taken = room.holes;
+    auto avoid = [&](double x, double y, double half) {
+      taken.push_back(
+        {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}});
+    };
+    for (const auto& thing : x_.furniture)
+      taken.push_back(corners(thing.body));
+    for (const auto& object : x_.objects)
+      avoid(object.body.pose.x, object.body.pose.y, std::max(0.15, object.body.length / 2));
+    for (const auto& person : x_.people)
+      avoid(person.route.front().x, person.route.front().y, person.radius);
+    avoid(x_.start.x, x_.start.y, 0.4);
+    // Labels are wider than high: as if everything were narrower.
+    constexpr double narrower = 0.4;
+    auto narrow = [](Polygon outline) {
+      for (auto& p : outline)
+        p.x *= narrower;
+      return outline;
+    };
+    for (auto& x : taken)
+      x = narrow(std::move(x));
+    const auto place = label_point(narrow(room.outline), taken);
+    const auto middle = whole_pixel({place.x / narrower, place.y});
+    label(room.name, {middle.x, middle.y - 8}, 0.75, ink, 2);
+    char area[32];
+    std::snprintf(area, sizeof area, "%.1f m2", room.area);
+    label(area, {middle.x, middle.y + 14}, 0.45, faint_ink);
+  }
+
+  /// Below the object, or wherever around it no other label is.
+  void draw_object_label(const BuildingObject& object) {
+    constexpr double size = 0.36;
+    const auto middle = whole_pixel({object.body.pose.x, object.body.pose.y});
+    const auto box = place_of(object.name, middle, size, 1);
+    const int radius = std::max(5, static_cast<int>(object.body.length / 2 * scale_));
+    const int aside = radius + 6 + box.width / 2;
+    const int away = radius + 8;
+    const std::array<cv::Point, 4> places{
+      cv::Point(middle.x, middle.y + away), cv::Point(middle.x, middle.y - away),
+      cv::Point(middle.x + aside, middle.y), cv::Point(middle.x - aside, middle.y)};
+    auto is_free = [&](const cv::Point& p) {
+      const auto place = place_of(object.name, p, size, 1);
+      return std::ranges::none_of(labels_,
+                                  [&](const cv::Rect& x) { return (x & place).area() > 0; });
+    };
+    const auto* free = std::ranges::find_if(places, is_free);
+    label(object.name, free == places.end() ? places.front() : *free, size, ink);
   }
 
   void draw_labels() {
-    for (const auto& object : x_.objects) {
-      const auto middle = whole_pixel({object.body.pose.x, object.body.pose.y});
-      label(object.name,
-            {middle.x, middle.y + 12 + static_cast<int>(object.body.length / 2 * scale_)}, 0.36,
-            ink);
-    }
     for (const auto& room : x_.rooms)
-      if (!room.outline.empty()) {
-        const auto middle = whole_pixel(label_point(room.outline, room.holes));
-        label(room.name, middle, 0.75, ink, true);
-        char area[32];
-        std::snprintf(area, sizeof area, "%.1f m2", room.area);
-        label(area, {middle.x, middle.y + 22}, 0.45, faint_ink);
-      }
+      if (!room.outline.empty())
+        draw_room_label(room);
+    for (const auto& object : x_.objects)
+      draw_object_label(object);
   }
 
   /// A round length of about a quarter of the picture.
@@ -261,7 +315,7 @@ private:
       cv::line(image_, {x, y - 8}, {x, y + 8}, ink, 3);
     label(std::to_string(static_cast<int>(metres)) + " m", {(left + right) / 2, y + 22}, 0.6, ink);
     if (!x_.name.empty())
-      label(x_.name, {right + 120, y + 4}, 0.9, ink, true);
+      label(x_.name, {right + 120, y + 4}, 0.9, ink, 2);
   }
 
   const Building& x_;
@@ -269,6 +323,8 @@ private:
   /// Pixels per metre.
   double scale_ = 1;
   cv::Mat image_;
+  /// Places of the labels so far.
+  std::vector<cv::Rect> labels_;
 };
 
 } // namespace
