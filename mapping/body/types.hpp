@@ -38,8 +38,25 @@ struct DriverSeat {
   friend bool operator==(const DriverSeat&, const DriverSeat&) = default;
 };
 
+/// Entry: how far along its path a PathDriver is. Its id is the component's name.
+struct PathProgress {
+  /// When that was, microseconds since the system began.
+  std::int64_t time = 0;
+  /// Metres along the path, and its length.
+  double done = 0;
+  double length = 0;
+  /// Rounds that were completed.
+  std::int64_t rounds = 0;
+  bool arrived = false;
+  /// Why the robot stands; empty if it drives or has arrived.
+  std::string waits_for;
+
+  friend bool operator==(const PathProgress&, const PathProgress&) = default;
+};
+
 CASTOR_REFLECT(BodyStatus, time, pose, velocity, collisions, blocked, clearance, least_clearance,
                driven)
 CASTOR_REFLECT(DriverSeat, driver)
+CASTOR_REFLECT(PathProgress, time, done, length, rounds, arrived, waits_for)
 
 } // namespace castor::mapping
