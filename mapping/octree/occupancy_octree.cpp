@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -251,18 +252,26 @@ std::set<BlockIndex> OccupancyOctree::blocks() const {
 
 void OccupancyOctree::write(const std::filesystem::path& path) const {
   auto ending = path.extension();
-  bool done = false;
-  if (ending == ".ot") {
-    done = tree_->write(path.string());
-  } else if (ending == ".bt") {
-    // The copy loses its log-odds, and is smaller for it.
-    octomap::OcTree copy{*tree_};
-    done = copy.writeBinary(path.string());
-  } else {
+  if (ending != ".ot" && ending != ".bt")
     throw std::runtime_error(path.string() + ": an octree is written to a file that ends in .ot or "
                                              ".bt");
+  std::ofstream file{path, std::ios::binary | std::ios::trunc};
+  if (ending == ".ot") {
+    tree_->write(file);
+  } else {
+    // The copy loses its log-odds, and is smaller for it.
+    octomap::OcTree copy{*tree_};
+    copy.toMaxLikelihood();
+    copy.prune();
+    // OcTree::writeBinary() writes the same, and a line to the terminal.
+    file << "# Octomap OcTree binary file\n"
+         << "# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+         << "id " << copy.getTreeType() << "\nsize " << copy.size() << "\nres "
+         << copy.getResolution() << "\ndata\n";
+    copy.writeBinaryData(file);
   }
-  if (!done)
+  file.close();
+  if (!file)
     throw std::runtime_error(path.string() + ": the file cannot be written. Check that its folder "
                                              "exists, that you may write there, and that the disk "
                                              "is not full.");

@@ -6,7 +6,6 @@
 #include "castor/mapping/grid/tile_entries.hpp"
 #include "castor/mapping/logs/carmen_log.hpp"
 #include "castor/mapping/logs/rawlog.hpp"
-
 #include "castor/wm/values/value.hpp"
 
 #include <gtest/gtest.h>

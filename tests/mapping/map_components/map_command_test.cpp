@@ -64,7 +64,7 @@ TEST_F(MapCommand, WithoutAnExporterSaysSo) {
   ASSERT_TRUE(eventually([&] { return ask({"wm", "ls"}).status == 0; }));
   auto answer = ask({"map", "export", (folder / "exported").string(), "--in", "a"});
   EXPECT_NE(answer.status, 0);
-  EXPECT_THAT(answer.errors, HasSubstr("ExportMap"));
+  EXPECT_THAT(answer.errors, HasSubstr("no component of a serves calls"));
   castor.send_signal(SIGINT);
   EXPECT_EQ(castor.wait(), 0);
 }

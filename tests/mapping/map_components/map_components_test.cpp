@@ -111,12 +111,12 @@ class PointTeller final : public UnmanagedComponent {
 
   void run() override {
     while (is_running()) {
-      auto end = call<AskRay, RayEnd>(subarchitecture(), {{0.1, 0.1, 0.3}, {1, 0, 0}, 10, false});
+      auto end = call<AskRay, RayEnd>(subarchitecture(), {{0.1, 0.1, 0.32}, {1, 0, 0}, 10, false});
       if (std::abs(end.point.x - feeder_room.right) < 0.1 && !read_all<GraphPoses>().empty())
         break;
       wait_for_changes();
     }
-    add(AskingPlace{{0.1, 0.1, 0.3}});
+    add(AskingPlace{{0.1, 0.1, 0.32}});
   }
 };
 CASTOR_COMPONENT(PointTeller, "says where to ask")
@@ -180,11 +180,11 @@ TEST(GridBuilder, KeepsTheGridOfTheCorrectedPosesAlsoAfterACrash) {
 }
 
 TEST(OctreeBuilder, AnswersWhatIsAsked) {
-  TestSystem system{
-    cast_with("CPP UM feeder KeyframeFeeder\n"
-              "CPP UM octree OctreeBuilder --rebuild-period 20ms --voxel-size 0.05\n"
-              "CPP UM asker OctreeAsker\n"
-              "CPP UM told PointTeller\n")};
+  TestSystem system{cast_with(
+    "CPP UM feeder KeyframeFeeder\n"
+    "CPP UM octree OctreeBuilder --rebuild-period 20ms --voxel-size 0.05 --laser-height 0.32\n"
+    "CPP UM asker OctreeAsker\n"
+    "CPP UM told PointTeller\n")};
   system.expect_entry("ToldAnswers in mapping");
   auto told = all<ToldAnswers>(system).front();
   EXPECT_EQ(told.ray.met, Occupancy::occupied);

@@ -1,6 +1,8 @@
 // The octree: evidence, queries, blocks, files.
 
+#include "castor/mapping/geometry/poses.hpp"
 #include "castor/mapping/grid/tile_codec.hpp"
+#include "castor/mapping/logs/rawlog.hpp"
 #include "castor/mapping/octree/anchored_octree.hpp"
 #include "castor/mapping/octree/occupancy_octree.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
@@ -9,6 +11,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -186,6 +189,40 @@ TEST(OccupancyOctree, TimeForALargeCloud) {
   std::cout << cloud.points.size() << " points at 5 cm: " << milliseconds << " ms, "
             << changed.size() << " blocks of together " << bytes << " bytes\n";
   EXPECT_GT(octree.leaves(), 10000U);
+}
+
+/// A depth camera and a Velodyne, of Debian's package mrpt-common.
+TEST(OccupancyOctree, TakesTheCloudsOfMrptsRawlogs) {
+  for (auto* name : {"tests_rgbd.rawlog", "test_velodyne_VLP16.rawlog"}) {
+    auto file = std::filesystem::path{"/usr/share/mrpt/datasets"} / name;
+    if (!exists(file))
+      GTEST_SKIP() << "needs the package mrpt-common";
+    auto read = read_rawlog(file);
+    ASSERT_TRUE(read.rawlog) << render(read.diagnostics);
+    ASSERT_EQ(read.rawlog->clouds.size(), 1U);
+    auto& cloud = read.rawlog->clouds[0];
+    OccupancyOctree octree{{.voxel_size = 0.05, .max_range = 8}};
+    auto start = std::chrono::steady_clock::now();
+    auto changed = octree.insert({cloud.sensor, cloud.points});
+    auto milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    std::size_t bytes = 0;
+    for (auto& x : changed)
+      bytes += encode_tile(octree.block(x)).size();
+    std::cout << name << ": " << cloud.points.size() << " points at 5 cm: " << milliseconds
+              << " ms, " << octree.leaves() << " leaves, " << changed.size()
+              << " blocks of together " << bytes << " bytes\n";
+    // What is nearer than the range is occupied where it was seen.
+    std::size_t near = 0;
+    std::size_t occupied = 0;
+    for (std::size_t i = 0; i < cloud.points.size(); i += 97)
+      if (geometry::distance(cloud.points[i], cloud.sensor) < 7.9) {
+        ++near;
+        occupied += octree.at(cloud.points[i]).occupancy == Occupancy::occupied;
+      }
+    EXPECT_GT(near, 50U) << name;
+    EXPECT_EQ(occupied, near) << name;
+  }
 }
 
 // -- clouds of a robot whose poses are corrected
