@@ -22,6 +22,7 @@ void add_simulate(CLI::App& app, Action& chosen);
 void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
+void add_building(CLI::App& app, Action& chosen);
 void add_new(CLI::App& app, Action& chosen);
 // Commands that inspect or change a running system.
 void add_ps(CLI::App& app, Action& chosen);
@@ -33,6 +34,7 @@ void add_remove(CLI::App& app, Action& chosen);
 void add_call(CLI::App& app, Action& chosen);
 void add_command(CLI::App& app, Action& chosen);
 void add_clock(CLI::App& app, Action& chosen);
+void add_map(CLI::App& app, Action& chosen);
 void add_actions(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 /// Commands for journals; they need no running system.

@@ -58,10 +58,12 @@ int main(int argc, char** argv) {
   cli::add_call(app, action);
   cli::add_command(app, action);
   cli::add_clock(app, action);
+  cli::add_map(app, action);
   cli::add_actions(app, action);
   cli::add_journal(app, action);
   cli::add_check(app, action);
   cli::add_components(app, action);
+  cli::add_building(app, action);
   cli::add_new(app, action);
   cli::add_doctor(app, action);
   cli::add_completion(app, action);
