@@ -84,7 +84,7 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"most_deviation", &loops.most_deviation},
     {"deviation", &loops.deviation},
     {"deviation_heading", &loops.deviation_heading},
-    {"robust_loops", &x.pose_graph.robust_from},
+    {"robust_loops", &x.graph.graph.robust_from},
   };
   for (auto& [known, value] : settings)
     if (known == name)
