@@ -5,8 +5,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(
   g++ cmake ccache ninja-build pkg-config
-  libcaf-dev libcli11-dev libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
+  libcaf-dev libceres-dev libcli11-dev libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
   libssl-dev libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev zlib1g-dev
+  # Maps of robots.
+  libmrpt-maps-dev liboctomap-dev
   # The font of timelines.
   fonts-liberation2
   # For the tests of what `castor new` makes.
@@ -14,6 +16,8 @@ packages=(
 )
 test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
+  # Tools that open exported maps, and rawlogs.
+  mrpt-apps mrpt-common octomap-tools
   # Shells that complete castor's command lines, and the formatter of its manual pages.
   fish groff-base zsh
 )

@@ -34,6 +34,7 @@ void add_remove(CLI::App& app, Action& chosen);
 void add_call(CLI::App& app, Action& chosen);
 void add_command(CLI::App& app, Action& chosen);
 void add_clock(CLI::App& app, Action& chosen);
+void add_map(CLI::App& app, Action& chosen);
 void add_actions(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 /// Commands for journals; they need no running system.

@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   cli::add_call(app, action);
   cli::add_command(app, action);
   cli::add_clock(app, action);
+  cli::add_map(app, action);
   cli::add_actions(app, action);
   cli::add_journal(app, action);
   cli::add_check(app, action);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/planar/types.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace castor::mapping {
+
+/// A line over the picture of a map.
+struct MapTrack {
+  std::vector<Pose2> poses;
+  /// Red, green, blue.
+  std::uint8_t red = 0xD0;
+  std::uint8_t green = 0x30;
+  std::uint8_t blue = 0x30;
+};
+
+struct MapPictureOptions {
+  /// Length of the longer side, about; pixels. Cells are enlarged or reduced by a whole number.
+  int side = 1200;
+};
+
+/// The bytes of a PNG file: the map, light where it is free and dark where it is occupied, and the
+/// tracks over it, with a dot at the start, an arrow at the end, and a bar of round length for the
+/// scale. The map is enlarged so that all tracks are in the picture.
+/// @throws std::invalid_argument if there is neither a cell nor a pose
+std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
+                        const MapPictureOptions& options = {});
+
+} // namespace castor::mapping

@@ -1,0 +1,161 @@
+#include "castor/actors/component/option.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/write_batch.hpp"
+#include "castor/mapping/grid/tile_codec.hpp"
+#include "castor/mapping/map_components/follows_keyframes.hpp"
+#include "castor/mapping/octree/anchored_octree.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace castor::mapping {
+
+namespace {
+
+std::string id_of(const BlockIndex& x) {
+  return "block " + std::to_string(x.x) + ' ' + std::to_string(x.y) + ' ' + std::to_string(x.z);
+}
+
+/// Keeps the octree of what lasers and other sensors see at the corrected poses of keyframes, as
+/// OctreeBlock entries, and answers what is asked about it. Clouds that were pushed are in its
+/// memory only: after a restart, there is what the lasers of keyframes have seen.
+class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
+  void configure() override {
+    octree_.emplace(OccupancyOctreeOptions{voxel_size_, max_range_}, voxel_size_.get());
+  }
+
+  void start() override {
+    for (auto& x : read_all<OctreeBlock>())
+      written_[{x->x, x->y, x->z}] = {x->version, x->bytes};
+    if (!clouds_->empty())
+      on_push<SensedCloud>(clouds_, [this](const std::shared_ptr<const SensedCloud>& x) {
+        newest_cloud_ = x;
+        if (last_.object)
+          place_cloud(last_, last_robot_);
+        write_blocks();
+      });
+    on_call<AskPoint>([this](const AskPoint& x) { return octree_->octree().at(x.point); });
+    on_call<AskRay>([this](const AskRay& x) { return octree_->octree().cast(x); });
+    on_call<AskBox>([this](const AskBox& x) { return octree_->octree().look_into(x.box); });
+    follow_keyframes();
+    // Also what a predecessor has left.
+    for (auto& [block, written] : written_)
+      changed_.insert(block);
+    write_blocks();
+    every(rebuild_period_.get(), [this] {
+      if (octree_->is_outdated() && now() >= next_rebuild_)
+        rebuild();
+    });
+  }
+
+  void place(const EntryOf<Keyframe>& keyframe, const Pose2& robot) override {
+    auto& name = keyframe.address.id;
+    std::shared_ptr<const PointCloud> laser;
+    if (!octree_->has(name))
+      laser = std::make_shared<PointCloud>(cloud_of(keyframe->scan, {}, laser_height_));
+    changed_.merge(octree_->place(name, std::move(laser), robot));
+    if (!last_.object || keyframe->number >= last_->number) {
+      last_ = keyframe;
+      last_robot_ = robot;
+    }
+    place_cloud(keyframe, robot);
+  }
+
+  /// Anchors the newest cloud to a keyframe of the same time; corrects the pose of one that is.
+  void place_cloud(const EntryOf<Keyframe>& keyframe, const Pose2& robot) {
+    auto name = cloud_of_keyframe(keyframe.address.id);
+    if (octree_->has(name)) {
+      octree_->place(name, nullptr, robot);
+      return;
+    }
+    if (!newest_cloud_ || std::chrono::microseconds{
+                            std::abs(newest_cloud_->time - keyframe->time)} > cloud_window_.get())
+      return;
+    auto& x = newest_cloud_->coordinates;
+    auto cloud = std::make_shared<PointCloud>();
+    cloud->sensor = newest_cloud_->sensor;
+    for (std::size_t i = 0; i + 2 < x.size(); i += 3)
+      cloud->points.push_back(
+        {static_cast<double>(x[i]), static_cast<double>(x[i + 1]), static_cast<double>(x[i + 2])});
+    newest_cloud_.reset();
+    changed_.merge(octree_->place(name, std::move(cloud), robot));
+  }
+
+  static std::string cloud_of_keyframe(const std::string& keyframe) { return keyframe + " cloud"; }
+
+  void remove(const std::string& keyframe) override {
+    octree_->remove(keyframe);
+    octree_->remove(cloud_of_keyframe(keyframe));
+  }
+
+  void placed() override { write_blocks(); }
+
+  void rebuild() {
+    auto start = std::chrono::steady_clock::now();
+    changed_.merge(octree_->rebuild());
+    write_blocks();
+    // A large map takes long: nine tenths of the time are left for other things.
+    next_rebuild_ =
+      now() + std::chrono::duration_cast<Timestamp>(9 * (std::chrono::steady_clock::now() - start));
+  }
+
+  void write_blocks() {
+    WriteBatch batch;
+    std::size_t blocks = 0;
+    for (auto& index : std::exchange(changed_, {})) {
+      auto bytes = encode_tile(octree_->octree().block(index));
+      auto [at, is_new] = written_.try_emplace(index);
+      auto& written = at->second;
+      if (written.bytes == bytes)
+        continue;
+      written = {written.version + 1, std::move(bytes)};
+      OctreeBlock block{index.x, index.y, index.z, written.version, voxel_size_, written.bytes};
+      if (is_new)
+        batch.add(here(id_of(index)), std::move(block));
+      else
+        batch.overwrite(here(id_of(index)), std::move(block));
+      ++blocks;
+    }
+    if (blocks > 0)
+      write(batch);
+  }
+
+  struct Written {
+    std::uint64_t version = 0;
+    std::vector<std::uint8_t> bytes;
+  };
+
+  Option<double> voxel_size_{this, "voxel-size", 0.1, "side of a voxel, metres"};
+  Option<double> max_range_{this, "max-range", 8, "longer beams are free space only; metres"};
+  Option<double> laser_height_{this, "laser-height", 0.3, "of the laser above the floor, metres"};
+  Option<StandaloneName> clouds_{this, "clouds", "",
+                                 "stand-alone component that pushes SensedCloud; empty: none"};
+  Option<std::chrono::milliseconds> cloud_window_{
+    this, "cloud-window", std::chrono::milliseconds{100},
+    "a cloud belongs to a keyframe that is at most so much older or newer"};
+  Option<std::chrono::milliseconds> rebuild_period_{this, "rebuild-period", std::chrono::seconds{5},
+                                                    "corrected poses take effect at most so often"};
+
+  std::optional<AnchoredOctree> octree_;
+  std::shared_ptr<const SensedCloud> newest_cloud_;
+  EntryOf<Keyframe> last_;
+  Pose2 last_robot_;
+  Timestamp next_rebuild_{0};
+  std::set<BlockIndex> changed_;
+  std::map<BlockIndex, Written> written_;
+};
+
+CASTOR_COMPONENT(OctreeBuilder, "keeps the octree of free and occupied space, and answers queries")
+
+} // namespace
+
+} // namespace castor::mapping

@@ -1,0 +1,194 @@
+#include "castor/mapping/slam/front_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace castor::mapping {
+
+namespace {
+
+double squared(double x) {
+  return x * x;
+}
+
+} // namespace
+
+FrontEnd::FrontEnd(const FrontEndOptions& options) : options_(options), matcher_(options.matcher) {}
+
+void FrontEnd::resume(const std::vector<Keyframe>& newest) {
+  placed_.clear();
+  for (const auto& x : newest)
+    place(x, surface_points(x.scan, options_.surface));
+  if (newest.empty())
+    return;
+  time_ = newest.back().time;
+  odometry_ = newest.back().odometry;
+  pose_ = newest.back().local_pose;
+  has_resumed_ = true;
+}
+
+FrontEnd::Motion FrontEnd::motion_to(std::int64_t time, const Pose2& odometry) const {
+  Motion result;
+  result.step = between(odometry_, odometry);
+  auto seconds = std::max(static_cast<double>(time - time_) / 1e6, 1e-3);
+  auto way = std::hypot(result.step.x, result.step.y);
+  auto turn = std::abs(result.step.heading);
+  // A scan may come late: the first half second is not counted.
+  if (way > options_.most_speed * std::max(seconds, 0.5) ||
+      turn > options_.most_turn * std::max(seconds, 0.5)) {
+    result.reason = "odometry has jumped";
+    result.is_uncertain = true;
+    result.step = {};
+    way = 0.5;
+    turn = 0.5;
+  } else if (has_resumed_ || seconds > options_.gap) {
+    result.reason = "scans are missing";
+    result.is_uncertain = way > 0.02 || turn > 0.02;
+  }
+  if (last_duration_ > 0 && !result.is_uncertain && seconds < options_.gap) {
+    auto share = std::min(1e6 * seconds / static_cast<double>(last_duration_), 2.);
+    result.as_before = Pose2{share * last_step_.x, share * last_step_.y,
+                             normalised(share * last_step_.heading)};
+  }
+  result.prior.translation = options_.odometry_rest + options_.odometry_translation * way;
+  result.prior.heading = options_.odometry_rest_heading + options_.odometry_turn * turn +
+                         options_.odometry_drift * way;
+  return result;
+}
+
+ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) const {
+  auto by_odometry = compose(pose_, motion.step);
+  if (!motion.as_before)
+    return matcher_.match(map_, scan, by_odometry, motion.prior);
+  auto late = between(motion.step, *motion.as_before);
+  auto late_by = std::hypot(late.x, late.y);
+  if (late_by < options_.late_odometry && std::abs(late.heading) < options_.late_odometry_heading)
+    return matcher_.match(map_, scan, by_odometry, motion.prior);
+  auto prior = motion.prior;
+  prior.translation += late_by;
+  prior.heading += std::abs(late.heading);
+  auto a = matcher_.match(map_, scan, by_odometry, prior);
+  auto b = matcher_.match(map_, scan, compose(pose_, *motion.as_before), prior);
+  return b.matched > a.matched ? b : a;
+}
+
+FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion) const {
+  auto scan = thinned(points, options_.spacing);
+  Found result;
+  if (!motion.is_uncertain) {
+    result.match = match_near(scan, motion);
+    result.fits = result.match.matched >= options_.least_matched;
+    if (result.fits)
+      return result;
+  }
+  // The window covers three deviations of the prediction.
+  SearchWindow window{std::clamp(3 * motion.prior.translation, 0.3, 3.),
+                      std::clamp(3 * motion.prior.heading, 0.2, std::numbers::pi / 2)};
+  CorrelativeMatcher coarse{map_.points()};
+  auto best = coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window,
+                           options_.least_score);
+  if (!best)
+    return result;
+  auto match = matcher_.match(map_, scan, best->pose);
+  if (match.matched >= options_.least_matched) {
+    result.match = match;
+    result.fits = true;
+  }
+  return result;
+}
+
+bool FrontEnd::is_far_from_keyframe(const Pose2& pose) const {
+  auto way = between(placed_.back().keyframe.local_pose, pose);
+  return std::hypot(way.x, way.y) >= options_.keyframe_distance ||
+         std::abs(way.heading) >= options_.keyframe_turn;
+}
+
+FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
+  auto points = surface_points(scan, options_.surface);
+  FrontEndStep result;
+  result.time = scan.time;
+  if (placed_.empty()) {
+    make_keyframe(result, scan, odometry, points);
+  } else {
+    auto motion = motion_to(scan.time, odometry);
+    auto found = find(points, motion);
+    if (found.fits) {
+      result.local_pose = found.match.pose;
+      result.covariance = found.match.covariance;
+    } else {
+      result.local_pose = compose(pose_, motion.step);
+      result.state = LocalisationState::dead_reckoning;
+      result.reason = motion.reason.empty() ? "the scan does not fit to the newest keyframes"
+                                            : motion.reason + ", and the scan does not fit";
+      result.covariance.xx = result.covariance.yy = squared(motion.prior.translation);
+      result.covariance.heading = squared(motion.prior.heading);
+    }
+    if (is_far_from_keyframe(result.local_pose))
+      make_keyframe(result, scan, odometry, points);
+  }
+  // Steps in a very short time say nothing of the speed.
+  auto is_known = result.state == LocalisationState::tracking && scan.time - time_ > 10000;
+  last_step_ = is_known ? between(pose_, result.local_pose) : Pose2{};
+  last_duration_ = is_known && !placed_.empty() ? scan.time - time_ : 0;
+  has_resumed_ = false;
+  time_ = scan.time;
+  odometry_ = odometry;
+  pose_ = result.local_pose;
+  result.keyframe = placed_.back().keyframe.number;
+  result.on_keyframe = between(placed_.back().keyframe.local_pose, pose_);
+  return result;
+}
+
+void FrontEnd::make_keyframe(FrontEndStep& step, const LaserScan& scan, const Pose2& odometry,
+                             const SurfacePoints& points) {
+  Keyframe keyframe;
+  keyframe.time = scan.time;
+  keyframe.odometry = odometry;
+  keyframe.local_pose = step.local_pose;
+  keyframe.scan = scan;
+  if (!placed_.empty()) {
+    keyframe.number = placed_.back().keyframe.number + 1;
+    step.constraint = constraint_to(step);
+  }
+  place(keyframe, points);
+  step.new_keyframe = std::move(keyframe);
+}
+
+Constraint FrontEnd::constraint_to(const FrontEndStep& step) const {
+  const auto& before = placed_.back().keyframe;
+  Constraint result;
+  result.from = before.number;
+  result.to = before.number + 1;
+  result.pose = between(before.local_pose, step.local_pose);
+  auto way = std::hypot(result.pose.x, result.pose.y);
+  auto turn = std::abs(result.pose.heading);
+  double xx = 0;
+  double heading = 0;
+  if (step.state == LocalisationState::tracking) {
+    xx = squared(options_.motion_deviation + 0.01 * way);
+    heading = squared(options_.motion_deviation_heading + 0.01 * turn);
+    // A wall that is seen far away is no help along it.
+    xx = std::max(xx, std::min({step.covariance.xx, step.covariance.yy, 0.01}));
+  } else {
+    result.kind = ConstraintKind::wheels;
+    xx = squared(0.02 + 2 * options_.odometry_translation * way);
+    heading = squared(0.02 + 2 * options_.odometry_turn * turn + options_.odometry_drift * way);
+  }
+  result.covariance.xx = result.covariance.yy = xx;
+  result.covariance.heading = heading;
+  return result;
+}
+
+void FrontEnd::place(const Keyframe& keyframe, const SurfacePoints& points) {
+  placed_.push_back({keyframe, transform(keyframe.local_pose, points)});
+  while (placed_.size() > options_.keyframes)
+    placed_.pop_front();
+  SurfacePoints all;
+  for (const auto& x : placed_)
+    all.insert(all.end(), x.points.begin(), x.points.end());
+  map_ = PointMap{all};
+}
+
+} // namespace castor::mapping

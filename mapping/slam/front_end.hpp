@@ -1,0 +1,131 @@
+#pragma once
+
+#include "castor/mapping/slam/correlative_matcher.hpp"
+#include "castor/mapping/slam/point_map.hpp"
+#include "castor/mapping/slam/scan_matcher.hpp"
+#include "castor/mapping/slam/surface_points.hpp"
+#include "castor/mapping/slam/types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::mapping {
+
+struct FrontEndOptions {
+  /// A keyframe is made each time that the robot has moved this far, m ...
+  double keyframe_distance = 0.15;
+  /// ... or turned this far, radians.
+  double keyframe_turn = 0.12;
+  /// How many of the newest keyframes a scan is matched against.
+  std::size_t keyframes = 15;
+  /// Deviation of odometry, as a share of the distance and of the angle turned ...
+  double odometry_translation = 0.1;
+  double odometry_turn = 0.1;
+  /// ... and turning by the way, radians per metre ...
+  double odometry_drift = 0.1;
+  /// ... and what there is at rest, m and radians.
+  double odometry_rest = 0.01;
+  double odometry_rest_heading = 0.01;
+  /// Where odometry and going on as before differ by more, m and radians, both are tried: odometry
+  /// may be late.
+  double late_odometry = 0.05;
+  double late_odometry_heading = 0.05;
+  /// Deviation of a step from keyframe to keyframe at least, m and radians: neighbouring beams err
+  /// together.
+  double motion_deviation = 0.004;
+  double motion_deviation_heading = 0.002;
+  /// Scans of which less is on known surfaces do not fit.
+  double least_matched = 0.4;
+  /// Score of a correlative match that is good enough to go on from it.
+  double least_score = 0.5;
+  /// Odometry that moves faster has jumped, m/s and rad/s.
+  double most_speed = 4;
+  double most_turn = 7;
+  /// After so long without a scan the path has a gap, s.
+  double gap = 1;
+  /// Points that are further from their neighbours count alike, m.
+  double spacing = 0.04;
+  SurfaceOptions surface;
+  ScanMatcherOptions matcher;
+};
+
+/// What a scan has told.
+struct FrontEndStep {
+  std::int64_t time = 0;
+  /// Of the robot, in the front end's own frame.
+  Pose2 local_pose;
+  PoseCovariance covariance;
+  LocalisationState state = LocalisationState::tracking;
+  /// For people, where the state is not tracking.
+  std::string reason;
+  /// The newest keyframe, and the robot's pose on it.
+  std::int64_t keyframe = 0;
+  Pose2 on_keyframe;
+  /// The keyframe, if this scan became one, and how it follows from the one before.
+  std::optional<Keyframe> new_keyframe;
+  std::optional<Constraint> constraint;
+};
+
+/// Where the robot is, scan by scan, by the newest keyframes: consistent over some metres, with
+/// drift that grows with the way. Without threads and clocks.
+class FrontEnd {
+public:
+  explicit FrontEnd(const FrontEndOptions& options = {});
+
+  /// Goes on from keyframes that another front end has made, the newest of the path in order. The
+  /// next scan is looked for around the last of them.
+  void resume(const std::vector<Keyframe>& newest);
+
+  /// The next scan, with the robot's odometry at its time.
+  FrontEndStep add(const LaserScan& scan, const Pose2& odometry);
+
+private:
+  struct Placed {
+    Keyframe keyframe;
+    /// In the front end's own frame.
+    SurfacePoints points;
+  };
+
+  struct Motion {
+    /// By odometry.
+    Pose2 step;
+    /// If the robot goes on as it did; nothing after a gap.
+    std::optional<Pose2> as_before;
+    PosePrior prior;
+    /// Its size is not known well: there was a gap, or odometry has jumped.
+    bool is_uncertain = false;
+    std::string reason;
+  };
+
+  struct Found {
+    ScanMatch match;
+    bool fits = false;
+  };
+
+  Motion motion_to(std::int64_t time, const Pose2& odometry) const;
+  Found find(const SurfacePoints& points, const Motion& motion) const;
+  ScanMatch match_near(const SurfacePoints& scan, const Motion& motion) const;
+  bool is_far_from_keyframe(const Pose2& pose) const;
+  void make_keyframe(FrontEndStep& step, const LaserScan& scan, const Pose2& odometry,
+                     const SurfacePoints& points);
+  Constraint constraint_to(const FrontEndStep& step) const;
+  void place(const Keyframe& keyframe, const SurfacePoints& points);
+
+  FrontEndOptions options_;
+  ScanMatcher matcher_;
+  std::deque<Placed> placed_;
+  PointMap map_;
+  std::int64_t time_ = 0;
+  Pose2 odometry_;
+  Pose2 pose_;
+  /// Movement of the robot from one scan to the next, as a step and its time, us.
+  Pose2 last_step_;
+  std::int64_t last_duration_ = 0;
+  bool has_resumed_ = false;
+};
+
+} // namespace castor::mapping

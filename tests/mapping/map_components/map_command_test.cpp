@@ -1,0 +1,74 @@
+// castor map, on a running system.
+
+#include "castor/tests/support/eventually.hpp"
+#include "castor/tests/tools/cli/castor_fixture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace castor::test {
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class MapCommand : public Castor {
+protected:
+  /// One keyframe that sees a wall 2 m ahead, and one on its right.
+  static std::string keyframe() {
+    json pose{{"x", 0}, {"y", 0}, {"heading", 0}};
+    json scan{{"time", 0},           {"mount", pose},  {"first_angle", -1.5707963267948966},
+              {"angle_step", 0.785}, {"max_range", 8}, {"ranges", {1.0, 2.8, 2.0}}};
+    return json{
+      {"number", 0}, {"time", 0}, {"odometry", pose}, {"local_pose", pose}, {"scan", scan}}
+      .dump();
+  }
+};
+
+TEST_F(MapCommand, ExportsTheMapOfARunningSystem) {
+  auto output = folder / "output";
+  Process castor{command({"run",
+                          system("CPP UM grid GridBuilder\nCPP UM octree OctreeBuilder\n"
+                                 "CPP UM exporter MapExporter --output \"%(output)\"\n"),
+                          "--output", output.string()})};
+  ASSERT_TRUE(eventually([&] { return ask({"wm", "ls"}).status == 0; }));
+  auto added = ask({"wm", "add", "a", "Keyframe", keyframe()});
+  ASSERT_EQ(added.status, 0) << added.errors;
+  ASSERT_TRUE(eventually([&] {
+    auto entries = ask({"wm", "ls", "a"}).output;
+    return entries.find("GridTile") != entries.npos && entries.find("OctreeBlock") != entries.npos;
+  }));
+  auto exported = folder / "exported";
+  auto answer = ask({"map", "export", exported.string(), "--in", "a"});
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("wrote " + (exported / "map.yaml").string() + "\n"));
+  for (auto* name :
+       {"map.yaml", "map.pgm", "map.png", "keyframes.g2o", "corrected.log", "map.ot", "map.bt"})
+    EXPECT_TRUE(exists(exported / name)) << name;
+  EXPECT_EQ(read(exported / "keyframes.g2o"), "VERTEX_SE2 0 0 0 0\nFIX 0\n");
+  auto as_json = ask({"map", "export", exported.string(), "--in", "a", "--json"});
+  EXPECT_EQ(json::parse(as_json.output)["files"].size(), 7U);
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0) << castor.errors();
+  EXPECT_TRUE(exists(output / "map.yaml"));
+}
+
+TEST_F(MapCommand, WithoutAnExporterSaysSo) {
+  Process castor{command({"run", system("CPP UM grid GridBuilder\n")})};
+  ASSERT_TRUE(eventually([&] { return ask({"wm", "ls"}).status == 0; }));
+  auto answer = ask({"map", "export", (folder / "exported").string(), "--in", "a"});
+  EXPECT_NE(answer.status, 0);
+  EXPECT_THAT(answer.errors, HasSubstr("no component of a serves calls"));
+  castor.send_signal(SIGINT);
+  EXPECT_EQ(castor.wait(), 0);
+}
+
+} // namespace
+
+} // namespace castor::test
