@@ -148,13 +148,26 @@ TEST(SimulatedBody, PeopleWalkAndWaitForTheRobot) {
   auto x = body_in(building_with(text), options);
   run(x, {}, 1.5);
   EXPECT_NEAR(x.people().discs()[0].centre.x, 2.5, 1e-9);
-  // Ann waits before the robot, and goes on when it has gone away.
-  run(x, {}, 5);
+  // Ann waits before the robot.
+  run(x, {}, 3);
   EXPECT_NEAR(x.people().discs()[0].centre.x, 4 - 0.25 - 0.25 - 0.2, 0.011);
   EXPECT_EQ(x.status().collisions, 0);
   EXPECT_LT(x.scan().ranges[90], 3.9);
   run(x, {-0.5, 0}, 3);
   EXPECT_EQ(x.status().collisions, 1) << "the robot runs into her, backwards";
+}
+
+TEST(SimulatedBody, PeopleTurnBackBeforeARobotThatStands) {
+  auto options = exact_body();
+  options.people = true;
+  auto x =
+    body_in(building_with("start 4 2.5\nperson ann route 1 2.5 to 7 2.5 speed 1\n"), options);
+  // There after 2.3 s, she waits for 3 s, and is back at the beginning 2.3 s later.
+  run(x, {}, 2.3 + 3 + 2.3);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 1, 0.05);
+  run(x, {}, 2);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 3, 0.1) << "and comes again";
+  EXPECT_EQ(x.status().collisions, 0);
 }
 
 TEST(SimulatedBody, IsTheSameForTheSameSeed) {
