@@ -15,9 +15,9 @@ namespace castor::mapping::test {
 
 namespace {
 
-using std::numbers::pi;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using std::numbers::pi;
 
 RobotLogResult parse(const std::string& text, const CarmenLogOptions& options = {}) {
   return parse_carmen_log(text, "robot.log", options);
