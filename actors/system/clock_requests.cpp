@@ -9,17 +9,6 @@ namespace castor {
 
 namespace {
 
-Json to_json(const ClockControl& clock) {
-  auto pace = clock.pace();
-  Json result{{"kind", "simulated"}, {"time", in_seconds(clock.clock()->now())}};
-  if (pace.factor)
-    result["speed"] = *pace.factor;
-  else
-    result["speed"] = "max";
-  result["paused"] = pace.paused;
-  return result;
-}
-
 std::optional<double> speed_in(const Json& request, std::optional<double> present) {
   if (!request.contains("speed"))
     return present;
@@ -41,12 +30,25 @@ Timestamp step_in(const Json& request) {
 
 } // namespace
 
+Json clock_report(const ClockControl* clock) {
+  if (!clock)
+    return {{"kind", "real"}};
+  auto pace = clock->pace();
+  Json result{{"kind", "simulated"}, {"time", in_seconds(clock->clock()->now())}};
+  if (pace.factor)
+    result["speed"] = *pace.factor;
+  else
+    result["speed"] = "max";
+  result["paused"] = pace.paused;
+  return result;
+}
+
 void show_or_set_clock(const InspectionContextPtr& context, const Json& request) {
   auto set = request.value("set", std::string{});
   auto& clock = context->parts.clock;
   if (!clock) {
     if (set.empty())
-      return context->answer({{"kind", "real"}});
+      return context->answer(clock_report(nullptr));
     throw InspectionError("the clock of the system is the real one; start it with `castor run "
                           "--speed max`, a factor or `paused`, to set it");
   }
@@ -62,7 +64,7 @@ void show_or_set_clock(const InspectionContextPtr& context, const Json& request)
   } else if (!set.empty()) {
     throw InspectionError("a clock cannot be set to " + set + "; there are: pause, run, step");
   }
-  context->answer(to_json(*clock));
+  context->answer(clock_report(clock.get()));
 }
 
 } // namespace castor

@@ -118,7 +118,9 @@ private:
     auto done = when_all_have_answered([this, result] {
       std::sort(result->working_memories.begin(), result->working_memories.end(),
                 [](auto& a, auto& b) { return a.subarchitecture < b.subarchitecture; });
-      say(as_line(to_json(*result, *parts_.roster)), true);
+      auto report = to_json(*result, *parts_.roster);
+      report["clock"] = clock_report(parts_.clock.get());
+      say(as_line(report), true);
     });
     for (std::size_t i = 0; i < result->parts.size(); ++i)
       if (auto& agent = parts_.roster->agents[i])

@@ -12,6 +12,8 @@ struct RunLimits {
   std::optional<std::chrono::nanoseconds> at_most = {};
   /// Time without changes and busy components after which the run ends.
   std::optional<std::chrono::nanoseconds> quiet = {};
+  /// Real time after which a run in simulated time ends, in case that time stands.
+  std::optional<std::chrono::nanoseconds> at_most_real = {};
 };
 
 /// Why `System::wait` returned.

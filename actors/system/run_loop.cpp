@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -29,9 +30,34 @@ constexpr auto standing_time = 3s;
 /// one that merely polls does not.
 constexpr auto polling = 200ms;
 
+using CpuTimes = std::map<std::string, std::chrono::nanoseconds>;
+
 bool somebody_is_busy(const std::vector<ComponentStatus>& components) {
   return std::any_of(components.begin(), components.end(),
                      [](auto& x) { return x.busy > polling; });
+}
+
+CpuTimes cpu_of(const std::vector<ComponentStatus>& components) {
+  CpuTimes result;
+  for (auto& x : components)
+    result[x.identity.full_name()] = x.cpu;
+  return result;
+}
+
+/// Components that keep simulated time from going on: those that do not wait, and those that work
+/// as often as they are woken, such as two that answer each other's changes.
+std::string names_of_working(const std::vector<ComponentStatus>& components, const CpuTimes& then) {
+  std::string result;
+  for (auto& x : components) {
+    auto name = x.identity.full_name();
+    auto i = then.find(name);
+    // Task managers only work because of the others.
+    auto has_worked =
+      !x.is_task_manager && i != then.end() && x.cpu - i->second > standing_time / 10;
+    if (x.busy > polling || has_worked)
+      result += (result.empty() ? "" : ", ") + name;
+  }
+  return result;
 }
 
 /// Task managers alone do nothing.
@@ -112,7 +138,9 @@ EndReason RunLoop::wait_for_simulated_time(const RunLimits& until) {
   const auto begin = now();
   const auto end = until.at_most ? after(begin, *until.at_most) : Timestamp::max();
   const AtExit stand{[&] { clock.stand(); }};
-  seen_since_ = std::chrono::steady_clock::now();
+  const auto real_begin = std::chrono::steady_clock::now();
+  seen_since_ = real_begin;
+  cpu_then_.clear();
   for (;;) {
     auto quiet = Timestamp::max();
     if (until.quiet) {
@@ -130,6 +158,9 @@ EndReason RunLoop::wait_for_simulated_time(const RunLimits& until) {
     while (!parts_.inbox.is_at_limit()) {
       if (auto reason = look())
         return *reason;
+      if (until.at_most_real &&
+          std::chrono::steady_clock::now() - real_begin >= *until.at_most_real)
+        return EndReason::time_over;
       report_standing_time();
     }
   }
@@ -140,21 +171,23 @@ void RunLoop::report_standing_time() {
   auto real = std::chrono::steady_clock::now();
   auto time = clock.clock()->now();
   auto pace = clock.pace();
-  if (std::exchange(seen_time_, time) != time || pace.paused || clock.busy().empty())
+  const bool goes_on =
+    std::exchange(seen_time_, time) != time || pace.paused || clock.busy().empty();
+  if (goes_on)
     seen_since_ = real;
+  if (goes_on || cpu_then_.empty())
+    cpu_then_ = cpu_of(components_);
   if (real - seen_since_ < standing_time)
     return;
+  auto names = names_of_working(components_, cpu_then_);
   seen_since_ = real;
-  std::string names;
-  for (auto& x : components_)
-    if (x.busy > polling)
-      names += (names.empty() ? "" : ", ") + x.identity.full_name();
+  cpu_then_ = cpu_of(components_);
   if (!names.empty())
-    log_runtime(
-      LogLevel::warning,
-      fmt::format("simulated time stands at {:.3f} s: it goes on when {} has waited, with "
-                  "sleep_for, wait_for_changes or an operation",
-                  std::chrono::duration<double>{time}.count(), names));
+    log_runtime(LogLevel::warning,
+                fmt::format("simulated time stands at {:.3f} s, while these work without a pause: "
+                            "{}; it goes on when all components wait, with sleep_for, "
+                            "wait_for_changes or an operation",
+                            std::chrono::duration<double>{time}.count(), names));
 }
 
 void RunLoop::stop() {

@@ -12,7 +12,9 @@
 #include "castor/wm/clock/clock_control.hpp"
 
 #include <chrono>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace castor {
@@ -65,6 +67,8 @@ private:
   std::vector<ComponentStatus> components_;
   Timestamp seen_time_{0};
   std::chrono::steady_clock::time_point seen_since_{};
+  /// CPU time of each component when simulated time was last seen to go on.
+  std::map<std::string, std::chrono::nanoseconds> cpu_then_;
 };
 
 } // namespace castor

@@ -42,8 +42,6 @@ Placement checked(Placement x, const ArchitectureDescription& architecture) {
   return x;
 }
 
-} // namespace
-
 /// Null for the real clock.
 std::shared_ptr<Activity> make_activity(const ClockOptions& x, const Placement& placement) {
   if (!x.pace)
@@ -59,6 +57,8 @@ std::shared_ptr<Activity> make_activity(const ClockOptions& x, const Placement& 
   return std::make_shared<Activity>(x.reproducible ? Activity::Order::one_at_a_time
                                                    : Activity::Order::parallel);
 }
+
+} // namespace
 
 /// Makes the actors of a system and what works with them, and ends them.
 struct System::Implementation {
@@ -265,6 +265,12 @@ std::vector<std::string> System::subarchitectures() const {
   for (auto& x : implementation_->architecture.subarchitectures)
     result.push_back(x.name);
   return result;
+}
+
+Timestamp System::now() const {
+  if (auto& control = implementation_->clock)
+    return control->clock()->now();
+  return std::chrono::duration_cast<Timestamp>(Clock::now() - implementation_->epoch);
 }
 
 std::chrono::steady_clock::time_point System::epoch() const {

@@ -6,6 +6,7 @@
 #include "castor/actors/system/system_summary.hpp"
 #include "castor/base/diagnostic.hpp"
 #include "castor/wm/entries/entry.hpp"
+#include "castor/wm/values/timestamp.hpp"
 
 #include <chrono>
 #include <memory>
@@ -86,6 +87,9 @@ public:
   std::vector<EntryPtr> entries(const std::string& subarchitecture);
 
   std::vector<std::string> subarchitectures() const;
+
+  /// Time since this system began: simulated time, if it has that.
+  Timestamp now() const;
 
   /// Time origin of this system.
   std::chrono::steady_clock::time_point epoch() const;

@@ -56,6 +56,10 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"keyframe_distance", &front.keyframe_distance},
     {"keyframe_turn", &front.keyframe_turn},
     {"odometry_translation", &front.odometry_translation},
+    {"late_odometry", &front.late_odometry},
+    {"late_odometry_heading", &front.late_odometry_heading},
+    {"search_gain", &front.search_gain},
+    {"sure_matched", &front.sure_matched},
     {"spacing", &front.spacing},
     {"noise_of_points", &front.matcher.noise},
     {"last_distance", &front.matcher.last_distance},
@@ -80,7 +84,7 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"most_deviation", &loops.most_deviation},
     {"deviation", &loops.deviation},
     {"deviation_heading", &loops.deviation_heading},
-    {"robust_loops", &x.pose_graph.robust_from},
+    {"robust_loops", &x.graph.graph.robust_from},
   };
   for (auto& [known, value] : settings)
     if (known == name)

@@ -159,11 +159,4 @@ const WordMeanings::Side* Vocabulary::side(std::string_view noun) const {
   return find_in(meanings().sides, noun);
 }
 
-// -- who is spoken to, and what is asked of it
-
-std::string Vocabulary::action_of(std::string_view verb) const {
-  const auto* action = find_in(meanings().actions, verb);
-  return action == nullptr ? std::string{} : *action;
-}
-
 } // namespace castor::communication

@@ -94,13 +94,10 @@ public:
   /// The sides of containers that a noun stands for; null for others.
   const WordMeanings::Side* side(std::string_view noun) const;
 
-  // -- who is spoken to, and what is asked of it
+  // -- who is spoken to
 
   /// Concept of who is spoken to; empty if there is none.
   const std::string& addressee() const { return meanings().addressee; }
-
-  /// Type name of the action that a verb asks for; empty if there is none.
-  std::string action_of(std::string_view verb) const;
 
   const WordMeanings& meanings() const { return lexicon_->meanings(); }
 

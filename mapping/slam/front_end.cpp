@@ -71,7 +71,7 @@ ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) 
   prior.heading += std::abs(late.heading);
   auto a = matcher_.match(map_, scan, by_odometry, prior);
   auto b = matcher_.match(map_, scan, compose(pose_, *motion.as_before), prior);
-  return b.matched > a.matched ? b : a;
+  return b.matched > a.matched + options_.search_gain ? b : a;
 }
 
 FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion) const {
@@ -80,19 +80,21 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
   if (!motion.is_uncertain) {
     result.match = match_near(scan, motion);
     result.fits = result.match.matched >= options_.least_matched;
-    if (result.fits)
+    if (result.match.matched >= options_.sure_matched)
       return result;
   }
-  // The window covers three deviations of the prediction.
-  SearchWindow window{std::clamp(3 * motion.prior.translation, 0.3, 3.),
-                      std::clamp(3 * motion.prior.heading, 0.2, std::numbers::pi / 2)};
-  CorrelativeMatcher coarse{map_.points()};
+  // The window covers three deviations of the prediction, and what a robot moves if odometry is
+  // late.
+  SearchWindow window{std::clamp(3 * motion.prior.translation, 0.4, 3.),
+                      std::clamp(3 * motion.prior.heading, 0.3, std::numbers::pi / 2)};
+  CorrelativeMatcher coarse{thinned(map_.points(), 0.03)};
   auto best = coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window,
                            options_.least_score);
   if (!best)
     return result;
   auto match = matcher_.match(map_, scan, best->pose);
-  if (match.matched >= options_.least_matched) {
+  if (match.matched >= options_.least_matched &&
+      match.matched > result.match.matched + options_.search_gain) {
     result.match = match;
     result.fits = true;
   }
@@ -114,6 +116,7 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
   } else {
     auto motion = motion_to(scan.time, odometry);
     auto found = find(points, motion);
+    result.matched = found.match.matched;
     if (found.fits) {
       result.local_pose = found.match.pose;
       result.covariance = found.match.covariance;
@@ -171,6 +174,10 @@ Constraint FrontEnd::constraint_to(const FrontEndStep& step) const {
     heading = squared(options_.motion_deviation_heading + 0.01 * turn);
     // A wall that is seen far away is no help along it.
     xx = std::max(xx, std::min({step.covariance.xx, step.covariance.yy, 0.01}));
+    // Where much is new, what is known decides with less certainty.
+    auto doubt = std::max(1., options_.sure_matched / step.matched);
+    xx *= squared(doubt);
+    heading *= squared(doubt);
   } else {
     result.kind = ConstraintKind::wheels;
     xx = squared(0.02 + 2 * options_.odometry_translation * way);

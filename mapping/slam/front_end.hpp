@@ -34,10 +34,15 @@ struct FrontEndOptions {
   /// may be late.
   double late_odometry = 0.05;
   double late_odometry_heading = 0.05;
+  /// Other poses than that by odometry count if so many more of the scan's points are on known
+  /// surfaces then.
+  double search_gain = 0.05;
   /// Deviation of a step from keyframe to keyframe at least, m and radians: neighbouring beams err
   /// together.
   double motion_deviation = 0.004;
   double motion_deviation_heading = 0.002;
+  /// Scans of which less is on known surfaces are looked for around the prediction, too.
+  double sure_matched = 0.8;
   /// Scans of which less is on known surfaces do not fit.
   double least_matched = 0.4;
   /// Score of a correlative match that is good enough to go on from it.
@@ -59,6 +64,8 @@ struct FrontEndStep {
   /// Of the robot, in the front end's own frame.
   Pose2 local_pose;
   PoseCovariance covariance;
+  /// How many of the scan's points are on known surfaces, from 0 to 1.
+  double matched = 0;
   LocalisationState state = LocalisationState::tracking;
   /// For people, where the state is not tracking.
   std::string reason;

@@ -142,6 +142,10 @@ void PoseGraph::add(const Constraint& x) {
     from.data(), to.data());
 }
 
+void PoseGraph::move(std::int64_t number, const Pose2& pose) {
+  problem_->block(number) = {pose.x, pose.y, pose.heading};
+}
+
 bool PoseGraph::solve() {
   if (size() < 2)
     return true;

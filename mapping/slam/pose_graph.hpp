@@ -34,6 +34,9 @@ public:
   /// std::invalid_argument if the covariance is that of no measurement.
   void add(const Constraint& constraint);
 
+  /// Sets where `solve` begins for this keyframe. Throws std::out_of_range.
+  void move(std::int64_t number, const Pose2& pose);
+
   /// Computes all poses anew. Returns whether the solver found a minimum.
   bool solve();
 

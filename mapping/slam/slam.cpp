@@ -2,13 +2,11 @@
 
 #include "castor/mapping/planar/poses.hpp"
 
-#include <algorithm>
-
 namespace castor::mapping {
 
 Slam::Slam(const SlamOptions& options)
   : options_(options), front_end_(options.front_end), loop_closer_(options.loop_closer),
-    graph_(options.pose_graph) {}
+    graph_(options.graph) {}
 
 FrontEndStep Slam::add(const LaserScan& scan, const Pose2& odometry) {
   auto step = front_end_.add(scan, odometry);
@@ -22,25 +20,14 @@ FrontEndStep Slam::add(const LaserScan& scan, const Pose2& odometry) {
 
 void Slam::add_keyframe(const FrontEndStep& step) {
   if (step.constraint)
-    graph_.add_pose(*step.constraint);
-  else
-    graph_.add_pose(step.local_pose);
-  ++keyframes_since_solve_;
+    graph_.add(*step.constraint);
+  graph_.add(*step.new_keyframe);
   if (!options_.closes_loops)
     return;
-  auto correction = 0.;
-  for (const auto& loop : loop_closer_.add(*step.new_keyframe, graph_.poses())) {
-    auto predicted = between(graph_.pose(loop.from), graph_.pose(loop.to));
-    correction = std::max(correction, distance(predicted, loop.pose));
+  for (const auto& loop : loop_closer_.add(*step.new_keyframe, graph().poses()))
     graph_.add(loop);
-    has_new_loops_ = true;
-  }
-  if (!has_new_loops_ || (keyframes_since_solve_ < options_.keyframes_each_solve &&
-                          correction <= options_.correction_at_once))
-    return;
-  graph_.solve();
-  keyframes_since_solve_ = 0;
-  has_new_loops_ = false;
+  if (graph_.is_due())
+    graph_.solve();
 }
 
 void Slam::finish() {
@@ -48,10 +35,12 @@ void Slam::finish() {
 }
 
 std::vector<TimedPose> Slam::path() const {
+  auto poses = graph().poses();
   std::vector<TimedPose> result;
   result.reserve(seen_.size());
   for (const auto& x : seen_)
-    result.push_back({x.time, compose(graph_.pose(x.keyframe), x.on_keyframe)});
+    result.push_back(
+      {x.time, compose(poses[static_cast<std::size_t>(x.keyframe)], x.on_keyframe)});
   return result;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/mapping/slam/front_end.hpp"
+#include "castor/mapping/slam/graph_updater.hpp"
 #include "castor/mapping/slam/loop_closer.hpp"
-#include "castor/mapping/slam/pose_graph.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -12,14 +12,9 @@ namespace castor::mapping {
 struct SlamOptions {
   FrontEndOptions front_end;
   LoopCloserOptions loop_closer;
-  PoseGraphOptions pose_graph;
+  GraphUpdaterOptions graph;
   /// Loops are looked for; without, the path is the front end's.
   bool closes_loops = true;
-  /// Poses are computed anew each time that there are so many new keyframes, if there are new
-  /// loops ...
-  std::int64_t keyframes_each_solve = 10;
-  /// ... or at once, if a loop corrects by more than this, m.
-  double correction_at_once = 0.1;
 };
 
 /// A pose of the robot at some time.
@@ -42,7 +37,7 @@ public:
   /// Pose of the robot at each scan, by what is known now.
   std::vector<TimedPose> path() const;
 
-  const PoseGraph& graph() const { return graph_; }
+  const PoseGraph& graph() const { return graph_.graph(); }
   /// Scans that did not fit.
   std::size_t dead_reckoned() const { return dead_reckoned_; }
 
@@ -58,10 +53,8 @@ private:
   SlamOptions options_;
   FrontEnd front_end_;
   LoopCloser loop_closer_;
-  PoseGraph graph_;
+  GraphUpdater graph_;
   std::vector<Seen> seen_;
-  std::int64_t keyframes_since_solve_ = 0;
-  bool has_new_loops_ = false;
   std::size_t dead_reckoned_ = 0;
 };
 

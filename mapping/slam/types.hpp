@@ -99,6 +99,7 @@ struct RobotPose {
   /// Name of the frame, "map" as a rule.
   std::string frame;
   Pose2 pose;
+  /// Against the part of the map around it.
   PoseCovariance covariance;
   LocalisationState state = LocalisationState::starting;
   /// The reason for the state, for people; may be empty.

@@ -104,8 +104,6 @@ TEST(Vocabulary, TellsWhatOtherWordsStandFor) {
   EXPECT_THAT(words.surroundings(phrase_with("floor"))->regions, ElementsAre("on", "at"));
   EXPECT_EQ(words.surroundings(phrase_with("table")), nullptr);
   EXPECT_EQ(words.addressee(), "self");
-  EXPECT_EQ(words.action_of("put"), "PickAndPlace");
-  EXPECT_EQ(words.action_of("take"), "");
   EXPECT_EQ(words.meanings().replies.at("thanks"), "You are welcome.");
   ASSERT_NE(words.side("wall"), nullptr);
   EXPECT_TRUE(words.side("wall")->right);

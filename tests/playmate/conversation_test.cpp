@@ -125,7 +125,10 @@ TEST(Conversation, FollowsTheHand) {
   auto text = playmate_cast();
   const std::string parser = "CPP UM parser";
   text.insert(text.find(parser), "CPP UM hand MovingHand\n");
-  TestSystem system{text, playmate_options({{"point", "0.05,0.07"}, {"hear", "cat " + questions}})};
+  auto options = playmate_options({{"point", "0.05,0.07"}, {"hear", "cat " + questions}});
+  // The sentences come from outside, while the test does not wait for the system.
+  options.simulated_time = false;
+  TestSystem system{text, options};
   std::ofstream ask{questions};
   ask << "What colour is this?" << std::endl;
   system.expect_entry("SpokenOutputItem in communication where text == \"It is red.\"");

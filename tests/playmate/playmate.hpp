@@ -23,6 +23,7 @@ inline std::string playmate_cast() {
 inline TestSystemOptions playmate_options(std::map<std::string, std::string> variables) {
   TestSystemOptions options;
   options.file = CASTOR_CONFIGS "/playmate.cast";
+  options.simulated_time = true;
   options.variables = std::move(variables);
   return options;
 }

@@ -122,7 +122,7 @@ protected:
       castor({"run", CASTOR_CONFIGS "/playmate.cast", "--record", recording, "--set",
               "say=What colour is the square? Where is the ball? How many red things are there? "
               "Is the red thing left of the ball?",
-              "--until-quiet", "3s", "--for", "60s"});
+              "--speed", "max", "--until-quiet", "3s", "--for", "60s"});
     ASSERT_EQ(answer.status, 0) << answer.errors;
     EXPECT_THAT(answer.output, testing::ContainsRegex("answers to pulls of camera"));
     EXPECT_THAT(answer.output, testing::HasSubstr("castor journal replay " + recording));

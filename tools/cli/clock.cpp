@@ -1,6 +1,7 @@
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/duration_option.hpp"
 #include "castor/tools/cli/inspection_command.hpp"
+#include "castor/tools/cli/inspection_text.hpp"
 #include "castor/tools/cli/pace_option.hpp"
 #include "castor/tools/cli/running_system.hpp"
 
@@ -8,8 +9,6 @@
 #include <CLI/Option.hpp>
 
 #include <nlohmann/json.hpp>
-
-#include <fmt/core.h>
 
 #include <chrono>
 #include <memory>
@@ -27,17 +26,6 @@ struct ClockArguments {
   /// Of `step`.
   std::string by;
 };
-
-/// "simulated time 12.3 s, as fast as possible, paused"
-std::string clock_as_text(const Json& x) {
-  if (x["kind"] == "real")
-    return "the real clock";
-  auto speed = x["speed"].is_number()
-                 ? fmt::format("{:g} times real time", x["speed"].get<double>())
-                 : std::string{"as fast as possible"};
-  return fmt::format("simulated time {:.3f} s, {}{}", x["time"].get<double>(), speed,
-                     x["paused"].get<bool>() ? ", paused" : "");
-}
 
 int ask_clock(const ClockArguments& arguments, Json request) {
   request["do"] = "clock";

@@ -147,10 +147,23 @@ std::string counts(const Json& x, const std::vector<const char*>& keys) {
 
 } // namespace
 
+std::string clock_as_text(const Json& x) {
+  if (x["kind"] == "real")
+    return "the real clock";
+  auto speed = x["speed"].is_number()
+                 ? fmt::format("{:g} times real time", x["speed"].get<double>())
+                 : std::string{"as fast as possible"};
+  return fmt::format("simulated time {:.3f} s, {}{}", x["time"].get<double>(), speed,
+                     x["paused"].get<bool>() ? ", paused" : "");
+}
+
 std::string system_as_text(const Json& report, bool stats) {
-  auto result = fmt::format("{}: process {}, {:.1f} s old, {}\n\n", value_text(report["system"]),
+  auto result = fmt::format("{}: process {}, {:.1f} s old, {}\n", value_text(report["system"]),
                             value_text(report["process"]), report["age"].get<double>(),
                             value_text(report["file"]));
+  if (report["clock"]["kind"] != "real")
+    result += clock_as_text(report["clock"]) + '\n';
+  result += '\n';
   result += nodes_as_text(report) + '\n' + components_as_text(report) + '\n' +
             working_memories_as_text(report);
   if (!stats)

@@ -10,6 +10,9 @@ namespace castor::cli {
 
 using Json = nlohmann::ordered_json;
 
+/// The answer to `clock`: "simulated time 12.3 s, as fast as possible, paused".
+std::string clock_as_text(const Json& x);
+
 /// The answer to `ps`.
 /// @param stats with the counters of every stage of event delivery
 std::string system_as_text(const Json& report, bool stats);

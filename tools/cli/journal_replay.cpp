@@ -258,6 +258,7 @@ int replay_into_own(const JournalReplayArguments& arguments, Plan plan,
   if (arguments.json)
     json.emplace();
   std::atomic<bool> over{false};
+  std::atomic<bool> has_ended_before{false};
   SystemOptions options;
   options.endpoint = endpoint_of_process(architecture.file);
   options.interrupted = [&] { return over || signals.count() > 0; };
@@ -277,8 +278,10 @@ int replay_into_own(const JournalReplayArguments& arguments, Plan plan,
         outcome = replay_into({options.endpoint.stem().string(), options.endpoint}, plan,
                               [] { return false; });
       } catch (const std::exception& e) {
-        fmt::print(stderr, "castor: {}\n", e.what());
-        status = bad_input;
+        if (!has_ended_before) {
+          fmt::print(stderr, "castor: {}\n", e.what());
+          status = bad_input;
+        }
       }
       over = true;
     }};
@@ -288,6 +291,7 @@ int replay_into_own(const JournalReplayArguments& arguments, Plan plan,
     while (!somebody_lives && !options.interrupted())
       std::this_thread::sleep_for(20ms);
     bool finished = over;
+    has_ended_before = !finished;
     if (finished) {
       // What the last of it has set off comes to its end.
       over = false;

@@ -140,8 +140,8 @@ RunRecording::RunRecording(const RecordArguments& arguments, const ArchitectureA
   has_other_machines_ = !nodes_are_local && !other_hosts(architecture).empty();
 }
 
-FinishedRecording RunRecording::finish(const std::vector<std::string>& plugins) {
-  facts_.end = unix_now();
+FinishedRecording RunRecording::finish(const std::vector<std::string>& plugins, Timestamp lasted) {
+  facts_.end = facts_.begin + lasted;
   folder_.write(facts_);
   std::string replay = "castor ";
   for (auto& x : plugins)

@@ -63,7 +63,8 @@ public:
 
   /// To be called after the system is destroyed.
   /// @param plugins for the replay command
-  FinishedRecording finish(const std::vector<std::string>& plugins);
+  /// @param lasted time of the system at its end, which is simulated time if it has that
+  FinishedRecording finish(const std::vector<std::string>& plugins, Timestamp lasted);
 
 private:
   RecordingFolder folder_;

@@ -301,6 +301,7 @@ int run(RunArguments arguments, const std::vector<std::string>& plugins) {
   if (local_nodes)
     local_nodes->end_restarts();
   system->stop();
+  const auto lasted = system->now();
   timeline.close();
   auto summary = system->summary();
   RunReport run_report{json_output};
@@ -330,7 +331,7 @@ int run(RunArguments arguments, const std::vector<std::string>& plugins) {
   destruction.end();
   // What still waited to be written has been when they are gone.
   if (recording)
-    run_report.add(recording->finish(plugins));
+    run_report.add(recording->finish(plugins, lasted));
   run_report.finish(reason, why_ended, status);
   return status;
 }

@@ -26,6 +26,13 @@ using Milliseconds = std::chrono::milliseconds;
 /// How often a condition is looked at.
 constexpr Milliseconds poll_interval{2};
 
+/// Simulated time from one look at a condition to the next, and the most looks at one.
+constexpr Milliseconds simulated_poll_interval{10};
+constexpr int most_simulated_polls = 1000;
+
+/// Real time that simulated time may stand before that is taken for a failure.
+constexpr std::chrono::seconds longest_standstill{30};
+
 /// Entries that are shown where another one was expected.
 constexpr std::size_t most_shown = 10;
 
@@ -203,6 +210,17 @@ public:
   }
 
   void advance(Timestamp by) {
+    if (options_.simulated_time) {
+      auto now = system_.now();
+      let_pass(by);
+      if (auto passed = system_.now() - now; passed < by && !system_.ended())
+        throw ExpectationFailed(
+          fmt::format("simulated time stands {} us before the end of advance({} us): a component "
+                      "does not wait",
+                      (by - passed).count(), by.count()) +
+          history());
+      return;
+    }
     for (auto& x : architecture_.subarchitectures) {
       injector_.inject(faults::JumpClock{{x.name}, by});
       // What is asked after that is answered after that.
@@ -213,11 +231,19 @@ public:
   /// Waits until the condition holds; false if it does not in time, or will not because the system
   /// has ended.
   bool wait(const std::function<bool()>& condition, Patience within) {
-    auto until = Clock::now() + patience(within);
+    auto time = [&] {
+      return options_.simulated_time ? Clock::duration{system_.now()}
+                                     : Clock::now().time_since_epoch();
+    };
+    auto until = time() + patience(within);
+    const auto step = std::max(simulated_poll_interval, patience(within) / most_simulated_polls);
     while (!condition()) {
-      if (Clock::now() > until || system_.ended())
+      if (time() > until || system_.ended())
         return condition();
-      std::this_thread::sleep_for(poll_interval);
+      if (!options_.simulated_time)
+        std::this_thread::sleep_for(poll_interval);
+      else if (!let_pass(step))
+        return condition();
     }
     return true;
   }
@@ -316,7 +342,18 @@ private:
     result.open_access = options_.open_access;
     result.on_down = [this](const ComponentDown& x) { notes_.add(x); };
     result.on_up = [this](const ComponentUp& x) { notes_.add(x); };
+    if (options_.simulated_time)
+      result.clock.pace = Pace{};
     return result;
+  }
+
+  /// False if simulated time stood, or the system has ended.
+  bool let_pass(Timestamp by) {
+    auto until = system_.now() + by;
+    RunLimits limits;
+    limits.at_most = by;
+    limits.at_most_real = longest_standstill;
+    return system_.wait(limits) == EndReason::time_over && system_.now() >= until;
   }
 
   Milliseconds patience(Patience x) const { return x.value_or(options_.patience); }

@@ -37,6 +37,9 @@ struct TestSystemOptions {
   std::string file = "test.cast";
   /// Variables of the text, as defined by `castor run --set`.
   std::map<std::string, std::string> variables = {};
+  /// The system has simulated time (docs/time.md). It goes on as fast as all components are done,
+  /// and only while the test waits for something, so that `patience` is simulated time too.
+  bool simulated_time = false;
 };
 
 /// A running system, to test its recovery from failures:
@@ -67,8 +70,9 @@ public:
   /// is not running at the moment.
   void inject(std::string_view fault);
 
-  /// Advances the clocks of all working memories: leases and entries whose time is over then
-  /// expire.
+  /// Lets time pass at once. With real time it passes for all working memories only: leases and
+  /// entries whose time is over then expire. With simulated time it passes for everybody.
+  /// Throws ExpectationFailed if simulated time stands, because a component does not wait.
   void advance(Timestamp by);
 
   /// Waits until the condition holds.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "castor/perception/vision/text_file.hpp"
+#include "castor/base/text_file.hpp"
 #include "castor/perception/vision/types.hpp"
 
 /// The file in which a user describes a real camera. `#` begins a comment; the order of the lines

@@ -1,8 +1,8 @@
 #include "castor/perception/vision/learning/learned_words_file.hpp"
 
+#include "castor/base/text_file.hpp"
 #include "castor/perception/vision/learning/word_learner.hpp"
 #include "castor/perception/vision/recognition/shape_classifier.hpp"
-#include "castor/perception/vision/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "castor/base/text_file.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene.hpp"
-#include "castor/perception/vision/text_file.hpp"
 
 /// The scene language. A scene file has one statement per line; `#` begins a comment, case is
 /// ignored. Lengths are metres, or have a unit: 0.06, 6cm, 60mm. The table's middle is 0 0, x goes

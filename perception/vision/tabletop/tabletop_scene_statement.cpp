@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "castor/base/suggestion.hpp"
+#include "castor/base/text_file.hpp"
 #include "castor/mapping/geometry/eigen_bridge.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_names.hpp"
-#include "castor/perception/vision/text_file.hpp"
 
 namespace castor::vision {
 
@@ -25,26 +24,8 @@ const std::array<std::string, 6> scene_settings{"table", "camera", "image",
 const std::array<std::string, 3> object_clauses{"size", "turned", "name=..."};
 const std::array<std::string, 3> materials{"wood", "cloth", "plain"};
 
-std::string remedy_for(const std::string& word, std::span<const std::string> names,
-                       const std::string& what) {
-  const auto guess = did_you_mean(word, {names.begin(), names.end()});
-  return !guess.empty() ? guess : "The " + what + " are: " + joined(names) + ".";
-}
-
-double in_range(std::optional<double> value, const std::string& word, const std::string& what,
-                double low, double high, const std::string& example) {
-  if (!value)
-    throw StatementError("\"" + word + "\" is not " + what, "Write " + example + ".");
-  if (*value < low || *value > high)
-    throw StatementError(what + " is " + word + ", which is out of range",
-                         "It can be from " + readable(low) + " to " + readable(high) + ".");
-  return *value;
-}
-
-bool is_name(const std::string& word) {
-  return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  });
+SceneTime read_scene_time(StatementWords& words, const std::string& what) {
+  return SceneTime{std::llround(words.seconds(what, longest_time) * 1e6)};
 }
 
 std::string read_colour_name(StatementWords& words) {
@@ -111,62 +92,6 @@ std::vector<double> read_sizes(StatementWords& words, TabletopShape shape) {
 }
 
 } // namespace
-
-std::string readable(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
-std::string joined(std::span<const std::string> names) {
-  std::string result;
-  for (const auto& name : names)
-    result += (result.empty() ? "" : ", ") + name;
-  return result;
-}
-
-std::string StatementWords::next(const std::string& what) {
-  if (at_end())
-    throw StatementError("the line ends where " + what + " should be",
-                         "Add " + what + " at the end of the line.");
-  std::string word = words_.front();
-  words_ = words_.subspan(1);
-  return word;
-}
-
-bool StatementWords::accept(const std::string& word) {
-  if (peek() != word)
-    return false;
-  words_ = words_.subspan(1);
-  return true;
-}
-
-double StatementWords::number(const std::string& what, double low, double high) {
-  const std::string word = next(what);
-  return in_range(parse_number(word), word, what, low, high, "a number, for example 30");
-}
-
-double StatementWords::length(const std::string& what, double low, double high) {
-  const std::string word = next(what);
-  return in_range(parse_length(word), word, what, low, high,
-                  "a length in metres, for example 0.06, or 6cm");
-}
-
-SceneTime StatementWords::time(const std::string& what) {
-  const std::string word = next(what);
-  if (parse_number(word))
-    throw StatementError("\"" + word + "\" has no unit",
-                         "Write " + word + "s for seconds, or " + word + "ms for milliseconds.");
-  const double seconds =
-    in_range(parse_seconds(word), word, what, 0, longest_time, "a time, for example 2s or 500ms");
-  return SceneTime{std::llround(seconds * 1e6)};
-}
-
-void StatementWords::expect_end() const {
-  if (!at_end())
-    throw StatementError("\"" + peek() + "\" is one word too many in this line",
-                         "Remove it, or begin a new line with it.");
-}
 
 std::string ObjectReference::text() const {
   return shape ? colour_name + " " + std::string(to_string(*shape)) : name;
@@ -303,7 +228,7 @@ TabletopObject read_object(StatementWords& words) {
       object.turned_degrees = words.number("the turn in degrees", -360, 360);
     } else if (words.peek().starts_with(name_clause)) {
       object.name = words.next("a name").substr(name_clause.size());
-      if (!is_name(object.name) || colour_named(object.name))
+      if (!is_statement_name(object.name) || colour_named(object.name))
         throw StatementError("\"" + object.name + "\" is no name for an object",
                              "A name is one word of letters, digits, - and _ that is no colour.");
     } else {
@@ -316,7 +241,7 @@ TabletopObject read_object(StatementWords& words) {
 
 SceneTime read_time(StatementWords& words) {
   words.accept("after");
-  return words.time("the time");
+  return read_scene_time(words, "the time");
 }
 
 SceneEvent read_event(StatementWords& words) {
@@ -337,7 +262,7 @@ SceneEvent read_event(StatementWords& words) {
   move.x = words.length("the x to move to", -room, room);
   move.y = words.length("the y to move to", -room, room);
   if (words.accept("over"))
-    move.duration = words.time("the time that it takes");
+    move.duration = read_scene_time(words, "the time that it takes");
   return move;
 }
 

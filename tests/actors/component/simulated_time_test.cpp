@@ -1,3 +1,4 @@
+#include "castor/base/log.hpp"
 #include "castor/tests/actors/component/scripted.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 
@@ -136,6 +137,34 @@ TEST_P(SimulatedTime, TimesToLiveEndInIt) {
   };
   run_for(components("x"), 10s);
   EXPECT_THAT(log, ElementsAre("5500 ms"));
+}
+
+TEST_P(SimulatedTime, StandsForComponentsThatOnlyAnswerEachOtherAndTheyAreNamed) {
+  Address ball{"a", "ball"};
+  auto answer = [&](const std::string& name, const std::string& other) {
+    start_of(name) = [&, other](auto& self) {
+      self.on_change(changes_of(ball), [&, other](const ChangeEvent& event) {
+        if (event.source != other)
+          return;
+        self.template read<Note>(ball);
+        self.overwrite(ball, Note{1});
+      });
+    };
+  };
+  answer("x", "y");
+  answer("y", "x");
+  run_of("x") = [&](auto& self) { self.add(ball, Note{}); };
+  System system{architecture(components("xy")), options()};
+  ASSERT_TRUE(system.start());
+  flush_log();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(system.wait({.at_most = 1h, .quiet = {}, .at_most_real = 5s}), EndReason::time_over);
+  flush_log();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::ContainsRegex("simulated time stands at 0.000 s, while these work without a "
+                                     "pause: a.x, a.y;"));
+  EXPECT_EQ(system.now(), Timestamp{0});
+  system.stop();
 }
 
 TEST_P(SimulatedTime, TimersDoNotDrift) {

@@ -58,8 +58,8 @@ protected:
     return text.replace(at + 1, text.find('\n', at + 1) - at - 1, line);
   }
 
-  /// Runs the system in `text` until a change of the scene was processed, and then nothing happens
-  /// any more.
+  /// Runs the system in `text`, in simulated time, until a change of the scene was processed, and
+  /// then nothing happens any more.
   std::unique_ptr<System> watch(const std::string& text,
                                 std::map<std::string, std::string> variables,
                                 SystemOptions options = {},
@@ -68,10 +68,13 @@ protected:
     parse_options.variables = std::move(variables);
     auto parsed = cast::parse_string(text, CASTOR_CONFIGS "/vision.cast", parse_options);
     EXPECT_TRUE(parsed.ok()) << render(parsed.diagnostics);
+    options.clock.pace = Pace{};
     auto system = std::make_unique<System>(parsed.architecture.value(), options);
     EXPECT_TRUE(system->start());
-    EXPECT_TRUE(test::eventually([&] { return has_processed_a_change(*system); }));
-    EXPECT_EQ(system->wait({60s, quiet}), EndReason::quiet);
+    for (int i = 0; i < 600 && !has_processed_a_change(*system); ++i)
+      EXPECT_EQ(system->wait({.at_most = 100ms}), EndReason::time_over);
+    EXPECT_TRUE(has_processed_a_change(*system));
+    EXPECT_EQ(system->wait({.at_most = 60s, .quiet = quiet}), EndReason::quiet);
     system->stop();
     for (auto& x : system->summary().components)
       EXPECT_EQ(x.failure, "") << x.identity.name;

@@ -1,11 +1,11 @@
 #include "castor/perception/vision/learning/word_learner.hpp"
 
+#include "castor/base/text_file.hpp"
 #include "castor/perception/vision/learning/learned_words_file.hpp"
 #include "castor/perception/vision/recognition/regions.hpp"
 #include "castor/perception/vision/recognition/shape_classifier.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
-#include "castor/perception/vision/text_file.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -67,6 +67,8 @@ TEST_F(ClockCommand, TimeIsPausedSteppedAndRun) {
             (json{{"kind", "simulated"}, {"time", 0.0}, {"speed", "max"}, {"paused", true}}));
   EXPECT_EQ(ask({"clock", "step", "500ms"}).status, 0);
   EXPECT_TRUE(eventually([&] { return show()["time"] == 0.5; }));
+  EXPECT_THAT(ask({"ps"}).output,
+              HasSubstr("\nsimulated time 0.500 s, as fast as possible, paused\n"));
   EXPECT_EQ(ask({"clock", "run", "--speed", "max"}).status, 0);
   EXPECT_EQ(castor.wait(), 0) << castor.errors();
 }

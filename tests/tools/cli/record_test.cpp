@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -27,8 +28,11 @@ class RecordCommand : public Castor {
 protected:
   std::string recording() const { return (folder / "recording").string(); }
 
-  /// Records a run that ends of itself, and returns what it says.
+  /// Records a run that ends of itself, or in simulated time if it goes on for a time, and returns
+  /// what it says.
   std::string record(const std::string& components, std::vector<std::string> options = {}) const {
+    if (std::ranges::find(options, "--for") != options.end())
+      options.insert(options.end(), {"--speed", "max"});
     options.insert(options.begin(), {"run", system(components), "--record", recording()});
     auto answer = ask(options);
     EXPECT_EQ(answer.status, 0) << answer.errors;

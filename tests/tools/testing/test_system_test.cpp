@@ -99,6 +99,43 @@ TEST_F(TestedSystem, ACrashThatComesWhileALeaseIsGivenBackIsOneLikeAnyOther) {
   system.expect_back("one");
 }
 
+TEST_F(TestedSystem, InSimulatedTimeAnHourIsOverAtOnce) {
+  script("one").run = [](auto& self) {
+    for (int hour = 1; self.sleep_for(1h); ++hour)
+      self.add(Note{hour, "an hour is over"});
+  };
+  TestSystemOptions options;
+  options.simulated_time = true;
+  TestSystem system{workers(), options};
+  EXPECT_EQ(system.system().now(), Timestamp{0});
+  system.advance(1h);
+  EXPECT_EQ(system.system().now(), Timestamp{1h});
+  system.expect_entry("Note in a where number == 1");
+  system.expect_entry("Note in a where number == 2", 2h);
+  EXPECT_THAT(complaint([&] { system.expect_entry("Note in a where number == 9", 1s); }),
+              HasSubstr("within 1000 ms, but there is none"));
+  EXPECT_LT(system.system().now(), Timestamp{3h});
+  EXPECT_GE(system.system().now(), Timestamp{2h + 1s});
+}
+
+TEST_F(TestedSystem, InSimulatedTimeACrashIsNoticedAndLeasesExpire) {
+  be_a_worker("one", poke);
+  script("two").start = [](auto& self) {
+    EntryLife life;
+    life.time_to_live = 5s;
+    self.add(Note{7, "for a while"}, life);
+  };
+  TestSystemOptions options;
+  options.simulated_time = true;
+  TestSystem system{workers(), options};
+  system.expect_entry("Note in a where number == 7");
+  system.inject("crash one");
+  system.expect_back("one");
+  system.expect_nobody_else_down({"one"});
+  system.advance(5s);
+  system.expect_no_entry("Note in a where number == 7");
+}
+
 TEST_F(TestedSystem, SaysWhoIsNotBackAndWhatThereWasInstead) {
   script("two").start = [](auto&) { throw std::runtime_error("no luck"); };
   TestSystem system{workers("SUPERVISE a DELAY 50s TO 50s\n")};

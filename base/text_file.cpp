@@ -1,4 +1,4 @@
-#include "castor/perception/vision/text_file.hpp"
+#include "castor/base/text_file.hpp"
 
 #include "castor/base/input_file.hpp"
 #include "castor/base/text.hpp"
@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-namespace castor::vision {
+namespace castor {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::optional<double> parse_seconds(std::string_view word) {
   return parse_quantity(word, {{"ms", 0.001}, {"min", 60}, {"s", 1}});
 }
 
-} // namespace castor::vision
+} // namespace castor

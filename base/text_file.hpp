@@ -11,7 +11,7 @@
 
 /// Common parts of the parsers of line-oriented text files (scenes, camera calibrations): lines,
 /// words, numbers with units, and findings that are reported all at once.
-namespace castor::vision {
+namespace castor {
 
 /// A text file cannot be used; what() lists all its problems.
 class TextFileError : public std::runtime_error {
@@ -60,4 +60,4 @@ std::optional<double> parse_length(std::string_view word);
 /// A time in seconds: a number with the unit s, ms or min.
 std::optional<double> parse_seconds(std::string_view word);
 
-} // namespace castor::vision
+} // namespace castor

@@ -1,0 +1,192 @@
+#include "castor/actors/component/registry.hpp"
+#include "castor/base/text_file.hpp"
+#include "castor/mapping/body/components/drives.hpp"
+#include "castor/mapping/body/components/named_file.hpp"
+#include "castor/mapping/body/corrected_pose.hpp"
+#include "castor/mapping/body/free_way.hpp"
+#include "castor/mapping/body/path_follower.hpp"
+#include "castor/mapping/slam/types.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace castor::mapping {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// By what the driver knows where the robot is.
+enum class PoseSource { odometry, localisation, truth };
+CASTOR_REFLECT_ENUM(PoseSource, odometry, localisation, truth)
+
+enum class AfterArrival { stay, end };
+CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
+
+/// Drives a robot along a given path, and waits while something is in its way.
+class PathDriver final : public Drives {
+  void configure() override {
+    PathText read;
+    if (!file_->empty()) {
+      const auto file = file_named(file_, base_);
+      read = parse_path(load_text(file), file.string());
+    } else {
+      read = parse_path(path_.get(), "--path");
+    }
+    if (has_errors(read.problems))
+      throw TextFileError(read.problems);
+    way_ = std::move(read.path);
+    begin_round();
+  }
+
+  void start() override {
+    switch (pose_source_) {
+      case PoseSource::odometry:
+        on_push<Odometry>(robot_, [this](auto& x) { pose_ = x->pose; });
+        break;
+      case PoseSource::truth:
+        on_push<BodyStatus>(robot_, [this](auto& x) { pose_ = x->pose; });
+        break;
+      case PoseSource::localisation:
+        on_push<Odometry>(robot_, [this](auto& x) {
+          corrected_.add(*x);
+          pose_ = corrected_.now();
+        });
+        on_change(changed<RobotPose>().in(localisation_),
+                  [this](const ChangeEvent& event) { look_at_pose(event.address); });
+        break;
+    }
+    if (stop_before_ > 0)
+      on_push<LaserScan>(robot_, [this](auto& x) { free_way_ = free_way(*x, half_width_); });
+  }
+
+  void run() override {
+    // The front of the path may have been driven by one before, which has failed.
+    if (const auto before = progress_before())
+      rounds_ = before->arrived ? rounds_to_drive_.get() : before->rounds;
+    take_seat();
+    tell("begins");
+    while (rounds_ < rounds_to_drive_ && sleep_for(period_.get()))
+      drive_on();
+    drive({});
+    leave_seat();
+    tell({});
+    if (!is_running())
+      return;
+    info("has arrived after {} rounds", rounds_);
+    if (after_arrival_ == AfterArrival::end)
+      end_system(0, "the path was driven");
+  }
+
+  void drive_on() {
+    if (!pose_) {
+      wait("a pose");
+      return;
+    }
+    const auto velocity = follower_->velocity_at(*pose_);
+    if (follower_->has_arrived()) {
+      ++rounds_;
+      begin_round();
+      tell({});
+      return;
+    }
+    if (is_lost_)
+      wait("localisation");
+    else if (velocity.forward > 0 && stop_before_ > 0 && free_way_ < stop_before_)
+      wait("a free way");
+    else {
+      drive(velocity);
+      if (!waits_for_.empty() || now() - told_ >= 1s)
+        tell({});
+    }
+  }
+
+  void wait(const std::string& what) {
+    drive({});
+    if (waits_for_ != what)
+      tell(what);
+  }
+
+  void look_at_pose(const Address& address) {
+    try {
+      const auto x = read<RobotPose>(address);
+      is_lost_ = x->state == LocalisationState::lost;
+      if (x->state == LocalisationState::starting || is_lost_)
+        return;
+      corrected_.correct(x->time, x->pose);
+    } catch (const DoesNotExistOnWM&) {
+      is_lost_ = true;
+    }
+  }
+
+  void begin_round() {
+    FollowOptions options;
+    options.speed = speed_;
+    options.look_ahead = look_ahead_;
+    options.tolerance = tolerance_;
+    follower_ = std::make_unique<PathFollower>(way_, options);
+  }
+
+  std::optional<PathProgress> progress_before() {
+    try {
+      return *read<PathProgress>(here(component_name()));
+    } catch (const DoesNotExistOnWM&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Overwrites the entry about its progress.
+  void tell(const std::string& waits_for) {
+    waits_for_ = waits_for;
+    told_ = now();
+    PathProgress x;
+    x.time = told_.count();
+    x.done = follower_->done();
+    x.length = follower_->length();
+    x.rounds = rounds_;
+    x.arrived = rounds_ >= rounds_to_drive_;
+    x.waits_for = waits_for;
+    put(here(component_name()), x);
+  }
+
+  Option<std::string> path_{this, "path", "", "waypoints: X Y, X Y, ..., metres"};
+  Option<std::string> file_{this, "file", "", "file of waypoints, one on a line, instead"};
+  Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
+  Option<PoseSource> pose_source_{this, "pose", PoseSource::odometry,
+                                  "by what the driver knows where the robot is"};
+  Option<SubarchitectureName> localisation_{
+    this, "localisation", "slam", "whose RobotPose entries count with --pose localisation"};
+  Option<double> speed_{this, "speed", 0.5, "m/s"};
+  Option<double> look_ahead_{this, "look-ahead", 0.4, "how far ahead on the path it aims, metres"};
+  Option<double> tolerance_{this, "tolerance", 0.1,
+                            "distance from the last waypoint at which it has arrived, metres"};
+  Option<double> stop_before_{
+    this, "stop-before", 0.4,
+    "it waits while something is so near before the robot's middle, metres; 0: never"};
+  Option<double> half_width_{this, "half-width", 0.27,
+                             "how far aside that something may be, metres"};
+  Option<std::int64_t> rounds_to_drive_{this, "rounds", 1, "how often it drives the path"};
+  Option<std::chrono::milliseconds> period_{this, "period", 50ms, "time between commands"};
+  Option<AfterArrival> after_arrival_{this, "after", AfterArrival::stay,
+                                      "what it does then: stay, or end the system"};
+
+  Path way_;
+  std::unique_ptr<PathFollower> follower_;
+  CorrectedPose corrected_;
+  std::optional<Pose2> pose_;
+  bool is_lost_ = false;
+  double free_way_ = 1e9;
+  std::int64_t rounds_ = 0;
+  std::string waits_for_;
+  Timestamp told_{0};
+};
+
+CASTOR_COMPONENT(PathDriver, "drives a robot along a given path")
+
+} // namespace
+
+} // namespace castor::mapping

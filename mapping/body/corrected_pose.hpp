@@ -1,0 +1,36 @@
+#pragma once
+
+#include "castor/mapping/planar/poses.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace castor::mapping {
+
+/// Pose of the robot now, from a pose that somebody found for a moment ago and from how it has
+/// moved since then by its odometry.
+class CorrectedPose {
+public:
+  /// The newest odometry; older than the newest so far is ignored.
+  void add(const Odometry& x);
+
+  /// Where the robot was at that time, in any frame.
+  /// @param time microseconds, as in Odometry
+  void correct(std::int64_t time, const Pose2& pose);
+
+  /// In the frame of the correction. Nothing without a correction, or without odometry of about its
+  /// time.
+  std::optional<Pose2> now() const;
+
+private:
+  /// By odometry, between the two around the time.
+  std::optional<Pose2> odometry_at(std::int64_t time) const;
+
+  /// The last few seconds, in order of time.
+  std::deque<Odometry> history_;
+  /// Pose of the odometry frame.
+  std::optional<Pose2> frame_;
+};
+
+} // namespace castor::mapping

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "castor/mapping/body/differential_drive.hpp"
+#include "castor/mapping/body/laser_model.hpp"
+#include "castor/mapping/body/types.hpp"
+#include "castor/mapping/body/walking_people.hpp"
+#include "castor/mapping/building/building.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+namespace castor::mapping {
+
+struct BodyOptions {
+  /// Footprint of the robot, a disc; metres.
+  double radius = 0.25;
+  /// What is higher is not in its way, metres.
+  double height = 0.5;
+  /// Of the laser's plane above the floor, metres.
+  double laser_height = 0.3;
+  DriveOptions drive;
+  LaserOptions laser;
+  bool people = false;
+  /// Where odometry begins; that it is at the robot's start makes it easy to compare.
+  Pose2 odometry_start;
+  /// Of the noise.
+  std::uint64_t seed = 1;
+  /// Length of a step.
+  std::chrono::microseconds step{10'000};
+};
+
+/// What robots need to know of where they drive.
+struct BodySurroundings {
+  /// What the robot may run into.
+  std::unique_ptr<Obstacles> obstacles;
+  /// What its laser sees.
+  std::unique_ptr<Obstacles> seen;
+  Pose2 start;
+  std::vector<Person> people;
+};
+
+BodySurroundings surroundings_in(const Building& x, const BodyOptions& options);
+
+/// A robot that drives in a building, in steps of equal length. What it does depends on the
+/// options, the commands and the steps before which they come, and on nothing else.
+///
+/// A step that would take the robot into something is not done: the robot stands, and that is a
+/// collision. It stays blocked as long as it is told to drive on in that direction, and has not
+/// come away from the obstacle. It may turn, and drive away.
+class SimulatedBody {
+public:
+  /// \throws std::invalid_argument if the robot could pass through something within a step, or if
+  /// the options of the laser are wrong.
+  SimulatedBody(BodySurroundings surroundings, const BodyOptions& options);
+
+  /// Holds until the next command; without one, the robot stands.
+  void command(const Twist2& velocity) { drive_.command(velocity); }
+
+  /// One step.
+  void step();
+
+  /// Number of steps so far.
+  std::int64_t steps() const { return steps_; }
+  /// Simulated time since the first step began.
+  std::chrono::microseconds time() const { return steps_ * options_.step; }
+
+  // What it measures now. Times are those of this body; `scan` draws new noise each time.
+  Odometry odometry() const;
+  LaserScan scan();
+  BodyStatus status() const;
+
+  const WalkingPeople& people() const { return people_; }
+
+  /// Fault injection: from now on that wheel does not turn.
+  void block(Wheel wheel) { drive_.block(wheel); }
+
+private:
+  double clearance_at(const Pose2& pose, double limit) const;
+
+  BodyOptions options_;
+  BodySurroundings surroundings_;
+  DifferentialDrive drive_;
+  LaserModel laser_;
+  WalkingPeople people_;
+  std::int64_t steps_ = 0;
+  Pose2 pose_;
+  Pose2 odometry_;
+  Twist2 velocity_;
+  Twist2 measured_velocity_;
+  std::int64_t collisions_ = 0;
+  bool blocked_ = false;
+  bool blocked_backwards_ = false;
+  double clearance_ = 0;
+  double least_clearance_ = 0;
+  double driven_ = 0;
+};
+
+} // namespace castor::mapping

@@ -1,0 +1,193 @@
+#include "castor/actors/component/registry.hpp"
+#include "castor/mapping/geometry/types.hpp"
+#include "castor/mapping/planar/poses.hpp"
+#include "castor/mapping/slam/front_end.hpp"
+#include "castor/mapping/slam/map_frame.hpp"
+#include "castor/mapping/slam/odometry_history.hpp"
+#include "castor/mapping/slam/types.hpp"
+#include "castor/wm/entries/failure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Follows the robot from scan to scan. Adds a keyframe and its constraint each time that the robot
+/// has moved, and keeps one RobotPose and the Transform of the odometry frame up to date. One that is
+/// started again goes on from the newest keyframes.
+class ScanMatchingFrontEnd final : public UnmanagedComponent {
+  void configure() override {
+    FrontEndOptions options;
+    options.keyframe_distance = keyframe_distance_;
+    options.keyframe_turn = keyframe_turn_;
+    options.surface.max_range = max_range_;
+    front_end_ = std::make_unique<FrontEnd>(options);
+    keyframe_count_ = options.keyframes;
+  }
+
+  void start() override {
+    resume();
+    on_change(changed<GraphPoses>().in(subarchitecture()),
+              [this](const ChangeEvent& event) { look_at_graph(event.address); });
+    for (auto& x : read_all<GraphPoses>())
+      take_graph(*x);
+    on_push<Odometry>(odometry_.get(), [this](const std::shared_ptr<const Odometry>& x) {
+      history_.add(*x);
+      process_waiting();
+    });
+    on_push<LaserScan>(laser_.get(), [this](const std::shared_ptr<const LaserScan>& x) {
+      // Memory for a robot whose odometry has stopped.
+      constexpr std::size_t most_waiting = 100;
+      waiting_.push_back(x);
+      if (waiting_.size() > most_waiting)
+        waiting_.pop_front();
+      process_waiting();
+    });
+    every(silence_.get(), [this] { check_silence(); });
+  }
+
+  void resume() {
+    auto newest = read_all<Keyframe>(keyframe_count_);
+    std::vector<Keyframe> path;
+    for (auto& x : newest)
+      path.push_back(*x);
+    std::sort(path.begin(), path.end(),
+              [](const Keyframe& a, const Keyframe& b) { return a.number < b.number; });
+    if (path.empty())
+      return;
+    info("goes on from keyframe {}", path.back().number);
+    front_end_->resume(path);
+    last_.local_pose = path.back().local_pose;
+    last_odometry_ = path.back().odometry;
+    last_.time = path.back().time;
+  }
+
+  void look_at_graph(const Address& address) {
+    try {
+      take_graph(*read<GraphPoses>(address));
+    } catch (const DoesNotExistOnWM&) {
+      return;
+    }
+    // A correction of the whole path moves the robot, too.
+    if (last_scan_ != Timestamp{})
+      tell_pose();
+  }
+
+  void take_graph(const GraphPoses& x) { local_frame_ = x.local_frame; }
+
+  /// Scans wait until the odometry of their time is known.
+  void process_waiting() {
+    while (!waiting_.empty()) {
+      auto scan = waiting_.front();
+      auto odometry = history_.pose_at(scan->time);
+      auto newest = history_.newest();
+      if (!odometry && (!newest || newest->time < scan->time))
+        return;
+      waiting_.pop_front();
+      // Older than all odometry: nobody knows where it was taken.
+      if (odometry && scan->time > last_.time)
+        process(*scan, *odometry);
+    }
+  }
+
+  void process(const LaserScan& scan, const Pose2& odometry) {
+    auto before = last_.state;
+    last_ = front_end_->add(scan, odometry);
+    last_odometry_ = odometry;
+    last_scan_ = now();
+    if (last_.state != before && last_.state == LocalisationState::dead_reckoning)
+      warning("{}", last_.reason);
+    auto is_keyframe = last_.new_keyframe.has_value();
+    if (is_keyframe)
+      add_keyframe();
+    if (is_keyframe || last_.state != before || now() - told_ >= period_.get())
+      tell_pose();
+  }
+
+  void add_keyframe() {
+    WriteBatch batch;
+    auto number = std::to_string(last_.new_keyframe->number);
+    batch.add(here("keyframe-" + number), std::move(*last_.new_keyframe));
+    if (last_.constraint)
+      batch.add(here("constraint-" + number), *last_.constraint);
+    last_.new_keyframe.reset();
+    write(batch);
+  }
+
+  void tell_pose() {
+    told_ = now();
+    RobotPose x;
+    x.time = last_.time;
+    x.frame = geometry::map_frame;
+    x.pose = compose(local_frame_, last_.local_pose);
+    x.covariance = turned(last_.covariance, local_frame_.heading);
+    x.state = last_.state;
+    x.reason = last_.reason;
+    put(here("robot-pose"), x);
+    put(here("odometry-frame"), odometry_in_map(x.pose, last_odometry_, x.time));
+  }
+
+  /// A laser that has stopped: the wheels alone say where the robot is.
+  void check_silence() {
+    if (now() - last_scan_ < silence_.get())
+      return;
+    auto newest = history_.newest();
+    RobotPose x;
+    x.frame = geometry::map_frame;
+    x.time = newest ? newest->time : last_.time;
+    auto on_last = newest ? between(last_odometry_, newest->pose) : Pose2{};
+    auto way = distance(Pose2{}, on_last);
+    x.pose = compose(compose(local_frame_, last_.local_pose), on_last);
+    x.covariance.xx = x.covariance.yy = 1e-4 + 0.01 * way * way;
+    x.covariance.heading = 1e-4 + 0.01 * way * way;
+    auto has_been_seen = last_scan_ != Timestamp{} || last_.time > 0;
+    x.state = has_been_seen ? LocalisationState::dead_reckoning : LocalisationState::starting;
+    x.reason = waiting_.empty() ? "no scan comes from " + laser_.get()
+                                : "no odometry comes from " + odometry_.get();
+    if (x.reason != silence_told_of_ && has_been_seen)
+      warning("{}", x.reason);
+    silence_told_of_ = x.reason;
+    put(here("robot-pose"), x);
+  }
+
+  Option<StandaloneName> laser_{this, "laser", "robot", "the component that pushes LaserScan"};
+  Option<StandaloneName> odometry_{this, "odometry", "robot",
+                                   "the component that pushes Odometry"};
+  Option<double> keyframe_distance_{this, "keyframe-distance", FrontEndOptions{}.keyframe_distance,
+                                    "way from keyframe to keyframe, metres"};
+  Option<double> keyframe_turn_{this, "keyframe-turn", FrontEndOptions{}.keyframe_turn,
+                                "or turn, radians"};
+  Option<double> max_range_{this, "max-range", SurfaceOptions{}.max_range,
+                            "beams that end further away are left out, metres"};
+  Option<std::chrono::milliseconds> period_{this, "period", 100ms,
+                                            "time between poses while the robot stands or is slow"};
+  Option<std::chrono::milliseconds> silence_{
+    this, "silence", 1000ms, "time without scans after which only the wheels count"};
+
+  std::unique_ptr<FrontEnd> front_end_;
+  std::size_t keyframe_count_ = 0;
+  OdometryHistory history_;
+  std::deque<std::shared_ptr<const LaserScan>> waiting_;
+  FrontEndStep last_;
+  Pose2 last_odometry_;
+  Pose2 local_frame_;
+  Timestamp last_scan_{};
+  Timestamp told_{};
+  std::string silence_told_of_;
+};
+
+CASTOR_COMPONENT(ScanMatchingFrontEnd,
+                 "follows a robot by its laser, and makes keyframes of its path")
+
+} // namespace
+
+} // namespace castor::mapping

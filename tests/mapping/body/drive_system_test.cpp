@@ -1,0 +1,218 @@
+// Robots and drivers as components of a system, in simulated time.
+
+#include "castor/mapping/body/path_follower.hpp"
+#include "castor/mapping/body/types.hpp"
+#include "castor/mapping/slam/types.hpp"
+
+#include "castor/actors/cast/parser.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// What a watcher has got.
+struct Seen {
+  std::vector<Odometry> odometry;
+  std::vector<LaserScan> scans;
+  std::vector<BodyStatus> statuses;
+  std::string refusal;
+};
+
+Seen& seen() {
+  static Seen instance;
+  return instance;
+}
+
+class DriveWatcher final : public UnmanagedComponent {
+  void start() override {
+    on_push<Odometry>("robot", [](auto& x) { seen().odometry.push_back(*x); });
+    on_push<LaserScan>("robot", [](auto& x) { seen().scans.push_back(*x); });
+    on_push<BodyStatus>("robot", [](auto& x) { seen().statuses.push_back(*x); });
+  }
+};
+CASTOR_COMPONENT(DriveWatcher, "keeps what a robot pushes")
+
+/// Commands the robot once.
+class PushOff final : public UnmanagedComponent {
+  void run() override {
+    try {
+      command("robot", DriveCommand{{0.5, 0}});
+    } catch (const CommandRefused& e) {
+      seen().refusal = e.what();
+    }
+  }
+};
+CASTOR_COMPONENT(PushOff, "commands a robot once")
+
+/// Tells of the true pose with an offset, as a localisation that has another map frame.
+class ShiftedLocalisation final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [this](auto& x) {
+      if (x->time % 200'000 != 0)
+        return;
+      RobotPose pose;
+      pose.time = x->time;
+      pose.frame = "map";
+      pose.pose = x->pose;
+      pose.pose.x += 100;
+      pose.state = LocalisationState::tracking;
+      put(here("pose"), pose);
+    });
+  }
+};
+CASTOR_COMPONENT(ShiftedLocalisation, "says where the robot is")
+
+class DriveSystem : public testing::Test {
+protected:
+  void SetUp() override {
+    seen() = {};
+    write("hut.building", "wall 0 0 to 8 0 to 8 5 to 0 5 close thickness 0.2\n"
+                          "wall 5 0 to 5 5\n"
+                          "door d at 5 2.5 width 0.9\n"
+                          "start 2 2.5\n");
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream{folder_.path() / name} << text;
+  }
+
+  /// Runs the system for that long at most; its time begins at zero.
+  std::unique_ptr<System> run(const std::string& robot_options, const std::string& drivers,
+                              std::chrono::milliseconds time) {
+    auto parsed =
+      cast::parse_string("COMPONENT CPP robot SimulatedRobot --building hut.building --base " +
+                           folder_.path().string() + " " + robot_options +
+                           "\n"
+                           "SUBARCHITECTURE navigation\n"
+                           "CPP WM SubarchitectureWorkingMemory\n"
+                           "CPP TM AlwaysPositiveTaskManager\n"
+                           "CPP UM watcher DriveWatcher\n" +
+                           drivers,
+                         "test.cast");
+    EXPECT_TRUE(parsed.ok()) << render(parsed.diagnostics);
+    SystemOptions options;
+    options.clock.pace = Pace{};
+    options.clock.reproducible = true;
+    auto system = std::make_unique<System>(parsed.architecture.value(), options);
+    EXPECT_TRUE(system->start());
+    system->wait({.at_most = time});
+    system->stop();
+    for (auto& x : system->summary().components)
+      EXPECT_EQ(x.failure, "") << x.identity.name;
+    return system;
+  }
+
+  static std::vector<PathProgress> progress(System& system) {
+    std::vector<PathProgress> result;
+    for (auto& entry : system.entries("navigation"))
+      if (auto x = entry->value.as<PathProgress>())
+        result.push_back(*x);
+    return result;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F(DriveSystem, PushesAtItsRates) {
+  run("--laser 360", "", 2s);
+  ASSERT_GE(seen().odometry.size(), 98u);
+  EXPECT_LE(seen().odometry.size(), 100u);
+  ASSERT_GE(seen().scans.size(), 19u);
+  EXPECT_LE(seen().scans.size(), 20u);
+  EXPECT_EQ(seen().odometry[0].time, 20'000);
+  EXPECT_EQ(seen().scans[9].time, 1'000'000);
+  EXPECT_EQ(seen().scans[0].ranges.size(), 360u);
+  EXPECT_EQ(seen().odometry[0].pose, (Pose2{2, 2.5, 0})) << "it begins where the robot does";
+}
+
+TEST_F(DriveSystem, StopsWithoutFurtherCommands) {
+  run("--valid-for 500ms --slip 0 --diameter-error 0", "CPP UM pusher PushOff\n", 4s);
+  ASSERT_FALSE(seen().statuses.empty());
+  auto& last = seen().statuses.back();
+  // 0.4 m/s are reached after half a second, and it brakes as fast.
+  EXPECT_NEAR(last.driven, 0.2, 0.03);
+  EXPECT_EQ(last.velocity, Twist2{});
+  EXPECT_EQ(last.collisions, 0);
+}
+
+TEST_F(DriveSystem, ObeysOnlyWhoSitsInTheSeat) {
+  auto system = run("--lease navigation/seat",
+                    "CPP UM driver PathDriver --path \"2 2.5, 4 2.5\" --seat seat\n"
+                    "CPP UM pusher PushOff\n",
+                    20s);
+  EXPECT_NE(seen().refusal.find("lease of navigation/seat"), std::string::npos) << seen().refusal;
+  ASSERT_EQ(progress(*system).size(), 1u);
+  EXPECT_TRUE(progress(*system)[0].arrived);
+  EXPECT_NEAR(seen().statuses.back().pose.x, 4, 0.2);
+}
+
+TEST_F(DriveSystem, PathLeadsThroughADoor) {
+  write("tour.path", "2 2.5\n7 2.5\n7 1\n");
+  auto system = run(
+    "", "CPP UM driver PathDriver --file tour.path --base " + folder_.path().string() + "\n", 40s);
+  ASSERT_EQ(progress(*system).size(), 1u);
+  EXPECT_TRUE(progress(*system)[0].arrived);
+  EXPECT_NEAR(progress(*system)[0].length, 6.5, 1e-9);
+  auto& last = seen().statuses.back();
+  EXPECT_NEAR(last.pose.x, 7, 0.3);
+  EXPECT_NEAR(last.pose.y, 1, 0.3);
+  EXPECT_EQ(last.collisions, 0);
+}
+
+TEST_F(DriveSystem, DriverWaitsForAFreeWay) {
+  auto system = run("--shut d", "CPP UM driver PathDriver --path \"2 2.5, 7 2.5\"\n", 15s);
+  ASSERT_EQ(progress(*system).size(), 1u);
+  EXPECT_FALSE(progress(*system)[0].arrived);
+  EXPECT_EQ(progress(*system)[0].waits_for, "a free way");
+  auto& last = seen().statuses.back();
+  EXPECT_EQ(last.collisions, 0);
+  EXPECT_GT(last.pose.x, 4);
+}
+
+TEST_F(DriveSystem, DriverIsToldByLocalisation) {
+  auto system = run("--slip 0.05",
+                    "CPP UM shifted ShiftedLocalisation\n"
+                    "CPP UM driver PathDriver --path \"102 2.5, 104 2.5, 104 1\" --pose "
+                    "localisation --localisation navigation\n",
+                    30s);
+  ASSERT_EQ(progress(*system).size(), 1u);
+  EXPECT_TRUE(progress(*system)[0].arrived);
+  EXPECT_NEAR(seen().statuses.back().pose.x, 4, 0.2) << "in the building";
+  EXPECT_NEAR(seen().statuses.back().pose.y, 1, 0.2);
+}
+
+TEST_F(DriveSystem, LaserThatStopsPushesNoMore) {
+  run("--laser-stops-after 1s", "", 3s);
+  EXPECT_LE(seen().scans.size(), 10u);
+  EXPECT_GE(seen().odometry.size(), 140u);
+}
+
+TEST_F(DriveSystem, IsTheSameForTheSameSeed) {
+  const std::string driver = "CPP UM driver PathDriver --path \"2 2.5, 4 2.5, 4 1\"\n";
+  auto drive = [&](const std::string& options) {
+    seen() = {};
+    run(options, driver, 12s);
+    return seen().statuses.back().pose;
+  };
+  const auto once = drive("--seed 5");
+  EXPECT_EQ(drive("--seed 5"), once);
+  EXPECT_NE(drive("--seed 6"), once);
+}
+
+} // namespace castor::mapping

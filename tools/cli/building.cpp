@@ -1,0 +1,120 @@
+#include "castor/mapping/building/building_file.hpp"
+#include "castor/mapping/building/building_picture.hpp"
+#include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/inspection_command.hpp"
+#include "castor/tools/cli/on_call.hpp"
+#include "castor/tools/cli/output.hpp"
+#include "castor/tools/cli/table.hpp"
+#include "castor/tools/cli/writable.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace castor::cli {
+
+namespace {
+
+struct BuildingArguments {
+  std::string file;
+  std::string picture;
+};
+
+/// Whether the door leads into the room: one of its sides is there.
+bool leads_into(const mapping::Building& building, const mapping::Door& door,
+                const mapping::Room& room) {
+  const auto middle = mapping::point_at(door.opening, 0.5);
+  const auto& wall = building.walls[door.wall].middle;
+  const double width = mapping::length(wall);
+  const mapping::Point2 across{-(wall.to.y - wall.from.y) / width,
+                               (wall.to.x - wall.from.x) / width};
+  constexpr double beside = 0.2; // metres
+  return std::ranges::any_of(std::initializer_list<double>{beside, -beside}, [&](double d) {
+    return mapping::room_at(building, {middle.x + d * across.x, middle.y + d * across.y}) == &room;
+  });
+}
+
+template <class Things>
+std::size_t count_in(const mapping::Building& building, const Things& things,
+                     const mapping::Room& room) {
+  return static_cast<std::size_t>(std::ranges::count_if(things, [&](const auto& x) {
+    return mapping::room_at(building, {x.body.pose.x, x.body.pose.y}) == &room;
+  }));
+}
+
+std::string summary_of_building(const mapping::Building& building) {
+  Table table({"room", "kind", ">m2", ">doors", ">furniture", ">objects"});
+  double area = 0;
+  for (const auto& room : building.rooms) {
+    area += room.area;
+    const auto doors = std::ranges::count_if(
+      building.doors, [&](const mapping::Door& x) { return leads_into(building, x, room); });
+    table.add({room.name, room.kind, fmt::format("{:.1f}", room.area), std::to_string(doors),
+               std::to_string(count_in(building, building.furniture, room)),
+               std::to_string(count_in(building, building.objects, room))});
+  }
+  const auto [low, high] = mapping::extent(building);
+  const auto shut =
+    std::ranges::count_if(building.doors, [](const mapping::Door& x) { return !x.is_open; });
+  auto result = table.text();
+  result += fmt::format("\n{}{:.1f} m x {:.1f} m, {} rooms of {:.1f} m2, {} doors ({} shut), {} "
+                        "pieces of furniture, {} objects, {} people\n",
+                        building.name.empty() ? "" : building.name + ": ", high.x - low.x,
+                        high.y - low.y, building.rooms.size(), area, building.doors.size(), shut,
+                        building.furniture.size(), building.objects.size(), building.people.size());
+  return result;
+}
+
+int show_building(const BuildingArguments& arguments) {
+  mapping::BuildingText read;
+  try {
+    read = mapping::load_building(arguments.file);
+  } catch (const TextFileError& e) {
+    print(e.problems());
+    return bad_input;
+  }
+  print(read.problems);
+  if (!arguments.picture.empty()) {
+    const auto png = mapping::picture_of(read.building);
+    auto out = create(arguments.picture);
+    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    out.flush();
+    if (!out)
+      throw std::runtime_error("cannot write " + arguments.picture +
+                               ": check that the disk is not full");
+  }
+  print(summary_of_building(read.building));
+  return success;
+}
+
+} // namespace
+
+void add_building(CLI::App& app, Action& chosen) {
+  auto* group =
+    app.add_subcommand("building", "look at the buildings that robots are simulated in");
+  group->require_subcommand(1);
+  auto arguments = std::make_shared<BuildingArguments>();
+  auto* command = group->add_subcommand("show", "check a building's file, and describe it");
+  command->add_option("file", arguments->file, "the building's file")
+    ->type_name("FILE")
+    ->required();
+  command->add_option("--picture", arguments->picture, "draw a plan into this PNG file")
+    ->type_name("FILE")
+    ->check(check_output_file);
+  command->footer(
+    "Prints the rooms with their areas, doors, furniture and objects. All problems of the file are "
+    "printed\nwith their lines and what to do; with an error, the exit status is 2.\n"
+    "Examples: castor building show configs/buildings/office.building\n"
+    "          castor building show configs/buildings/office.building --picture office.png");
+  on_call(*command, chosen, arguments, show_building);
+}
+
+} // namespace castor::cli
