@@ -51,7 +51,7 @@ class RecordedRobot final : public StandaloneComponent {
       push(newest_.scan);
     }
     info("the log is over: {} scans", recorded_.scans.size());
-    if (ends_)
+    if (ends_ && sleep_for(linger_.get()))
       end_system(0, "the log is over");
   }
 
@@ -87,6 +87,10 @@ class RecordedRobot final : public StandaloneComponent {
   Option<std::string> file_{this, "file", "", "a CARMEN log, compressed or not, or an MRPT rawlog"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
   Option<bool> ends_{this, "ends", true, "whether the system ends with the log"};
+
+  Option<std::chrono::milliseconds> linger_{this, "linger", std::chrono::seconds{1},
+                                            "the system ends so long after the log, for others to "
+                                            "finish their work"};
 
   RobotLog recorded_;
   LoggedScan newest_;

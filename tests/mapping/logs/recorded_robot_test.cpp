@@ -77,7 +77,7 @@ TEST(RecordedRobot, EndsTheSystemWithTheLog) {
   TemporaryFolder folder;
   auto log = folder / "robot.log";
   std::ofstream(log) << "FLASER 4 1 2 3 4 0 0 0 0 0 0 100.0 host 100.0\n";
-  TestSystem system{cast_with("--file " + log.string())};
+  TestSystem system{cast_with("--linger 1ms --file " + log.string())};
   system.expect_end(0, "the log is over");
 }
 
