@@ -30,7 +30,6 @@ namespace castor::mapping::test {
 namespace {
 
 const std::filesystem::path datasets = "/usr/share/mrpt/datasets";
-const std::filesystem::path simulated = datasets / "graphslam-engine-demos/action_observations_map";
 
 struct Mapped {
   std::size_t scans = 0;
@@ -108,21 +107,23 @@ std::vector<Pose2> truth_of(const std::filesystem::path& file) {
   return result;
 }
 
-struct SimulatedLog {
-  const char* name;
+/// A log of which the true path is known. Files are named from the folder of MRPT's datasets.
+struct KnownPath {
+  const char* log;
+  const char* truth;
   /// Error of the path, as a share of that of odometry.
   double most_error;
 };
 
-class SimulatedRawlog : public testing::TestWithParam<SimulatedLog> {};
+class RawlogWithTruth : public testing::TestWithParam<KnownPath> {};
 
-TEST_P(SimulatedRawlog, IsMappedCloserToTheTruthThanByOdometry) {
-  auto file = simulated / GetParam().name;
+TEST_P(RawlogWithTruth, IsMappedCloserToTheTruthThanByOdometry) {
+  auto file = datasets / GetParam().log;
   if (!exists(file))
     GTEST_SKIP() << "needs the package mrpt-common";
   auto mapped = map_of(file);
   ASSERT_TRUE(mapped);
-  auto truth = truth_of(file.string() + ".GT.txt");
+  auto truth = truth_of(datasets / GetParam().truth);
   ASSERT_GE(truth.size(), mapped->scans);
   truth.erase(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(truth.size()) -
                                static_cast<std::ptrdiff_t>(mapped->scans));
@@ -146,14 +147,24 @@ TEST_P(SimulatedRawlog, IsMappedCloserToTheTruthThanByOdometry) {
   EXPECT_LT(rms, GetParam().most_error * odometry_rms);
 }
 
-INSTANTIATE_TEST_SUITE_P(Mrpt, SimulatedRawlog,
-                         testing::Values(SimulatedLog{"simul.rawlog", 0.1},
-                                         // Its ranges have a standard deviation of 0.3 m.
-                                         SimulatedLog{"range_030_bearing_015.rawlog", 1}));
+INSTANTIATE_TEST_SUITE_P(
+  Mrpt, RawlogWithTruth,
+  testing::Values(KnownPath{"graphslam-engine-demos/action_observations_map/simul.rawlog",
+                            "graphslam-engine-demos/action_observations_map/"
+                            "simul.rawlog.GT.txt",
+                            0.1},
+                  // Its ranges have a standard deviation of 0.3 m.
+                  KnownPath{"graphslam-engine-demos/action_observations_map/"
+                            "range_030_bearing_015.rawlog",
+                            "graphslam-engine-demos/action_observations_map/"
+                            "range_030_bearing_015.rawlog.GT.txt",
+                            1},
+                  KnownPath{"uwb_ro-localization_demo.rawlog", "uwb_ro-localization_demo_GT.txt",
+                            1}));
 
 TEST(RecordedRawlog, IsMapped) {
   auto files = {"2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog",
-                "localization_demo.rawlog", "uwb_ro-localization_demo.rawlog"};
+                "localization_demo.rawlog"};
   for (auto* name : files) {
     if (!exists(datasets / name))
       GTEST_SKIP() << "needs the package mrpt-common";
