@@ -19,9 +19,9 @@ namespace {
 /// when it was measured, counted from the first.
 class RecordedRobot final : public StandaloneComponent {
   void configure() override {
-    if (log_->empty())
-      throw std::invalid_argument("--log is not set: name a CARMEN log or a rawlog");
-    auto read = read_robot_log(file());
+    if (file_->empty())
+      throw std::invalid_argument("--file is not set: name a CARMEN log or a rawlog");
+    auto read = read_robot_log(path());
     if (!read.log)
       throw std::invalid_argument(render(read.diagnostics));
     for (auto& x : read.diagnostics)
@@ -51,7 +51,7 @@ class RecordedRobot final : public StandaloneComponent {
       push(newest_.scan);
     }
     info("the log is over: {} scans", recorded_.scans.size());
-    if (ends_)
+    if (ends_ && sleep_for(linger_.get()))
       end_system(0, "the log is over");
   }
 
@@ -76,17 +76,21 @@ class RecordedRobot final : public StandaloneComponent {
     return due > now() ? sleep_for(due - now()) : is_running();
   }
 
-  std::filesystem::path file() const {
-    const std::filesystem::path path{log_.get()};
+  std::filesystem::path path() const {
+    std::filesystem::path result{file_.get()};
     std::error_code ignored;
-    if (path.is_absolute() || base_->empty() || exists(path, ignored))
-      return path;
-    return std::filesystem::path{base_.get()} / path;
+    if (result.is_absolute() || base_->empty() || exists(result, ignored))
+      return result;
+    return std::filesystem::path{base_.get()} / result;
   }
 
-  Option<std::string> log_{this, "log", "", "a CARMEN log, compressed or not, or an MRPT rawlog"};
+  Option<std::string> file_{this, "file", "", "a CARMEN log, compressed or not, or an MRPT rawlog"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
   Option<bool> ends_{this, "ends", true, "whether the system ends with the log"};
+
+  Option<std::chrono::milliseconds> linger_{this, "linger", std::chrono::seconds{1},
+                                            "the system ends so long after the log, for others to "
+                                            "finish their work"};
 
   RobotLog recorded_;
   LoggedScan newest_;

@@ -242,11 +242,11 @@ void write_map_server(const CellMap& map, const std::filesystem::path& stem,
     }
   // The image first: a `.yaml` without its image is of no use.
   write_output_file(pgm, bytes);
-  write_output_file(
-    yaml, fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, {}]\nnegate: 0\n"
-                      "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
-                      pgm.filename().string(), map.cell_size, map.origin.x, map.origin.y,
-                      map.origin.heading));
+  write_output_file(yaml, fmt::format("image: {}\nmode: trinary\nresolution: {:.10g}\norigin: "
+                                      "[{:.10g}, {:.10g}, {:.10g}]\nnegate: 0\n"
+                                      "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                                      pgm.filename().string(), map.cell_size, map.origin.x,
+                                      map.origin.y, map.origin.heading));
 }
 
 } // namespace castor::mapping

@@ -62,7 +62,7 @@ TEST(RecordedRobot, PushesWhatWasRecordedWhenItWas) {
                         "ODOM 1 0 0 0 0 0 100.02 host 100.02\n"
                         "FLASER 4 1 2 3 5 2 0 0 2 0 0 100.05 host 100.05\n"
                         "FLASER 4 1 2 3 6 3 0 0 3 0 0 100.1 host 100.1\n";
-  TestSystem system{cast_with("--ends no --log " + log.string())};
+  TestSystem system{cast_with("--ends no --file " + log.string())};
   auto entry = system.expect_entry("HeardLog in mapping");
   auto heard = entry->value.as<HeardLog>();
   ASSERT_TRUE(heard);
@@ -77,7 +77,7 @@ TEST(RecordedRobot, EndsTheSystemWithTheLog) {
   TemporaryFolder folder;
   auto log = folder / "robot.log";
   std::ofstream(log) << "FLASER 4 1 2 3 4 0 0 0 0 0 0 100.0 host 100.0\n";
-  TestSystem system{cast_with("--log " + log.string())};
+  TestSystem system{cast_with("--linger 1ms --file " + log.string())};
   system.expect_end(0, "the log is over");
 }
 
@@ -85,8 +85,8 @@ TEST(RecordedRobot, RefusesALogThatCannotBeUsed) {
   TemporaryFolder folder;
   auto log = folder / "robot.log";
   std::ofstream(log) << "FLASER 4 1 2\n";
-  EXPECT_ANY_THROW(TestSystem{cast_with("--log " + log.string())});
-  EXPECT_ANY_THROW(TestSystem{cast_with("--log none.rawlog")});
+  EXPECT_ANY_THROW(TestSystem{cast_with("--file " + log.string())});
+  EXPECT_ANY_THROW(TestSystem{cast_with("--file none.rawlog")});
   EXPECT_ANY_THROW(TestSystem{cast_with("")});
 }
 
