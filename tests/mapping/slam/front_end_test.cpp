@@ -41,9 +41,8 @@ TEST_F(FrontEndTest, FollowsTheRobotBetterThanItsWheels) {
     auto step = see(i);
     EXPECT_EQ(step.state, LocalisationState::tracking);
     worst = std::max(worst, error_of(step, i));
-    worst_of_wheels =
-      std::max(worst_of_wheels,
-               distance(between(path[0], path[i]), between(odometry[0], odometry[i])));
+    worst_of_wheels = std::max(
+      worst_of_wheels, distance(between(path[0], path[i]), between(odometry[0], odometry[i])));
   }
   EXPECT_GT(worst_of_wheels, 1);
   EXPECT_LT(worst, 0.1);

@@ -264,9 +264,9 @@ TEST(Slam, ClosesTheLoopAroundABlock) {
   std::mt19937 random{9};
   Slam slam;
   for (std::size_t i = 0; i < path.size(); ++i)
-    slam.add(with_noise(scan_from(walls, path[i], static_cast<std::int64_t>(i) * 100000), 0.01,
-                        random),
-             odometry[i]);
+    slam.add(
+      with_noise(scan_from(walls, path[i], static_cast<std::int64_t>(i) * 100000), 0.01, random),
+      odometry[i]);
   slam.finish();
   EXPECT_GT(slam.graph().loops(), 10U);
   EXPECT_EQ(slam.dead_reckoned(), 0U);

@@ -41,8 +41,8 @@ protected:
   std::vector<Constraint> close_all() {
     std::vector<Constraint> result;
     for (std::size_t i = 0; i < keyframes.size(); ++i)
-      for (auto& x : closer.add(keyframes[i], {poses.begin(), poses.begin() + 1 +
-                                                                static_cast<std::ptrdiff_t>(i)}))
+      for (auto& x : closer.add(
+             keyframes[i], {poses.begin(), poses.begin() + 1 + static_cast<std::ptrdiff_t>(i)}))
         result.push_back(x);
     return result;
   }

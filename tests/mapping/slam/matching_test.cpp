@@ -45,8 +45,8 @@ TEST(SurfacePoints, AreWhereTheLaserIsMounted) {
 TEST(SurfacePoints, BeamsWithoutAnEndAreLeftOut) {
   LaserScan scan;
   scan.angle_step = 0.01;
-  scan.ranges = {0, std::numeric_limits<float>::quiet_NaN(), 1, 0.01F, 100,
-                 std::numeric_limits<float>::infinity()};
+  scan.ranges = {0,   std::numeric_limits<float>::quiet_NaN(), 1, 0.01F,
+                 100, std::numeric_limits<float>::infinity()};
   EXPECT_EQ(surface_points(scan).size(), 1U);
   EXPECT_TRUE(surface_points(LaserScan{}).empty());
 }

@@ -59,8 +59,7 @@ LaserScan scan_from(const std::vector<Wall>& walls, const Pose2& robot, std::int
   result.angle_step = view / static_cast<double>(beams - 1);
   result.max_range = 30;
   for (std::size_t i = 0; i < beams; ++i) {
-    auto angle =
-      robot.heading + result.first_angle + static_cast<double>(i) * result.angle_step;
+    auto angle = robot.heading + result.first_angle + static_cast<double>(i) * result.angle_step;
     auto range = std::numeric_limits<double>::infinity();
     for (const auto& wall : walls)
       range = std::min(range, range_to(wall, {robot.x, robot.y}, angle));
