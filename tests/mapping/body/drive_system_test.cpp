@@ -2,7 +2,9 @@
 
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/types.hpp"
+#include "castor/mapping/octree/types.hpp"
 #include "castor/mapping/slam/types.hpp"
+#include "castor/perception/vision/types.hpp"
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/registry.hpp"
@@ -30,6 +32,8 @@ struct Seen {
   std::vector<LaserScan> scans;
   std::vector<BodyStatus> statuses;
   std::string refusal;
+  std::size_t frames = 0;
+  std::vector<SensedCloud> clouds;
 };
 
 Seen& seen() {
@@ -45,6 +49,17 @@ class DriveWatcher final : public UnmanagedComponent {
   }
 };
 CASTOR_COMPONENT(DriveWatcher, "keeps what a robot pushes")
+
+class SceneWatcher final : public UnmanagedComponent {
+  void start() override {
+    on_push<vision::CameraFrame>("robot", [](auto& x) {
+      EXPECT_EQ(x->image.bytes.size(), 3u * 80u * 60u);
+      ++seen().frames;
+    });
+    on_push<SensedCloud>("robot", [](auto& x) { seen().clouds.push_back(*x); });
+  }
+};
+CASTOR_COMPONENT(SceneWatcher, "keeps what a robot's camera sees")
 
 /// Commands the robot once.
 class PushOff final : public UnmanagedComponent {
@@ -201,6 +216,25 @@ TEST_F(DriveSystem, LaserThatStopsPushesNoMore) {
   run("--laser-stops-after 1s", "", 3s);
   EXPECT_LE(seen().scans.size(), 10u);
   EXPECT_GE(seen().odometry.size(), 140u);
+}
+
+TEST_F(DriveSystem, CameraPushesPicturesAndPoints) {
+  run("--camera-period 500ms --camera-width 80 --camera-height 60", "CPP UM scene SceneWatcher\n",
+      2s);
+  EXPECT_GE(seen().frames, 3u);
+  ASSERT_GE(seen().clouds.size(), 3u);
+  auto& cloud = seen().clouds.back();
+  EXPECT_GT(cloud.coordinates.size(), 3u * 2000u);
+  EXPECT_NEAR(cloud.sensor.z, 0.6, 1e-9);
+  EXPECT_EQ(cloud.time % 500'000, 0);
+}
+
+TEST_F(DriveSystem, BeginsWhereItIsTold) {
+  run("--start \"6 1 heading 90\" --odometry-start zero", "", 1s);
+  ASSERT_FALSE(seen().statuses.empty());
+  EXPECT_EQ(seen().statuses.back().pose.x, 6);
+  EXPECT_NEAR(seen().statuses.back().pose.heading, 1.5708, 1e-4);
+  EXPECT_EQ(seen().odometry.back().pose, Pose2{});
 }
 
 TEST_F(DriveSystem, IsTheSameForTheSameSeed) {
