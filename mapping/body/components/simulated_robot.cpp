@@ -1,4 +1,6 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/text_file.hpp"
+#include "castor/mapping/body/body_state_text.hpp"
 #include "castor/mapping/body/components/named_file.hpp"
 #include "castor/mapping/body/map_surroundings.hpp"
 #include "castor/mapping/body/scene_camera.hpp"
@@ -26,6 +28,9 @@ CASTOR_REFLECT_ENUM(Wheel, none, left, right)
 namespace {
 
 using namespace std::chrono_literals;
+
+/// Time between two savings of the body's state.
+constexpr std::chrono::milliseconds save_period = 500ms;
 
 /// Where odometry begins.
 enum class OdometryStart { start, zero };
@@ -112,6 +117,8 @@ class SimulatedRobot final : public StandaloneComponent {
 
   void start() override {
     begun_ = now();
+    if (!state_file_->empty())
+      restore();
     provide<Odometry>([this] { return odometry(); });
     provide<LaserScan>([this] { return newest_scan(); });
     provide<BodyStatus>([this] { return status(); });
@@ -143,6 +150,38 @@ class SimulatedRobot final : public StandaloneComponent {
         look();
     }
     report_collisions();
+    if (!state_file_->empty() && now() - saved_ >= save_period)
+      save();
+  }
+
+  /// The robot does not go back to its start if the program that simulates it fails.
+  void restore() {
+    const auto saved = saved_body();
+    // Of a run before this one.
+    if (!saved || saved->time > begun_.count() || begun_ < save_period)
+      return;
+    body_->resume(saved->state);
+    reported_collisions_ = saved->state.collisions;
+    info("goes on where it was {} ms ago", (begun_.count() - saved->time) / 1000);
+  }
+
+  std::optional<SavedBody> saved_body() {
+    try {
+      return parse_body_state(load_text(state_file_.get()));
+    } catch (const TextFileError&) {
+      // There is none.
+      return std::nullopt;
+    }
+  }
+
+  void save() {
+    saved_ = now();
+    try {
+      save_text(state_file_.get(), body_state_text({saved_.count(), body_->state()}));
+    } catch (const TextFileError& e) {
+      if (!std::exchange(is_unsaved_, true))
+        warning("{}", e.what());
+    }
   }
 
   /// Pushes a picture, and the points that its pixels are at.
@@ -263,6 +302,8 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<OdometryStart> odometry_start_{
     this, "odometry-start", OdometryStart::start,
     "where odometry begins: at the start in the building, or at zero"};
+  Option<std::string> state_file_{
+    this, "state", "", "file that keeps where the robot is, for when this component is restarted"};
   Option<std::chrono::milliseconds> laser_stops_after_{
     this, "laser-stops-after", 0ms, "fault: no scan comes any more from then on; 0: never"};
   Option<Wheel> blocked_wheel_{this, "blocked-wheel", Wheel::none, "fault: this wheel blocks"};
@@ -283,6 +324,8 @@ class SimulatedRobot final : public StandaloneComponent {
   vision::CameraFrame frame_;
   std::uint64_t looks_ = 0;
   std::int64_t reported_collisions_ = 0;
+  Timestamp saved_{0};
+  bool is_unsaved_ = false;
 };
 
 CASTOR_COMPONENT(SimulatedRobot, "drives in a simulated building, with odometry and a laser")

@@ -10,6 +10,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -235,6 +236,35 @@ TEST_F(DriveSystem, BeginsWhereItIsTold) {
   EXPECT_EQ(seen().statuses.back().pose.x, 6);
   EXPECT_NEAR(seen().statuses.back().pose.heading, 1.5708, 1e-4);
   EXPECT_EQ(seen().odometry.back().pose, Pose2{});
+}
+
+TEST_F(DriveSystem, RobotAndDriverGoOnAfterAFailure) {
+  {
+    const auto folder = folder_.path().string();
+    TestSystem system{
+      "COMPONENT CPP robot SimulatedRobot --building hut.building --base " + folder + " --state " +
+      folder +
+      "/robot.state --lease navigation/seat\n"
+      "SUBARCHITECTURE navigation\n"
+      "CPP WM SubarchitectureWorkingMemory\n"
+      "CPP TM AlwaysPositiveTaskManager\n"
+      "CPP UM watcher DriveWatcher\n"
+      "CPP UM driver PathDriver --path \"2 2.5, 4.5 2.5\" --speed 0.8 --seat seat\n"};
+    system.expect_entry("PathProgress in navigation where done > 0.5");
+    system.inject("crash robot");
+    system.expect_back("robot");
+    system.expect_entry("PathProgress in navigation where done > 1.2");
+    system.inject("crash driver");
+    system.expect_back("driver");
+    system.expect_entry("PathProgress in navigation where arrived == true");
+    system.expect_nobody_else_down({"robot", "driver"});
+  }
+  ASSERT_FALSE(seen().statuses.empty());
+  const auto& statuses = seen().statuses;
+  for (std::size_t i = 1; i < statuses.size(); ++i)
+    // At most what it drives between two savings of its state.
+    EXPECT_LT(std::abs(statuses[i].pose.x - statuses[i - 1].pose.x), 0.45) << i;
+  EXPECT_NEAR(statuses.back().pose.x, 4.5, 0.2);
 }
 
 TEST_F(DriveSystem, IsTheSameForTheSameSeed) {
