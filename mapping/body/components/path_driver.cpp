@@ -67,8 +67,10 @@ class PathDriver final : public Drives {
 
   void run() override {
     // The front of the path may have been driven by one before, which has failed.
-    if (const auto before = progress_before())
+    if (const auto before = progress_before()) {
       rounds_ = before->arrived ? rounds_to_drive_.get() : before->rounds;
+      follower_->resume(before->done);
+    }
     take_seat();
     tell("begins");
     while (rounds_ < rounds_to_drive_ && sleep_for(period_.get()))

@@ -1,5 +1,6 @@
 #include "castor/mapping/body/simulated_body.hpp"
 
+#include "castor/mapping/body/body_state_text.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/building/building_file.hpp"
 
@@ -187,6 +188,26 @@ TEST(SimulatedBody, IsTheSameForTheSameSeed) {
   EXPECT_EQ(drive(3, false), drive(3, false));
   EXPECT_EQ(drive(3, false), drive(3, true)) << "whoever looks changes nothing";
   EXPECT_NE(drive(3, false), drive(4, false));
+}
+
+TEST(SimulatedBody, StateOutlivesIt) {
+  auto first = body_in(building_with("start 6 2\n"), {});
+  run(first, {0.8, 0.1}, 5);
+  const SavedBody saved{5'000'000, first.state()};
+  const auto read = parse_body_state(body_state_text(saved));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, saved) << "without loss";
+  auto second = body_in(building_with("start 6 2\n"), {});
+  second.resume(read->state);
+  EXPECT_EQ(second.status().pose, first.status().pose);
+  EXPECT_EQ(second.odometry().pose, first.odometry().pose);
+  EXPECT_EQ(second.status().collisions, 1);
+  EXPECT_EQ(second.status().clearance, first.status().clearance);
+  run(second, {-0.5, 0}, 2);
+  EXPECT_LT(second.status().pose.x, 7.3);
+  for (auto* text : {"", "body 1 2", "body 1 2 3 4 5 6 7 8 9 x", "robot 1 2 3 4 5 6 7 8 9 10",
+                     "body 1e300 2 3 4 5 6 7 8 9 10"})
+    EXPECT_FALSE(parse_body_state(text)) << text;
 }
 
 TEST(SimulatedBody, RefusesStepsInWhichItCouldPassThroughSomething) {
