@@ -34,9 +34,12 @@ class MapExporter final : public UnmanagedComponent {
     std::optional<GraphPoses> graph;
     for (auto& x : all<GraphPoses>(keyframes_))
       graph = x;
+    std::vector<Pose2> truth;
+    for (auto& x : all<TruePath>(maps_))
+      truth = std::move(x.poses);
     auto result =
       write_map_files(folder, contents_of(std::move(keyframes), graph, all<Constraint>(keyframes_)),
-                      all<GridTile>(maps_), all<OctreeBlock>(maps_));
+                      all<GridTile>(maps_), all<OctreeBlock>(maps_), truth);
     for (auto& x : result.files)
       info("wrote {}", x);
     for (auto& x : result.left_out)

@@ -14,6 +14,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -49,7 +50,8 @@ private:
   ExportedMap result_;
 };
 
-void write_grid(MapFolder& folder, const CellMap& map, const MapContents& contents) {
+void write_grid(MapFolder& folder, const CellMap& map, const MapContents& contents,
+                std::span<const Pose2> truth) {
   if (map.columns > 0) {
     write_map_server(map, folder.file("map"));
     folder.wrote("map.pgm");
@@ -57,11 +59,16 @@ void write_grid(MapFolder& folder, const CellMap& map, const MapContents& conten
   } else {
     folder.leave_out("map.yaml", "there is no grid");
   }
-  MapTrack track;
+  std::vector<MapTrack> tracks;
+  if (!truth.empty())
+    tracks.push_back({{truth.begin(), truth.end()}, 0x20, 0x90, 0x40});
+  MapTrack path;
   for (auto& x : contents.keyframes)
-    track.poses.push_back(x.pose);
-  if (map.columns > 0 || !track.poses.empty())
-    folder.write("map.png", map_picture(map, {track}));
+    path.poses.push_back(x.pose);
+  const bool is_empty = map.columns == 0 && path.poses.empty();
+  tracks.push_back(std::move(path));
+  if (!is_empty)
+    folder.write("map.png", map_picture(map, tracks));
   else
     folder.leave_out("map.png", "there is neither a grid nor a keyframe");
 }
@@ -85,9 +92,10 @@ void write_octree(MapFolder& folder, std::span<const OctreeBlock> blocks) {
 } // namespace
 
 ExportedMap write_map_files(const std::filesystem::path& path, const MapContents& contents,
-                            std::span<const GridTile> tiles, std::span<const OctreeBlock> blocks) {
+                            std::span<const GridTile> tiles, std::span<const OctreeBlock> blocks,
+                            std::span<const Pose2> truth) {
   MapFolder folder{path};
-  write_grid(folder, cell_map(tiles), contents);
+  write_grid(folder, cell_map(tiles), contents, truth);
   if (contents.keyframes.empty()) {
     folder.leave_out("keyframes.g2o", "there is no keyframe");
   } else {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "castor/mapping/planar/types.hpp"
 #include "castor/wm/values/reflect.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-/// Requests to the component that writes map files.
+/// Requests to the component that writes map files, and what is said of a path by who knows better.
 namespace castor::mapping {
 
 /// Call: write the map as it is now. Answer: ExportedMap.
@@ -23,7 +25,40 @@ struct ExportedMap {
   friend bool operator==(const ExportedMap&, const ExportedMap&) = default;
 };
 
+/// Entry: how far the corrected path of a simulated robot is from the true one. There is one, which
+/// is overwritten.
+struct PathError {
+  /// When that was, microseconds since the system began.
+  std::int64_t time = 0;
+  /// How many keyframes were compared.
+  std::int64_t keyframes = 0;
+  /// Distances from the true positions, metres.
+  double median = 0;
+  double most = 0;
+  /// Differences from the true headings, radians.
+  double heading_median = 0;
+  double heading_most = 0;
+  /// How often the robot has run into something.
+  std::int64_t collisions = 0;
+  /// Smallest distance of the robot from an obstacle, metres.
+  double least_clearance = 0;
+  /// True length of the way, metres.
+  double driven = 0;
+
+  friend bool operator==(const PathError&, const PathError&) = default;
+};
+
+/// Entry: true poses of the keyframes, in the order of time. There is one, which is overwritten.
+struct TruePath {
+  std::vector<Pose2> poses;
+
+  friend bool operator==(const TruePath&, const TruePath&) = default;
+};
+
 CASTOR_REFLECT(ExportMap, folder)
 CASTOR_REFLECT(ExportedMap, files, left_out)
+CASTOR_REFLECT(PathError, time, keyframes, median, most, heading_median, heading_most, collisions,
+               least_clearance, driven)
+CASTOR_REFLECT(TruePath, poses)
 
 } // namespace castor::mapping

@@ -3,7 +3,7 @@
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/slam/front_end.hpp"
 #include "castor/mapping/slam/map_frame.hpp"
-#include "castor/mapping/slam/odometry_history.hpp"
+#include "castor/mapping/planar/odometry_history.hpp"
 #include "castor/mapping/slam/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "castor/mapping/geometry/frame_tree.hpp"
 #include "castor/mapping/planar/poses.hpp"
-#include "castor/mapping/slam/odometry_history.hpp"
+#include "castor/mapping/planar/odometry_history.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "castor/mapping/slam/odometry_history.hpp"
+#include "castor/mapping/planar/odometry_history.hpp"
 
 #include "castor/mapping/planar/poses.hpp"
 

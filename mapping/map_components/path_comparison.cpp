@@ -1,0 +1,70 @@
+#include "castor/mapping/map_components/path_comparison.hpp"
+
+#include "castor/mapping/planar/poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace castor::mapping {
+
+namespace {
+
+double median_of(std::vector<double>& values) {
+  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace
+
+void PathComparison::add_truth(std::int64_t time, const Pose2& pose) {
+  truths_.add({time, pose, {}});
+  for (auto& [keyframe, x] : places_)
+    if (!x.truth)
+      x.truth = truths_.pose_at(x.time);
+}
+
+void PathComparison::place(const std::string& keyframe, std::int64_t time, const Pose2& pose) {
+  auto& x = places_[keyframe];
+  x.time = time;
+  x.pose = pose;
+  if (!x.truth)
+    x.truth = truths_.pose_at(time);
+}
+
+void PathComparison::remove(const std::string& keyframe) {
+  places_.erase(keyframe);
+}
+
+PathError PathComparison::error() const {
+  PathError result;
+  std::vector<double> distances;
+  std::vector<double> turns;
+  for (auto& [keyframe, x] : places_) {
+    if (!x.truth)
+      continue;
+    distances.push_back(distance(x.pose, *x.truth));
+    turns.push_back(std::abs(normalised(x.pose.heading - x.truth->heading)));
+  }
+  if (distances.empty())
+    return result;
+  result.keyframes = static_cast<std::int64_t>(distances.size());
+  result.most = *std::ranges::max_element(distances);
+  result.heading_most = *std::ranges::max_element(turns);
+  result.median = median_of(distances);
+  result.heading_median = median_of(turns);
+  return result;
+}
+
+TruePath PathComparison::truth() const {
+  std::map<std::int64_t, Pose2> by_time;
+  for (auto& [keyframe, x] : places_)
+    if (x.truth)
+      by_time.emplace(x.time, *x.truth);
+  TruePath result;
+  for (auto& [time, pose] : by_time)
+    result.poses.push_back(pose);
+  return result;
+}
+
+} // namespace castor::mapping
