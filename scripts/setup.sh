@@ -18,6 +18,8 @@ test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
   # Tools that open exported maps, and rawlogs.
   mrpt-apps mrpt-common octomap-tools
+  # A simulator to compare the simulated robot with.
+  libenki-dev
   # Shells that complete castor's command lines, and the formatter of its manual pages.
   fish groff-base zsh
 )

@@ -109,7 +109,9 @@ std::vector<Wall> read_walls(StatementWords& words, double thickness) {
       if (points.size() < 3)
         throw StatementError("a wall of two points cannot be closed",
                              "Add points, or remove \"close\".");
-      points.push_back(points.front());
+      // It may be closed already.
+      if (points.back() != points.front())
+        points.push_back(points.front());
     } else if (words.accept("thickness")) {
       thickness = words.length("the thickness", 0.01, 2);
     } else {

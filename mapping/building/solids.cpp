@@ -31,6 +31,8 @@ Solid upright_box(const Segment& middle, double thickness, double bottom, double
 void add_wall(const Building& x, std::size_t index, std::vector<Solid>& out) {
   const auto& wall = x.walls[index];
   const double whole = length(wall.middle);
+  if (!(whole > 0))
+    return;
   const double beyond = wall.thickness / 2;
   std::vector<const Door*> doors;
   for (const auto& door : x.doors)

@@ -98,6 +98,12 @@ TEST(BuildingFile, NamesAnOpenWall) {
   EXPECT_THAT(parse_building(text, "").problems[0].remedy, HasSubstr("0 0"));
 }
 
+TEST(BuildingFile, ClosesAWallThatIsClosedAlready) {
+  auto read = parse_building("wall 0 0 to 4 0 to 4 3 to 0 0 close\nroom a at 3 1\nstart 3 1\n", "");
+  EXPECT_THAT(read.problems, IsEmpty()) << render(read.problems);
+  EXPECT_THAT(read.building.walls, SizeIs(3));
+}
+
 TEST(BuildingFile, NamesADoorInNoWall) {
   EXPECT_THAT(problems_of(with("door other at 3 3\n")),
               ElementsAre("7: door other is in no wall: the nearest one, of line 1, is 2 m away"));
