@@ -63,8 +63,7 @@ RelationsResult parse_relations(std::string_view text, const std::string& file) 
       continue;
     }
     auto& x = *numbers;
-    relations.push_back(
-      {std::llround(x[0] * 1e6), std::llround(x[1] * 1e6), {x[2], x[3], x[7]}});
+    relations.push_back({std::llround(x[0] * 1e6), std::llround(x[1] * 1e6), {x[2], x[3], x[7]}});
   }
   if (relations.empty() && result.diagnostics.empty())
     result.diagnostics.push_back(

@@ -38,8 +38,8 @@ struct RelationsResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Reads lines "time1 time2 x y z roll pitch yaw" (s, m, rad); empty lines and those that begin with
-/// # are left out.
+/// Reads lines "time1 time2 x y z roll pitch yaw" (s, m, rad); empty lines and those that begin
+/// with # are left out.
 RelationsResult parse_relations(std::string_view text, const std::string& file);
 
 /// The same for a file, which may be compressed by gzip.
@@ -93,8 +93,8 @@ struct TrajectoryErrors {
 };
 
 /// Absolute trajectory error: distances of a path from the truth at the same times, after the rigid
-/// motion of the plane that makes their squares least (Horn 1987; Sturm et al., "A benchmark for the
-/// evaluation of RGB-D SLAM systems", 2012).
+/// motion of the plane that makes their squares least (Horn 1987; Sturm et al., "A benchmark for
+/// the evaluation of RGB-D SLAM systems", 2012).
 TrajectoryErrors trajectory_errors(const std::vector<TimedPose>& path,
                                    const std::vector<TimedPose>& truth,
                                    std::int64_t most_gap = 500000);

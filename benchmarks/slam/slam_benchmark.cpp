@@ -1,4 +1,5 @@
-// How accurate the path of a robot is that SLAM makes of its log, by the metric of the SLAM benchmark.
+// How accurate the path of a robot is that SLAM makes of its log, by the metric of the SLAM
+// benchmark.
 //
 //     slam_benchmark LOG [RELATIONS] [OPTION=NUMBER...]
 //

@@ -135,8 +135,8 @@ private:
     if (series.backward == 0)
       return;
     add(Severity::warning, series.first_backward, {},
-        "time runs backward here and in " + std::to_string(series.backward - 1) +
-          " later lines " + kind + ", so messages were logged late",
+        "time runs backward here and in " + std::to_string(series.backward - 1) + " later lines " +
+          kind + ", so messages were logged late",
         "none is needed: times that are too late are set back to those of the lines below", 0);
     for (auto i = series.lines.size(); i-- > 1;)
       time_of(series.lines[i - 1]) =
@@ -178,7 +178,8 @@ private:
     x.severity = severity;
     x.where = SourceLocation{file_, line_number};
     // What is beyond the part that is shown has no column.
-    x.line = std::string{line.substr(0, shown_of_line)} + (line.size() > shown_of_line ? "..." : "");
+    x.line =
+      std::string{line.substr(0, shown_of_line)} + (line.size() > shown_of_line ? "..." : "");
     x.column = column <= shown_of_line ? column : 0;
     x.message = message;
     x.remedy = remedy;
@@ -219,8 +220,7 @@ RobotLogResult parse_carmen_log(std::string_view text, const std::string& file,
   return std::move(reader).result();
 }
 
-RobotLogResult read_carmen_log(const std::filesystem::path& file,
-                               const CarmenLogOptions& options) {
+RobotLogResult read_carmen_log(const std::filesystem::path& file, const CarmenLogOptions& options) {
   try {
     auto bytes = read_input_file(file, most_bytes);
     if (is_gzip(bytes))

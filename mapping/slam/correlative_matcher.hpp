@@ -33,8 +33,8 @@ struct CorrelativeMatch {
 
 /// Finds the pose at which a scan fits best to points of a map within a window, without a guess:
 /// correlative scan matching (Olson, 2009) by branch and bound over grids of maxima (Hess, Kohler,
-/// Rapp, Andor, "Real-time loop closure in 2D LIDAR SLAM", 2016). The result is the best pose of the
-/// search grid.
+/// Rapp, Andor, "Real-time loop closure in 2D LIDAR SLAM", 2016). The result is the best pose of
+/// the search grid.
 class CorrelativeMatcher {
 public:
   /// @param map points in the frame of the poses

@@ -49,12 +49,12 @@ FrontEnd::Motion FrontEnd::motion_to(std::int64_t time, const Pose2& odometry) c
   }
   if (last_duration_ > 0 && !result.is_uncertain && seconds < options_.gap) {
     auto share = std::min(1e6 * seconds / static_cast<double>(last_duration_), 2.);
-    result.as_before = Pose2{share * last_step_.x, share * last_step_.y,
-                             normalised(share * last_step_.heading)};
+    result.as_before =
+      Pose2{share * last_step_.x, share * last_step_.y, normalised(share * last_step_.heading)};
   }
   result.prior.translation = options_.odometry_rest + options_.odometry_translation * way;
-  result.prior.heading = options_.odometry_rest_heading + options_.odometry_turn * turn +
-                         options_.odometry_drift * way;
+  result.prior.heading =
+    options_.odometry_rest_heading + options_.odometry_turn * turn + options_.odometry_drift * way;
   return result;
 }
 
@@ -88,8 +88,8 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
   SearchWindow window{std::clamp(3 * motion.prior.translation, 0.4, 3.),
                       std::clamp(3 * motion.prior.heading, 0.3, std::numbers::pi / 2)};
   CorrelativeMatcher coarse{thinned(map_.points(), 0.03)};
-  auto best = coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window,
-                           options_.least_score);
+  auto best =
+    coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window, options_.least_score);
   if (!best)
     return result;
   auto match = matcher_.match(map_, scan, best->pose);

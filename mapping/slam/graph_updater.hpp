@@ -19,8 +19,8 @@ struct GraphUpdaterOptions {
   double correction_at_once = 0.1;
 };
 
-/// Keyframes and constraints, in any order, and when their poses are to be computed. Without threads
-/// and clocks.
+/// Keyframes and constraints, in any order, and when their poses are to be computed. Without
+/// threads and clocks.
 class GraphUpdater {
 public:
   explicit GraphUpdater(const GraphUpdaterOptions& options = {});

@@ -33,9 +33,9 @@ void LoopCloser::remember(const Keyframe& keyframe) {
     throw std::invalid_argument("the next keyframe of the loop closer is " +
                                 std::to_string(keyframes()) + ", and not " +
                                 std::to_string(keyframe.number));
-  auto path = known_.empty() ? 0
-                             : known_.back().path +
-                                 way_between(known_.back().local_pose, keyframe.local_pose);
+  auto path = known_.empty()
+                ? 0
+                : known_.back().path + way_between(known_.back().local_pose, keyframe.local_pose);
   known_.push_back({keyframe.scan, path, keyframe.local_pose, {}});
 }
 
@@ -145,10 +145,9 @@ std::optional<LoopCloser::Closure> LoopCloser::close(const Place& place, std::in
   auto map = points_around(place.keyframe, number, poses);
   auto guess = between(poses[static_cast<std::size_t>(place.keyframe)],
                        poses[static_cast<std::size_t>(number)]);
-  SearchWindow window{
-    std::min(options_.window + options_.drift * place.way, options_.most_window),
-    std::min(options_.window_heading + options_.drift_heading * place.way,
-             options_.most_window_heading)};
+  SearchWindow window{std::min(options_.window + options_.drift * place.way, options_.most_window),
+                      std::min(options_.window_heading + options_.drift_heading * place.way,
+                               options_.most_window_heading)};
   auto start = guess;
   if (window.translation > options_.small_window) {
     CorrelativeMatcher coarse{thinned(map, 0.04)};

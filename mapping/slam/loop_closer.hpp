@@ -18,8 +18,8 @@ struct LoopCloserOptions {
   double least_path = 4;
   /// Earlier keyframes up to this distance may have seen the same, m; it grows by the window.
   double near = 1.5;
-  /// Half the width of the search window, m: `window` and `drift` for each metre of the way from one
-  /// to the other along the graph, `most_window` at most.
+  /// Half the width of the search window, m: `window` and `drift` for each metre of the way from
+  /// one to the other along the graph, `most_window` at most.
   double window = 0.2;
   double drift = 0.03;
   double most_window = 5;

@@ -20,8 +20,7 @@ PoseCovariance turned(const PoseCovariance& x, double heading) {
   return result;
 }
 
-geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry,
-                                    std::int64_t time) {
+geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, std::int64_t time) {
   auto frame = compose(in_map, inverse(odometry));
   geometry::Transform result;
   result.frame = geometry::odometry_frame;

@@ -2,8 +2,8 @@
 
 #include "castor/mapping/planar/poses.hpp"
 
-#include <ceres/ceres.h>
 #include <Eigen/Dense>
+#include <ceres/ceres.h>
 
 #include <array>
 #include <cmath>
@@ -90,8 +90,7 @@ struct PoseGraph::Problem {
 
   void add_block(const Pose2& x) {
     auto& block = poses.emplace_back(Block{x.x, x.y, x.heading});
-    problem.AddParameterBlock(block.data(), 3,
-                              new ceres::AutoDiffManifold<PoseManifold, 3, 3>);
+    problem.AddParameterBlock(block.data(), 3, new ceres::AutoDiffManifold<PoseManifold, 3, 3>);
     if (poses.size() == 1)
       problem.SetParameterBlockConstant(block.data());
   }

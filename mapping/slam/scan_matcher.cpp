@@ -20,8 +20,8 @@ struct NormalEquations {
 
 PoseCovariance covariance_of(const Eigen::Matrix3d& information) {
   // A direction that nothing is known of has a deviation of 10 m, and not infinity.
-  Eigen::Matrix3d c = (information + Eigen::Vector3d(1e-2, 1e-2, 1e-1).asDiagonal().toDenseMatrix())
-                        .inverse();
+  Eigen::Matrix3d c =
+    (information + Eigen::Vector3d(1e-2, 1e-2, 1e-1).asDiagonal().toDenseMatrix()).inverse();
   return {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)};
 }
 
@@ -29,10 +29,9 @@ PoseCovariance covariance_of(const Eigen::Matrix3d& information) {
 double observability_of(const NormalEquations& x) {
   if (x.weight <= 0 || x.information(2, 2) <= 0)
     return 0;
-  Eigen::Matrix2d translation =
-    x.information.topLeftCorner<2, 2>() -
-    x.information.topRightCorner<2, 1>() * x.information.bottomLeftCorner<1, 2>() /
-      x.information(2, 2);
+  Eigen::Matrix2d translation = x.information.topLeftCorner<2, 2>() -
+                                x.information.topRightCorner<2, 1>() *
+                                  x.information.bottomLeftCorner<1, 2>() / x.information(2, 2);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(translation, Eigen::EigenvaluesOnly);
   return std::max(0., solver.eigenvalues()(0) / x.weight);
 }
@@ -70,8 +69,8 @@ ScanMatch ScanMatcher::match(const PointMap& map, const SurfacePoints& scan, con
       auto length = std::hypot(nx, ny);
       nx /= length;
       ny /= length;
-      auto error = nx * (here.position.x - there->position.x) +
-                   ny * (here.position.y - there->position.y);
+      auto error =
+        nx * (here.position.x - there->position.x) + ny * (here.position.y - there->position.y);
       auto size = std::abs(error);
       auto weight = size <= options_.robust_from ? 1 : options_.robust_from / size;
       Eigen::Vector3d jacobian(nx, ny, ny * arm.x - nx * arm.y);
@@ -102,8 +101,8 @@ ScanMatch ScanMatcher::match(const PointMap& map, const SurfacePoints& scan, con
     pose.x += step.x();
     pose.y += step.y();
     pose.heading = normalised(pose.heading + step.z());
-    auto is_last = within <= options_.last_distance &&
-                   std::hypot(step.x(), step.y()) < 1e-4 && std::abs(step.z()) < 1e-4;
+    auto is_last = within <= options_.last_distance && std::hypot(step.x(), step.y()) < 1e-4 &&
+                   std::abs(step.z()) < 1e-4;
     if (is_last || i + 1 == options_.max_iterations) {
       result.pose = pose;
       result.covariance = covariance_of(sums.information * one_over_noise);

@@ -41,8 +41,8 @@ struct ScanMatch {
   double observability = 0;
 };
 
-/// Aligns a scan with points of a map: iterated closest points with the point-to-line metric (Censi,
-/// "An ICP variant using a point-to-line metric", 2008), Gauss-Newton.
+/// Aligns a scan with points of a map: iterated closest points with the point-to-line metric
+/// (Censi, "An ICP variant using a point-to-line metric", 2008), Gauss-Newton.
 class ScanMatcher {
 public:
   explicit ScanMatcher(const ScanMatcherOptions& options = {}) : options_(options) {}

@@ -39,8 +39,7 @@ std::vector<TimedPose> Slam::path() const {
   std::vector<TimedPose> result;
   result.reserve(seen_.size());
   for (const auto& x : seen_)
-    result.push_back(
-      {x.time, compose(poses[static_cast<std::size_t>(x.keyframe)], x.on_keyframe)});
+    result.push_back({x.time, compose(poses[static_cast<std::size_t>(x.keyframe)], x.on_keyframe)});
   return result;
 }
 

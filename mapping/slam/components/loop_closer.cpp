@@ -19,8 +19,8 @@ namespace castor::mapping::components {
 
 namespace {
 
-/// Searches each new keyframe among the earlier ones, and adds a constraint where the robot has come
-/// back. One that is started again goes on with the keyframes that are there.
+/// Searches each new keyframe among the earlier ones, and adds a constraint where the robot has
+/// come back. One that is started again goes on with the keyframes that are there.
 class LoopCloser final : public UnmanagedComponent {
   void configure() override {
     LoopCloserOptions options;
@@ -98,10 +98,11 @@ class LoopCloser final : public UnmanagedComponent {
       local_poses_.push_back(keyframe.local_pose);
       auto poses = keyframe_poses(graph_, local_poses_);
       for (const auto& x : closer_->add(keyframe, poses)) {
-        auto predicted = between(poses[static_cast<std::size_t>(x.from)],
-                                 poses[static_cast<std::size_t>(x.to)]);
+        auto predicted =
+          between(poses[static_cast<std::size_t>(x.from)], poses[static_cast<std::size_t>(x.to)]);
         auto correction = distance(predicted, x.pose);
-        needs_correction_ = needs_correction_ || correction > GraphUpdaterOptions{}.correction_at_once;
+        needs_correction_ =
+          needs_correction_ || correction > GraphUpdaterOptions{}.correction_at_once;
         if (correction > report_)
           info("keyframe {} is where {} was, which corrects {:.2f} m", x.to, x.from, correction);
         put(here("loop-" + std::to_string(x.from) + "-" + std::to_string(x.to)), x);

@@ -22,8 +22,8 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Follows the robot from scan to scan. Adds a keyframe and its constraint each time that the robot
-/// has moved, and keeps one RobotPose and the Transform of the odometry frame up to date. One that is
-/// started again goes on from the newest keyframes.
+/// has moved, and keeps one RobotPose and the Transform of the odometry frame up to date. One that
+/// is started again goes on from the newest keyframes.
 class ScanMatchingFrontEnd final : public UnmanagedComponent {
   void configure() override {
     FrontEndOptions options;
@@ -160,8 +160,7 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
   }
 
   Option<StandaloneName> laser_{this, "laser", "robot", "the component that pushes LaserScan"};
-  Option<StandaloneName> odometry_{this, "odometry", "robot",
-                                   "the component that pushes Odometry"};
+  Option<StandaloneName> odometry_{this, "odometry", "robot", "the component that pushes Odometry"};
   Option<double> keyframe_distance_{this, "keyframe-distance", FrontEndOptions{}.keyframe_distance,
                                     "way from keyframe to keyframe, metres"};
   Option<double> keyframe_turn_{this, "keyframe-turn", FrontEndOptions{}.keyframe_turn,
