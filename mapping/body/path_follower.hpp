@@ -3,6 +3,7 @@
 #include "castor/base/diagnostic.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ class PathFollower {
 public:
   /// \pre the path has a waypoint.
   PathFollower(Path path, const FollowOptions& options);
+
+  /// Goes on where another one was.
+  void resume(double done) { done_ = std::clamp(done, 0.0, along_.back()); }
 
   /// The velocity to have at that pose. After arrival it is zero.
   Twist2 velocity_at(const Pose2& pose);

@@ -116,4 +116,19 @@ BodyStatus SimulatedBody::status() const {
           blocked_,       clearance_, least_clearance_, driven_};
 }
 
+BodyState SimulatedBody::state() const {
+  return {pose_, odometry_, collisions_, least_clearance_, driven_};
+}
+
+void SimulatedBody::resume(const BodyState& x) {
+  pose_ = x.pose;
+  odometry_ = x.odometry;
+  collisions_ = x.collisions;
+  least_clearance_ = x.least_clearance;
+  driven_ = x.driven;
+  drive_.stop();
+  velocity_ = measured_velocity_ = {};
+  clearance_ = clearance_at(pose_, options_.radius + far_enough) - options_.radius;
+}
+
 } // namespace castor::mapping

@@ -42,6 +42,17 @@ struct BodySurroundings {
 
 BodySurroundings surroundings_in(const Building& x, const BodyOptions& options);
 
+/// What of a body outlives the program that simulates it. It stands then.
+struct BodyState {
+  Pose2 pose;
+  Pose2 odometry;
+  std::int64_t collisions = 0;
+  double least_clearance = 0;
+  double driven = 0;
+
+  friend bool operator==(const BodyState&, const BodyState&) = default;
+};
+
 /// A robot that drives in a building, in steps of equal length. What it does depends on the
 /// options, the commands and the steps before which they come, and on nothing else.
 ///
@@ -69,6 +80,10 @@ public:
   Odometry odometry() const;
   LaserScan scan();
   BodyStatus status() const;
+
+  BodyState state() const;
+  /// Goes on from that state.
+  void resume(const BodyState& x);
 
   const WalkingPeople& people() const { return people_; }
 

@@ -8,8 +8,8 @@
 
 namespace castor::mapping {
 
-/// People who walk along their routes, and wait as long as a robot is in their way: whoever runs
-/// into whom is the robot.
+/// People who walk along their routes. They wait while a robot is in their way, and walk back after
+/// some time: whoever runs into whom is the robot.
 class WalkingPeople {
 public:
   explicit WalkingPeople(std::vector<Person> people);
@@ -21,9 +21,17 @@ public:
   std::span<const Disc> discs() const { return discs_; }
 
 private:
-  std::vector<Person> people_;
-  /// How far each has walked.
-  std::vector<double> walked_;
+  struct Walk {
+    Person person;
+    /// How far along the route, from its beginning.
+    double at = 0;
+    /// 1 or, after turning back, -1.
+    double direction = 1;
+    /// Seconds.
+    double waited = 0;
+  };
+
+  std::vector<Walk> walks_;
   std::vector<Disc> discs_;
 };
 

@@ -111,6 +111,8 @@ Point2 place_on_route(const Person& x, double walked) {
   if (!(round > 0))
     return x.route.front();
   double left = std::fmod(walked, round);
+  if (left < 0)
+    left += round;
   if (!x.is_loop && left > round / 2)
     left = round - left;
   for (std::size_t i = 0; i < x.route.size(); ++i) {

@@ -130,7 +130,7 @@ Extent extent(const Building& x);
 /// Null if no room is there.
 const Room* room_at(const Building& x, const Point2& p);
 
-/// Where the person is after walking that far; goes on for ever.
+/// Where the person is after walking that far, or backwards if it is negative; goes on for ever.
 Point2 place_on_route(const Person& x, double walked);
 
 /// Length of the route until it begins again, metres.

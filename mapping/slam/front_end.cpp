@@ -112,6 +112,8 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
   FrontEndStep result;
   result.time = scan.time;
   if (placed_.empty()) {
+    // Its own frame begins as the odometry frame.
+    result.local_pose = odometry;
     make_keyframe(result, scan, odometry, points);
   } else {
     auto motion = motion_to(scan.time, odometry);

@@ -28,7 +28,7 @@ protected:
       }
     }
     lease_.emplace(lock(seat, LockLevel::o));
-    overwrite(seat, DriverSeat{component_name()});
+    put(seat, DriverSeat{component_name()});
   }
 
   void leave_seat() { lease_.reset(); }

@@ -8,6 +8,7 @@
 #include "castor/mapping/slam/types.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -66,8 +67,10 @@ class PathDriver final : public Drives {
 
   void run() override {
     // The front of the path may have been driven by one before, which has failed.
-    if (const auto before = progress_before())
+    if (const auto before = progress_before()) {
       rounds_ = before->arrived ? rounds_to_drive_.get() : before->rounds;
+      follower_->resume(before->done);
+    }
     take_seat();
     tell("begins");
     while (rounds_ < rounds_to_drive_ && sleep_for(period_.get()))
@@ -77,7 +80,7 @@ class PathDriver final : public Drives {
     tell({});
     if (!is_running())
       return;
-    info("has arrived after {} rounds", rounds_);
+    info("has arrived, {} of {} rounds", rounds_, rounds_to_drive_.get());
     if (after_arrival_ == AfterArrival::end)
       end_system(0, "the path was driven");
   }
@@ -87,7 +90,7 @@ class PathDriver final : public Drives {
       wait("a pose");
       return;
     }
-    const auto velocity = follower_->velocity_at(*pose_);
+    auto velocity = follower_->velocity_at(*pose_);
     if (follower_->has_arrived()) {
       ++rounds_;
       begin_round();
@@ -96,13 +99,29 @@ class PathDriver final : public Drives {
     }
     if (is_lost_)
       wait("localisation");
-    else if (velocity.forward > 0 && stop_before_ > 0 && free_way_ < stop_before_)
+    else if (!is_slowed_to_way(velocity))
       wait("a free way");
     else {
       drive(velocity);
       if (!waits_for_.empty() || now() - told_ >= 1s)
         tell({});
     }
+  }
+
+  /// Slows down so that the robot can stop before what is in its way; false if it has to stand.
+  bool is_slowed_to_way(Twist2& velocity) const {
+    if (!(velocity.forward > 0) || !(stop_before_ > 0))
+      return true;
+    const double left = free_way_ - stop_before_;
+    const double fastest = left > 0 ? std::sqrt(2 * braking_ * left) : 0;
+    constexpr double slowest = 0.03; // m/s
+    if (fastest < slowest)
+      return false;
+    if (fastest < velocity.forward) {
+      velocity.turn *= fastest / velocity.forward;
+      velocity.forward = fastest;
+    }
+    return true;
   }
 
   void wait(const std::string& what) {
@@ -165,8 +184,9 @@ class PathDriver final : public Drives {
   Option<double> tolerance_{this, "tolerance", 0.1,
                             "distance from the last waypoint at which it has arrived, metres"};
   Option<double> stop_before_{
-    this, "stop-before", 0.4,
-    "it waits while something is so near before the robot's middle, metres; 0: never"};
+    this, "stop-before", 0.3,
+    "it stops so far before what is in its way, from the robot's middle, metres; 0: never"};
+  Option<double> braking_{this, "braking", 0.4, "how hard it brakes for that, m/s^2"};
   Option<double> half_width_{this, "half-width", 0.27,
                              "how far aside that something may be, metres"};
   Option<std::int64_t> rounds_to_drive_{this, "rounds", 1, "how often it drives the path"};

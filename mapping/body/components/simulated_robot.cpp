@@ -1,7 +1,15 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/text_file.hpp"
+#include "castor/mapping/body/body_state_text.hpp"
 #include "castor/mapping/body/components/named_file.hpp"
+#include "castor/mapping/body/map_surroundings.hpp"
+#include "castor/mapping/body/scene_camera.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/building/building_file.hpp"
+#include "castor/mapping/building/building_statement.hpp"
+#include "castor/mapping/building/solids.hpp"
+#include "castor/mapping/octree/types.hpp"
+#include "castor/perception/vision/types.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +18,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -19,23 +29,20 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// Time between two savings of the body's state.
+constexpr std::chrono::milliseconds save_period = 500ms;
+
 /// Where odometry begins.
 enum class OdometryStart { start, zero };
 CASTOR_REFLECT_ENUM(OdometryStart, start, zero)
 
 /// A robot in a simulated building: obeys DriveCommand, pushes and provides Odometry, LaserScan and
-/// BodyStatus.
+/// BodyStatus, and, if it has a camera, pushes vision::CameraFrame and SensedCloud.
 class SimulatedRobot final : public StandaloneComponent {
   void configure() override {
     if (building_->empty())
       throw std::invalid_argument(
         "--building is not set: name a building's file, for example buildings/office.building");
-    auto read = load_building(file_named(building_, base_));
-    for (auto& x : read.problems)
-      warning("{}", render(x));
-    auto& building = read.building;
-    set_doors(building, shut_, false);
-    set_doors(building, opened_, true);
     BodyOptions options;
     options.seed = static_cast<std::uint64_t>(seed_.get());
     options.people = people_;
@@ -50,26 +57,81 @@ class SimulatedRobot final : public StandaloneComponent {
     options.drive.acceleration = acceleration_;
     options.drive.slip = slip_;
     options.drive.diameter_error = diameter_error_;
+    auto surroundings = surroundings_with(options);
+    if (!start_->empty())
+      surroundings.start = start_pose();
     if (odometry_start_ == OdometryStart::start)
-      options.odometry_start = building.start;
+      options.odometry_start = surroundings.start;
     step_ = options.step;
-    body_ = std::make_unique<SimulatedBody>(surroundings_in(building, options), options);
+    body_ = std::make_unique<SimulatedBody>(std::move(surroundings), options);
+    if (camera_period_.get() > 0ms)
+      set_up_camera(options.seed);
     odometry_steps_ = steps_in(odometry_period_, "--odometry-period");
     scan_steps_ = steps_in(scan_period_, "--scan-period");
     info("drives in {}", building_.get());
   }
 
+  /// Of a building's file, or of a map of ROS's map_server.
+  BodySurroundings surroundings_with(const BodyOptions& options) {
+    const auto file = file_named(building_, base_);
+    if (file.extension() == ".yaml") {
+      if (start_->empty())
+        throw std::invalid_argument("a map does not say where the robot begins: write --start "
+                                    "\"X Y heading DEGREES\"");
+      return surroundings_in_map(file);
+    }
+    auto read = load_building(file);
+    for (auto& x : read.problems)
+      warning("{}", render(x));
+    set_doors(read.building, shut_, false);
+    set_doors(read.building, opened_, true);
+    solids_ = solids_of(read.building);
+    ceiling_ = read.building.height;
+    return surroundings_in(read.building, options);
+  }
+
+  Pose2 start_pose() const {
+    std::vector<std::string> words;
+    for (auto& line : text_lines(start_.get()))
+      words.insert(words.end(), line.words.begin(), line.words.end());
+    StatementWords statement(words);
+    try {
+      auto pose = read_start(statement);
+      statement.expect_end();
+      return pose;
+    } catch (const StatementError& e) {
+      throw std::invalid_argument(std::string{"--start: "} + e.what() + ". " + e.remedy());
+    }
+  }
+
+  void set_up_camera(std::uint64_t seed) {
+    if (solids_.empty())
+      throw std::invalid_argument("a camera sees nothing in a map: leave --camera-period out, or "
+                                  "name a building's file");
+    CameraOptions options;
+    options.width = camera_width_;
+    options.height = camera_height_;
+    camera_.emplace(options, seed);
+    camera_steps_ = steps_in(camera_period_, "--camera-period");
+  }
+
   void start() override {
     begun_ = now();
+    if (!state_file_->empty())
+      restore();
     provide<Odometry>([this] { return odometry(); });
     provide<LaserScan>([this] { return newest_scan(); });
     provide<BodyStatus>([this] { return status(); });
+    if (camera_)
+      provide<vision::CameraFrame>([this] { return frame_; });
     CommandTerms terms;
     terms.valid_for = valid_for_.get();
     terms.lease = address_of(lease_);
     on_command<DriveCommand>([this](const DriveCommand& x) { body_->command(x.velocity); },
                              [this] { body_->command({}); }, terms);
     every(step_ * std::min(odometry_steps_, scan_steps_), [this] { advance(); });
+    if (camera_)
+      look();
   }
 
   /// Steps up to now, with what is to be pushed in between.
@@ -84,14 +146,65 @@ class SimulatedRobot final : public StandaloneComponent {
       }
       if (body_->steps() % scan_steps_ == 0 && laser_works())
         push(scan());
+      if (camera_ && body_->steps() % camera_steps_ == 0)
+        look();
     }
     report_collisions();
+    if (!state_file_->empty() && now() - saved_ >= save_period)
+      save();
+  }
+
+  /// The robot does not go back to its start if the program that simulates it fails.
+  void restore() {
+    const auto saved = saved_body();
+    // Of a run before this one.
+    if (!saved || saved->time > begun_.count() || begun_ < save_period)
+      return;
+    body_->resume(saved->state);
+    reported_collisions_ = saved->state.collisions;
+    info("goes on where it was {} ms ago", (begun_.count() - saved->time) / 1000);
+  }
+
+  std::optional<SavedBody> saved_body() {
+    try {
+      return parse_body_state(load_text(state_file_.get()));
+    } catch (const TextFileError&) {
+      // There is none.
+      return std::nullopt;
+    }
+  }
+
+  void save() {
+    saved_ = now();
+    try {
+      save_text(state_file_.get(), body_state_text({saved_.count(), body_->state()}));
+    } catch (const TextFileError& e) {
+      if (!std::exchange(is_unsaved_, true))
+        warning("{}", e.what());
+    }
+  }
+
+  /// Pushes a picture, and the points that its pixels are at.
+  void look() {
+    const auto view =
+      camera_->look(solids_, body_->people().discs(), ceiling_, body_->status().pose);
+    frame_.camera = camera_->model();
+    frame_.image.width = static_cast<std::uint32_t>(frame_.camera.width);
+    frame_.image.height = static_cast<std::uint32_t>(frame_.camera.height);
+    frame_.image.bytes = view.colours;
+    frame_.time = status().time;
+    frame_.index = looks_++;
+    push(frame_);
+    SensedCloud cloud;
+    cloud.time = frame_.time;
+    cloud.sensor = frame_.camera.pose.position;
+    cloud.coordinates = camera_->points_of(view);
+    push(std::move(cloud));
   }
 
   void block_wheel() {
-    if (blocked_wheel_ != Wheel::none && now() >= blocks_after_.get()) {
+    if (blocked_wheel_ != Wheel::none && now() >= blocks_after_.get())
       body_->block(blocked_wheel_);
-    }
   }
 
   bool laser_works() { return laser_stops_after_.get() == 0ms || now() < laser_stops_after_.get(); }
@@ -151,7 +264,10 @@ class SimulatedRobot final : public StandaloneComponent {
     }
   }
 
-  Option<std::string> building_{this, "building", "", "file of the building that it drives in"};
+  Option<std::string> building_{this, "building", "",
+                                "file of the building that it drives in, or .yaml of a map"};
+  Option<std::string> start_{this, "start", "",
+                             "where it begins, as in a building's file: X Y heading DEGREES"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
   Option<std::int64_t> seed_{this, "seed", 1, "of slip and of noise"};
   Option<std::vector<std::string>> shut_{this, "shut", {}, "names of doors to shut"};
@@ -171,6 +287,10 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<double> max_range_{this, "max-range", 12, "of the laser, metres"};
   Option<double> range_noise_{this, "range-noise", 0.01, "standard deviation of ranges, metres"};
   Option<double> missing_{this, "missing", 0.003, "share of beams that do not come back"};
+  Option<std::chrono::milliseconds> camera_period_{
+    this, "camera-period", 0ms, "time between pushes of CameraFrame and SensedCloud; 0: no camera"};
+  Option<int> camera_width_{this, "camera-width", 160, "pixels"};
+  Option<int> camera_height_{this, "camera-height", 120, "pixels"};
   Option<double> wheel_base_{this, "wheel-base", 0.4, "distance of the wheels, metres"};
   Option<double> max_speed_{this, "max-speed", 0.8, "greatest speed, m/s"};
   Option<double> max_turn_{this, "max-turn", 1.6, "greatest speed of a turn, rad/s"};
@@ -182,6 +302,8 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<OdometryStart> odometry_start_{
     this, "odometry-start", OdometryStart::start,
     "where odometry begins: at the start in the building, or at zero"};
+  Option<std::string> state_file_{
+    this, "state", "", "file that keeps where the robot is, for when this component is restarted"};
   Option<std::chrono::milliseconds> laser_stops_after_{
     this, "laser-stops-after", 0ms, "fault: no scan comes any more from then on; 0: never"};
   Option<Wheel> blocked_wheel_{this, "blocked-wheel", Wheel::none, "fault: this wheel blocks"};
@@ -194,7 +316,16 @@ class SimulatedRobot final : public StandaloneComponent {
   std::int64_t scan_steps_ = 0;
   Timestamp begun_{0};
   std::optional<LaserScan> scan_;
+  /// What the camera sees.
+  std::vector<Solid> solids_;
+  double ceiling_ = 0;
+  std::optional<SceneCamera> camera_;
+  std::int64_t camera_steps_ = 0;
+  vision::CameraFrame frame_;
+  std::uint64_t looks_ = 0;
   std::int64_t reported_collisions_ = 0;
+  Timestamp saved_{0};
+  bool is_unsaved_ = false;
 };
 
 CASTOR_COMPONENT(SimulatedRobot, "drives in a simulated building, with odometry and a laser")

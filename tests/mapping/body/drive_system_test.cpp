@@ -2,12 +2,15 @@
 
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/types.hpp"
+#include "castor/mapping/octree/types.hpp"
 #include "castor/mapping/slam/types.hpp"
+#include "castor/perception/vision/types.hpp"
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
+#include "castor/tools/testing/test_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +33,8 @@ struct Seen {
   std::vector<LaserScan> scans;
   std::vector<BodyStatus> statuses;
   std::string refusal;
+  std::size_t frames = 0;
+  std::vector<SensedCloud> clouds;
 };
 
 Seen& seen() {
@@ -45,6 +50,17 @@ class DriveWatcher final : public UnmanagedComponent {
   }
 };
 CASTOR_COMPONENT(DriveWatcher, "keeps what a robot pushes")
+
+class SceneWatcher final : public UnmanagedComponent {
+  void start() override {
+    on_push<vision::CameraFrame>("robot", [](auto& x) {
+      EXPECT_EQ(x->image.bytes.size(), 3u * 80u * 60u);
+      ++seen().frames;
+    });
+    on_push<SensedCloud>("robot", [](auto& x) { seen().clouds.push_back(*x); });
+  }
+};
+CASTOR_COMPONENT(SceneWatcher, "keeps what a robot's camera sees")
 
 /// Commands the robot once.
 class PushOff final : public UnmanagedComponent {
@@ -201,6 +217,54 @@ TEST_F(DriveSystem, LaserThatStopsPushesNoMore) {
   run("--laser-stops-after 1s", "", 3s);
   EXPECT_LE(seen().scans.size(), 10u);
   EXPECT_GE(seen().odometry.size(), 140u);
+}
+
+TEST_F(DriveSystem, CameraPushesPicturesAndPoints) {
+  run("--camera-period 500ms --camera-width 80 --camera-height 60", "CPP UM scene SceneWatcher\n",
+      2s);
+  EXPECT_GE(seen().frames, 3u);
+  ASSERT_GE(seen().clouds.size(), 3u);
+  auto& cloud = seen().clouds.back();
+  EXPECT_GT(cloud.coordinates.size(), 3u * 2000u);
+  EXPECT_NEAR(cloud.sensor.z, 0.6, 1e-9);
+  EXPECT_EQ(cloud.time % 500'000, 0);
+}
+
+TEST_F(DriveSystem, BeginsWhereItIsTold) {
+  run("--start \"6 1 heading 90\" --odometry-start zero", "", 1s);
+  ASSERT_FALSE(seen().statuses.empty());
+  EXPECT_EQ(seen().statuses.back().pose.x, 6);
+  EXPECT_NEAR(seen().statuses.back().pose.heading, 1.5708, 1e-4);
+  EXPECT_EQ(seen().odometry.back().pose, Pose2{});
+}
+
+TEST_F(DriveSystem, RobotAndDriverGoOnAfterAFailure) {
+  {
+    const auto folder = folder_.path().string();
+    TestSystem system{
+      "COMPONENT CPP robot SimulatedRobot --building hut.building --base " + folder + " --state " +
+      folder +
+      "/robot.state --lease navigation/seat\n"
+      "SUBARCHITECTURE navigation\n"
+      "CPP WM SubarchitectureWorkingMemory\n"
+      "CPP TM AlwaysPositiveTaskManager\n"
+      "CPP UM watcher DriveWatcher\n"
+      "CPP UM driver PathDriver --path \"2 2.5, 4.5 2.5\" --speed 0.8 --seat seat\n"};
+    system.expect_entry("PathProgress in navigation where done > 0.5");
+    system.inject("crash robot");
+    system.expect_back("robot");
+    system.expect_entry("PathProgress in navigation where done > 1.2");
+    system.inject("crash driver");
+    system.expect_back("driver");
+    system.expect_entry("PathProgress in navigation where arrived == true");
+    system.expect_nobody_else_down({"robot", "driver"});
+  }
+  ASSERT_FALSE(seen().statuses.empty());
+  const auto& statuses = seen().statuses;
+  for (std::size_t i = 1; i < statuses.size(); ++i)
+    // At most what it drives between two savings of its state.
+    EXPECT_LT(std::abs(statuses[i].pose.x - statuses[i - 1].pose.x), 0.45) << i;
+  EXPECT_NEAR(statuses.back().pose.x, 4.5, 0.2);
 }
 
 TEST_F(DriveSystem, IsTheSameForTheSameSeed) {

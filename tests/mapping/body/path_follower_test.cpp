@@ -86,6 +86,17 @@ TEST(PathFollower, TakesNoShortCutWhereThePathCrossesItself) {
   EXPECT_GT(drive.seconds, 20 / 0.5);
 }
 
+TEST(PathFollower, GoesOnWhereAnotherOneWas) {
+  const Path path{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}};
+  PathFollower x(path, {});
+  x.resume(10);
+  // In the middle of the third side, it drives on along it, to the left.
+  auto velocity = x.velocity_at({2, 4, std::numbers::pi});
+  EXPECT_GT(velocity.forward, 0.4);
+  EXPECT_NEAR(velocity.turn, 0, 0.01);
+  EXPECT_NEAR(x.done(), 10, 0.03);
+}
+
 TEST(PathFollower, ArrivesAtASinglePoint) {
   EXPECT_LT(follow({{2, 1}}, {}).off_end, 0.11);
 }

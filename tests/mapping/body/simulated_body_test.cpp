@@ -1,5 +1,6 @@
 #include "castor/mapping/body/simulated_body.hpp"
 
+#include "castor/mapping/body/body_state_text.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/building/building_file.hpp"
 
@@ -148,13 +149,26 @@ TEST(SimulatedBody, PeopleWalkAndWaitForTheRobot) {
   auto x = body_in(building_with(text), options);
   run(x, {}, 1.5);
   EXPECT_NEAR(x.people().discs()[0].centre.x, 2.5, 1e-9);
-  // Ann waits before the robot, and goes on when it has gone away.
-  run(x, {}, 5);
+  // Ann waits before the robot.
+  run(x, {}, 3);
   EXPECT_NEAR(x.people().discs()[0].centre.x, 4 - 0.25 - 0.25 - 0.2, 0.011);
   EXPECT_EQ(x.status().collisions, 0);
   EXPECT_LT(x.scan().ranges[90], 3.9);
   run(x, {-0.5, 0}, 3);
   EXPECT_EQ(x.status().collisions, 1) << "the robot runs into her, backwards";
+}
+
+TEST(SimulatedBody, PeopleTurnBackBeforeARobotThatStands) {
+  auto options = exact_body();
+  options.people = true;
+  auto x =
+    body_in(building_with("start 4 2.5\nperson ann route 1 2.5 to 7 2.5 speed 1\n"), options);
+  // There after 2.3 s, she waits for 3 s, and is back at the beginning 2.3 s later.
+  run(x, {}, 2.3 + 3 + 2.3);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 1, 0.05);
+  run(x, {}, 2);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 3, 0.1) << "and comes again";
+  EXPECT_EQ(x.status().collisions, 0);
 }
 
 TEST(SimulatedBody, IsTheSameForTheSameSeed) {
@@ -174,6 +188,26 @@ TEST(SimulatedBody, IsTheSameForTheSameSeed) {
   EXPECT_EQ(drive(3, false), drive(3, false));
   EXPECT_EQ(drive(3, false), drive(3, true)) << "whoever looks changes nothing";
   EXPECT_NE(drive(3, false), drive(4, false));
+}
+
+TEST(SimulatedBody, StateOutlivesIt) {
+  auto first = body_in(building_with("start 6 2\n"), {});
+  run(first, {0.8, 0.1}, 5);
+  const SavedBody saved{5'000'000, first.state()};
+  const auto read = parse_body_state(body_state_text(saved));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, saved) << "without loss";
+  auto second = body_in(building_with("start 6 2\n"), {});
+  second.resume(read->state);
+  EXPECT_EQ(second.status().pose, first.status().pose);
+  EXPECT_EQ(second.odometry().pose, first.odometry().pose);
+  EXPECT_EQ(second.status().collisions, 1);
+  EXPECT_EQ(second.status().clearance, first.status().clearance);
+  run(second, {-0.5, 0}, 2);
+  EXPECT_LT(second.status().pose.x, 7.3);
+  for (auto* text : {"", "body 1 2", "body 1 2 3 4 5 6 7 8 9 x", "robot 1 2 3 4 5 6 7 8 9 10",
+                     "body 1e300 2 3 4 5 6 7 8 9 10"})
+    EXPECT_FALSE(parse_body_state(text)) << text;
 }
 
 TEST(SimulatedBody, RefusesStepsInWhichItCouldPassThroughSomething) {

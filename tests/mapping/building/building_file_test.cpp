@@ -182,6 +182,7 @@ TEST(PlaceOnRoute, GoesThereAndBackOrAround) {
   EXPECT_EQ(place_on_route(x, 14), (Point2{0, 0}));
   x.is_loop = true;
   EXPECT_DOUBLE_EQ(round_length(x), 12);
+  EXPECT_EQ(place_on_route(x, -5), (Point2{4, 3}));
   auto p = place_on_route(x, 12 + 9.5);
   EXPECT_NEAR(p.x, 2, 1e-9);
   EXPECT_NEAR(p.y, 1.5, 1e-9);
