@@ -5,6 +5,7 @@
 #include "castor/mapping/map_components/follows_keyframes.hpp"
 #include "castor/mapping/octree/anchored_octree.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -51,10 +52,8 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     for (auto& [block, written] : written_)
       changed_.insert(block);
     write_blocks();
-    every(rebuild_period_.get(), [this] {
-      if (octree_->is_outdated() && now() >= next_rebuild_)
-        rebuild();
-    });
+    every(std::min<std::chrono::nanoseconds>(rebuild_period_.get(), rebuild_step_),
+          [this] { rebuild(); });
   }
 
   void place(const EntryOf<Keyframe>& keyframe, const Pose2& robot) override {
@@ -99,13 +98,21 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
 
   void placed() override { write_blocks(); }
 
+  /// A step of a rebuild, if one is due.
   void rebuild() {
+    if (!octree_->is_rebuilding() && (!octree_->is_outdated() || now() < next_rebuild_))
+      return;
     auto start = std::chrono::steady_clock::now();
-    changed_.merge(octree_->rebuild());
+    changed_.merge(octree_->rebuild(clouds_per_step_));
+    rebuild_time_ += std::chrono::steady_clock::now() - start;
+    if (octree_->is_rebuilding())
+      return;
     write_blocks();
     // A large map takes long: nine tenths of the time are left for other things.
     next_rebuild_ =
-      now() + std::chrono::duration_cast<Timestamp>(9 * (std::chrono::steady_clock::now() - start));
+      now() + std::max<Timestamp>(rebuild_period_.get(),
+                                  std::chrono::duration_cast<Timestamp>(9 * rebuild_time_));
+    rebuild_time_ = {};
   }
 
   void write_blocks() {
@@ -129,6 +136,11 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
       write(batch);
   }
 
+  /// Between the steps of a rebuild.
+  static constexpr std::chrono::milliseconds rebuild_step_{100};
+  /// Some hundredths of a second of computing, for scans of hundreds of beams.
+  static constexpr std::size_t clouds_per_step_ = 20;
+
   struct Written {
     std::uint64_t version = 0;
     std::vector<std::uint8_t> bytes;
@@ -150,6 +162,7 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   EntryOf<Keyframe> last_;
   Pose2 last_robot_;
   Timestamp next_rebuild_{0};
+  std::chrono::steady_clock::duration rebuild_time_{};
   std::set<BlockIndex> changed_;
   std::map<BlockIndex, Written> written_;
 };

@@ -20,34 +20,64 @@ std::set<BlockIndex> AnchoredOctree::place(const std::string& name,
   auto known = placed_.find(name);
   if (known == placed_.end()) {
     auto result = octree_.insert(transform(robot, *cloud));
-    placed_.emplace(name, Placed{std::move(cloud), robot, robot});
+    placed_.emplace(name, Placed{std::move(cloud), robot, robot, robot});
+    if (fresh_)
+      missing_.push_back(name);
     return result;
   }
-  auto& x = known->second;
-  x.robot = robot;
-  outdated_ = outdated_ || distance(x.inserted, robot) > tolerance_metres_ ||
-              std::abs(normalised(robot.heading - x.inserted.heading)) > tolerance_radians_;
+  known->second.robot = robot;
+  outdated_ = outdated_ || is_off(known->second);
   return {};
 }
 
-void AnchoredOctree::remove(const std::string& name) {
-  outdated_ = placed_.erase(name) > 0 || outdated_;
+bool AnchoredOctree::is_off(const Placed& x) const {
+  return distance(x.inserted, x.robot) > tolerance_metres_ ||
+         std::abs(normalised(x.robot.heading - x.inserted.heading)) > tolerance_radians_;
 }
 
-std::set<BlockIndex> AnchoredOctree::rebuild() {
-  OccupancyOctree fresh{options_};
-  for (auto& [name, x] : placed_) {
-    fresh.insert(transform(x.robot, *x.cloud));
-    x.inserted = x.robot;
+void AnchoredOctree::remove(const std::string& name) {
+  if (placed_.erase(name) == 0)
+    return;
+  outdated_ = true;
+  has_removed_ = true;
+}
+
+std::set<BlockIndex> AnchoredOctree::rebuild(std::size_t clouds) {
+  if (!fresh_) {
+    fresh_.emplace(options_);
+    has_removed_ = false;
+    missing_.clear();
+    for (auto& [name, x] : placed_)
+      missing_.push_back(name);
   }
-  outdated_ = false;
+  for (; clouds > 0 && !missing_.empty(); --clouds) {
+    if (auto known = placed_.find(missing_.back()); known != placed_.end()) {
+      auto& x = known->second;
+      fresh_->insert(transform(x.robot, *x.cloud));
+      x.inserted_fresh = x.robot;
+    }
+    missing_.pop_back();
+  }
+  if (!missing_.empty())
+    return {};
+  return complete_rebuild();
+}
+
+std::set<BlockIndex> AnchoredOctree::complete_rebuild() {
   std::set<BlockIndex> result;
   auto candidates = octree_.blocks();
-  candidates.merge(fresh.blocks());
+  candidates.merge(fresh_->blocks());
   for (auto& x : candidates)
-    if (octree_.block(x) != fresh.block(x))
+    if (octree_.block(x) != fresh_->block(x))
       result.insert(x);
-  octree_ = std::move(fresh);
+  octree_ = std::move(*fresh_);
+  fresh_.reset();
+  // What has been corrected meanwhile needs another rebuild.
+  outdated_ = has_removed_;
+  for (auto& [name, x] : placed_) {
+    x.inserted = x.inserted_fresh;
+    outdated_ = outdated_ || is_off(x);
+  }
   return result;
 }
 

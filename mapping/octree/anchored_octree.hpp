@@ -3,15 +3,20 @@
 #include "castor/mapping/octree/occupancy_octree.hpp"
 #include "castor/mapping/planar/types.hpp"
 
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace castor::mapping {
 
 /// An octree of clouds that were seen from a robot whose poses are corrected. OctoMap cannot take a
-/// cloud out again, so corrections are collected until rebuild().
+/// cloud out again, so corrections are collected until the octree is made anew, some clouds at a
+/// time, as that takes long.
 class AnchoredOctree {
 public:
   /// @param tolerance corrections below these do not matter: metres, and radians
@@ -32,19 +37,27 @@ public:
   /// Whether a cloud has been removed, or its pose corrected by more than the tolerance.
   bool is_outdated() const { return outdated_; }
 
-  /// Makes the octree anew of all clouds at their poses.
-  /// @returns the blocks that have changed
-  std::set<BlockIndex> rebuild();
+  /// Whether a rebuild has begun and is not complete.
+  bool is_rebuilding() const { return fresh_.has_value(); }
+
+  /// Begins to make the octree anew, or goes on, with up to so many clouds at their poses. The old
+  /// octree answers until the new one is complete.
+  /// @returns the blocks that have changed, once it is complete
+  std::set<BlockIndex> rebuild(std::size_t clouds = std::numeric_limits<std::size_t>::max());
 
   const OccupancyOctree& octree() const { return octree_; }
 
 private:
   struct Placed {
     std::shared_ptr<const PointCloud> cloud;
-    /// As it was inserted, and as it is known by now.
+    /// As it was inserted in the octree and in the fresh one, and as it is known by now.
     Pose2 inserted;
+    Pose2 inserted_fresh;
     Pose2 robot;
   };
+
+  std::set<BlockIndex> complete_rebuild();
+  bool is_off(const Placed& x) const;
 
   OccupancyOctreeOptions options_;
   double tolerance_metres_;
@@ -52,6 +65,11 @@ private:
   OccupancyOctree octree_;
   std::map<std::string, Placed> placed_;
   bool outdated_ = false;
+  /// During a rebuild: the new octree, clouds that are missing in it, and whether one has been
+  /// removed that may be in it.
+  std::optional<OccupancyOctree> fresh_;
+  std::vector<std::string> missing_;
+  bool has_removed_ = false;
 };
 
 /// The cloud in the frame of the robot's pose.

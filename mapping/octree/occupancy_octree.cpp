@@ -45,16 +45,29 @@ BlockIndex block_of(const octomap::OcTreeKey& key) {
   return {block_of(key[0]), block_of(key[1]), block_of(key[2])};
 }
 
+octomap::key_type key_of(std::int32_t block, int voxel) {
+  return static_cast<octomap::key_type>(block * block_side + voxel + key_of_origin);
+}
+
+/// The first and the last voxel of a block.
+std::pair<octomap::OcTreeKey, octomap::OcTreeKey> key_range(const BlockIndex& x) {
+  constexpr auto last = block_side - 1;
+  return {{key_of(x.x, 0), key_of(x.y, 0), key_of(x.z, 0)},
+          {key_of(x.x, last), key_of(x.y, last), key_of(x.z, last)}};
+}
+
+/// Voxels on a side of a leaf at this depth; single voxels are 16 deep.
+int side_of(unsigned depth) {
+  return 1 << (16 - static_cast<int>(depth));
+}
+
 /// Calls `visit` with the key of each voxel of the block, in the order of BlockVoxels.
 template <class Visit>
 void for_each_voxel(const BlockIndex& block, Visit&& visit) {
-  auto key = [](std::int32_t index, int i) {
-    return static_cast<octomap::key_type>(index * block_side + i + key_of_origin);
-  };
   for (int z = 0; z < block_side; ++z)
     for (int y = 0; y < block_side; ++y)
       for (int x = 0; x < block_side; ++x)
-        visit(octomap::OcTreeKey{key(block.x, x), key(block.y, y), key(block.z, z)});
+        visit(octomap::OcTreeKey{key_of(block.x, x), key_of(block.y, y), key_of(block.z, z)});
 }
 
 /// Log-odds below 0, which are free, stay below 0.
@@ -195,11 +208,27 @@ std::size_t OccupancyOctree::leaves() const {
 
 BlockVoxels OccupancyOctree::block(const BlockIndex& block) const {
   BlockVoxels result;
-  auto* out = result.data();
-  for_each_voxel(block, [&](const octomap::OcTreeKey& key) {
-    auto* node = tree_->search(key);
-    *out++ = node ? quantised(node->getLogOdds()) : unknown_cell;
-  });
+  result.fill(unknown_cell);
+  auto [low, high] = key_range(block);
+  for (auto leaf = tree_->begin_leafs_bbx(low, high), end = tree_->end_leafs_bbx(); leaf != end;
+       ++leaf) {
+    auto value = quantised(leaf->getLogOdds());
+    // A pruned leaf stands for a cube of voxels, which may be larger than a block.
+    auto first = leaf.getIndexKey();
+    auto side = side_of(leaf.getDepth());
+    auto range = [&](unsigned axis) {
+      auto from = std::max<int>(first[axis], low[axis]) - low[axis];
+      auto to = std::min<int>(first[axis] + side - 1, high[axis]) - low[axis];
+      return std::pair{from, to};
+    };
+    auto [x0, x1] = range(0);
+    auto [y0, y1] = range(1);
+    auto [z0, z1] = range(2);
+    for (int z = z0; z <= z1; ++z)
+      for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x)
+          result[static_cast<std::size_t>((z * block_side + y) * block_side + x)] = value;
+  }
   return result;
 }
 
@@ -236,10 +265,9 @@ void OccupancyOctree::set_blocks(const std::map<BlockIndex, BlockVoxels>& blocks
 std::set<BlockIndex> OccupancyOctree::blocks() const {
   std::set<BlockIndex> result;
   for (auto leaf = tree_->begin_leafs(), end = tree_->end_leafs(); leaf != end; ++leaf) {
+    // A pruned leaf may be larger than a block.
     auto first = leaf.getIndexKey();
-    // A pruned leaf stands for a cube of voxels, which may be larger than a block.
-    auto voxels =
-      1 << (static_cast<int>(tree_->getTreeDepth()) - static_cast<int>(leaf.getDepth()));
+    auto voxels = side_of(leaf.getDepth());
     auto [x0, y0, z0] = block_of(first);
     auto blocks = std::max(1, voxels / block_side);
     for (int x = 0; x < blocks; ++x)

@@ -5,9 +5,11 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/mapping/grid/cell_map.hpp"
 #include "castor/mapping/grid/occupancy_grid.hpp"
+#include "castor/mapping/grid/tile_codec.hpp"
 #include "castor/mapping/map_components/keyframe_poses.hpp"
 #include "castor/mapping/map_components/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"
+#include "castor/mapping/octree/occupancy_octree.hpp"
 #include "castor/mapping/octree/types.hpp"
 #include "castor/mapping/slam/types.hpp"
 #include "castor/tests/mapping/grid/box_room.hpp"
@@ -18,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -193,6 +197,44 @@ TEST(OctreeBuilder, AnswersWhatIsAsked) {
   EXPECT_EQ(told.point.occupancy, Occupancy::unknown);
   EXPECT_NE(told.problem.find("a ray needs finite numbers"), std::string::npos) << told.problem;
   EXPECT_GT(all<OctreeBlock>(system).size(), 4U);
+}
+
+/// Whether the blocks have nearly the voxels of an octree of the corrected poses.
+bool are_nearly_expected(const std::vector<OctreeBlock>& blocks) {
+  OccupancyOctree expected{{.voxel_size = 0.05}};
+  for (auto& x : true_poses())
+    expected.insert(cloud_of(feeder_room.scan(x, 360), x, 0.32));
+  std::map<BlockIndex, BlockVoxels> voxels;
+  for (auto& x : blocks)
+    voxels[{x.x, x.y, x.z}] = decode_tile(x.bytes);
+  std::size_t known = 0;
+  std::size_t differ = 0;
+  auto indices = expected.blocks();
+  for (auto& [index, x] : voxels)
+    indices.insert(index);
+  for (auto& index : indices) {
+    auto wanted = expected.block(index);
+    auto found = voxels.find(index);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      auto x = found == voxels.end() ? unknown_cell : found->second[i];
+      known += wanted[i] != unknown_cell;
+      differ += x != wanted[i];
+    }
+  }
+  // Corrected poses have rounding errors, which move the end of some beams by a voxel.
+  return differ < known / 50;
+}
+
+TEST(OctreeBuilder, KeepsTheOctreeOfTheCorrectedPosesAlsoAfterACrash) {
+  TestSystem system{cast_with("CPP UM feeder KeyframeFeeder\n"
+                              "CPP UM octree OctreeBuilder --rebuild-period 20ms --voxel-size 0.05 "
+                              "--laser-height 0.32\n")};
+  auto has_octree = [&] { return are_nearly_expected(all<OctreeBlock>(system)); };
+  system.wait_until("the octree of the corrected poses", has_octree);
+  system.inject("crash octree");
+  system.expect_back("octree");
+  system.wait_until("the octree after the restart", has_octree);
+  system.expect_nobody_else_down({"octree"});
 }
 
 TEST(MapExporter, WritesFilesWhenAskedAndAtTheEnd) {

@@ -138,7 +138,7 @@ TEST(OccupancyOctree, BlocksOfNegativeCoordinates) {
   auto changed = octree.insert({{-0.05, -0.05, -0.05}, {{-0.15, -0.05, -0.05}}});
   EXPECT_EQ(changed, (std::set<BlockIndex>{{-1, -1, -1}}));
   auto voxels = octree.block({-1, -1, -1});
-  // The last voxel of all is the one of the sensor.
+  // The last voxel of all is the one of the sensor, and the one before has the point.
   EXPECT_LT(voxels.back(), 0);
   EXPECT_GT(voxels[voxels.size() - 2], 0);
   OccupancyOctree copy{{.voxel_size = 0.1, .max_range = 5}};
@@ -256,6 +256,38 @@ TEST(AnchoredOctree, AfterARebuildItIsTheOctreeOfTheCorrectedPoses) {
   // Who is told of the changed blocks has the same.
   tell(changed);
   EXPECT_EQ(copy.blocks(), expected.blocks());
+}
+
+TEST(AnchoredOctree, WhatHappensDuringARebuildIsNotForgotten) {
+  AnchoredOctree anchored;
+  auto cloud = std::make_shared<PointCloud>(wall());
+  for (auto* name : {"a", "b", "c"})
+    anchored.place(name, cloud, {});
+  anchored.place("c", nullptr, {1, 0, 0});
+  EXPECT_TRUE(anchored.rebuild(2).empty());
+  EXPECT_TRUE(anchored.is_rebuilding());
+  // The old octree answers meanwhile, and has the new cloud.
+  EXPECT_FALSE(anchored.place("d", cloud, {0, 5, 0}).empty());
+  EXPECT_EQ(anchored.octree().at({2.025, 5.5, 0.5}).occupancy, Occupancy::occupied);
+  // Whether they are in the new octree yet or not.
+  for (auto* name : {"a", "b"})
+    anchored.place(name, nullptr, {3, 0, 0});
+  anchored.remove("c");
+  std::set<BlockIndex> changed;
+  while (anchored.is_rebuilding())
+    changed = anchored.rebuild(1);
+  EXPECT_FALSE(changed.empty());
+  EXPECT_EQ(anchored.octree().at({2.025, 5.5, 0.5}).occupancy, Occupancy::occupied);
+  EXPECT_TRUE(anchored.is_outdated());
+  anchored.rebuild();
+  EXPECT_FALSE(anchored.is_outdated());
+  OccupancyOctree expected;
+  expected.insert(transform({3, 0, 0}, *cloud));
+  expected.insert(transform({3, 0, 0}, *cloud));
+  expected.insert(transform({0, 5, 0}, *cloud));
+  EXPECT_EQ(anchored.octree().blocks(), expected.blocks());
+  for (auto& x : expected.blocks())
+    EXPECT_EQ(anchored.octree().block(x), expected.block(x));
 }
 
 TEST(AnchoredOctree, ARemovedCloudIsGoneAfterARebuild) {
