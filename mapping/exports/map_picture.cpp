@@ -125,7 +125,7 @@ void draw_track(cv::Mat& picture, const MapTrack& track, const Layout& layout) {
   std::vector<cv::Point> line;
   for (auto& pose : track.poses)
     line.push_back(fixed(layout.at(pose)));
-  cv::polylines(picture, line, false, colour, 2, cv::LINE_AA, shift);
+  cv::polylines(picture, line, false, colour, track.width, cv::LINE_AA, shift);
   cv::circle(picture, line.front(), 5 << shift, colour, cv::FILLED, cv::LINE_AA, shift);
   constexpr double arrow = 0.5;
   auto& last = track.poses.back();

@@ -16,6 +16,8 @@ struct MapTrack {
   std::uint8_t red = 0xD0;
   std::uint8_t green = 0x30;
   std::uint8_t blue = 0x30;
+  /// Pixels.
+  int width = 2;
 };
 
 struct MapPictureOptions {

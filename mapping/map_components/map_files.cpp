@@ -60,8 +60,9 @@ void write_grid(MapFolder& folder, const CellMap& map, const MapContents& conten
     folder.leave_out("map.yaml", "there is no grid");
   }
   std::vector<MapTrack> tracks;
+  // Broader, to be seen where the path is true.
   if (!truth.empty())
-    tracks.push_back({{truth.begin(), truth.end()}, 0x20, 0x90, 0x40});
+    tracks.push_back({{truth.begin(), truth.end()}, 0x60, 0xC0, 0x70, 6});
   MapTrack path;
   for (auto& x : contents.keyframes)
     path.poses.push_back(x.pose);
