@@ -51,6 +51,10 @@ SimulatedBody::SimulatedBody(BodySurroundings surroundings, const BodyOptions& o
     throw std::invalid_argument("a robot has to have a radius, and to drive less than that within "
                                 "a step");
   clearance_ = clearance_at(pose_, options_.radius + far_enough) - options_.radius;
+  constexpr double rounding = 1e-9;
+  if (clearance_ < -rounding)
+    throw std::invalid_argument("the robot does not fit where it is to begin: something is less "
+                                "than its radius away; choose another start");
   least_clearance_ = clearance_;
 }
 

@@ -61,8 +61,8 @@ struct BodyState {
 /// come away from the obstacle. It may turn, and drive away.
 class SimulatedBody {
 public:
-  /// \throws std::invalid_argument if the robot could pass through something within a step, or if
-  /// the options of the laser are wrong.
+  /// \throws std::invalid_argument if the robot does not fit where it is to begin, if it could pass
+  /// through something within a step, or if the options of the laser are wrong.
   SimulatedBody(BodySurroundings surroundings, const BodyOptions& options);
 
   /// Holds until the next command; without one, the robot stands.

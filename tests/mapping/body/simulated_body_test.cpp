@@ -216,6 +216,18 @@ TEST(SimulatedBody, RefusesStepsInWhichItCouldPassThroughSomething) {
   EXPECT_THROW(body_in(building_with("start 2 2\n"), options), std::invalid_argument);
 }
 
+TEST(SimulatedBody, RefusesAStartWhereItDoesNotFit) {
+  const auto hall = building_with("start 2 2\nfurniture box at 5 2 box 1 1 1\n");
+  for (double x : {0.3, 4.3, 5.0}) {
+    auto surroundings = surroundings_in(hall, {});
+    surroundings.start = {x, 2, 0};
+    EXPECT_THROW(SimulatedBody(std::move(surroundings), {}), std::invalid_argument) << x;
+  }
+  auto surroundings = surroundings_in(hall, {});
+  surroundings.start = {4.2, 2, 0};
+  EXPECT_NO_THROW(SimulatedBody(std::move(surroundings), {}));
+}
+
 TEST(SimulatedBody, DrivesAlongThePathOfTheOffice) {
   auto office = load_building(CASTOR_CONFIGS "/buildings/office.building").building;
   const auto text = load_text(CASTOR_CONFIGS "/buildings/office.path");
