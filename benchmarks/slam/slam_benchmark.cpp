@@ -84,6 +84,11 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"least_observability", &loops.least_observability},
     {"most_deviation", &loops.most_deviation},
     {"deviation", &loops.deviation},
+    {"most_window", &loops.most_window},
+    {"sure_window", &loops.sure_window},
+    {"confirmation", &loops.confirmation},
+    {"agreement", &loops.agreement},
+    {"patience", &loops.patience},
     {"deviation_heading", &loops.deviation_heading},
     {"robust_loops", &x.graph.graph.robust_from},
   };
