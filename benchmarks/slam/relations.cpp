@@ -25,9 +25,10 @@ Diagnostic finding(const std::string& file, std::size_t number, std::string_view
   return result;
 }
 
-// Eight numbers; nothing if there are others.
-std::optional<std::array<double, 8>> numbers_of(std::string_view line) {
-  std::array<double, 8> result{};
+// The numbers of a line; nothing if there are more, fewer, or other words.
+template <std::size_t Count>
+std::optional<std::array<double, Count>> numbers_of(std::string_view line) {
+  std::array<double, Count> result{};
   for (auto& x : result) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
     auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), x);
@@ -56,7 +57,7 @@ RelationsResult parse_relations(std::string_view text, const std::string& file) 
     auto first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos || line[first] == '#')
       continue;
-    auto numbers = numbers_of(line);
+    auto numbers = numbers_of<8>(line);
     if (!numbers) {
       result.diagnostics.push_back(finding(file, number, line, "this is no relation",
                                            "write: time1 time2 x y z roll pitch yaw"));
@@ -83,6 +84,41 @@ RelationsResult read_relations(const std::filesystem::path& file) {
     return {{}, {finding(file.string(), 0, {}, e.what(), "give the path of a file of relations")}};
   } catch (const mapping::GzipError& e) {
     return {{}, {finding(file.string(), 0, {}, e.what(), "fetch or compress the file again")}};
+  }
+}
+
+PathResult parse_path(std::string_view text, const std::string& file) {
+  constexpr const char* remedy = "write: time x y heading, in order of time";
+  PathResult result;
+  std::vector<TimedPose> path;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    auto end = text.find('\n');
+    auto line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    auto first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos || line[first] == '#')
+      continue;
+    auto x = numbers_of<4>(line);
+    auto time = x ? std::llround((*x)[0] * 1e6) : 0;
+    if (!x)
+      result.diagnostics.push_back(finding(file, number, line, "this is no pose", remedy));
+    else if (!path.empty() && time < path.back().time)
+      result.diagnostics.push_back(finding(file, number, line, "time runs backward", remedy));
+    else
+      path.push_back({time, {(*x)[1], (*x)[2], (*x)[3]}});
+  }
+  if (path.empty() && result.diagnostics.empty())
+    result.diagnostics.push_back(finding(file, 0, {}, "there are no poses", remedy));
+  if (!has_errors(result.diagnostics))
+    result.path = std::move(path);
+  return result;
+}
+
+PathResult read_path(const std::filesystem::path& file) {
+  try {
+    return parse_path(read_input_file(file, most_bytes), file.string());
+  } catch (const InputFileError& e) {
+    return {{}, {finding(file.string(), 0, {}, e.what(), "give the path of a file of poses")}};
   }
 }
 

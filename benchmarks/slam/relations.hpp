@@ -45,6 +45,19 @@ RelationsResult parse_relations(std::string_view text, const std::string& file);
 /// The same for a file, which may be compressed by gzip.
 RelationsResult read_relations(const std::filesystem::path& file);
 
+struct PathResult {
+  /// In order of time; nothing if there are errors.
+  std::optional<std::vector<TimedPose>> path;
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Reads lines "time x y heading" (s, m, rad), as the driver writes them; empty lines and those
+/// that begin with # are left out.
+PathResult parse_path(std::string_view text, const std::string& file);
+
+/// The same for a file.
+PathResult read_path(const std::filesystem::path& file);
+
 struct Statistics {
   double mean = 0;
   double deviation = 0;

@@ -3,16 +3,16 @@
 //
 //     slam_benchmark LOG [RELATIONS] [OPTION=NUMBER...]
 //
-// LOG is a CARMEN log, RELATIONS a file of relations of the SLAM benchmark; both may be compressed.
-// Options make the task harder, to see how robust the settings are: beams=N takes each Nth beam,
-// scans=N each Nth scan, noise=SIGMA adds noise to ranges (m), drift=SHARE to odometry, seed=N;
-// density=FACTOR multiplies the distance of keyframes; loops=0 leaves out loop closing;
-// worst=1 lists the relations that are kept worst.
-// Settings of SLAM are changed by their names, such as keyframe_distance=0.3; see setting().
-// path=FILE writes the path: time x y heading.
+// LOG is a CARMEN log or an MRPT rawlog, RELATIONS a file of relations of the SLAM benchmark; both
+// may be compressed. Options make the task harder, to see how robust the settings are: beams=N
+// takes each Nth beam, scans=N each Nth scan, noise=SIGMA adds noise to ranges (m), drift=SHARE to
+// odometry, seed=N; density=FACTOR multiplies the distance of keyframes; loops=0 leaves out loop
+// closing; worst=1 lists the relations that are kept worst. Settings of SLAM are changed by their
+// names, such as keyframe_distance=0.3; see setting(). path=FILE writes the path: time x y heading;
+// truth=FILE has the true one, to compare it with.
 
 #include "castor/benchmarks/slam/relations.hpp"
-#include "castor/mapping/logs/carmen_log.hpp"
+#include "castor/mapping/logs/robot_log_file.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/slam/slam.hpp"
 
@@ -40,6 +40,7 @@ struct Task {
   std::string log;
   std::string relations;
   std::string path;
+  std::string truth;
   std::size_t beams = 1;
   std::size_t scans = 1;
   double noise = 0;
@@ -84,6 +85,11 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"least_observability", &loops.least_observability},
     {"most_deviation", &loops.most_deviation},
     {"deviation", &loops.deviation},
+    {"most_window", &loops.most_window},
+    {"sure_window", &loops.sure_window},
+    {"confirmation", &loops.confirmation},
+    {"agreement", &loops.agreement},
+    {"patience", &loops.patience},
     {"deviation_heading", &loops.deviation_heading},
     {"robust_loops", &x.graph.graph.robust_from},
   };
@@ -112,6 +118,8 @@ bool set_option(Task& task, std::string_view name, const std::string& value) {
     task.options.closes_loops = number != 0;
   else if (name == "path")
     task.path = value;
+  else if (name == "truth")
+    task.truth = value;
   else if (name == "density") {
     task.options.front_end.keyframe_distance *= number;
     task.options.front_end.keyframe_turn *= number;
@@ -175,7 +183,7 @@ void print_worst(const std::vector<slam_benchmark::TimedPose>& path,
 }
 
 int run(const Task& task) {
-  auto read = mapping::read_carmen_log(task.log);
+  auto read = mapping::read_robot_log(task.log);
   print_diagnostics(read.diagnostics);
   if (!read.log)
     return 2;
@@ -212,6 +220,16 @@ int run(const Task& task) {
     for (const auto& x : path)
       out << fmt::format("{:.6f} {:.4f} {:.4f} {:.5f}\n", static_cast<double>(x.time) / 1e6,
                          x.pose.x, x.pose.y, x.pose.heading);
+  }
+  if (!task.truth.empty()) {
+    auto truth = slam_benchmark::read_path(task.truth);
+    print_diagnostics(truth.diagnostics);
+    if (!truth.path)
+      return 2;
+    auto errors = slam_benchmark::trajectory_errors(path, *truth.path);
+    fmt::print("  from the truth, aligned, at {} poses: root mean square {:.3f} m, median {:.3f}, "
+               "most {:.3f}\n",
+               errors.poses, errors.root_mean_square, errors.median, errors.most);
   }
   if (task.relations.empty())
     return 0;

@@ -167,7 +167,9 @@ std::optional<LoopCloser::Closure> LoopCloser::close(const Place& place, std::in
   if (result.correction > window.translation + 0.3 ||
       std::abs(correction.heading) > window.heading + 0.1)
     return {};
+  result.window = window.translation;
   result.is_large = result.correction > options_.large_correction ||
+                    window.translation > options_.sure_window ||
                     std::abs(correction.heading) > options_.large_turn;
   auto& constraint = result.constraint;
   constraint.kind = ConstraintKind::loop;
@@ -198,7 +200,7 @@ std::vector<Constraint> LoopCloser::confirmed(const Closure& closure,
   if (!closure.is_large)
     return {closure.constraint};
   // Scans from nearly the same place would be mistaken in the same way.
-  auto apart = std::max(0.4, closure.correction / 2);
+  auto apart = std::max(0.4, options_.confirmation * closure.window);
   auto is_confirmed = std::any_of(waiting_.begin(), waiting_.end(), [&](const Closure& x) {
     return known(closure.constraint.to).path - known(x.constraint.to).path >= apart &&
            agree(x.constraint, closure.constraint, poses);

@@ -40,9 +40,13 @@ struct LoopCloserOptions {
   double least_matched = 0.65;
   double most_deviation = 0.035;
   double least_observability = 0.03;
-  /// Corrections beyond these need another closure that agrees, m and radians.
+  /// Corrections beyond these need another closure that agrees, m and radians ...
   double large_correction = 0.4;
   double large_turn = 0.12;
+  /// ... and all in windows beyond this, m, in which a place may be mistaken for another.
+  double sure_window = 1;
+  /// Both are this part of the window from each other on the way, and 0.4 m at least.
+  double confirmation = 0.5;
   /// Two closures agree up to this, m and radians.
   double agreement = 0.2;
   double agreement_heading = 0.06;
@@ -95,6 +99,7 @@ private:
   struct Closure {
     Constraint constraint;
     double correction = 0;
+    double window = 0;
     bool is_large = false;
   };
 

@@ -115,6 +115,19 @@ TEST(Relations, ThoseOutsideOfThePathAndInGapsAreLeftOut) {
   EXPECT_EQ(errors.without_pose, 1U);
 }
 
+TEST(Trajectory, IsReadFromLines) {
+  auto result = parse_path("# time x y heading\n1 2 3 0.5\n1.5 2 4 0.25\n", "path");
+  ASSERT_TRUE(result.path);
+  ASSERT_EQ(result.path->size(), 2U);
+  EXPECT_EQ(result.path->at(1).time, 1500000);
+  EXPECT_EQ(result.path->at(1).pose, (Pose2{2, 4, 0.25}));
+  EXPECT_FALSE(parse_path("1 2 3\n", "path").path);
+  EXPECT_FALSE(parse_path("", "path").path);
+  auto backward = parse_path("2 0 0 0\n1 0 0 0\n", "path");
+  ASSERT_EQ(backward.diagnostics.size(), 1U);
+  EXPECT_EQ(backward.diagnostics[0].where.line(), 2U);
+}
+
 TEST(Trajectory, ARigidMotionOfTheWholeIsNoError) {
   std::vector<TimedPose> truth;
   std::vector<TimedPose> path;
