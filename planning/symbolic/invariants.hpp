@@ -5,10 +5,10 @@
 
 namespace castor::planning {
 
-/// Groups of atoms of which exactly or at most one is true in every reachable state, by invariants
-/// of the form "the number of true atoms of these predicates with these parameters never grows"
-/// (Helmert 2009, section 5).
-MutexGroups find_mutex_groups(const LiftedTask& lifted, const NormalTask& normal,
-                              const GroundTask& ground, LimitWatch& watch);
+/// Groups of atoms of which at most one is true in every reachable state. Candidates are, as those
+/// of Helmert (2009, section 5), predicates whose arguments are parameters but for at most one, and
+/// are extended by predicates that balance the actions that they fail for. They are verified without
+/// variables, group by group, so that a candidate need not hold for all values of its parameters.
+MutexGroups find_mutex_groups(const GroundTask& task, LimitWatch& watch);
 
 } // namespace castor::planning

@@ -125,7 +125,7 @@ private:
 Task compile(const LiftedTask& lifted, LimitWatch& watch) {
   const auto normal = normalise(lifted);
   const auto ground_task = ground(lifted, normal, watch);
-  return make_task(lifted, normal, ground_task, find_mutex_groups(lifted, normal, ground_task, watch));
+  return make_task(lifted, normal, ground_task, find_mutex_groups(ground_task, watch));
 }
 
 OperatorSequence without_needless_actions(const Task& task, const OperatorSequence& plan) {

@@ -1,14 +1,18 @@
 #include "castor/planning/symbolic/relaxed_plan_heuristic.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace castor::planning {
 
 namespace {
 
-/// Costs of facts are sums that may grow exponentially; a bucket each is for smaller ones.
-constexpr int most_fact_cost = 1'000'000;
+/// Costs of facts are sums that may grow exponentially.
+constexpr int most_fact_cost = 1'000'000'000;
+
+/// Costs below this have a bucket each; a heap is for larger ones.
+constexpr std::size_t bucket_count = 512;
 
 } // namespace
 
@@ -29,7 +33,7 @@ bool has_unit_costs(const Task& task) {
 }
 
 RelaxedPlanHeuristic::RelaxedPlanHeuristic(const Task& task, CostCount count)
-  : task_(task), facts_(task.fact_count()), is_in_plan_(task.operators.size(), false) {
+  : task_(task), facts_(task.fact_count()), buckets_(bucket_count), is_in_plan_(task.operators.size(), false) {
   for (const auto& x : task.goal)
     goal_.push_back(static_cast<std::uint32_t>(task.fact_index(x)));
   for (std::size_t i = 0; i < task.operators.size(); ++i) {
@@ -91,28 +95,38 @@ void RelaxedPlanHeuristic::enqueue(std::uint32_t fact, int cost, int reached_by)
   info.cost = std::min(cost, most_fact_cost);
   info.reached_by = reached_by;
   const auto bucket = static_cast<std::size_t>(info.cost);
-  if (bucket >= buckets_.size())
-    buckets_.resize(bucket + 1);
-  buckets_[bucket].push_back(fact);
-  ++bucketed_;
+  if (bucket < bucket_count) {
+    buckets_[bucket].push_back(fact);
+    ++bucketed_;
+  } else {
+    heap_.emplace_back(info.cost, fact);
+    std::ranges::push_heap(heap_, std::greater{});
+  }
+}
+
+void RelaxedPlanHeuristic::reach(std::uint32_t fact, int cost) {
+  if (facts_[fact].cost != cost)
+    return; // It was reached more cheaply.
+  for (auto k = first_user_[fact]; k < first_user_[fact + 1]; ++k) {
+    const auto user = users_[k];
+    unary_cost_[user] = std::min(unary_cost_[user] + cost, most_fact_cost);
+    if (--unsatisfied_[user] == 0)
+      enqueue(unary_[user].effect, unary_cost_[user], static_cast<int>(user));
+  }
 }
 
 void RelaxedPlanHeuristic::propagate() {
   for (std::size_t bucket = 0; bucketed_ > 0; ++bucket) {
-    // The bucket may grow, and move, meanwhile.
-    for (std::size_t i = 0; i < buckets_[bucket].size(); ++i) {
-      const auto fact = buckets_[bucket][i];
-      --bucketed_;
-      if (facts_[fact].cost != static_cast<int>(bucket))
-        continue;
-      for (auto k = first_user_[fact]; k < first_user_[fact + 1]; ++k) {
-        const auto user = users_[k];
-        unary_cost_[user] = std::min(unary_cost_[user] + static_cast<int>(bucket), most_fact_cost);
-        if (--unsatisfied_[user] == 0)
-          enqueue(unary_[user].effect, unary_cost_[user], static_cast<int>(user));
-      }
-    }
+    // The bucket may grow meanwhile.
+    for (std::size_t i = 0; i < buckets_[bucket].size(); ++i, --bucketed_)
+      reach(buckets_[bucket][i], static_cast<int>(bucket));
     buckets_[bucket].clear();
+  }
+  while (!heap_.empty()) {
+    std::ranges::pop_heap(heap_, std::greater{});
+    const auto [cost, fact] = heap_.back();
+    heap_.pop_back();
+    reach(fact, cost);
   }
 }
 

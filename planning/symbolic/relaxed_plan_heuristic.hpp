@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace castor::planning {
@@ -53,6 +54,7 @@ private:
   void add_unary(const Task& task, int operator_index, int cost, std::vector<Fact> condition,
                  Fact effect);
   void enqueue(std::uint32_t fact, int cost, int reached_by);
+  void reach(std::uint32_t fact, int cost);
   void propagate();
   void mark_plan(std::uint32_t fact);
 
@@ -72,6 +74,7 @@ private:
   std::vector<int> unary_cost_;
   std::vector<std::vector<std::uint32_t>> buckets_;
   std::size_t bucketed_ = 0;
+  std::vector<std::pair<int, std::uint32_t>> heap_;
   std::vector<int> plan_;
   std::vector<bool> is_in_plan_;
   std::vector<std::uint32_t> pending_;

@@ -89,7 +89,7 @@ TEST(PddlReaderTest, SaysAllProblemsInTheOrderOfLines) {
   EXPECT_THAT(problems[0].remedy, HasSubstr("'room'"));
   EXPECT_EQ(problems[1].where.line(), 2U);
   EXPECT_THAT(problems[1].message, HasSubstr("there is no object 'cup'"));
-  EXPECT_EQ(problems[1].column, 5U);
+  EXPECT_EQ(problems[1].column, 12U);
   EXPECT_EQ(problems[2].where.line(), 3U);
   EXPECT_EQ(problems[3].where.line(), 4U);
 }
