@@ -23,6 +23,7 @@ void add_node(CLI::App& app, Action& chosen);
 void add_check(CLI::App& app, Action& chosen);
 void add_components(CLI::App& app, Action& chosen);
 void add_building(CLI::App& app, Action& chosen);
+void add_plan(CLI::App& app, Action& chosen);
 void add_new(CLI::App& app, Action& chosen);
 // Commands that inspect or change a running system.
 void add_ps(CLI::App& app, Action& chosen);

@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
   cli::add_check(app, action);
   cli::add_components(app, action);
   cli::add_building(app, action);
+  cli::add_plan(app, action);
   cli::add_new(app, action);
   cli::add_doctor(app, action);
   cli::add_completion(app, action);
