@@ -15,15 +15,32 @@ namespace castor::planning {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> supported_requirements{
-  ":strips", ":typing", ":equality", ":negative-preconditions", ":disjunctive-preconditions",
-  ":existential-preconditions", ":universal-preconditions", ":quantified-preconditions",
-  ":conditional-effects", ":derived-predicates", ":domain-axioms", ":action-costs", ":adl"};
+constexpr std::array<std::string_view, 13> supported_requirements{":strips",
+                                                                  ":typing",
+                                                                  ":equality",
+                                                                  ":negative-preconditions",
+                                                                  ":disjunctive-preconditions",
+                                                                  ":existential-preconditions",
+                                                                  ":universal-preconditions",
+                                                                  ":quantified-preconditions",
+                                                                  ":conditional-effects",
+                                                                  ":derived-predicates",
+                                                                  ":domain-axioms",
+                                                                  ":action-costs",
+                                                                  ":adl"};
 
-constexpr std::array<std::string_view, 12> other_requirements{
-  ":fluents", ":numeric-fluents", ":object-fluents", ":durative-actions", ":duration-inequalities",
-  ":continuous-effects", ":timed-initial-literals", ":preferences", ":constraints",
-  ":goal-utilities", ":time", ":multi-agent"};
+constexpr std::array<std::string_view, 12> other_requirements{":fluents",
+                                                              ":numeric-fluents",
+                                                              ":object-fluents",
+                                                              ":durative-actions",
+                                                              ":duration-inequalities",
+                                                              ":continuous-effects",
+                                                              ":timed-initial-literals",
+                                                              ":preferences",
+                                                              ":constraints",
+                                                              ":goal-utilities",
+                                                              ":time",
+                                                              ":multi-agent"};
 
 using Section = std::pair<std::string_view, std::function<void(const SyntaxNode&)>>;
 
@@ -117,9 +134,11 @@ void read_objects(ReadingContext& context, const SyntaxNode& section) {
     if (known >= 0) {
       auto& object = context.task.objects[static_cast<std::size_t>(known)];
       if (object.type != type)
-        context.error(node, "the object " + in_quotes(node.word) + " is declared twice, with types "
-                              + in_quotes(context.task.types[static_cast<std::size_t>(object.type)].name)
-                              + " and " + in_quotes(context.task.types[static_cast<std::size_t>(type)].name),
+        context.error(node,
+                      "the object " + in_quotes(node.word) + " is declared twice, with types " +
+                        in_quotes(context.task.types[static_cast<std::size_t>(object.type)].name) +
+                        " and " +
+                        in_quotes(context.task.types[static_cast<std::size_t>(type)].name),
                       "remove one of the two");
       else
         context.warning(node, "the object " + in_quotes(node.word) + " is declared twice",
@@ -127,7 +146,8 @@ void read_objects(ReadingContext& context, const SyntaxNode& section) {
       return;
     }
     if (node.word.front() == '?')
-      context.error(node, "the variable " + in_quotes(node.word) + " stands where an object is expected",
+      context.error(node,
+                    "the variable " + in_quotes(node.word) + " stands where an object is expected",
                     "write the object's name without '?'");
     context.objects.add(node.word, static_cast<int>(context.task.objects.size()));
     context.task.objects.push_back({std::string(node.word), type});
@@ -185,14 +205,17 @@ void read_action(ReadingContext& context, const SyntaxNode& section,
     const auto part =
       std::ranges::find(parts, nodes[i].word, [](const auto& x) { return x.first; });
     if (nodes[i].is_list || part == parts.end()) {
-      context.error(nodes[i], "an action has no part " + (nodes[i].is_list ? "like this list" : in_quotes(nodes[i].word)),
+      context.error(nodes[i],
+                    "an action has no part " +
+                      (nodes[i].is_list ? "like this list" : in_quotes(nodes[i].word)),
                     "the parts of an action are :parameters, :precondition and :effect");
       if (nodes[i].is_list)
         --i;
       continue;
     }
     if (i + 1 == nodes.size())
-      context.error(nodes[i], "nothing stands after " + in_quotes(nodes[i].word), "write a list, or ()");
+      context.error(nodes[i], "nothing stands after " + in_quotes(nodes[i].word),
+                    "write a list, or ()");
     else if (part->second)
       context.error(nodes[i], "the action has two parts " + in_quotes(nodes[i].word),
                     "join the two with (and ...)");
@@ -238,8 +261,9 @@ void read_axiom(ReadingContext& context, const SyntaxNode& section) {
   read_variables(context, list, scope);
   const auto& declared = context.task.predicates[static_cast<std::size_t>(predicate)];
   if (declared.parameters.size() != scope.all.size()) {
-    context.error(nodes[1], in_quotes(declared.name) + " has " + std::to_string(declared.parameters.size())
-                              + " arguments, not " + std::to_string(scope.all.size()),
+    context.error(nodes[1],
+                  in_quotes(declared.name) + " has " + std::to_string(declared.parameters.size()) +
+                    " arguments, not " + std::to_string(scope.all.size()),
                   "write as many variables as the predicate is declared with");
     return;
   }
@@ -257,8 +281,8 @@ std::string read_sections(ReadingContext& context, const std::vector<SyntaxNode>
   for (const auto& x : top)
     if (x.head() == "define")
       define = &x;
-  if (!define || define->children.size() < 2 || define->children[1].head() != kind
-      || define->children[1].children.size() != 2) {
+  if (!define || define->children.size() < 2 || define->children[1].head() != kind ||
+      define->children[1].children.size() != 2) {
     context.error(define ? *define : (top.empty() ? SyntaxNode{} : top.front()),
                   "the file does not begin with (define (" + std::string(kind) + " NAME)",
                   "check that the domain and the problem are given in this order");
@@ -275,10 +299,11 @@ std::string read_sections(ReadingContext& context, const std::vector<SyntaxNode>
       NameTable names;
       for (const auto& x : readers)
         names.add(x.first, 0);
-      context.error(node, "a " + std::string(kind) + " has no section "
-                            + (node.head().empty() ? "like this" : in_quotes(node.head())),
-                    context.suggestion(node.head(), names,
-                                       "the sections are " + list_of(names.names(), 20)));
+      context.error(
+        node,
+        "a " + std::string(kind) + " has no section " +
+          (node.head().empty() ? "like this" : in_quotes(node.head())),
+        context.suggestion(node.head(), names, "the sections are " + list_of(names.names(), 20)));
     }
   }
   return std::string(define->children[1].children[1].word);
@@ -317,7 +342,8 @@ void read_initial(ReadingContext& context, const SyntaxNode& section) {
     if (node.head() == "=") {
       std::int64_t number = 0;
       if (node.children.size() != 3 || node.children[2].is_list) {
-        context.error(node, "the value of a function is missing", "write (= (FUNCTION OBJECT ...) NUMBER)");
+        context.error(node, "the value of a function is missing",
+                      "write (= (FUNCTION OBJECT ...) NUMBER)");
         continue;
       }
       const auto word = node.children[2].word;
@@ -338,7 +364,8 @@ void read_initial(ReadingContext& context, const SyntaxNode& section) {
       continue;
     const auto& predicate = context.task.predicates[static_cast<std::size_t>(atom.front())];
     if (predicate.is_derived)
-      context.error(node, "the derived predicate " + in_quotes(predicate.name) + " cannot be stated",
+      context.error(node,
+                    "the derived predicate " + in_quotes(predicate.name) + " cannot be stated",
                     "state the predicates that it is derived from");
     context.task.initial.push_back(std::move(atom));
   }
@@ -362,22 +389,22 @@ void read_problem(ReadingContext& context, const std::vector<SyntaxNode>& top) {
     context.task.goal_variables = std::move(scope.all);
   };
   const auto metric = [&](const SyntaxNode& x) {
-    if (x.children.size() == 3 && x.children[1].word == "minimize"
-        && (x.children[2].head() == "total-cost" || x.children[2].word == "total-cost"))
+    if (x.children.size() == 3 && x.children[1].word == "minimize" &&
+        (x.children[2].head() == "total-cost" || x.children[2].word == "total-cost"))
       context.task.has_costs = true;
     else
       context.error(x, "this metric is not supported", "write (:metric minimize (total-cost))");
   };
   const auto errors = context.problems.size();
-  context.task.problem = read_sections(
-    context, top, "problem",
-    {{":domain", domain},
-     {":requirements", [&](const SyntaxNode& x) { read_requirements(context, x); }},
-     {":objects", [&](const SyntaxNode& x) { read_objects(context, x); }},
-     {":init", [&](const SyntaxNode& x) { read_initial(context, x); }},
-     {":goal", goal},
-     {":metric", metric},
-     {":length", ignore_section}});
+  context.task.problem =
+    read_sections(context, top, "problem",
+                  {{":domain", domain},
+                   {":requirements", [&](const SyntaxNode& x) { read_requirements(context, x); }},
+                   {":objects", [&](const SyntaxNode& x) { read_objects(context, x); }},
+                   {":init", [&](const SyntaxNode& x) { read_initial(context, x); }},
+                   {":goal", goal},
+                   {":metric", metric},
+                   {":length", ignore_section}});
   if (!has_goal && context.problems.size() == errors)
     context.error(top.empty() ? SyntaxNode{} : top.front(), "the problem has no goal",
                   "add a section (:goal CONDITION)");
@@ -415,10 +442,10 @@ void check_stratification(ReadingContext& context, const SyntaxNode& domain) {
   std::function<std::size_t(const Formula&)> level_of = [&](const Formula& formula) {
     std::size_t result = 0;
     if (formula.kind == Formula::Kind::literal) {
-      if (formula.literal.predicate >= 0
-          && context.task.predicates[static_cast<std::size_t>(formula.literal.predicate)].is_derived)
-        result = levels[static_cast<std::size_t>(formula.literal.predicate)]
-                 + (formula.literal.is_negated ? 1 : 0);
+      if (formula.literal.predicate >= 0 &&
+          context.task.predicates[static_cast<std::size_t>(formula.literal.predicate)].is_derived)
+        result = levels[static_cast<std::size_t>(formula.literal.predicate)] +
+                 (formula.literal.is_negated ? 1 : 0);
       return result;
     }
     for (const auto& x : formula.parts)
@@ -433,10 +460,12 @@ void check_stratification(ReadingContext& context, const SyntaxNode& domain) {
       if (needed <= level)
         continue;
       if (needed > count) {
-        context.error(domain, "the derived predicate "
-                                + in_quotes(context.task.predicates[static_cast<std::size_t>(axiom.predicate)].name)
-                                + " depends on its own negation",
-                      "break the cycle of (:derived ...) that negates it");
+        context.error(
+          domain,
+          "the derived predicate " +
+            in_quotes(context.task.predicates[static_cast<std::size_t>(axiom.predicate)].name) +
+            " depends on its own negation",
+          "break the cycle of (:derived ...) that negates it");
         return;
       }
       level = needed;
@@ -487,8 +516,8 @@ PddlResult read_pddl(const std::filesystem::path& domain, const std::filesystem:
       Diagnostic unread;
       unread.where = SourceLocation(file.string(), 0);
       unread.message = "cannot read the file: " + content.error;
-      unread.remedy = "give a file of PDDL of at most "
-                      + std::to_string(most_pddl_bytes >> 20) + " MiB";
+      unread.remedy =
+        "give a file of PDDL of at most " + std::to_string(most_pddl_bytes >> 20) + " MiB";
       result.problems.push_back(std::move(unread));
     }
     return content.text ? std::move(*content.text) : std::string();
@@ -497,7 +526,8 @@ PddlResult read_pddl(const std::filesystem::path& domain, const std::filesystem:
   auto problem_text = load(problem);
   if (!result.problems.empty())
     return result;
-  return parse_pddl(domain.string(), std::move(domain_text), problem.string(), std::move(problem_text));
+  return parse_pddl(domain.string(), std::move(domain_text), problem.string(),
+                    std::move(problem_text));
 }
 
 } // namespace castor::planning
