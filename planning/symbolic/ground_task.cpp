@@ -27,10 +27,7 @@ struct RuleMeaning {
 class Grounder {
 public:
   Grounder(const LiftedTask& lifted, const NormalTask& task, LimitWatch& watch)
-    : lifted_(lifted),
-      task_(task),
-      watch_(watch),
-      can_change_(task.predicates.size(), false) {
+    : lifted_(lifted), task_(task), watch_(watch), can_change_(task.predicates.size(), false) {
     for (std::size_t i = 0; i < task.predicates.size(); ++i)
       can_change_[i] = task.predicates[i].is_derived;
     for (const auto& action : task.actions)
@@ -176,8 +173,7 @@ private:
         result_.initial.push_back(number);
     }
     std::ranges::sort(result_.initial);
-    const auto [first, last] = std::ranges::unique(result_.initial);
-    result_.initial.erase(first, last);
+    result_.initial.erase(std::unique(result_.initial.begin(), result_.initial.end()), result_.initial.end());
   }
 
   /// Adds the literals that can be true and can be false. False if they cannot all be true.
@@ -200,8 +196,7 @@ private:
     }
     for (auto* list : {&condition.positive, &condition.negative}) {
       std::ranges::sort(*list);
-      const auto [first, last] = std::ranges::unique(*list);
-      list->erase(first, last);
+      list->erase(std::unique(list->begin(), list->end()), list->end());
     }
     std::vector<int> both;
     std::ranges::set_intersection(condition.positive, condition.negative, std::back_inserter(both));
@@ -238,8 +233,8 @@ private:
       const auto& normal = task_.actions[meaning.index];
       const auto& schema = lifted_.actions[normal.action];
       GroundAction action;
-      if (!add_literals(normal.precondition.literals, instance.values, action.precondition)
-          || !add_cost(schema, instance.values, action))
+      if (!add_literals(normal.precondition.literals, instance.values, action.precondition) ||
+          !add_cost(schema, instance.values, action))
         continue;
       action.name = schema.name;
       for (std::size_t i = 0; i < schema.parameters; ++i)
@@ -258,8 +253,8 @@ private:
                   const std::vector<int>& values) const {
     const int atom = atom_of(effect.literal, values);
     GroundEffect result;
-    if (atom < 0 || numbers_[index_of(atom)] < 0
-        || !add_literals(effect.condition.literals, values, result.condition))
+    if (atom < 0 || numbers_[index_of(atom)] < 0 ||
+        !add_literals(effect.condition.literals, values, result.condition))
       return;
     result.atom = numbers_[index_of(atom)];
     result.is_added = !effect.literal.is_negated;
@@ -315,7 +310,8 @@ private:
       GroundAxiom axiom;
       if (!add_literals(normal.body.literals, instance.values, axiom.body))
         continue;
-      axiom.atom = numbers_[index_of(atom_of(rules_[instance.rule].heads.front(), instance.values))];
+      axiom.atom =
+        numbers_[index_of(atom_of(rules_[instance.rule].heads.front(), instance.values))];
       axioms.emplace_back(strata[index_of(normal.predicate)], std::move(axiom));
     }
     std::ranges::stable_sort(axioms, {}, [](const auto& x) { return x.first; });
@@ -327,8 +323,7 @@ private:
 
   void make_goal() {
     for (const auto& x : task_.goal)
-      if (x.predicate == equality
-          && ((x.arguments[0] == x.arguments[1]) == x.is_negated))
+      if (x.predicate == equality && ((x.arguments[0] == x.arguments[1]) == x.is_negated))
         result_.is_unreachable = true;
     if (!add_literals(task_.goal, {}, result_.goal))
       result_.is_unreachable = true;

@@ -113,11 +113,10 @@ private:
         return false;
       const auto& condition = x.condition;
       const bool is_unconditional = condition.positive.empty() && condition.negative.empty();
-      const bool is_same = condition.positive == added.condition.positive
-                           && condition.negative == added.condition.negative;
-      return has(action.precondition.positive, x.atom)
-               ? is_unconditional || is_same
-               : is_same && has(condition.positive, x.atom);
+      const bool is_same = condition.positive == added.condition.positive &&
+                           condition.negative == added.condition.negative;
+      return has(action.precondition.positive, x.atom) ? is_unconditional || is_same
+                                                       : is_same && has(condition.positive, x.atom);
     });
   }
 
@@ -128,9 +127,9 @@ private:
       watch_.check();
       work_ += 1 + action.effects.size();
       for (const auto& effect : action.effects) {
-        if (!effect.is_added || group_of(effect.atom) < 0
-            || has(action.precondition.positive, effect.atom)
-            || has(effect.condition.positive, effect.atom))
+        if (!effect.is_added || group_of(effect.atom) < 0 ||
+            has(action.precondition.positive, effect.atom) ||
+            has(effect.condition.positive, effect.atom))
           continue;
         auto& group = groups_[static_cast<std::size_t>(group_of(effect.atom))];
         const bool is_heavy = std::ranges::any_of(action.effects, [&](const GroundEffect& x) {
@@ -166,11 +165,11 @@ private:
     for (const auto& x : action.effects) {
       const auto& deleted = task_.atoms[static_cast<std::size_t>(x.atom)];
       const auto arity = deleted.size() - 1;
-      if (x.is_added || task_.is_derived[static_cast<std::size_t>(x.atom)]
-          || !(has(action.precondition.positive, x.atom) || has(x.condition.positive, x.atom))
-          || arity < parameters.size() || arity > parameters.size() + 1
-          || std::ranges::find(candidate, deleted.front(), &InvariantPart::predicate)
-               != candidate.end())
+      if (x.is_added || task_.is_derived[static_cast<std::size_t>(x.atom)] ||
+          !(has(action.precondition.positive, x.atom) || has(x.condition.positive, x.atom)) ||
+          arity < parameters.size() || arity > parameters.size() + 1 ||
+          std::ranges::find(candidate, deleted.front(), &InvariantPart::predicate) !=
+            candidate.end())
         continue;
       std::vector<std::size_t> arguments;
       extend(candidate, deleted, parameters, arguments);
@@ -188,8 +187,8 @@ private:
       return;
     }
     for (std::size_t i = 0; i + 1 < deleted.size(); ++i) {
-      if (deleted[i + 1] != parameters[arguments.size()]
-          || std::ranges::find(arguments, i) != arguments.end())
+      if (deleted[i + 1] != parameters[arguments.size()] ||
+          std::ranges::find(arguments, i) != arguments.end())
         continue;
       arguments.push_back(i);
       extend(candidate, deleted, parameters, arguments);

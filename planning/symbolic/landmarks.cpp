@@ -70,12 +70,13 @@ private:
     std::uint32_t effect = 0;
   };
 
-  std::uint32_t index(const Fact& x) const { return static_cast<std::uint32_t>(task_.fact_index(x)); }
+  std::uint32_t index(const Fact& x) const {
+    return static_cast<std::uint32_t>(task_.fact_index(x));
+  }
 
   static void sort_unique(Facts& x) {
     std::ranges::sort(x);
-    const auto [first, last] = std::ranges::unique(x);
-    x.erase(first, last);
+    x.erase(std::unique(x.begin(), x.end()), x.end());
   }
 
   void add_rule(const std::vector<Fact>& condition, const Fact& effect) {
@@ -124,8 +125,8 @@ private:
       const auto& rule = rules_[queue.front()];
       is_queued[queue.front()] = false;
       queue.pop_front();
-      if (is_initial_[rule.effect]
-          || !std::ranges::all_of(rule.condition, [&](auto x) { return is_reached_[x]; }))
+      if (is_initial_[rule.effect] ||
+          !std::ranges::all_of(rule.condition, [&](auto x) { return is_reached_[x]; }))
         continue;
       auto set = set_of(rule);
       watch_.check(1 + set.size() / 64);
@@ -167,8 +168,8 @@ private:
       for (const auto i : achievers_[fact]) {
         const auto& rule = rules_[i];
         const auto is_before = [&](std::uint32_t x) {
-          return !is_reached_[x]
-                 || std::ranges::any_of(facts, [&](auto y) { return contains(sets_[x], y); });
+          return !is_reached_[x] ||
+                 std::ranges::any_of(facts, [&](auto y) { return contains(sets_[x], y); });
         };
         if (std::ranges::none_of(rule.condition, is_before))
           result.push_back(&rule);
@@ -362,8 +363,8 @@ int LandmarkCount::evaluate(const State& state, const std::uint64_t* reached) co
       ++result;
     } else if (!is_true(landmark, state)) {
       const bool is_needed =
-        landmark.is_goal
-        || std::ranges::any_of(landmark.directly_after, [&](auto x) { return !has(reached, x); });
+        landmark.is_goal ||
+        std::ranges::any_of(landmark.directly_after, [&](auto x) { return !has(reached, x); });
       result += is_needed ? 1 : 0;
     }
   }
@@ -374,9 +375,9 @@ bool LandmarkCount::is_preferred(const TaskOperator& op, const State& state,
                                  const std::uint64_t* reached) const {
   return std::ranges::any_of(op.effects, [&](const TaskEffect& x) {
     const auto& of_fact = of_fact_[task_.fact_index(x.fact)];
-    return !of_fact.empty() && holds(x.condition, state)
-           && std::ranges::any_of(
-             of_fact, [&](auto i) { return !has(reached, i) && is_next(i, reached); });
+    return !of_fact.empty() && holds(x.condition, state) &&
+           std::ranges::any_of(of_fact,
+                               [&](auto i) { return !has(reached, i) && is_next(i, reached); });
   });
 }
 

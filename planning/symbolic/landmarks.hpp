@@ -20,9 +20,9 @@ struct Landmark {
   std::vector<std::uint32_t> directly_after;
 };
 
-/// Landmarks of the task without deletions (Keyder, Richter and Helmert 2010, for single facts), one
-/// of several facts by their first achievers, and reasonable orders between them (Hoffmann, Porteous
-/// and Sebastia 2004; Richter and Westphal 2010).
+/// Landmarks of the task without deletions (Keyder, Richter and Helmert 2010, for single facts),
+/// one of several facts by their first achievers, and reasonable orders between them (Hoffmann,
+/// Porteous and Sebastia 2004; Richter and Westphal 2010).
 std::vector<Landmark> find_landmarks(const Task& task, LimitWatch& watch);
 
 /// Number of landmarks that are still to be reached, or to be reached again.

@@ -20,6 +20,9 @@ constexpr int boost = 1000;
 /// Expansions between two reports to the observer.
 constexpr std::size_t report_interval = 2048;
 
+/// States have numbers of 32 bits.
+constexpr std::size_t most_expanded_ever = std::size_t{1} << 32;
+
 /// A state that is not made yet.
 struct OpenEntry {
   std::uint32_t parent = no_state;
@@ -69,40 +72,38 @@ public:
   LazySearch(const Task& task, const SuccessorGenerator& successors, const LandmarkCount& landmarks,
              const SearchOptions& options, LimitWatch& watch, SearchCounts& counts,
              const SearchObserver& observer)
-    : task_(task),
-      successors_(successors),
-      landmarks_(landmarks),
-      options_(options),
-      watch_(watch),
-      counts_(counts),
-      observer_(observer),
-      relaxed_plan_(task, options.cost_count),
-      registry_(task),
-      reached_(std::max<std::size_t>(landmarks.words(), 1)),
-      has_landmarks_(landmarks.size() > 0) {
+    : task_(task), successors_(successors), landmarks_(landmarks), options_(options), watch_(watch),
+      counts_(counts), observer_(observer), relaxed_plan_(task, options.cost_count),
+      registry_(task), reached_(std::max<std::size_t>(landmarks.words(), 1)),
+      has_landmarks_(options.has_landmarks && landmarks.size() > 0) {
     best_.fill(dead_end);
   }
 
-  std::optional<OperatorSequence> run() {
+  SearchResult run() {
     if (options_.bound <= 0)
-      return {};
+      return {{}, true};
     state_ = task_.initial;
     registry_.add(state_);
     infos_.emplace_back();
-    landmarks_.begin(state_, reached_.data());
-    store_reached(0);
+    if (has_landmarks_) {
+      landmarks_.begin(state_, reached_.data());
+      store_reached(0);
+    }
+    const auto last = counts_.expanded + std::min(options_.most_expanded, most_expanded_ever);
     if (auto plan = expand(0))
-      return plan;
+      return {std::move(plan), false};
     while (auto* list = next_list()) {
+      if (counts_.expanded >= last)
+        return {};
       const auto entry = list->pop();
       ++list->priority;
       if (const auto state = make_state(entry); state != no_state)
         if (auto plan = expand(state))
-          return plan;
+          return {std::move(plan), false};
       // An evaluation looks at all operators in the worst case.
       watch_.check(64 + task_.operators.size() / 16);
     }
-    return {};
+    return {{}, true};
   }
 
 private:
@@ -166,8 +167,8 @@ private:
   void check_memory() {
     if (infos_.size() % 256 != 0)
       return;
-    std::size_t bytes = registry_.bytes() + infos_.capacity() * sizeof(StateInfo)
-                        + all_reached_.capacity() * sizeof(std::uint64_t);
+    std::size_t bytes = registry_.bytes() + infos_.capacity() * sizeof(StateInfo) +
+                        all_reached_.capacity() * sizeof(std::uint64_t);
     for (const auto& x : lists_)
       bytes += x.size() * sizeof(OpenEntry);
     // Tables are twice as large while they grow.
@@ -217,12 +218,12 @@ private:
       if (info.cost + op.cost >= options_.bound)
         continue;
       const bool is_preferred =
-        std::ranges::binary_search(preferred_, x)
-        || (has_landmarks_ && landmarks_.is_preferred(op, state_, reached_.data()));
+        std::ranges::binary_search(preferred_, x) ||
+        (has_landmarks_ && landmarks_.is_preferred(op, state_, reached_.data()));
       for (std::size_t i = 0; i < (has_landmarks_ ? 2U : 1U); ++i) {
-        const std::int64_t key =
-          options_.weight ? info.counted + std::int64_t{*options_.weight} * estimates[i]
-                          : estimates[i];
+        const std::int64_t key = options_.weight
+                                   ? info.counted + std::int64_t{*options_.weight} * estimates[i]
+                                   : estimates[i];
         lists_[2 * i].push(key, {number, x});
         if (is_preferred)
           lists_[2 * i + 1].push(key, {number, x});
@@ -263,12 +264,10 @@ private:
 
 } // namespace
 
-std::optional<OperatorSequence> search_lazily(const Task& task,
-                                              const SuccessorGenerator& successors,
-                                              const LandmarkCount& landmarks,
-                                              const SearchOptions& options, LimitWatch& watch,
-                                              SearchCounts& counts,
-                                              const SearchObserver& observer) {
+SearchResult search_lazily(const Task& task, const SuccessorGenerator& successors,
+                           const LandmarkCount& landmarks, const SearchOptions& options,
+                           LimitWatch& watch, SearchCounts& counts,
+                           const SearchObserver& observer) {
   return LazySearch(task, successors, landmarks, options, watch, counts, observer).run();
 }
 

@@ -23,6 +23,9 @@ struct SearchOptions {
   std::optional<int> weight;
   /// Plans must cost less than this.
   std::int64_t bound = no_bound;
+  bool has_landmarks = true;
+  /// Ends without a result after so many states.
+  std::size_t most_expanded = std::numeric_limits<std::size_t>::max();
 };
 
 struct SearchCounts {
@@ -34,18 +37,22 @@ struct SearchCounts {
 /// Indices of operators.
 using OperatorSequence = std::vector<int>;
 
+struct SearchResult {
+  std::optional<OperatorSequence> plan;
+  /// There is no plan that costs less than the bound.
+  bool is_exhausted = false;
+};
+
 /// Called now and then.
 using SearchObserver = std::function<void(const SearchCounts&)>;
 
 /// Best-first search with deferred evaluation: a state is evaluated when it is expanded, and waits
 /// in queues with the estimates of its parent (Richter and Helmert 2009). Queues by h_FF and by
-/// landmarks take turns; those of preferred operators are boosted after each progress (Helmert 2006).
-/// @return a plan, or nothing if there is none that costs less than the bound
+/// landmarks take turns; those of preferred operators are boosted after each progress (Helmert
+/// 2006).
 /// \throws LimitError
-std::optional<OperatorSequence> search_lazily(const Task& task,
-                                              const SuccessorGenerator& successors,
-                                              const LandmarkCount& landmarks,
-                                              const SearchOptions& options, LimitWatch& watch,
-                                              SearchCounts& counts, const SearchObserver& observer);
+SearchResult search_lazily(const Task& task, const SuccessorGenerator& successors,
+                           const LandmarkCount& landmarks, const SearchOptions& options,
+                           LimitWatch& watch, SearchCounts& counts, const SearchObserver& observer);
 
 } // namespace castor::planning

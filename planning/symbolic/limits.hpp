@@ -59,9 +59,7 @@ public:
       throw LimitError(LimitReached::memory);
   }
 
-  double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
 private:
   using Clock = std::chrono::steady_clock;

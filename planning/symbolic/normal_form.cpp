@@ -75,7 +75,8 @@ void collect_slots(const Formula& formula, std::set<int>& used, std::set<int>& q
 bool is_conjunctive(const Formula& formula) {
   if (formula.kind == Kind::literal)
     return true;
-  if (formula.kind == Kind::exists || (formula.kind == Kind::disjunction && formula.parts.size() != 1))
+  if (formula.kind == Kind::exists ||
+      (formula.kind == Kind::disjunction && formula.parts.size() != 1))
     return false;
   return std::ranges::all_of(formula.parts, is_conjunctive);
 }
@@ -139,7 +140,8 @@ private:
     return atom;
   }
 
-  std::vector<NormalCondition> split(const Formula& formula, const std::vector<Variable>& variables) {
+  std::vector<NormalCondition> split(const Formula& formula,
+                                     const std::vector<Variable>& variables) {
     std::vector<NormalCondition> result;
     switch (formula.kind) {
       case Kind::literal:
@@ -157,8 +159,8 @@ private:
           x.slots.insert(x.slots.end(), formula.variables.begin(), formula.variables.end());
         break;
       case Kind::forall:
-        if (is_conjunctive(formula.parts.front())
-            && instances_of(formula, variables) <= most_instances)
+        if (is_conjunctive(formula.parts.front()) &&
+            instances_of(formula, variables) <= most_instances)
           return split(expanded(formula, variables), variables);
         result.push_back({{derived_atom(negated(formula), variables)}, {}});
         result.back().literals.front().is_negated = true;

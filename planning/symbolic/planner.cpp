@@ -2,8 +2,10 @@
 
 #include "castor/planning/symbolic/invariants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace castor::planning {
@@ -12,6 +14,12 @@ namespace {
 
 /// Weights of the improving searches, as LAMA (Richter and Westphal 2010).
 constexpr std::array<int, 4> weights{5, 3, 2, 1};
+
+/// Weights of the short searches that follow the first plan; nothing for greedy search.
+constexpr std::array<std::optional<int>, 3> other_weights{std::nullopt, 5, 2};
+
+/// States that each of them may expand, beside as many as before the first plan.
+constexpr std::size_t least_further = 1000;
 
 std::int64_t cost_of(const Task& task, const OperatorSequence& plan) {
   std::int64_t result = 0;
@@ -56,17 +64,16 @@ private:
     search(task, successors, landmarks);
   }
 
-  /// False once no plan can be better than the one known.
+  /// Keeps the plan that the search finds. True if it shows that no other plan costs less.
   bool search_once(const Task& task, const SuccessorGenerator& successors,
                    const LandmarkCount& landmarks, SearchOptions options) {
     if (result_.outcome == PlanningResult::Outcome::plan)
       options.bound = result_.cost;
-    const auto found =
-      search_lazily(task, successors, landmarks, options, watch_, result_.counts,
-                    [this](const SearchCounts&) { report(); });
-    if (!found)
-      return false;
-    const auto plan = without_needless_actions(task, *found);
+    const auto found = search_lazily(task, successors, landmarks, options, watch_, result_.counts,
+                                     [this](const SearchCounts&) { report(); });
+    if (!found.plan)
+      return found.is_exhausted;
+    const auto plan = without_needless_actions(task, *found.plan);
     if (result_.outcome != PlanningResult::Outcome::plan)
       result_.first_plan_seconds = watch_.seconds();
     result_.outcome = PlanningResult::Outcome::plan;
@@ -77,32 +84,34 @@ private:
       result_.steps.push_back({op.name, op.cost});
     }
     report();
-    return true;
+    return false;
   }
 
   void search(const Task& task, const SuccessorGenerator& successors,
               const LandmarkCount& landmarks) {
-    if (!search_once(task, successors, landmarks, {})) {
+    if (search_once(task, successors, landmarks, {})) {
       result_.outcome = PlanningResult::Outcome::unsolvable;
       return;
     }
+    SearchOptions options;
+    options.cost_count = has_unit_costs(task) ? CostCount::one : CostCount::plus_one;
+    // Searches that go other ways may find a cheaper plan soon.
+    options.most_expanded = least_further + result_.counts.expanded;
+    for (const auto& weight : other_weights)
+      for (const bool has_landmarks : {false, true}) {
+        options.weight = weight;
+        options.has_landmarks = has_landmarks;
+        result_.is_optimal =
+          result_.is_optimal || search_once(task, successors, landmarks, options);
+      }
     if (!options_.is_anytime)
       return;
-    const auto count = has_unit_costs(task) ? CostCount::one : CostCount::plus_one;
-    if (count == CostCount::plus_one
-        && !search_once(task, successors, landmarks, {count, std::nullopt, no_bound})) {
-      result_.is_optimal = true;
-      return;
+    options.most_expanded = SearchOptions().most_expanded;
+    options.has_landmarks = true;
+    for (std::size_t i = 0; !result_.is_optimal; ++i) {
+      options.weight = weights[std::min(i, weights.size() - 1)];
+      result_.is_optimal = search_once(task, successors, landmarks, options);
     }
-    for (const int weight : weights)
-      if (!search_once(task, successors, landmarks, {count, weight, no_bound})) {
-        result_.is_optimal = true;
-        return;
-      }
-    while (search_once(task, successors, landmarks, {count, weights.back(), no_bound})) {
-      // nop
-    }
-    result_.is_optimal = true;
   }
 
   void report() const {
@@ -163,8 +172,8 @@ std::string explain(const PlanningResult& result) {
   const auto expanded = std::to_string(result.counts.expanded) + " expanded states";
   switch (result.outcome) {
     case PlanningResult::Outcome::plan:
-      return "plan of " + std::to_string(result.steps.size()) + " actions with cost "
-             + std::to_string(result.cost) + (result.is_optimal ? ", and none costs less" : "");
+      return "plan of " + std::to_string(result.steps.size()) + " actions with cost " +
+             std::to_string(result.cost) + (result.is_optimal ? ", and none costs less" : "");
     case PlanningResult::Outcome::unsolvable:
       return result.counts.expanded == 0
                ? "there is no plan: the goal cannot be reached, even if no action deletes anything"
@@ -172,8 +181,8 @@ std::string explain(const PlanningResult& result) {
     case PlanningResult::Outcome::unknown:
       break;
   }
-  return "no plan was found within the limits, after " + expanded + ": "
-         + (result.limit ? to_string(*result.limit) : "unknown");
+  return "no plan was found within the limits, after " + expanded + ": " +
+         (result.limit ? to_string(*result.limit) : "unknown");
 }
 
 } // namespace castor::planning

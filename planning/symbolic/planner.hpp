@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-/// The planner: from a task to a plan, to the proof that there is none, or to neither within limits.
+/// The planner: from a task to a plan, to the proof that there is none, or to neither within
+/// limits.
 namespace castor::planning {
 
 struct PlanStep {

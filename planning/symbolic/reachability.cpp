@@ -43,8 +43,8 @@ int AtomTable::add(const AtomKey& atom) {
 namespace {
 
 std::uint64_t argument_key(int predicate, std::size_t position, int object, std::size_t objects) {
-  return (static_cast<std::uint64_t>(predicate) * 64 + position) * (objects + 1)
-         + static_cast<std::uint64_t>(object);
+  return (static_cast<std::uint64_t>(predicate) * 64 + position) * (objects + 1) +
+         static_cast<std::uint64_t>(object);
 }
 
 } // namespace
@@ -69,13 +69,9 @@ const std::vector<int>& AtomTable::with_argument(int predicate, std::size_t posi
 
 Reachability::Reachability(const LiftedTask& task, std::vector<bool> can_change,
                            std::vector<ReachabilityRule> rules, LimitWatch& watch)
-  : task_(task),
-    can_change_(std::move(can_change)),
-    rules_(std::move(rules)),
-    watch_(watch),
+  : task_(task), can_change_(std::move(can_change)), rules_(std::move(rules)), watch_(watch),
     is_member_(task.types.size(), std::vector<bool>(task.objects.size(), false)),
-    atoms_(can_change_.size(), task.objects.size()),
-    triggers_(can_change_.size()) {
+    atoms_(can_change_.size(), task.objects.size()), triggers_(can_change_.size()) {
   for (std::size_t i = 0; i < task.types.size(); ++i)
     for (const int x : task.types[i].objects)
       is_member_[i][static_cast<std::size_t>(x)] = true;
@@ -207,8 +203,8 @@ void Reachability::bind_free(std::size_t rule_index, std::size_t next) {
 
 bool Reachability::holds(const Literal& constraint) const {
   if (constraint.predicate == equality)
-    return (value_of(constraint.arguments[0]) == value_of(constraint.arguments[1]))
-           != constraint.is_negated;
+    return (value_of(constraint.arguments[0]) == value_of(constraint.arguments[1])) !=
+           constraint.is_negated;
   AtomKey atom{constraint.predicate};
   for (const Term x : constraint.arguments)
     atom.push_back(value_of(x));

@@ -62,7 +62,8 @@ int read_type(ReadingContext& context, const SyntaxNode& node) {
     const int type = read_type(context, node.children[i]);
     if (type < 0)
       return -1;
-    result.name += (i == 1 ? "either " : " ") + context.task.types[static_cast<std::size_t>(type)].name;
+    result.name +=
+      (i == 1 ? "either " : " ") + context.task.types[static_cast<std::size_t>(type)].name;
     members.push_back(type);
   }
   auto& types = context.task.types;
@@ -152,17 +153,17 @@ int read_head(ReadingContext& context, const SyntaxNode& node, bool is_function)
   const auto& names = is_function ? context.functions : context.predicates;
   const int found = names.find(head);
   if (found < 0) {
-    context.error(node.children.front(), "there is no " + kind + " " + in_quotes(head),
-                  context.suggestion(head, names,
-                                     "declare it in the section (:" + kind + "s ...)"));
+    context.error(
+      node.children.front(), "there is no " + kind + " " + in_quotes(head),
+      context.suggestion(head, names, "declare it in the section (:" + kind + "s ...)"));
     return -1;
   }
-  const auto& declared =
-    (is_function ? context.task.functions : context.task.predicates)[static_cast<std::size_t>(found)];
+  const auto& declared = (is_function ? context.task.functions
+                                      : context.task.predicates)[static_cast<std::size_t>(found)];
   if (declared.parameters.size() != node.children.size() - 1) {
     context.error(node,
-                  in_quotes(head) + " has " + std::to_string(declared.parameters.size())
-                    + " arguments, not " + std::to_string(node.children.size() - 1),
+                  in_quotes(head) + " has " + std::to_string(declared.parameters.size()) +
+                    " arguments, not " + std::to_string(node.children.size() - 1),
                   "write " + usage_of(declared, head));
     return -1;
   }
@@ -197,8 +198,9 @@ bool has_count(ReadingContext& context, const SyntaxNode& node, std::size_t coun
                const std::string& usage) {
   if (node.children.size() == count)
     return true;
-  context.error(node, in_quotes(node.head()) + " has " + std::to_string(count - 1)
-                        + " parts, not " + std::to_string(node.children.size() - 1),
+  context.error(node,
+                in_quotes(node.head()) + " has " + std::to_string(count - 1) + " parts, not " +
+                  std::to_string(node.children.size() - 1),
                 "write " + usage);
   return false;
 }
@@ -209,7 +211,8 @@ Formula read_formula(ReadingContext& context, const SyntaxNode& node, VariableSc
                      bool is_negated) {
   Formula result;
   if (!node.is_list) {
-    context.error(node, "the word " + in_quotes(node.word) + " stands where a condition is expected",
+    context.error(node,
+                  "the word " + in_quotes(node.word) + " stands where a condition is expected",
                   "put it into parentheses");
     return result;
   }
@@ -344,8 +347,9 @@ void read_effect(ReadingContext& context, const SyntaxNode& node, VariableScope&
     const auto& predicate =
       context.task.predicates[static_cast<std::size_t>(effect.literal.predicate)];
     if (predicate.is_derived) {
-      context.error(node, "the derived predicate " + in_quotes(predicate.name)
-                            + " cannot be changed by an action",
+      context.error(node,
+                    "the derived predicate " + in_quotes(predicate.name) +
+                      " cannot be changed by an action",
                     "change the predicates that it is derived from");
       return;
     }

@@ -80,7 +80,8 @@ void for_each_typed(ReadingContext& context, const std::vector<SyntaxNode>& node
     } else if (nodes[i].word != "-") {
       names.push_back(&nodes[i]);
     } else if (++i == nodes.size()) {
-      context.error(nodes[i - 1], "a type is missing after '-'", "write a type, such as '- object'");
+      context.error(nodes[i - 1], "a type is missing after '-'",
+                    "write a type, such as '- object'");
     } else {
       finish(read_type(context, nodes[i]));
     }

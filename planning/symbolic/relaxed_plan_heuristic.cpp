@@ -33,7 +33,8 @@ bool has_unit_costs(const Task& task) {
 }
 
 RelaxedPlanHeuristic::RelaxedPlanHeuristic(const Task& task, CostCount count)
-  : task_(task), facts_(task.fact_count()), buckets_(bucket_count), is_in_plan_(task.operators.size(), false) {
+  : task_(task), facts_(task.fact_count()), buckets_(bucket_count),
+    is_in_plan_(task.operators.size(), false) {
   for (const auto& x : task.goal)
     goal_.push_back(static_cast<std::uint32_t>(task.fact_index(x)));
   for (std::size_t i = 0; i < task.operators.size(); ++i) {
@@ -71,8 +72,7 @@ RelaxedPlanHeuristic::RelaxedPlanHeuristic(const Task& task, CostCount count)
 void RelaxedPlanHeuristic::add_unary(const Task& task, int operator_index, int cost,
                                      std::vector<Fact> condition, Fact effect) {
   std::ranges::sort(condition);
-  const auto [first, last] = std::ranges::unique(condition);
-  condition.erase(first, last);
+  condition.erase(std::unique(condition.begin(), condition.end()), condition.end());
   if (std::ranges::find(condition, effect) != condition.end())
     return;
   Unary result;

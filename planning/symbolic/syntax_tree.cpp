@@ -61,8 +61,8 @@ namespace {
 /// Sections of a file: each is a list directly within (define ...), so one that stands deeper shows
 /// where a parenthesis is missing.
 constexpr std::array<std::string_view, 13> section_names{
-  ":requirements", ":types",   ":constants", ":predicates", ":functions", ":action",  ":derived",
-  ":objects",      ":init",    ":goal",      ":metric",     ":domain",    ":sensor"};
+  ":requirements", ":types", ":constants", ":predicates", ":functions", ":action", ":derived",
+  ":objects",      ":init",  ":goal",      ":metric",     ":domain",    ":sensor"};
 
 class SyntaxParser {
 public:
@@ -139,13 +139,13 @@ private:
     }
     // A section that is deeper than it can be: a list before it was not closed.
     const bool begins_list = open_.back().children.empty();
-    if (begins_list && open_.size() > 2 && word.front() == ':'
-        && std::ranges::find(section_names, word) != section_names.end()) {
+    if (begins_list && open_.size() > 2 && word.front() == ':' &&
+        std::ranges::find(section_names, word) != section_names.end()) {
       auto list = std::move(open_.back());
       open_.pop_back();
       error(open_.back().offset,
-            "the parenthesis that is opened here is not closed before the section "
-              + in_quotes(word) + " in " + text_.line_of(offset),
+            "the parenthesis that is opened here is not closed before the section " +
+              in_quotes(word) + " in " + text_.line_of(offset),
             "add ')' where the list ends");
       while (open_.size() > 1)
         close();
@@ -167,9 +167,10 @@ private:
 
 std::vector<SyntaxNode> parse_syntax(const PddlText& text, std::vector<Diagnostic>& problems) {
   if (text.size() > most_pddl_bytes) {
-    problems.push_back(text.finding(
-      Severity::error, 0, "the file is longer than " + std::to_string(most_pddl_bytes >> 20) + " MiB",
-      "divide the problem into smaller ones"));
+    problems.push_back(
+      text.finding(Severity::error, 0,
+                   "the file is longer than " + std::to_string(most_pddl_bytes >> 20) + " MiB",
+                   "divide the problem into smaller ones"));
     return {};
   }
   return SyntaxParser(text, problems).parse();

@@ -46,8 +46,8 @@ public:
 private:
   const Fact& fact(int atom) const { return facts_[static_cast<std::size_t>(atom)]; }
 
-  /// Makes variables of groups, the largest first, that together have each atom once. Atoms that are
-  /// needed false are left out: "none of these" is false for all.
+  /// Makes variables of groups, the largest first, that together have each atom once. Atoms that
+  /// are needed false are left out: "none of these" is false for all.
   void cover(const MutexGroups& groups) {
     std::vector<bool> is_needed_false(facts_.size(), false);
     const auto mark = [&](const GroundCondition& x) {
@@ -142,8 +142,8 @@ private:
       result_.operators.push_back(std::move(result));
   }
 
-  static void add_effect(TaskOperator& op, const GroundEffect& effect,
-                         std::vector<Fact> facts, Fact atom) {
+  static void add_effect(TaskOperator& op, const GroundEffect& effect, std::vector<Fact> facts,
+                         Fact atom) {
     const auto is_given = [&](const Fact& x) {
       return std::ranges::binary_search(op.precondition, x);
     };
@@ -155,8 +155,7 @@ private:
     }
     std::erase_if(facts, is_given);
     std::ranges::sort(facts);
-    const auto [first, last] = std::ranges::unique(facts);
-    facts.erase(first, last);
+    facts.erase(std::unique(facts.begin(), facts.end()), facts.end());
     // A condition that contradicts itself or the precondition is never true.
     auto all = facts;
     all.insert(all.end(), op.precondition.begin(), op.precondition.end());

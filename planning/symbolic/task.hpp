@@ -70,8 +70,8 @@ struct Task {
   std::vector<std::vector<int>> mutex_groups_of;
 };
 
-/// Groups of atoms of which at most one is true, as indices of `GroundTask::atoms`. They may overlap:
-/// then an atom belongs to the variable of the largest.
+/// Groups of atoms of which at most one is true, as indices of `GroundTask::atoms`. They may
+/// overlap: then an atom belongs to the variable of the largest.
 using MutexGroups = std::vector<std::vector<int>>;
 
 /// @param groups may be empty: then each atom is a variable of its own

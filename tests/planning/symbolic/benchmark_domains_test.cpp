@@ -38,12 +38,14 @@ TEST_P(BenchmarkDomainsTest, IsSolvedByAValidPlan) {
   std::vector<std::string> plan;
   for (const auto& x : result.steps)
     plan.push_back(x.action);
-  EXPECT_EQ(test::validate(test::PddlModel(text_of(domain), text_of(problem)), plan, result.cost), "");
+  EXPECT_EQ(test::validate(test::PddlModel(text_of(domain), text_of(problem)), plan, result.cost),
+            "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Competitions, BenchmarkDomainsTest,
                          testing::Values("blocks/probBLOCKS-9-0.pddl", "gripper/prob05.pddl",
-                                         "logistics00/probLOGISTICS-8-0.pddl", "miconic/s10-0.pddl"));
+                                         "logistics00/probLOGISTICS-8-0.pddl",
+                                         "miconic/s10-0.pddl"));
 
 } // namespace
 } // namespace castor::planning

@@ -46,31 +46,38 @@ TEST(PddlReaderTest, ReadsTypesActionsAndCosts) {
   EXPECT_THAT(task.initial, SizeIs(9));
   ASSERT_THAT(task.types, SizeIs(5));
   for (const auto& x : task.types) {
-    const std::size_t count = x.name == "object" ? 5 : x.name == "room" ? 3 : x.name == "book" ? 0 : 2;
+    const std::size_t count = x.name == "object" ? 5
+                              : x.name == "room" ? 3
+                              : x.name == "book" ? 0
+                                                 : 2;
     EXPECT_THAT(x.objects, SizeIs(count)) << x.name;
   }
 }
 
 TEST(PddlReaderTest, SaysWhatIsWrongInDomains) {
   const std::vector<Mistake> mistakes{
-    {"?t - thing ?r - room) (holding", "?t - thingy ?r - room) (holding", "there is no type 'thingy'",
-     "did you mean 'thing'?"},
+    {"?t - thing ?r - room) (holding", "?t - thingy ?r - room) (holding",
+     "there is no type 'thingy'", "did you mean 'thing'?"},
     {"(robot-at ?a) (door", "(robot-att ?a) (door", "there is no predicate 'robot-att'",
      "did you mean 'robot-at'?"},
     {"(door ?a ?b) (not", "(door ?a) (not", "'door' has 2 arguments, not 1", "write (door ?a ?b)"},
     {":action put", ":action take", "there are two actions 'take'", "rename one of the two"},
     {"(robot-at ?b) (not", "(robot-at ?c) (not", "the variable '?c' is not bound", "did you mean"},
-    {"room thing - object", "room - object thing - cup", "type cycle: ", "remove one of these types"},
-    {":negative-preconditions", ":numeric-fluents", "the requirement ':numeric-fluents' is not supported",
-     "write the domain with these"},
+    {"room thing - object", "room - object thing - cup",
+     "type cycle: ", "remove one of these types"},
+    {":negative-preconditions", ":numeric-fluents",
+     "the requirement ':numeric-fluents' is not supported", "write the domain with these"},
     {":negative-preconditions", ":negative-precondition", "there is no requirement",
      "did you mean ':negative-preconditions'?"},
-    {"(increase (total-cost) 1)))", "(increase (fuel) 1)))", "only the function (total-cost)", "predicates"},
-    {"(busy)\n", "(busy) (busy)\n", "the predicate 'busy' is declared twice", "remove one of the two"},
+    {"(increase (total-cost) 1)))", "(increase (fuel) 1)))", "only the function (total-cost)",
+     "predicates"},
+    {"(busy)\n", "(busy) (busy)\n", "the predicate 'busy' is declared twice",
+     "remove one of the two"},
     {":precondition (and (robot-at ?r) (at", ":condition (and (robot-at ?r) (at",
      "an action has no part ':condition'", "the parts of an action are"}};
   for (const auto& x : mistakes) {
-    const auto problems = problems_of(replaced(test::cups_domain, x.from, x.to), test::cups_problem);
+    const auto problems =
+      problems_of(replaced(test::cups_domain, x.from, x.to), test::cups_problem);
     ASSERT_FALSE(problems.empty()) << x.message;
     const auto text = render(problems);
     EXPECT_THAT(text, HasSubstr(x.message));
@@ -114,9 +121,9 @@ TEST(PddlReaderTest, RefusesDeepAndLongTexts) {
 }
 
 TEST(PddlReaderTest, RefusesDerivedPredicatesThatNegateThemselves) {
-  const auto problems =
-    problems_of("(define (domain d) (:predicates (a) (b)) (:derived (a) (not (b))) (:derived (b) (a)))",
-                "(define (problem p) (:domain d) (:init) (:goal (a)))");
+  const auto problems = problems_of(
+    "(define (domain d) (:predicates (a) (b)) (:derived (a) (not (b))) (:derived (b) (a)))",
+    "(define (problem p) (:domain d) (:init) (:goal (a)))");
   EXPECT_THAT(render(problems), HasSubstr("depends on its own negation"));
 }
 

@@ -34,8 +34,10 @@ PlanningResult planned(const std::string& domain, const std::string& problem,
 }
 
 std::string lamps_problem(const std::string& initial, const std::string& goal) {
-  return "(define (problem p) (:domain lamps) (:objects a b c d - node) (:init (source a) (wire a b) "
-         "(wire b c) (wire c d) " + initial + ") (:goal " + goal + "))";
+  return "(define (problem p) (:domain lamps) (:objects a b c d - node) (:init (source a) (wire a "
+         "b) "
+         "(wire b c) (wire c d) " +
+         initial + ") (:goal " + goal + "))";
 }
 
 TEST(PlannerTest, FindsTheCheapestPlanIfItHasTime) {
@@ -57,17 +59,17 @@ TEST(PlannerTest, ProvesThatAGoalCannotBeReached) {
   EXPECT_EQ(result.outcome, Outcome::unsolvable);
   EXPECT_THAT(explain(result), HasSubstr("there is no plan"));
   // Without doors, it is clear before the search.
-  const auto shut = planned(test::cups_domain,
-                            "(define (problem p) (:domain cups) (:objects a b - room c - cup)"
-                            "(:init (robot-at a) (at c b)) (:goal (holding c)))");
+  const auto shut =
+    planned(test::cups_domain, "(define (problem p) (:domain cups) (:objects a b - room c - cup)"
+                               "(:init (robot-at a) (at c b)) (:goal (holding c)))");
   EXPECT_EQ(shut.outcome, Outcome::unsolvable);
   EXPECT_EQ(shut.counts.expanded, 0U);
 }
 
 TEST(PlannerTest, NeedsNoActionsForAGoalThatHolds) {
-  const auto result = planned(test::cups_domain,
-                              "(define (problem p) (:domain cups) (:objects a - room)"
-                              "(:init (robot-at a)) (:goal (robot-at a)))");
+  const auto result =
+    planned(test::cups_domain, "(define (problem p) (:domain cups) (:objects a - room)"
+                               "(:init (robot-at a)) (:goal (robot-at a)))");
   EXPECT_EQ(result.outcome, Outcome::plan);
   EXPECT_TRUE(result.steps.empty());
 }
@@ -75,14 +77,16 @@ TEST(PlannerTest, NeedsNoActionsForAGoalThatHolds) {
 TEST(PlannerTest, UnderstandsAdlAndDerivedPredicates) {
   EXPECT_EQ(planned(test::lamps_domain, lamps_problem("", "(live d)")).steps.size(), 3U);
   // What is on is switched off.
-  EXPECT_EQ(planned(test::lamps_domain, lamps_problem("(on a b) (on b c)", "(dark)")).steps.size(), 1U);
+  EXPECT_EQ(planned(test::lamps_domain, lamps_problem("(on a b) (on b c)", "(dark)")).steps.size(),
+            1U);
   EXPECT_EQ(planned(test::lamps_domain, lamps_problem("(broken c)", "(live d)")).outcome,
             Outcome::unsolvable);
-  EXPECT_EQ(planned(test::lamps_domain,
-                    lamps_problem("(on b c) (broken b)",
-                                  "(and (live b) (not (live c)) (forall (?x - node) (not (on ?x d))))"))
-              .outcome,
-            Outcome::plan);
+  EXPECT_EQ(
+    planned(test::lamps_domain,
+            lamps_problem("(on b c) (broken b)",
+                          "(and (live b) (not (live c)) (forall (?x - node) (not (on ?x d))))"))
+      .outcome,
+    Outcome::plan);
   EXPECT_EQ(planned(test::lamps_domain,
                     lamps_problem("", "(exists (?x - node) (and (live ?x) (not (source ?x))))"))
               .steps.size(),
@@ -96,7 +100,8 @@ std::string counter_domain(int bits) {
     result += " (b" + std::to_string(i) + ")";
   result += ")";
   for (int i = 0; i < bits; ++i) {
-    result += "(:action inc" + std::to_string(i) + " :precondition (and (not (b" + std::to_string(i) + "))";
+    result +=
+      "(:action inc" + std::to_string(i) + " :precondition (and (not (b" + std::to_string(i) + "))";
     for (int k = 0; k < i; ++k)
       result += "(b" + std::to_string(k) + ")";
     result += ") :effect (and (b" + std::to_string(i) + ")";
@@ -135,7 +140,8 @@ TEST(PlannerTest, EndsHonestlyAtItsLimits) {
 
   options.limits = {};
   options.limits.groundings = 10;
-  EXPECT_EQ(planned(test::cups_domain, test::cups_problem, options).limit, LimitReached::groundings);
+  EXPECT_EQ(planned(test::cups_domain, test::cups_problem, options).limit,
+            LimitReached::groundings);
 }
 
 TEST(PlannerTest, IsCancelledWhileItSaysHowFarItIs) {

@@ -21,13 +21,14 @@ using Outcome = PlanningResult::Outcome;
 class RandomTask {
 public:
   explicit RandomTask(unsigned seed) : random_(seed) {
-    domain = "(define (domain r) (:requirements :adl :derived-predicates) (:types t u - object) (:constants a b - t c - u) "
+    domain = "(define (domain r) (:requirements :adl :derived-predicates) (:types t u - object) "
+             "(:constants a b - t c - u) "
              "(:predicates (p) (q ?x - t) (s ?x - t) (e ?x ?y - t) (v ?x - u) (d ?x - t) (n))";
     if (chance(3)) {
       derived_ = true;
-      domain += "(:derived (d ?x - t) (or (and (q ?x) " + literal({"?x"}, false)
-                + ") (exists (?y - t) (and (e ?y ?x) (d ?y)))))"
-                  "(:derived (n) (not (d a)))";
+      domain += "(:derived (d ?x - t) (or (and (q ?x) " + literal({"?x"}, false) +
+                ") (exists (?y - t) (and (e ?y ?x) (d ?y)))))"
+                "(:derived (n) (not (d a)))";
     }
     const int actions = 3 + number(4);
     for (int i = 0; i < actions; ++i)
@@ -105,9 +106,9 @@ private:
       variables.push_back("?x" + std::to_string(k));
       parameters += variables.back() + " - t ";
     }
-    domain += "(:action a" + std::to_string(i) + " :parameters (" + parameters + ") :precondition (and "
-              + condition(variables) + condition(variables) + ") :effect (and "
-              + literal(variables, false);
+    domain += "(:action a" + std::to_string(i) + " :parameters (" + parameters +
+              ") :precondition (and " + condition(variables) + condition(variables) +
+              ") :effect (and " + literal(variables, false);
     if (chance(2))
       domain += literal(variables, false);
     if (chance(2))

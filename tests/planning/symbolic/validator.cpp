@@ -120,10 +120,10 @@ bool PddlModel::is_subtype(const std::string& type, const std::string& of, int d
   if (type == of || of == "object")
     return true;
   const auto found = supertypes_.find(type);
-  return depth < 50 && found != supertypes_.end()
-         && std::ranges::any_of(found->second, [&](const std::string& x) {
-              return x != "object" && is_subtype(x, of, depth + 1);
-            });
+  return depth < 50 && found != supertypes_.end() &&
+         std::ranges::any_of(found->second, [&](const std::string& x) {
+           return x != "object" && is_subtype(x, of, depth + 1);
+         });
 }
 
 std::vector<std::string> PddlModel::objects_of(const std::vector<std::string>& types) const {

@@ -10,9 +10,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<std::string> right{
-  "go hall kitchen", "take red kitchen",   "go kitchen hall",  "go hall study",  "put red study",
-  "take blue study", "go study hall",      "go hall kitchen",  "put blue kitchen"};
+const std::vector<std::string> right{"go hall kitchen", "take red kitchen", "go kitchen hall",
+                                     "go hall study",   "put red study",    "take blue study",
+                                     "go study hall",   "go hall kitchen",  "put blue kitchen"};
 
 TEST(ValidatorTest, AcceptsARightPlan) {
   const PddlModel model(cups_domain, cups_problem);
@@ -37,9 +37,9 @@ TEST(ValidatorTest, RefusesWrongPlans) {
 }
 
 TEST(ValidatorTest, AppliesConditionalEffectsAndAxioms) {
-  const PddlModel model(lamps_domain,
-                        "(define (problem p) (:domain lamps) (:objects a b c - node)"
-                        "(:init (source a) (wire a b) (wire b c)) (:goal (and (live c) (not (dark)))))");
+  const PddlModel model(
+    lamps_domain, "(define (problem p) (:domain lamps) (:objects a b c - node)"
+                  "(:init (source a) (wire a b) (wire b c)) (:goal (and (live c) (not (dark)))))");
   EXPECT_EQ(validate(model, {"switch b c", "switch a b"}, 2), "");
   EXPECT_NE(validate(model, {"switch b c", "switch a b", "switch a b"}, 3), "");
   EXPECT_NE(validate(model, {"switch b c", "switch a b", "cut-all"}, 3), "");
