@@ -97,9 +97,19 @@ std::vector<Pose2> path_around(double rounds) {
   return result;
 }
 
+namespace {
+
+/// Elsewhere than the path begins.
+constexpr Pose2 odometry_start{5, -3, 1};
+
+} // namespace
+
+Pose2 in_map(const std::vector<Pose2>& path, std::size_t i) {
+  return compose(odometry_start, between(path.at(0), path.at(i)));
+}
+
 std::vector<Pose2> odometry_of(const std::vector<Pose2>& path, double drift) {
-  // Another frame than that of the map.
-  std::vector<Pose2> result{{5, -3, 1}};
+  std::vector<Pose2> result{odometry_start};
   for (std::size_t i = 1; i < path.size(); ++i) {
     auto step = between(path[i - 1], path[i]);
     step.x *= 1.03;

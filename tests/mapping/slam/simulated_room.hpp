@@ -4,6 +4,7 @@
 #include "castor/mapping/planar/types.hpp"
 
 #include <cstdint>
+#include <cstddef>
 #include <random>
 #include <vector>
 
@@ -35,5 +36,8 @@ std::vector<Pose2> path_around(double rounds);
 /// What wheels say that slip: steps are 3 % too long, and turns to the left are `drift` radians per
 /// metre too large.
 std::vector<Pose2> odometry_of(const std::vector<Pose2>& path, double drift);
+
+/// Pose number `i` of the path in a map whose frame began as that of odometry_of().
+Pose2 in_map(const std::vector<Pose2>& path, std::size_t i);
 
 } // namespace castor::mapping::test
