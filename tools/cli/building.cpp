@@ -12,20 +12,26 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace castor::cli {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct BuildingArguments {
   std::string file;
   std::string picture;
+  bool json = false;
 };
 
 /// Whether the door leads into the room: one of its sides is there.
@@ -50,26 +56,50 @@ std::size_t count_in(const mapping::Building& building, const Things& things,
   }));
 }
 
-std::string summary_of_building(const mapping::Building& building) {
-  Table table({"room", "kind", ">m2", ">doors", ">furniture", ">objects"});
+Json summary_of_building(const mapping::Building& building) {
+  Json rooms = Json::array();
   double area = 0;
   for (const auto& room : building.rooms) {
     area += room.area;
-    const auto doors = std::ranges::count_if(
-      building.doors, [&](const mapping::Door& x) { return leads_into(building, x, room); });
-    table.add({room.name, room.kind, fmt::format("{:.1f}", room.area), std::to_string(doors),
-               std::to_string(count_in(building, building.furniture, room)),
-               std::to_string(count_in(building, building.objects, room))});
+    rooms.push_back({{"name", room.name},
+                     {"kind", room.kind},
+                     {"area", room.area},
+                     {"doors", std::ranges::count_if(building.doors,
+                                                     [&](const mapping::Door& x) {
+                                                       return leads_into(building, x, room);
+                                                     })},
+                     {"furniture", count_in(building, building.furniture, room)},
+                     {"objects", count_in(building, building.objects, room)}});
   }
   const auto [low, high] = mapping::extent(building);
-  const auto shut =
-    std::ranges::count_if(building.doors, [](const mapping::Door& x) { return !x.is_open; });
+  return {{"name", building.name},
+          {"length", high.x - low.x},
+          {"width", high.y - low.y},
+          {"area", area},
+          {"rooms", std::move(rooms)},
+          {"doors", building.doors.size()},
+          {"shut", std::ranges::count_if(building.doors,
+                                         [](const mapping::Door& x) { return !x.is_open; })},
+          {"furniture", building.furniture.size()},
+          {"objects", building.objects.size()},
+          {"people", building.people.size()}};
+}
+
+std::string building_as_text(const Json& building) {
+  Table table({"room", "kind", ">m2", ">doors", ">furniture", ">objects"});
+  for (const auto& x : building["rooms"])
+    table.add({x["name"].get<std::string>(), x["kind"].get<std::string>(),
+               fmt::format("{:.1f}", x["area"].get<double>()), x["doors"].dump(),
+               x["furniture"].dump(), x["objects"].dump()});
+  auto name = building["name"].get<std::string>();
   auto result = table.text();
   result += fmt::format("\n{}{:.1f} m x {:.1f} m, {} rooms of {:.1f} m2, {} doors ({} shut), {} "
                         "pieces of furniture, {} objects, {} people\n",
-                        building.name.empty() ? "" : building.name + ": ", high.x - low.x,
-                        high.y - low.y, building.rooms.size(), area, building.doors.size(), shut,
-                        building.furniture.size(), building.objects.size(), building.people.size());
+                        name.empty() ? "" : name + ": ", building["length"].get<double>(),
+                        building["width"].get<double>(), building["rooms"].size(),
+                        building["area"].get<double>(), building["doors"].dump(),
+                        building["shut"].dump(), building["furniture"].dump(),
+                        building["objects"].dump(), building["people"].dump());
   return result;
 }
 
@@ -91,7 +121,8 @@ int show_building(const BuildingArguments& arguments) {
       throw std::runtime_error("cannot write " + arguments.picture +
                                ": check that the disk is not full");
   }
-  print(summary_of_building(read.building));
+  const auto summary = summary_of_building(read.building);
+  print(arguments.json ? summary.dump() + '\n' : building_as_text(summary));
   return success;
 }
 
@@ -103,12 +134,11 @@ void add_building(CLI::App& app, Action& chosen) {
   group->require_subcommand(1);
   auto arguments = std::make_shared<BuildingArguments>();
   auto* command = group->add_subcommand("show", "check a building's file, and describe it");
-  command->add_option("file", arguments->file, "the building's file")
-    ->type_name("FILE")
-    ->required();
+  command->add_option("FILE", arguments->file, "the building's file")->type_name("")->required();
   command->add_option("--picture", arguments->picture, "draw a plan into this PNG file")
     ->type_name("FILE")
     ->check(check_output_file);
+  add_json_flag(*command, arguments->json);
   command->footer(
     "Prints the rooms with their areas, doors, furniture and objects. All problems of the file are "
     "printed\nwith their lines and what to do; with an error, the exit status is 2.\n"
