@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <deque>
 #include <memory>
 #include <string>
@@ -110,7 +109,7 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     auto is_keyframe = last_.new_keyframe.has_value();
     if (is_keyframe)
       add_keyframe();
-    if (is_keyframe || last_.state != before || (now() - told_ >= period_.get() && has_moved()))
+    if (is_keyframe || last_.state != before || now() - told_ >= period_.get())
       tell_pose();
   }
 
@@ -124,15 +123,8 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     write(batch);
   }
 
-  /// Since its pose was told. A robot that stands does not change working memory.
-  bool has_moved() const {
-    auto way = between(told_pose_, last_.local_pose);
-    return std::hypot(way.x, way.y) >= least_move_ || std::abs(way.heading) >= least_move_;
-  }
-
   void tell_pose() {
     told_ = now();
-    told_pose_ = last_.local_pose;
     RobotPose x;
     x.time = last_.time;
     x.frame = geometry::map_frame;
@@ -177,8 +169,6 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
                             "beams that end further away are left out, metres"};
   Option<std::chrono::milliseconds> period_{this, "period", 100ms,
                                             "shortest time from one pose to the next"};
-  Option<double> least_move_{this, "least-move", 0.005,
-                             "way after which the pose is told again, metres; and turn, radians"};
   Option<std::chrono::milliseconds> silence_{
     this, "silence", 1000ms, "time without scans after which only the wheels count"};
 
@@ -191,7 +181,6 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
   Pose2 local_frame_;
   Timestamp last_scan_{};
   Timestamp told_{};
-  Pose2 told_pose_;
   std::string silence_told_of_;
 };
 
