@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -19,9 +20,16 @@ double median_of(std::vector<double>& values) {
 
 void PathComparison::add_truth(std::int64_t time, const Pose2& pose) {
   truths_.add({time, pose, {}});
-  for (auto& [keyframe, x] : places_)
-    if (!x.truth)
-      x.truth = truths_.pose_at(x.time);
+  for (auto& keyframe : std::exchange(waiting_, {}))
+    look_up(keyframe);
+}
+
+void PathComparison::look_up(const std::string& keyframe) {
+  auto& x = places_.at(keyframe);
+  x.truth = truths_.pose_at(x.time);
+  auto newest = truths_.newest();
+  if (!newest || newest->time < x.time)
+    waiting_.insert(keyframe);
 }
 
 void PathComparison::place(const std::string& keyframe, std::int64_t time, const Pose2& pose) {
@@ -29,11 +37,12 @@ void PathComparison::place(const std::string& keyframe, std::int64_t time, const
   x.time = time;
   x.pose = pose;
   if (!x.truth)
-    x.truth = truths_.pose_at(time);
+    look_up(keyframe);
 }
 
 void PathComparison::remove(const std::string& keyframe) {
   places_.erase(keyframe);
+  waiting_.erase(keyframe);
 }
 
 PathError PathComparison::error() const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,12 @@ private:
     std::optional<Pose2> truth;
   };
 
+  void look_up(const std::string& keyframe);
+
   OdometryHistory truths_;
   std::map<std::string, Place> places_;
+  /// Keyframes that are newer than all truths.
+  std::set<std::string> waiting_;
 };
 
 } // namespace castor::mapping
