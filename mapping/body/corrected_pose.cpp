@@ -1,24 +1,18 @@
 #include "castor/mapping/body/corrected_pose.hpp"
 
-#include <algorithm>
+#include "castor/mapping/planar/poses.hpp"
 
 namespace castor::mapping {
 
 namespace {
 
-/// How long odometry is remembered, and by how much a correction may be newer than it; in
-/// microseconds.
-constexpr std::int64_t remembered = 10'000'000;
+/// By how much a correction may be newer than odometry; microseconds.
 constexpr std::int64_t newer = 500'000;
 
 } // namespace
 
 void CorrectedPose::add(const Odometry& x) {
-  if (!history_.empty() && x.time <= history_.back().time)
-    return;
-  history_.push_back(x);
-  while (history_.front().time < x.time - remembered)
-    history_.pop_front();
+  history_.add(x);
 }
 
 void CorrectedPose::correct(std::int64_t time, const Pose2& pose) {
@@ -27,25 +21,17 @@ void CorrectedPose::correct(std::int64_t time, const Pose2& pose) {
 }
 
 std::optional<Pose2> CorrectedPose::now() const {
-  if (!frame_ || history_.empty())
+  auto newest = history_.newest();
+  if (!frame_ || !newest)
     return std::nullopt;
-  return compose(*frame_, history_.back().pose);
+  return compose(*frame_, newest->pose);
 }
 
 std::optional<Pose2> CorrectedPose::odometry_at(std::int64_t time) const {
-  if (history_.empty() || time > history_.back().time + newer)
-    return std::nullopt;
-  const auto after = std::ranges::lower_bound(history_, time, {}, &Odometry::time);
-  if (after == history_.end())
-    return history_.back().pose;
-  if (after->time == time)
-    return after->pose;
-  if (after == history_.begin())
-    return std::nullopt;
-  const auto& before = *std::prev(after);
-  const double share =
-    static_cast<double>(time - before.time) / static_cast<double>(after->time - before.time);
-  return interpolate(before.pose, after->pose, share);
+  auto newest = history_.newest();
+  if (newest && time > newest->time && time <= newest->time + newer)
+    return newest->pose;
+  return history_.pose_at(time);
 }
 
 } // namespace castor::mapping

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "castor/mapping/planar/poses.hpp"
+#include "castor/mapping/planar/odometry_history.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 
 namespace castor::mapping {
@@ -27,8 +26,7 @@ private:
   /// By odometry, between the two around the time.
   std::optional<Pose2> odometry_at(std::int64_t time) const;
 
-  /// The last few seconds, in order of time.
-  std::deque<Odometry> history_;
+  OdometryHistory history_;
   /// Pose of the odometry frame.
   std::optional<Pose2> frame_;
 };
