@@ -2,6 +2,7 @@
 
 #include "castor/base/text.hpp"
 #include "castor/tools/chaos/fault_words.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 namespace castor::faults {
 
@@ -81,6 +82,8 @@ std::string to_string(const Workload& x) {
     result += "expect answer within " + to_text(*x.answer_within) + "\n";
   if (x.same)
     result += to_string(*x.same) + "\n";
+  for (auto& forbidden : x.never)
+    result += "never " + change_filter_text(forbidden.filter) + "\n";
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "castor/base/source_location.hpp"
 #include "castor/tools/chaos/fault_plan.hpp"
+#include "castor/wm/filters/change_filter.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -86,6 +87,17 @@ struct SameEntries {
   }
 };
 
+/// A change that must not happen, whatever fails.
+struct ForbiddenChange {
+  ChangeFilter filter;
+  SourceLocation where;
+  std::string line;
+
+  friend bool operator==(const ForbiddenChange& a, const ForbiddenChange& b) {
+    return a.filter == b.filter;
+  }
+};
+
 /// Actions on a running system, and their expected results. The language is described in
 /// docs/fault-plans.md.
 struct Workload {
@@ -96,10 +108,11 @@ struct Workload {
   /// Longest time to the answer to, or apology for, a sentence.
   std::optional<Timestamp> answer_within;
   std::optional<SameEntries> same;
+  std::vector<ForbiddenChange> never;
 
   friend bool operator==(const Workload& a, const Workload& b) {
     return a.seed == b.seed && a.statements == b.statements && a.answer_within == b.answer_within &&
-           a.same == b.same;
+           a.same == b.same && a.never == b.never;
   }
 };
 

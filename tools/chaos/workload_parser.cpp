@@ -7,6 +7,7 @@
 #include "castor/tools/chaos/fault_words.hpp"
 #include "castor/tools/chaos/statement_error.hpp"
 #include "castor/tools/chaos/statement_parser.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,12 +47,16 @@ private:
       same.line = line.text;
       return set(workload_.same, std::move(same));
     }
+    if (word == "never") {
+      workload_.never.push_back({parse_forbidden(behind), line.where(), std::string{line.text}});
+      return;
+    }
     if (std::ranges::find(triggers, word) == triggers.end())
       throw StatementError(
         in_quotes(word) + " is not the beginning of a statement",
-        remedy_for(word, {"at", "every", "rate", "expect", "same", "seed"},
+        remedy_for(word, {"at", "every", "rate", "expect", "same", "never", "seed"},
                    "write at TIME, every TIME or rate NUMBER/s before an action, expect answer "
-                   "within TIME, or same TYPE"));
+                   "within TIME, same TYPE, or never FILTER"));
     WorkloadStatement statement;
     auto rest = line.text;
     statement.trigger = parse_trigger(rest);
@@ -59,6 +64,30 @@ private:
     statement.where = line.where();
     statement.line = line.text;
     workload_.statements.push_back(std::move(statement));
+  }
+
+  /// The line up to a comment.
+  static std::string_view without_comment(std::string_view text) {
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '"' && (i == 0 || text[i - 1] != '\\'))
+        is_quoted = !is_quoted;
+      if (text[i] == '#' && !is_quoted)
+        return text.substr(0, i);
+    }
+    return text;
+  }
+
+  static ChangeFilter parse_forbidden(std::string_view text) {
+    text = without_comment(text);
+    if (text.find_first_not_of(" \t") == text.npos)
+      throw StatementError("the change filter is missing",
+                           "write what must not happen, such as never Alarm where level > 3");
+    try {
+      return parse_change_filter(text);
+    } catch (const ChangeFilterError& e) {
+      throw StatementError(e.what(), {});
+    }
   }
 
   template <class T>

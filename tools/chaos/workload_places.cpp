@@ -61,6 +61,8 @@ public:
              R"(add a line such as every 4s say "Where is the ball?")");
     if (workload_.same)
       look(*workload_.same);
+    for (auto& x : workload_.never)
+      look(x);
     return std::move(out_);
   }
 
@@ -93,6 +95,17 @@ private:
     for (auto& type : x.types)
       if (!is_type_(type))
         report("there is no entry type " + in_quotes(type), "`castor wm types` lists them");
+  }
+
+  void look(const ForbiddenChange& x) {
+    where_ = x.where;
+    line_ = x.line;
+    if (!x.filter.type.empty() && !is_type_(x.filter.type))
+      report("there is no entry type " + in_quotes(x.filter.type), "`castor wm types` lists them");
+    auto& subarchitecture = x.filter.subarchitecture;
+    if (subarchitecture && !subarchitecture->empty() &&
+        !has(places_.subarchitectures, *subarchitecture))
+      unknown("subarchitecture", *subarchitecture, places_.subarchitectures);
   }
 
   bool needs_scene() {

@@ -75,6 +75,52 @@ private:
   std::set<std::string> down_;
 };
 
+/// Changes that the workload forbids, as the system tells of them, by any thread.
+class ForbiddenChanges {
+public:
+  explicit ForbiddenChanges(const std::vector<faults::ForbiddenChange>& never)
+    : never_(never), seen_(never.size()) {}
+
+  /// Adds the filters to those that the system watches.
+  void watch(SystemOptions& options) {
+    auto first = options.watched.size();
+    for (auto& x : never_)
+      options.watched.push_back(x.filter);
+    options.on_watched = [this, first, next = std::move(options.on_watched)](
+                           std::size_t filter, const ChangeEvent& event) {
+      if (filter < first)
+        return next(filter, event);
+      std::lock_guard guard{mutex_};
+      auto& x = seen_[filter - first];
+      if (x.count++ == 0)
+        x.first = fmt::format("{} of {} by {}", to_string(event.operation),
+                              to_string(event.address), event.source);
+    };
+  }
+
+  /// One text for each filter that a change matched.
+  std::vector<std::string> violations() const {
+    std::lock_guard guard{mutex_};
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < never_.size(); ++i)
+      if (seen_[i].count > 0)
+        result.push_back(fmt::format("{}: {}: {} {}, the first: {}", to_string(never_[i].where),
+                                     never_[i].line, seen_[i].count,
+                                     seen_[i].count == 1 ? "change" : "changes", seen_[i].first));
+    return result;
+  }
+
+private:
+  struct Seen {
+    std::size_t count = 0;
+    std::string first;
+  };
+
+  const std::vector<faults::ForbiddenChange>& never_;
+  mutable std::mutex mutex_;
+  std::vector<Seen> seen_;
+};
+
 /// One start of a system and what comes of it.
 class Trial {
 public:
@@ -92,6 +138,8 @@ public:
     auto nodes = start_local_nodes(architecture, true, setup_.plugins, {}, options);
     if (work)
       work->watch(options);
+    ForbiddenChanges forbidden{this->forbidden()};
+    forbidden.watch(options);
     System system{std::move(architecture), options};
     if (system.start()) {
       faults::ActivityMeter meter;
@@ -109,6 +157,7 @@ public:
       result.state = come_to_rest(system, [] { return false; });
       if (work)
         look_at_work(*work, " without faults");
+      look_at_forbidden(forbidden, " without faults");
     }
     if (nodes)
       nodes->end_restarts();
@@ -161,6 +210,8 @@ public:
     histories.watch(options);
     if (work)
       work->watch(options);
+    ForbiddenChanges forbidden{this->forbidden()};
+    forbidden.watch(options);
     System system{std::move(architecture), options};
     histories.look_at_beginning(system);
     auto begin = Clock::now();
@@ -209,6 +260,7 @@ public:
       compare(wanted, come_to_rest(system, [&] { return notes.down() > 0; }));
     if (work)
       run_.workload = look_at_work(*work, {});
+    look_at_forbidden(forbidden, {});
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
@@ -357,6 +409,22 @@ private:
     if (!missing.empty())
       violation("sentences answered" + when, missing);
     return record;
+  }
+
+  const std::vector<faults::ForbiddenChange>& forbidden() const {
+    static const std::vector<faults::ForbiddenChange> none;
+    return setup_.workload ? setup_.workload->workload.never : none;
+  }
+
+  void look_at_forbidden(const ForbiddenChanges& forbidden, const std::string& when) {
+    if (this->forbidden().empty())
+      return;
+    auto problems = forbidden.violations();
+    if (when.empty())
+      check("no forbidden change", problems.empty(),
+            fmt::format("{} filters", this->forbidden().size()));
+    for (auto& x : problems)
+      violation("no forbidden change" + when, x);
   }
 
   void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {

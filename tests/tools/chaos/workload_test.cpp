@@ -4,6 +4,7 @@
 #include "castor/tools/chaos/workload_parser.hpp"
 #include "castor/tools/chaos/workload_places.hpp"
 #include "castor/tools/chaos/workload_schedule.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +30,9 @@ constexpr const char* whole_language =
   "rate 2/s write Note {\"text\": \"a } b\", \"list\": [1, {}]} to memory or say \"or\"\n"
   "every 1s write Note {\"text\":\"\\\"\"} to memory/note one\n"
   "expect answer within 10s\n"
-  "same SceneObject, ROI but for time, object_id\n";
+  "same SceneObject, ROI but for time, object_id\n"
+  "never overwritten Oven in kitchen where state == \"on # fire\"  # of the cook\n"
+  "never Alarm\n";
 
 Workload workload_of(const std::string& text) {
   auto result = parse_workload(text, "test.workload");
@@ -81,6 +84,10 @@ TEST(Workload, SaysWhatIsDoneAndWhen) {
   ASSERT_TRUE(x.same);
   EXPECT_THAT(x.same->types, ElementsAre("SceneObject", "ROI"));
   EXPECT_THAT(x.same->but_for, ElementsAre("time", "object_id"));
+  ASSERT_EQ(x.never.size(), 2U);
+  EXPECT_EQ(x.never[0].filter,
+            parse_change_filter("overwritten Oven in kitchen where state == \"on # fire\""));
+  EXPECT_EQ(x.never[1].filter, parse_change_filter("Alarm"));
 }
 
 TEST(Workload, IsPrintedAsItIsRead) {
@@ -121,6 +128,8 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
   EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));
   EXPECT_THAT(flaws_of("expect answer within 1s\nexpect answer within 2s"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
+  EXPECT_THAT(flaws_of("never  # anything"), HasSubstr("the change filter is missing"));
+  EXPECT_THAT(flaws_of("never Oven where"), HasSubstr("test.workload:1: error:"));
   EXPECT_THAT(flaws_of("same A for b"), HasSubstr("do not know what to do with 'for'"));
 }
 
@@ -177,6 +186,10 @@ TEST(Workload, WhatTheSystemDoesNotHaveIsFound) {
   EXPECT_THAT(misfits_of("expect answer within 1s"), HasSubstr("no sentence is said"));
   EXPECT_THAT(misfits_of("\nsame Nota"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
+  EXPECT_THAT(misfits_of("\nnever Nota where a > 1"),
+              AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
+  EXPECT_THAT(misfits_of("never Note in tlak"),
+              AllOf(HasSubstr("no subarchitecture 'tlak'"), HasSubstr("did you mean 'talk'?")));
   constexpr const char* silent = "HOST localhost\nSUBARCHITECTURE a\n"
                                  "CPP WM SubarchitectureWorkingMemory\n"
                                  "CPP TM AlwaysPositiveTaskManager\nCPP UM b B\n";
@@ -216,13 +229,13 @@ TEST(Workload, OneMoreStatementChangesNothingAboutTheOthers) {
 // -- whatever is written
 
 RC_GTEST_PROP(AnyWorkloadText, IsAWorkloadOrRefused, ()) {
-  auto piece =
-    rc::gen::oneOf(rc::gen::element<std::string>(
-                     "\n", " ", "at 1s ", "every 2s ", "rate 1/s ", "say ", "\"a b\" ", "write ",
-                     "Note ", "{\"a\":[1]} ", "{", "}", "to ", "m/id ", "move ", "red ball ",
-                     "0.1 ", "-2cm ", "add ", "at ", "size ", "remove ", "or ",
-                     "expect answer within 2s", "same A, B ", "but for x", ",", "\"", "\\", "#"),
-                   rc::gen::arbitrary<std::string>());
+  auto piece = rc::gen::oneOf(
+    rc::gen::element<std::string>("\n", " ", "at 1s ", "every 2s ", "rate 1/s ", "say ", "\"a b\" ",
+                                  "write ", "Note ", "{\"a\":[1]} ", "{", "}", "to ", "m/id ",
+                                  "move ", "red ball ", "0.1 ", "-2cm ", "add ", "at ", "size ",
+                                  "remove ", "or ", "expect answer within 2s", "same A, B ",
+                                  "but for x", "never ", "where a > 1 ", ",", "\"", "\\", "#"),
+    rc::gen::arbitrary<std::string>());
   std::string text;
   for (const auto& each : *rc::gen::container<std::vector<std::string>>(piece))
     text += each;

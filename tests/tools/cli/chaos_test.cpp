@@ -364,6 +364,20 @@ TEST_F(Chaos, AWorkloadBesideTheSystemIsDoneAndItsWritesAreJudgedAsWell) {
   EXPECT_THAT(answer.output, Not(HasSubstr("workload")));
 }
 
+TEST_F(Chaos, AChangeThatTheWorkloadForbidsIsAViolation) {
+  auto file = system("CPP UM clock Clock\n");
+  write("system.workload", "never Order\nnever overwritten Tick where number > 1000000\n");
+  auto answer = ask(arguments(file, "at 300ms crash clock\n", "500ms"));
+  EXPECT_EQ(answer.status, 0) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output, ContainsRegex("ok +no forbidden change +2 filters"));
+  write("system.workload", "never Order\nnever overwritten Tick where number > 3\n");
+  answer = ask(arguments(file, "at 300ms crash clock\n", "500ms"));
+  EXPECT_EQ(answer.status, 1) << answer.output << answer.errors;
+  EXPECT_THAT(answer.output,
+              ContainsRegex("system.workload:2: never overwritten Tick where number > 3: [0-9]+ "
+                            "changes, the first: overwr.* of a/.* by a?.?clock"));
+}
+
 TEST_F(Chaos, WhatAWorkloadCannotWriteNowIsWrittenWhenTheWorkingMemoryIsBack) {
   auto file = system("CPP UM clock Clock\n");
   auto workload = write("w.workload", std::string{"every 20ms write Order "} + order + " to a\n");
