@@ -7,11 +7,15 @@
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -46,6 +50,22 @@ class LogListener final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(LogListener, "notes what it hears of a log")
 
+std::vector<Odometry>& odometry_kept() {
+  static std::vector<Odometry> instance;
+  return instance;
+}
+
+/// Keeps all odometry, and the newest as an entry.
+class OdometryKeeper final : public UnmanagedComponent {
+  void start() override {
+    on_push<Odometry>("robot", [this](const std::shared_ptr<const Odometry>& x) {
+      odometry_kept().push_back(*x);
+      put(here("newest"), *x);
+    });
+  }
+};
+CASTOR_COMPONENT(OdometryKeeper, "keeps the odometry of a log")
+
 std::string cast_with(const std::string& robot) {
   return "COMPONENT CPP robot RecordedRobot " + robot +
          "\n"
@@ -71,6 +91,38 @@ TEST(RecordedRobot, PushesWhatWasRecordedWhenItWas) {
   EXPECT_EQ(heard->scan_times[2] - heard->scan_times[0], 100'000);
   EXPECT_EQ(heard->odometry_xs, (std::vector<double>{0, 1, 2, 3}));
   EXPECT_EQ(heard->last_ranges, (std::vector<float>{1, 2, 3, 6}));
+}
+
+TEST(RecordedRobot, GoesOnWhereTheLogIsAfterAFailure) {
+  TemporaryFolder folder;
+  auto log = folder / "robot.log";
+  {
+    // The odometry's x is its time since the beginning, seconds.
+    std::ofstream text(log);
+    for (int i = 0; i < 300; ++i)
+      text << fmt::format("FLASER 2 1 1 {0} 0 0 {0} 0 0 {1} host {1}\n", 0.1 * i, 100 + 0.1 * i);
+  }
+  TestSystemOptions options;
+  options.simulated_time = true;
+  options.patience = std::chrono::seconds{60};
+  TestSystem system{"COMPONENT CPP robot RecordedRobot --ends no --file " + log.string() +
+                      "\n"
+                      "SUBARCHITECTURE mapping\n"
+                      "CPP WM SubarchitectureWorkingMemory\n"
+                      "CPP TM AlwaysPositiveTaskManager\n"
+                      "CPP UM keeper OdometryKeeper\n",
+                    options};
+  system.expect_entry("Odometry in mapping where pose.x > 6");
+  system.inject("crash robot");
+  system.expect_back("robot");
+  system.expect_entry("Odometry in mapping where pose.x > 20");
+  const auto heard = odometry_kept();
+  ASSERT_GT(heard.size(), 150U);
+  for (std::size_t i = 1; i < heard.size(); ++i) {
+    EXPECT_GT(heard[i].pose.x, heard[i - 1].pose.x) << i;
+    // The first start may have been a moment after that of the system.
+    EXPECT_NEAR(static_cast<double>(heard[i].time) / 1e6, heard[i].pose.x, 0.5) << i;
+  }
 }
 
 TEST(RecordedRobot, EndsTheSystemWithTheLog) {
