@@ -155,9 +155,27 @@ private:
       return time_ += assumed_period;
     }
     auto time = std::llround(mrpt::Clock::toDouble(x.timestamp) * 1e6);
+    if (!has_time_)
+      shift(time - assumed_period - time_);
+    has_time_ = true;
     if (time < time_)
       ++backward_;
     return time_ = time;
+  }
+
+  /// Observations before the first time stamp were just before it, not in 1970.
+  void shift(std::int64_t by) {
+    time_ += by;
+    for (auto& x : result_.log.odometry)
+      x.time += by;
+    for (auto& [label, scans] : scans_)
+      for (auto& x : scans) {
+        x.scan.time += by;
+        x.odometry.time += by;
+        x.logged_time += by;
+      }
+    for (auto& x : result_.clouds)
+      x.time += by;
   }
 
   void take_odometry(const mrpt::obs::CObservationOdometry& x, std::int64_t time) {
@@ -193,6 +211,7 @@ private:
     if (x.rightToLeft != (up > 0))
       std::ranges::reverse(result.scan.ranges);
     result.odometry = {time, odometry_, {}};
+    result.logged_time = time;
     scans_[x.sensorLabel].push_back(std::move(result));
   }
 
@@ -291,6 +310,7 @@ private:
   std::map<std::string, std::vector<LoggedScan>> scans_;
   Pose2 odometry_;
   std::int64_t time_ = 0;
+  bool has_time_ = false;
   std::size_t without_time_ = 0;
   std::size_t backward_ = 0;
   std::size_t tilted_ = 0;

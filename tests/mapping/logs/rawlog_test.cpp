@@ -150,6 +150,22 @@ TEST(RawlogReader, SortsAndWarnsIfTimeRunsBackward) {
   EXPECT_EQ(scans[2].scan.time - scans[0].scan.time, 1'000'000);
 }
 
+TEST(RawlogReader, ScansBeforeTheFirstTimeStampAreJustBeforeIt) {
+  TemporaryFolder folder;
+  auto unknown = scan_at(0);
+  unknown.timestamp = INVALID_TIMESTAMP;
+  auto result = read_rawlog(write(folder, unknown, unknown, scan_at(3)));
+  ASSERT_TRUE(result.rawlog);
+  auto& scans = result.rawlog->log.scans;
+  ASSERT_EQ(scans.size(), 3U);
+  EXPECT_EQ(scans[1].scan.time - scans[0].scan.time, 100'000);
+  EXPECT_EQ(scans[2].scan.time - scans[1].scan.time, 100'000);
+  for (auto& x : scans) {
+    EXPECT_EQ(x.odometry.time, x.scan.time);
+    EXPECT_EQ(x.logged_time, x.scan.time);
+  }
+}
+
 TEST(RawlogReader, ALogWithoutLaserSaysWhatItHas) {
   TemporaryFolder folder;
   mrpt::obs::CObservationBeaconRanges beacons;
