@@ -13,11 +13,23 @@ constexpr std::int64_t newer = 500'000;
 
 void CorrectedPose::add(const Odometry& x) {
   history_.add(x);
+  if (!first_)
+    first_ = x;
+  if (waiting_)
+    place(*waiting_);
 }
 
 void CorrectedPose::correct(std::int64_t time, const Pose2& pose) {
-  if (auto then = odometry_at(time))
-    frame_ = compose(pose, inverse(*then));
+  waiting_ = {time, pose};
+  place(*waiting_);
+}
+
+void CorrectedPose::place(Correction x) {
+  if (const auto then = odometry_at(x.time))
+    frame_ = compose(x.pose, inverse(*then));
+  const auto newest = history_.newest();
+  if (newest && newest->time >= x.time)
+    waiting_.reset();
 }
 
 std::optional<Pose2> CorrectedPose::now() const {
@@ -28,6 +40,8 @@ std::optional<Pose2> CorrectedPose::now() const {
 }
 
 std::optional<Pose2> CorrectedPose::odometry_at(std::int64_t time) const {
+  if (first_ && time < first_->time)
+    return first_->pose;
   auto newest = history_.newest();
   if (newest && time > newest->time && time <= newest->time + newer)
     return newest->pose;

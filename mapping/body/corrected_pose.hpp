@@ -14,7 +14,9 @@ public:
   /// The newest odometry; older than the newest so far is ignored.
   void add(const Odometry& x);
 
-  /// Where the robot was at that time, in any frame.
+  /// Where the robot was at that time, in any frame. One from before the first odometry counts from
+  /// that on, since poses are told again when the robot moves; one that is newer than odometry
+  /// waits for it, and holds meanwhile if it is newer by half a second at most.
   /// @param time microseconds, as in Odometry
   void correct(std::int64_t time, const Pose2& pose);
 
@@ -23,10 +25,18 @@ public:
   std::optional<Pose2> now() const;
 
 private:
-  /// By odometry, between the two around the time.
+  struct Correction {
+    std::int64_t time = 0;
+    Pose2 pose;
+  };
+
+  void place(Correction x);
   std::optional<Pose2> odometry_at(std::int64_t time) const;
 
   OdometryHistory history_;
+  std::optional<Odometry> first_;
+  /// Newer than odometry.
+  std::optional<Correction> waiting_;
   /// Pose of the odometry frame.
   std::optional<Pose2> frame_;
 };

@@ -7,6 +7,8 @@
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/slam/types.hpp"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -28,7 +30,8 @@ CASTOR_REFLECT_ENUM(PoseSource, odometry, localisation, truth)
 enum class AfterArrival { stay, end };
 CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
 
-/// Drives a robot along a given path, and waits while something is in its way.
+/// Drives a robot along a given path, and waits while something is in its way. It never drives
+/// around anything: after --patience it says that somebody has to clear the way.
 class PathDriver final : public Drives {
   void configure() override {
     PathText read;
@@ -59,6 +62,9 @@ class PathDriver final : public Drives {
         });
         on_change(changed<RobotPose>().in(localisation_),
                   [this](const ChangeEvent& event) { look_at_pose(event.address); });
+        // It is not told again while the robot stands.
+        for (auto& x : read_all_in<RobotPose>(localisation_.get()))
+          take_pose(*x);
         break;
     }
     if (stop_before_ > 0)
@@ -100,8 +106,9 @@ class PathDriver final : public Drives {
     if (is_lost_)
       wait("localisation");
     else if (!is_slowed_to_way(velocity))
-      wait("a free way");
+      wait_for_way();
     else {
+      way_ended_.reset();
       drive(velocity);
       if (!waits_for_.empty() || now() - told_ >= 1s)
         tell({});
@@ -130,16 +137,31 @@ class PathDriver final : public Drives {
       tell(what);
   }
 
+  /// Two that wait for each other would do so forever: people are told.
+  void wait_for_way() {
+    if (!way_ended_)
+      way_ended_ = now();
+    if (patience_.get() == 0s || now() - *way_ended_ < patience_.get())
+      return wait("a free way");
+    const auto what = fmt::format("a free way, for more than {:.3g} s: clear it",
+                                  std::chrono::duration<double>(patience_.get()).count());
+    if (waits_for_ != what)
+      warning("waits for {}", what);
+    wait(what);
+  }
+
   void look_at_pose(const Address& address) {
     try {
-      const auto x = read<RobotPose>(address);
-      is_lost_ = x->state == LocalisationState::lost;
-      if (x->state == LocalisationState::starting || is_lost_)
-        return;
-      corrected_.correct(x->time, x->pose);
+      take_pose(*read<RobotPose>(address));
     } catch (const DoesNotExistOnWM&) {
       is_lost_ = true;
     }
+  }
+
+  void take_pose(const RobotPose& x) {
+    is_lost_ = x.state == LocalisationState::lost;
+    if (x.state != LocalisationState::starting && !is_lost_)
+      corrected_.correct(x.time, x.pose);
   }
 
   void begin_round() {
@@ -189,6 +211,8 @@ class PathDriver final : public Drives {
   Option<double> braking_{this, "braking", 0.4, "how hard it brakes for that, m/s^2"};
   Option<double> half_width_{this, "half-width", 0.27,
                              "how far aside that something may be, metres"};
+  Option<std::chrono::milliseconds> patience_{
+    this, "patience", 30000ms, "it asks people to clear the way after so long; 0: never"};
   Option<std::int64_t> rounds_to_drive_{this, "rounds", 1, "how often it drives the path"};
   Option<std::chrono::milliseconds> period_{this, "period", 50ms, "time between commands"};
   Option<AfterArrival> after_arrival_{this, "after", AfterArrival::stay,
@@ -200,6 +224,8 @@ class PathDriver final : public Drives {
   std::optional<Pose2> pose_;
   bool is_lost_ = false;
   double free_way_ = 1e9;
+  /// When it began to stand because of what is in its way.
+  std::optional<Timestamp> way_ended_;
   std::int64_t rounds_ = 0;
   std::string waits_for_;
   Timestamp told_{0};

@@ -1,9 +1,10 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/mapping/geometry/types.hpp"
+#include "castor/mapping/planar/odometry_history.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/slam/front_end.hpp"
 #include "castor/mapping/slam/map_frame.hpp"
-#include "castor/mapping/planar/odometry_history.hpp"
+#include "castor/mapping/slam/pose_news.hpp"
 #include "castor/mapping/slam/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -22,8 +23,9 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Follows the robot from scan to scan. Adds a keyframe and its constraint each time that the robot
-/// has moved, and keeps one RobotPose and the Transform of the odometry frame up to date. One that
-/// is started again goes on from the newest keyframes.
+/// has moved, and keeps one RobotPose and the Transform of the odometry frame up to date: while the
+/// robot stands, they are not overwritten. One that is started again goes on from the newest
+/// keyframes.
 class ScanMatchingFrontEnd final : public UnmanagedComponent {
   void configure() override {
     FrontEndOptions options;
@@ -31,6 +33,11 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     options.keyframe_turn = keyframe_turn_;
     options.surface.max_range = max_range_;
     front_end_ = std::make_unique<FrontEnd>(options);
+    PoseNewsOptions news;
+    news.period = std::chrono::microseconds{period_.get()}.count();
+    news.tolerance = tolerance_;
+    news.tolerance_heading = tolerance_heading_;
+    news_ = PoseNews{news};
     keyframe_count_ = options.keyframes;
   }
 
@@ -71,15 +78,13 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     last_.time = path.back().time;
   }
 
+  /// A correction of the whole path moves the robot, too: from its next scan on.
   void look_at_graph(const Address& address) {
     try {
       take_graph(*read<GraphPoses>(address));
     } catch (const DoesNotExistOnWM&) {
-      return;
+      debug("the poses were deleted before they were read");
     }
-    // A correction of the whole path moves the robot, too.
-    if (last_scan_ != Timestamp{})
-      tell_pose();
   }
 
   void take_graph(const GraphPoses& x) { local_frame_ = x.local_frame; }
@@ -106,11 +111,9 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     last_scan_ = now();
     if (last_.state != before && last_.state == LocalisationState::dead_reckoning)
       warning("{}", last_.reason);
-    auto is_keyframe = last_.new_keyframe.has_value();
-    if (is_keyframe)
+    if (last_.new_keyframe)
       add_keyframe();
-    if (is_keyframe || last_.state != before || now() - told_ >= period_.get())
-      tell_pose();
+    tell_pose();
   }
 
   void add_keyframe() {
@@ -124,7 +127,6 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
   }
 
   void tell_pose() {
-    told_ = now();
     RobotPose x;
     x.time = last_.time;
     x.frame = geometry::map_frame;
@@ -132,6 +134,9 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     x.covariance = turned(last_.covariance, local_frame_.heading);
     x.state = last_.state;
     x.reason = last_.reason;
+    if (!news_.is_news(x, last_odometry_))
+      return;
+    news_.told(x, last_odometry_);
     put(here("robot-pose"), x);
     put(here("odometry-frame"), odometry_in_map(x.pose, last_odometry_, x.time));
   }
@@ -156,6 +161,10 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     if (x.reason != silence_told_of_ && has_been_seen)
       warning("{}", x.reason);
     silence_told_of_ = x.reason;
+    auto odometry = newest ? newest->pose : last_odometry_;
+    if (!news_.is_news(x, odometry))
+      return;
+    news_.told(x, odometry);
     put(here("robot-pose"), x);
   }
 
@@ -169,18 +178,23 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
                             "beams that end further away are left out, metres"};
   Option<std::chrono::milliseconds> period_{this, "period", 100ms,
                                             "shortest time from one pose to the next"};
+  Option<double> tolerance_{this, "tolerance", PoseNewsOptions{}.tolerance,
+                            "while the robot stands, another pose is told if it is so far from "
+                            "the last, metres"};
+  Option<double> tolerance_heading_{this, "tolerance-heading", PoseNewsOptions{}.tolerance_heading,
+                                    "or turned by so much, radians"};
   Option<std::chrono::milliseconds> silence_{
     this, "silence", 1000ms, "time without scans after which only the wheels count"};
 
   std::unique_ptr<FrontEnd> front_end_;
   std::size_t keyframe_count_ = 0;
+  PoseNews news_;
   OdometryHistory history_;
   std::deque<std::shared_ptr<const LaserScan>> waiting_;
   FrontEndStep last_;
   Pose2 last_odometry_;
   Pose2 local_frame_;
   Timestamp last_scan_{};
-  Timestamp told_{};
   std::string silence_told_of_;
 };
 

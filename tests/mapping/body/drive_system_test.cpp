@@ -18,6 +18,7 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,12 +75,14 @@ class PushOff final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(PushOff, "commands a robot once")
 
-/// Tells of the true pose with an offset, as a localisation that has another map frame.
+/// Tells of the true pose with an offset, as a localisation that has another map frame; nothing
+/// while the robot stands.
 class ShiftedLocalisation final : public UnmanagedComponent {
   void start() override {
     on_push<BodyStatus>("robot", [this](auto& x) {
-      if (x->time % 200'000 != 0)
+      if (x->time % 200'000 != 0 || x->pose == told_)
         return;
+      told_ = x->pose;
       RobotPose pose;
       pose.time = x->time;
       pose.frame = "map";
@@ -89,6 +92,8 @@ class ShiftedLocalisation final : public UnmanagedComponent {
       put(here("pose"), pose);
     });
   }
+
+  std::optional<Pose2> told_;
 };
 CASTOR_COMPONENT(ShiftedLocalisation, "says where the robot is")
 
@@ -199,6 +204,41 @@ TEST_F(DriveSystem, DriverWaitsForAFreeWay) {
   auto& last = seen().statuses.back();
   EXPECT_EQ(last.collisions, 0);
   EXPECT_GT(last.pose.x, 4);
+}
+
+TEST_F(DriveSystem, DriverAsksForAFreeWayAfterItsPatience) {
+  auto system =
+    run("--shut d", "CPP UM driver PathDriver --patience 5s --path \"2 2.5, 7 2.5\"\n", 20s);
+  ASSERT_EQ(progress(*system).size(), 1u);
+  EXPECT_EQ(progress(*system)[0].waits_for, "a free way, for more than 5 s: clear it");
+  EXPECT_EQ(seen().statuses.back().collisions, 0);
+}
+
+TEST_F(DriveSystem, DriverThatFailsTakesThePoseOfARobotThatStands) {
+  const auto folder = folder_.path().string();
+  TestSystemOptions options;
+  options.simulated_time = true;
+  options.patience = 60s;
+  TestSystem system{"COMPONENT CPP robot SimulatedRobot --shut d --building hut.building --base " +
+                      folder +
+                      "\n"
+                      "SUBARCHITECTURE navigation\n"
+                      "CPP WM SubarchitectureWorkingMemory\n"
+                      "CPP TM AlwaysPositiveTaskManager\n"
+                      "CPP UM shifted ShiftedLocalisation\n"
+                      "CPP UM driver PathDriver --patience 0s --path \"102 2.5, 107 2.5\" "
+                      "--pose localisation --localisation navigation\n",
+                    options};
+  system.expect_entry("PathProgress in navigation where waits_for == \"a free way\"");
+  system.advance(2s);
+  const auto crashed = system.system().now();
+  system.inject("crash driver");
+  system.expect_back("driver");
+  system.wait_until("the driver knows where it is", [&] {
+    const auto known = progress(system.system());
+    return known.size() == 1 && known[0].time > crashed.count() &&
+           known[0].waits_for == "a free way";
+  });
 }
 
 TEST_F(DriveSystem, DriverIsToldByLocalisation) {
