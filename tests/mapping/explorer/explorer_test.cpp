@@ -1,0 +1,103 @@
+// configs/explorer.cast while its components fail, and at rest. In simulated time.
+
+#include "castor/actors/system/system.hpp"
+#include "castor/base/text_file.hpp"
+#include "castor/mapping/map_components/types.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
+#include "castor/tools/testing/test_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace castor::mapping::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using castor::test::TemporaryFolder;
+
+class Explorer : public ::testing::Test {
+protected:
+  /// The robot drives from the corridor into a room and back, and stays there.
+  TestSystemOptions options() const {
+    const auto path = (folder_ / "short.path").string();
+    save_text(path, "2.5 5.1\n7 5.1\n7 2.6\n7 5.1\n4 5.1\n");
+    TestSystemOptions result;
+    result.file = CASTOR_CONFIGS "/explorer.cast";
+    result.simulated_time = true;
+    result.patience = 300s;
+    result.variables = {
+      {"path", path}, {"after", "stay"}, {"state", (folder_ / "robot.state").string()}};
+    return result;
+  }
+
+  static std::string cast() { return load_text(CASTOR_CONFIGS "/explorer.cast"); }
+
+  /// Of all entries; of those that are written anew, the version.
+  static std::map<std::string, Version> versions(TestSystem& system) {
+    std::map<std::string, Version> result;
+    for (const auto* where : {"navigation", "slam", "mapping"})
+      for (auto& x : system.system().entries(where))
+        result[to_string(x->address)] = x->version;
+    return result;
+  }
+
+  static PathError error_of(TestSystem& system) {
+    return *system.expect_entry("PathError in mapping")->value.as<PathError>();
+  }
+
+  TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F(Explorer, WritesNothingWhileItStands) {
+  TestSystem system{cast(), options()};
+  system.expect_entry("PathProgress in navigation where arrived == true");
+  // PathEvaluator's period.
+  system.advance(15s);
+  const auto before = versions(system);
+  EXPECT_GT(before.size(), 50U);
+  system.advance(30s);
+  EXPECT_EQ(versions(system), before);
+  EXPECT_EQ(error_of(system).collisions, 0);
+  system.expect_nobody_else_down();
+}
+
+TEST_F(Explorer, ArrivesAndComesToRestWhateverFailsOnTheWay) {
+  TestSystem system{cast(), options()};
+  auto fails_at = [&](const std::string& component, double done) {
+    system.expect_entry("PathProgress in navigation where done > " + std::to_string(done));
+    system.inject("crash " + component);
+    system.expect_back(component);
+  };
+  fails_at("front-end", 1);
+  fails_at("driver", 2);
+  fails_at("grid", 3);
+  fails_at("loops", 4);
+  fails_at("robot", 6);
+  fails_at("graph", 7);
+  fails_at("octree", 8);
+  fails_at("evaluator", 9);
+  fails_at("exporter", 9);
+  system.expect_entry("PathProgress in navigation where arrived == true");
+  // A driver that is started while the robot stands at the end of its path has nothing to do; the
+  // others find what is there.
+  system.inject("crash driver");
+  system.expect_back("driver", 3);
+  system.inject("crash front-end");
+  system.expect_back("front-end", 3);
+  system.advance(15s);
+  const auto before = versions(system);
+  system.advance(30s);
+  EXPECT_EQ(versions(system), before);
+  const auto error = error_of(system);
+  EXPECT_GT(error.keyframes, 60);
+  EXPECT_LT(error.most, 0.1);
+  EXPECT_EQ(error.collisions, 0);
+}
+
+} // namespace castor::mapping::test
