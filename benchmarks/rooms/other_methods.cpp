@@ -56,7 +56,7 @@ std::vector<std::int32_t> spread(Raster<std::int32_t> labels, const Raster<float
   return result;
 }
 
-float greatest(const Raster<float>& clearance) {
+double greatest(const Raster<float>& clearance) {
   return std::ranges::max(clearance.cells);
 }
 

@@ -55,7 +55,8 @@ int export_map(const MapArguments& arguments) {
 } // namespace
 
 void add_map(CLI::App& app, Action& chosen) {
-  auto* command = app.add_subcommand("map", "write the map of a running system to files");
+  auto* command =
+    app.add_subcommand("map", "write the map of a running system, find rooms in a map");
   command->require_subcommand(1);
   auto arguments = std::make_shared<MapArguments>();
   auto* write = inspection_command(*command, "export", "write map files that other tools open",
@@ -71,13 +72,15 @@ void add_map(CLI::App& app, Action& chosen) {
     ->capture_default_str();
   add_json_flag(*write, arguments->json);
   on_call(*write, chosen, arguments, export_map);
+  add_map_rooms(*command, chosen);
   command->footer(
     "The component MapExporter writes, on its own machine: map.yaml and map.pgm (ROS's "
     "map_server),\n"
     "map.png with the path, keyframes.g2o, corrected.log (CARMEN), map.ot and map.bt "
     "(OctoMap).\n"
     "Examples: castor map export out\n"
-    "          castor map export /tmp/map --in slam --json");
+    "          castor map export /tmp/map --in slam --json\n"
+    "          castor map rooms out/map.yaml --picture rooms.png");
 }
 
 } // namespace castor::cli

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,43 @@ TEST_F(MapCommand, WithoutAnExporterSaysSo) {
   EXPECT_THAT(answer.errors, HasSubstr("no component of a serves calls"));
   castor.send_signal(SIGINT);
   EXPECT_EQ(castor.wait(), 0);
+}
+
+/// A map of two rooms of 3 m by 3 m with a door of 1 m between them.
+std::string two_rooms(const std::filesystem::path& folder) {
+  std::string pixels;
+  for (int row = 0; row < 80; ++row)
+    for (int column = 0; column < 144; ++column) {
+      auto room = row >= 10 && row < 70 && column >= 10 && column < 134;
+      auto wall = column >= 70 && column < 74 && (row < 30 || row >= 50);
+      pixels.push_back(static_cast<char>(room && !wall ? 254 : 0));
+    }
+  std::ofstream(folder / "map.pgm", std::ios::binary) << "P5\n144 80\n255\n" << pixels;
+  std::ofstream(folder / "map.yaml")
+    << "image: map.pgm\nresolution: 0.05\norigin: [-1, 2, 0]\nnegate: 0\n"
+       "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  return (folder / "map.yaml").string();
+}
+
+TEST_F(MapCommand, FindsTheRoomsOfAMapInFiles) {
+  auto picture = folder / "rooms.png";
+  auto found = ask({"map", "rooms", two_rooms(folder), "--picture", picture.string()});
+  EXPECT_EQ(found.status, 0) << found.errors;
+  EXPECT_THAT(found.output, HasSubstr("2 rooms of 18.2 m2, 1 openings"));
+  EXPECT_THAT(read(picture), HasSubstr("PNG"));
+  auto answer = json::parse(ask({"map", "rooms", two_rooms(folder), "--json"}).output);
+  ASSERT_EQ(answer["rooms"].size(), 2U);
+  EXPECT_EQ(answer["rooms"][0]["neighbours"], json::array({2}));
+  EXPECT_NEAR(answer["rooms"][0]["centre"]["x"].get<double>(), 1, 0.2);
+  EXPECT_NEAR(answer["rooms"][0]["centre"]["y"].get<double>(), 4, 0.2);
+  ASSERT_EQ(answer["openings"].size(), 1U);
+  EXPECT_NEAR(answer["openings"][0]["width"].get<double>(), 1, 0.11);
+}
+
+TEST_F(MapCommand, RoomsOfAFileThatIsNotThereAreAnError) {
+  auto answer = ask({"map", "rooms", (folder / "none.yaml").string()});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.errors, HasSubstr("none.yaml"));
 }
 
 } // namespace
