@@ -12,8 +12,9 @@ struct RoomOptions {
   /// Diagonal up to which what stands by itself in a room is furniture, not a wall; metres.
   double largest_furniture = 1.0;
   /// Two spaces are two rooms if the opening between them is narrower than this share of the
-  /// lesser one's width (as the largest discs that fit into each).
-  double neck_ratio = 0.75;
+  /// lesser one's width (as the largest discs that fit into each). Below the square root of 1/2, a
+  /// corridor between two crossings with equally wide ones is not divided.
+  double neck_ratio = 0.7;
   /// Openings that are narrower are gaps of walls, not cut straight; metres.
   double narrowest_opening = 0.3;
   /// What is smaller belongs to the room that it is most open to; square metres.

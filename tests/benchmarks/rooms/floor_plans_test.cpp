@@ -41,7 +41,7 @@ TEST(OtherMethods, FindTwoRoomsWithADoorBetweenThem) {
     for (int column = 5; column < 95; ++column)
       if (column < 48 || column >= 52 || (row >= 20 && row < 36))
         map.at(column, row) = 0;
-  for (const auto& labels : {rooms_by_erosion(map, {}, {.smallest = 1, .largest = 5}),
+  for (const auto& labels : {rooms_by_erosion(map, {}, {.smallest = 1, .largest = 3}),
                              rooms_by_threshold(map, {}), rooms_by_watershed(map, {})}) {
     EXPECT_EQ(std::ranges::max(labels), 2);
     EXPECT_EQ(labels[0], 0);
