@@ -1,0 +1,121 @@
+#include "castor/mapping/movement/goal_pursuit.hpp"
+
+#include "castor/mapping/body/simulated_body.hpp"
+#include "castor/mapping/building/grid_obstacles.hpp"
+#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/tests/mapping/movement/drawn_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+using testing::HasSubstr;
+
+std::unique_ptr<Obstacles> obstacles_of(const CellMap& map) {
+  std::vector<std::uint8_t> cells;
+  for (auto x : map.cells)
+    cells.push_back(x >= 60 ? 1 : 0);
+  return std::make_unique<GridObstacles>(std::move(cells), map.columns, map.rows, map.cell_size,
+                                         Point2{map.origin.x, map.origin.y});
+}
+
+struct Drive {
+  GoalPursuit::Step last;
+  BodyStatus body;
+  int recoveries = 0;
+  double waited = 0;
+};
+
+/// Pursues a goal with a simulated body in `world`, of which the robot knows `map`.
+Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const Point2& goal,
+            std::optional<double> heading, double seconds, const std::vector<Person>& people = {}) {
+  BodyOptions body_options;
+  body_options.people = true;
+  BodySurroundings surroundings{obstacles_of(world), obstacles_of(world), start, people};
+  SimulatedBody body(std::move(surroundings), body_options);
+  PursuitOptions options;
+  options.follow.look_ahead = 0.3;
+  GoalPursuit pursuit(goal, heading, options);
+  SeenObstacles seen;
+  Drive result;
+  while (body.time().count() < static_cast<std::int64_t>(seconds * 1e6)) {
+    body.step();
+    if (body.steps() % 10 == 0)
+      seen.add(body.scan(), body.status().pose);
+    if (body.steps() % 5 != 0)
+      continue;
+    result.last = pursuit.step(body.time().count(), body.status().pose, map, 1, seen.points());
+    body.command(result.last.velocity);
+    if (result.last.status == MovementStatus::arrived ||
+        result.last.status == MovementStatus::failed)
+      break;
+  }
+  result.body = body.status();
+  result.recoveries = pursuit.recoveries();
+  result.waited = static_cast<double>(pursuit.waited()) / 1e6;
+  return result;
+}
+
+TEST(GoalPursuit, ReachesAGoalThroughADoorAndFacesWhereItShould) {
+  auto map = test::empty_room(6, 4);
+  test::fill(map, 2.95, 0, 3.05, 4);
+  test::fill(map, 2.95, 1.6, 3.05, 2.4, 0);
+  const auto x = drive(map, map, {1, 1, 3}, {5, 3}, -1.5, 60);
+  EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
+  EXPECT_LT(distance(Point2{x.body.pose.x, x.body.pose.y}, Point2{5, 3}), 0.15);
+  EXPECT_NEAR(x.body.pose.heading, -1.5, 0.1);
+  EXPECT_EQ(x.body.collisions, 0);
+}
+
+TEST(GoalPursuit, GoesAroundWhatTheMapDoesNotHave) {
+  const auto map = test::empty_room(6, 4);
+  auto world = map;
+  test::fill(world, 2.7, 1.5, 3.3, 2.5);
+  const auto x = drive(world, map, {1, 2, 0}, {5, 2}, {}, 60);
+  EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
+  EXPECT_EQ(x.body.collisions, 0);
+}
+
+TEST(GoalPursuit, GivesUpWhereADoorIsShutThatTheMapHasOpen) {
+  auto map = test::empty_room(6, 4);
+  test::fill(map, 2.95, 0, 3.05, 4);
+  auto world = map;
+  test::fill(map, 2.95, 1.6, 3.05, 2.4, 0);
+  const auto x = drive(world, map, {1, 2, 0}, {5, 2}, {}, 120);
+  EXPECT_EQ(x.last.status, MovementStatus::failed) << x.last.waits_for;
+  EXPECT_THAT(x.last.reason, HasSubstr("not on the map blocks every way"));
+  EXPECT_EQ(x.body.collisions, 0);
+}
+
+TEST(GoalPursuit, SaysAtOnceThatAGoalCannotBeReached) {
+  auto map = test::empty_room(6, 4);
+  test::fill(map, 2.95, 0, 3.05, 4);
+  const auto x = drive(map, map, {1, 2, 0}, {5, 2}, {}, 10);
+  EXPECT_EQ(x.last.status, MovementStatus::failed);
+  EXPECT_THAT(x.last.reason, HasSubstr("no way"));
+  EXPECT_LT(x.body.time, 200'000);
+}
+
+TEST(GoalPursuit, DoesNotRunIntoPeopleWhoCrossItsWay) {
+  const auto map = test::empty_room(8, 5);
+  Person up;
+  up.route = {{3, 1}, {3, 4}};
+  Person down;
+  down.route = {{5, 4}, {5, 1}};
+  const auto x = drive(map, map, {1, 2.5, 0}, {7, 2.5}, {}, 90, {up, down});
+  EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
+  EXPECT_EQ(x.body.collisions, 0);
+}
+
+} // namespace
+
+} // namespace castor::mapping
