@@ -121,6 +121,14 @@ private:
     return 1 + options_.narrowness * share;
   }
 
+  /// Whether a diagonal step touches a cell without enough clearance.
+  bool cuts_corner(std::uint32_t from, std::uint32_t to) const {
+    const auto columns = static_cast<std::uint32_t>(clearance_.columns());
+    const auto first = from / columns * columns + to % columns;
+    const auto second = to / columns * columns + from % columns;
+    return clearance_.at(first) < needed_ || clearance_.at(second) < needed_;
+  }
+
   std::vector<std::uint32_t> search(std::uint32_t start, std::uint32_t goal) const {
     const auto size = map_.cells.size();
     std::vector<float> cost(size, std::numeric_limits<float>::infinity());
@@ -148,7 +156,7 @@ private:
       if (cell == goal)
         break;
       for_neighbours(clearance_, cell, [&](std::uint32_t next, float length) {
-        if (is_closed[next] || clearance_.at(next) < needed_)
+        if (is_closed[next] || clearance_.at(next) < needed_ || cuts_corner(cell, next))
           return;
         const float reached = cost[cell] + length * static_cast<float>(rate(clearance_.at(next)));
         if (reached < cost[next]) {

@@ -14,7 +14,8 @@ namespace castor::mapping {
 enum class MovementPriority {
   /// After those that wait.
   normal,
-  /// Before those that wait, after the one that runs.
+  /// To begin before those that wait. Navigator executes it as `normal`: components begin their
+  /// actions in the order in which these were asked for.
   high,
   /// At once: the one that runs and those that wait are cancelled.
   urgent

@@ -55,7 +55,7 @@ class Navigator final : public FollowsGrid<Drives> {
   }
 
   void start() override {
-    const StandaloneName where = sensors_->empty() ? robot_.get() : sensors_.get();
+    const std::string where = sensors_->empty() ? std::string{robot_.get()} : sensors_.get();
     switch (pose_source_) {
       case NavigatorPose::odometry:
         on_push<Odometry>(where, [this](auto& x) { pose_ = x->pose; });
