@@ -1,5 +1,7 @@
 #include "castor/mapping/building/building_file.hpp"
+#include "castor/mapping/building/building_generator.hpp"
 #include "castor/mapping/building/building_picture.hpp"
+#include "castor/mapping/building/building_text.hpp"
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/inspection_command.hpp"
 #include "castor/tools/cli/on_call.hpp"
@@ -9,6 +11,7 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 
 #include <fmt/format.h>
 
@@ -20,6 +23,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace castor::cli {
@@ -31,6 +35,12 @@ using Json = nlohmann::ordered_json;
 struct BuildingArguments {
   std::string file;
   std::string picture;
+  bool json = false;
+};
+
+struct GenerateArguments {
+  mapping::GeneratorOptions options;
+  std::string output;
   bool json = false;
 };
 
@@ -103,6 +113,26 @@ std::string building_as_text(const Json& building) {
   return result;
 }
 
+void write_file(const std::string& file, std::string_view bytes) {
+  auto out = create(file);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.flush();
+  if (!out)
+    throw std::runtime_error("cannot write " + file + ": check that the disk is not full");
+}
+
+int generate_building(const GenerateArguments& arguments) {
+  const auto building = mapping::generate_building(arguments.options);
+  const auto text = mapping::building_text(building);
+  if (!arguments.output.empty())
+    write_file(arguments.output, text);
+  if (arguments.json)
+    print(summary_of_building(building).dump() + '\n');
+  else
+    print(arguments.output.empty() ? text : building_as_text(summary_of_building(building)));
+  return success;
+}
+
 int show_building(const BuildingArguments& arguments) {
   mapping::BuildingText read;
   try {
@@ -114,16 +144,35 @@ int show_building(const BuildingArguments& arguments) {
   print(read.problems);
   if (!arguments.picture.empty()) {
     const auto png = mapping::picture_of(read.building);
-    auto out = create(arguments.picture);
-    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    out.flush();
-    if (!out)
-      throw std::runtime_error("cannot write " + arguments.picture +
-                               ": check that the disk is not full");
+    write_file(arguments.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
   }
   const auto summary = summary_of_building(read.building);
   print(arguments.json ? summary.dump() + '\n' : building_as_text(summary));
   return success;
+}
+
+void add_generate(CLI::App& group, Action& chosen) {
+  auto arguments = std::make_shared<GenerateArguments>();
+  auto& options = arguments->options;
+  auto* command = group.add_subcommand("generate", "make a building of rooms along a corridor");
+  command->add_option("--seed", options.seed, "the same seed makes the same building")
+    ->capture_default_str();
+  command->add_option("--rooms", options.rooms, "rooms beside the corridor")
+    ->check(CLI::Range(2, 60))
+    ->capture_default_str();
+  command->add_option("--walkers", options.walkers, "people who walk, at most")
+    ->check(CLI::Range(0, 20))
+    ->capture_default_str();
+  command->add_option("--output", arguments->output, "write the building to this file")
+    ->type_name("FILE")
+    ->check(check_output_file);
+  add_json_flag(*command, arguments->json);
+  command->footer(
+    "Prints the building's file, or with --output or --json, what is in it. Some doors are shut; a "
+    "robot of\n0.25 m radius gets through all others, and around the furniture.\n"
+    "Examples: castor building generate --seed 7 --output seven.building\n"
+    "          castor building generate --rooms 12 --json");
+  on_call(*command, chosen, arguments, generate_building);
 }
 
 } // namespace
@@ -145,6 +194,7 @@ void add_building(CLI::App& app, Action& chosen) {
     "Examples: castor building show configs/buildings/office.building\n"
     "          castor building show configs/buildings/office.building --picture office.png");
   on_call(*command, chosen, arguments, show_building);
+  add_generate(*group, chosen);
 }
 
 } // namespace castor::cli
