@@ -37,7 +37,7 @@ struct BodySurroundings {
   /// What its laser sees.
   std::unique_ptr<Obstacles> seen;
   Pose2 start;
-  std::vector<Person> people;
+  std::vector<Walker> people;
 };
 
 BodySurroundings surroundings_in(const Building& x, const BodyOptions& options);

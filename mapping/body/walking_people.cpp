@@ -13,7 +13,7 @@ constexpr double patience = 3;
 
 } // namespace
 
-WalkingPeople::WalkingPeople(std::vector<Person> people) {
+WalkingPeople::WalkingPeople(std::vector<Walker> people) {
   for (auto& person : people) {
     discs_.push_back({place_on_route(person, 0), person.radius});
     walks_.push_back({std::move(person)});

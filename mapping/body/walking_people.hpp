@@ -12,7 +12,7 @@ namespace castor::mapping {
 /// some time: whoever runs into whom is the robot.
 class WalkingPeople {
 public:
-  explicit WalkingPeople(std::vector<Person> people);
+  explicit WalkingPeople(std::vector<Walker> people);
 
   /// @param dt seconds
   void step(double dt, const Disc& robot);
@@ -22,7 +22,7 @@ public:
 
 private:
   struct Walk {
-    Person person;
+    Walker person;
     /// How far along the route, from its beginning.
     double at = 0;
     /// 1 or, after turning back, -1.

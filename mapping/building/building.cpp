@@ -99,14 +99,14 @@ const Room* room_at(const Building& x, const Point2& p) {
   return result;
 }
 
-double round_length(const Person& x) {
+double round_length(const Walker& x) {
   double result = 0;
   for (std::size_t i = 0; i + 1 < x.route.size(); ++i)
     result += distance(x.route[i], x.route[i + 1]);
   return x.is_loop ? result + distance(x.route.back(), x.route.front()) : 2 * result;
 }
 
-Point2 place_on_route(const Person& x, double walked) {
+Point2 place_on_route(const Walker& x, double walked) {
   const double round = round_length(x);
   if (!(round > 0))
     return x.route.front();

@@ -93,7 +93,7 @@ struct BuildingObject {
 };
 
 /// Somebody who walks along a route.
-struct Person {
+struct Walker {
   std::string name;
   /// At least two points.
   std::vector<Point2> route;
@@ -114,7 +114,7 @@ struct Building {
   std::vector<Room> rooms;
   std::vector<Furniture> furniture;
   std::vector<BuildingObject> objects;
-  std::vector<Person> people;
+  std::vector<Walker> people;
   /// Where the robot begins.
   Pose2 start;
   int start_line = 0;
@@ -131,9 +131,9 @@ Extent extent(const Building& x);
 const Room* room_at(const Building& x, const Point2& p);
 
 /// Where the person is after walking that far, or backwards if it is negative; goes on for ever.
-Point2 place_on_route(const Person& x, double walked);
+Point2 place_on_route(const Walker& x, double walked);
 
 /// Length of the route until it begins again, metres.
-double round_length(const Person& x);
+double round_length(const Walker& x);
 
 } // namespace castor::mapping

@@ -74,7 +74,7 @@ private:
     else if (keyword == "object")
       add(building_.objects, read_building_object(words), line.number, "objects");
     else if (keyword == "person")
-      add(building_.people, read_person(words), line.number, "people");
+      add(building_.people, read_walker(words), line.number, "people");
     else if (keyword == "start") {
       building_.start = read_start(words);
       building_.start_line = line.number;

@@ -214,8 +214,8 @@ BuildingObject read_building_object(StatementWords& words) {
   return object;
 }
 
-Person read_person(StatementWords& words) {
-  Person person;
+Walker read_walker(StatementWords& words) {
+  Walker person;
   person.name = words.name("the person's name");
   if (!words.accept("route"))
     throw StatementError("there is no route of " + person.name,

@@ -33,7 +33,7 @@ Furniture read_furniture(StatementWords& words);
 BuildingObject read_building_object(StatementWords& words);
 
 /// NAME route X Y to X Y [to X Y ...] [loop] [speed S]
-Person read_person(StatementWords& words);
+Walker read_walker(StatementWords& words);
 
 /// X Y [heading DEGREES]
 Pose2 read_start(StatementWords& words);
