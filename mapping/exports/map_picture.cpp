@@ -126,11 +126,30 @@ void draw_track(cv::Mat& picture, const MapTrack& track, const Layout& layout) {
   for (auto& pose : track.poses)
     line.push_back(fixed(layout.at(pose)));
   cv::polylines(picture, line, false, colour, track.width, cv::LINE_AA, shift);
+  if (!track.has_ends)
+    return;
   cv::circle(picture, line.front(), 5 << shift, colour, cv::FILLED, cv::LINE_AA, shift);
   constexpr double arrow = 0.5;
   auto& last = track.poses.back();
   cv::arrowedLine(picture, layout.at(last), layout.at(compose(last, {arrow, 0, 0})), colour, 2,
                   cv::LINE_AA, 0, 0.4);
+}
+
+void draw_mark(cv::Mat& picture, const MapMark& mark, const Layout& layout) {
+  const cv::Scalar colour{static_cast<double>(mark.blue), static_cast<double>(mark.green),
+                          static_cast<double>(mark.red)};
+  const auto place = layout.at(Pose2{mark.place.x, mark.place.y, 0});
+  const cv::Point pixel{static_cast<int>(std::lround(place.x)),
+                        static_cast<int>(std::lround(place.y))};
+  if (mark.radius > 0)
+    cv::circle(picture, pixel, mark.radius, colour, cv::FILLED, cv::LINE_AA);
+  if (mark.text.empty())
+    return;
+  const auto corner = pixel + cv::Point{mark.radius + 3, 5};
+  // Readable on dark cells, too.
+  cv::putText(picture, mark.text, corner, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar::all(255), 4,
+              cv::LINE_AA);
+  cv::putText(picture, mark.text, corner, cv::FONT_HERSHEY_SIMPLEX, 0.5, colour, 1, cv::LINE_AA);
 }
 
 /// A bar of 1, 2 or 5 times a power of ten metres, at most a quarter of the picture.
@@ -152,12 +171,14 @@ void draw_scale(cv::Mat& picture, const Layout& layout) {
 } // namespace
 
 std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
-                        const MapPictureOptions& options) {
+                        const MapPictureOptions& options, const std::vector<MapMark>& marks) {
   Layout layout{map, tracks, options.side};
   cv::Mat picture(layout.size(), CV_8UC3, cv::Scalar::all(unknown_grey));
   draw_cells(picture, map, layout);
   for (auto& x : tracks)
     draw_track(picture, x, layout);
+  for (auto& x : marks)
+    draw_mark(picture, x, layout);
   draw_scale(picture, layout);
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", picture, bytes);

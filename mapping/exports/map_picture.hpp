@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/planar/types.hpp"
 
 #include <cstdint>
@@ -18,6 +19,19 @@ struct MapTrack {
   std::uint8_t blue = 0x30;
   /// Pixels.
   int width = 2;
+  /// Whether there is a dot at its start and an arrow at its end.
+  bool has_ends = true;
+};
+
+/// A dot over the picture of a map, and the text beside it.
+struct MapMark {
+  Point2 place;
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  /// Pixels; 0: only the text.
+  int radius = 4;
+  std::string text;
 };
 
 struct MapPictureOptions {
@@ -26,10 +40,11 @@ struct MapPictureOptions {
 };
 
 /// The bytes of a PNG file: the map, light where it is free and dark where it is occupied, and the
-/// tracks over it, with a dot at the start, an arrow at the end, and a bar of round length for the
-/// scale. The map is enlarged so that all tracks are in the picture.
+/// tracks and marks over it, and a bar of round length for the scale. The map is enlarged so that
+/// all tracks are in the picture.
 /// @throws std::invalid_argument if there is neither a cell nor a pose
 std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
-                        const MapPictureOptions& options = {});
+                        const MapPictureOptions& options = {},
+                        const std::vector<MapMark>& marks = {});
 
 } // namespace castor::mapping

@@ -52,6 +52,53 @@ int export_map(const MapArguments& arguments) {
   return success;
 }
 
+struct PictureArguments {
+  std::string system;
+  std::string output = "map.png";
+  std::string subarchitecture = "mapping";
+  std::string timeout = "60s";
+  bool json = false;
+};
+
+int draw_map(const PictureArguments& arguments) {
+  auto answer =
+    ask_for_one(choose_system(arguments.system),
+                {{"do", "call"},
+                 {"subarchitecture", arguments.subarchitecture},
+                 {"type", "DrawMap"},
+                 {"request", {{"file", std::filesystem::absolute(arguments.output).string()}}},
+                 {"timeout", std::chrono::duration<double>(*duration(arguments.timeout)).count()},
+                 {"full", false}});
+  auto& drawn = answer["value"];
+  print(arguments.json ? drawn.dump() + '\n'
+                       : fmt::format("wrote {}: {}\n", drawn["file"].get<std::string>(),
+                                     drawn["content"].get<std::string>()));
+  return success;
+}
+
+void add_picture(CLI::App& group, Action& chosen) {
+  auto arguments = std::make_shared<PictureArguments>();
+  auto* draw = inspection_command(group, "picture", "draw the map with what is known of it",
+                                  arguments->system);
+  draw->add_option("--output", arguments->output, "the PNG file")
+    ->type_name("FILE")
+    ->capture_default_str();
+  draw->add_option("--in", arguments->subarchitecture, "subarchitecture with a MapPainter")
+    ->type_name("SUBARCHITECTURE")
+    ->capture_default_str();
+  draw->add_option("--timeout", arguments->timeout, "how long to wait for the picture")
+    ->type_name("DURATION")
+    ->check(check_duration)
+    ->capture_default_str();
+  add_json_flag(*draw, arguments->json);
+  draw->footer("The component MapPainter draws, on its own machine: the grid, the trajectory, the "
+               "navigation graph\nwith its areas in colours, people's tracks, frontiers and the "
+               "planned path, as far as there are any.\n"
+               "Examples: castor map picture\n"
+               "          castor map picture --output building.png --json");
+  on_call(*draw, chosen, arguments, draw_map);
+}
+
 } // namespace
 
 void add_map(CLI::App& app, Action& chosen) {
@@ -73,6 +120,7 @@ void add_map(CLI::App& app, Action& chosen) {
   add_json_flag(*write, arguments->json);
   on_call(*write, chosen, arguments, export_map);
   add_map_rooms(*command, chosen);
+  add_picture(*command, chosen);
   command->footer(
     "The component MapExporter writes, on its own machine: map.yaml and map.pgm (ROS's "
     "map_server),\n"

@@ -1,0 +1,110 @@
+#include "castor/actors/component/option.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/map_components/keyframe_poses.hpp"
+#include "castor/mapping/maps/output_file.hpp"
+#include "castor/mapping/people/types.hpp"
+#include "castor/mapping/pictures/map_scene.hpp"
+#include "castor/mapping/pictures/types.hpp"
+#include "castor/wm/entries/failure.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+/// Draws what is known of a building: when it is asked to, and at the end of a run.
+class MapPainter final : public UnmanagedComponent {
+  void start() override {
+    const auto note = [this](const ChangeEvent& event) {
+      try {
+        const auto x = read<Person>(event.address);
+        people_[x->id].push_back({x->x, x->y, x->heading});
+      } catch (const DoesNotExistOnWM&) {
+        debug("{} was deleted before it was read", event.address.id);
+      }
+    };
+    on_change(changed<Person>().in(where(people_in_)), note);
+    on_call<DrawMap>([this](const DrawMap& request) {
+      if (request.file.empty())
+        throw std::invalid_argument("the request names no file");
+      return draw(request.file);
+    });
+  }
+
+  void stop() override {
+    if (output_->empty())
+      return;
+    std::filesystem::create_directories(output_.get());
+    try {
+      info("drew {}",
+           draw((std::filesystem::path{output_.get()} / "picture.png").string()).content);
+    } catch (const std::invalid_argument& e) {
+      info("drew no picture: {}", e.what());
+    }
+  }
+
+  DrawnMap draw(const std::string& file) {
+    MapKnowledge knowledge;
+    std::optional<GraphPoses> graph;
+    for (auto& x : all<GraphPoses>(keyframes_))
+      graph = x;
+    for (auto& x : contents_of(all<Keyframe>(keyframes_), graph, {}).keyframes)
+      knowledge.trajectory.push_back(x.pose);
+    knowledge.nodes = all<GraphNode>(graph_);
+    knowledge.edges = all<GraphEdge>(graph_);
+    knowledge.areas = all<Area>(graph_);
+    knowledge.people = people_;
+    knowledge.explorations = all<ExplorationState>(navigation_);
+    knowledge.movements = all<Movement>(navigation_);
+    const auto tiles = all<GridTile>(grid_);
+    const auto scene = map_scene(knowledge);
+    write_output_file(file, map_picture(cell_map(tiles), scene.tracks, {}, scene.marks));
+    auto content = scene.content;
+    if (!tiles.empty())
+      content = content.empty() ? "grid" : "grid, " + content;
+    return {file, content};
+  }
+
+  std::string where(const SubarchitectureName& x) const {
+    return x.empty() ? std::string{subarchitecture()} : std::string{x};
+  }
+
+  template <class T>
+  std::vector<T> all(const SubarchitectureName& place) {
+    std::vector<T> result;
+    for (auto& x : read_all_in<T>(where(place)))
+      result.push_back(*x);
+    return result;
+  }
+
+  Option<std::string> output_{this, "output", "",
+                              "folder for picture.png at the end of a run; empty: none"};
+  Option<SubarchitectureName> grid_{this, "grid", "",
+                                    "subarchitecture of the grid; empty: its own"};
+  Option<SubarchitectureName> keyframes_{this, "keyframes", "",
+                                         "subarchitecture of the keyframes; empty: its own"};
+  Option<SubarchitectureName> graph_{this, "graph", "",
+                                     "subarchitecture of nodes, edges and areas; empty: its own"};
+  Option<SubarchitectureName> people_in_{this, "people", "",
+                                         "subarchitecture of people; empty: its own"};
+  Option<SubarchitectureName> navigation_{
+    this, "navigation", "", "subarchitecture of Navigator and Explorer; empty: its own"};
+
+  std::map<std::int64_t, std::vector<Pose2>> people_;
+};
+
+CASTOR_COMPONENT(MapPainter, "draws the map with what is known of it")
+
+} // namespace
+
+} // namespace castor::mapping
