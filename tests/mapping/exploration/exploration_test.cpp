@@ -1,13 +1,10 @@
 // Decisions of an exploring robot, without a robot.
 
-#include "castor/mapping/building/building_generator.hpp"
 #include "castor/mapping/exploration/exploration_planner.hpp"
-#include "castor/tests/mapping/exploration/scanned_building.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -151,33 +148,6 @@ TEST(ExplorationPlanner, GivesUpWhatDoesNotOpen) {
   for (const auto& x : report) {
     EXPECT_EQ(x.state, FrontierState::given_up);
     EXPECT_THAT(x.reason, HasSubstr(x.x > 5 ? "a cat" : "cannot be seen"));
-  }
-}
-
-TEST(ExplorationPlanner, SeesGeneratedBuildingsWithAnExactLaser) {
-  for (std::uint64_t seed : {1, 2, 3, 4, 5}) {
-    const auto building = generate_building({.seed = seed});
-    ScannedBuilding scanned(building);
-    ExplorationPlanner planner;
-    auto robot = building.start;
-    for (int i = 0; i < 8; ++i)
-      scanned.scan({robot.x, robot.y, robot.heading + i * 0.8});
-    int goals = 0;
-    for (; goals < 300; ++goals) {
-      planner.look(cell_map(scanned.grid()), robot);
-      const auto next = planner.choose();
-      if (!next)
-        break;
-      EXPECT_TRUE(scanned.floor().can_be_at(Point2{next->view.x, next->view.y}))
-        << "seed " << seed << ": " << next->view.x << " " << next->view.y;
-      robot = next->view;
-      for (double turn : {-0.8, 0.0, 0.8})
-        scanned.scan({robot.x, robot.y, robot.heading + turn});
-      planner.arrived(*next);
-    }
-    EXPECT_LT(goals, 300);
-    EXPECT_GE(scanned.coverage(), 0.98) << "seed " << seed << ", " << goals << " goals";
-    RecordProperty("goals_of_seed_" + std::to_string(seed), goals);
   }
 }
 

@@ -4,7 +4,6 @@
 #include "castor/mapping/building/reachable_floor.hpp"
 #include "castor/mapping/building/solid_obstacles.hpp"
 #include "castor/mapping/building/solids.hpp"
-#include "castor/mapping/grid/cell_map.hpp"
 #include "castor/mapping/grid/occupancy_grid.hpp"
 #include "castor/mapping/planar/types.hpp"
 
@@ -38,25 +37,6 @@ public:
   }
 
   const OccupancyGrid& grid() const { return grid_; }
-
-  /// Share of the floor that the robot can cover which the grid has as free.
-  double coverage() const {
-    const auto map = cell_map(grid_);
-    int covered = 0;
-    int seen = 0;
-    for (int row = 0; row < floor_.rows(); ++row)
-      for (int column = 0; column < floor_.columns(); ++column) {
-        if (!floor_.can_cover(column, row))
-          continue;
-        ++covered;
-        const auto p = floor_.centre(column, row);
-        const int x = static_cast<int>(std::floor((p.x - map.origin.x) / map.cell_size));
-        const int y = static_cast<int>(std::floor((p.y - map.origin.y) / map.cell_size));
-        seen += x >= 0 && y >= 0 && x < map.columns && y < map.rows && map.at(x, y) >= 0 &&
-                map.at(x, y) < 50;
-      }
-    return static_cast<double>(seen) / covered;
-  }
 
   const ReachableFloor& floor() const { return floor_; }
 

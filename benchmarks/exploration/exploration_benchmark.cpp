@@ -1,0 +1,142 @@
+// How well the Explorer explores generated buildings, by its configuration as it ships.
+//
+//     exploration_benchmark [BUILDINGS] [FIRST_SEED] [ROOMS] [VARIABLE=VALUE...]
+//
+// Runs configs/explorer.cast with drive=explore in simulated time, for each building, and prints a
+// line for each: share of the reachable floor that was seen, simulated and real time, length of the
+// path against a lower bound, collisions. VARIABLE=VALUE sets a variable of the configuration;
+// building=FILE takes that building instead of generated ones.
+
+#include "castor/actors/cast/parser.hpp"
+#include "castor/actors/system/system.hpp"
+#include "castor/benchmarks/exploration/exploration_evaluation.hpp"
+#include "castor/mapping/building/building_file.hpp"
+#include "castor/mapping/building/building_generator.hpp"
+#include "castor/mapping/building/building_text.hpp"
+#include "castor/mapping/exploration/types.hpp"
+#include "castor/mapping/grid/types.hpp"
+#include "castor/mapping/map_components/types.hpp"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace castor;
+using namespace castor::mapping;
+
+/// Simulated time after which an exploration is given up.
+constexpr std::chrono::minutes longest{40};
+/// Range of the simulated laser, metres.
+constexpr double sight = 12;
+
+struct Result {
+  bool finished = false;
+  double seen = 0;
+  double simulated = 0;
+  double real = 0;
+  double driven = 0;
+  double bound = 0;
+  std::int64_t collisions = 0;
+};
+
+Result explore(const std::string& file, const std::map<std::string, std::string>& variables) {
+  cast::ParseOptions options;
+  options.variables = variables;
+  options.variables["building"] = file;
+  options.variables["drive"] = "explore";
+  auto parsed = cast::parse_file(CASTOR_CONFIGS "/explorer.cast", options);
+  if (!parsed.ok())
+    throw std::runtime_error(render(parsed.diagnostics));
+  SystemOptions system_options;
+  system_options.clock.pace = Pace{};
+  System system(std::move(*parsed.architecture), system_options);
+  const auto began = std::chrono::steady_clock::now();
+  system.start();
+  system.wait({.at_most = longest});
+  Result result;
+  result.simulated = std::chrono::duration<double>(system.now()).count();
+  result.real = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  system.stop();
+  std::vector<GridTile> tiles;
+  for (const auto& entry : system.entries("mapping")) {
+    if (auto tile = entry->value.as<GridTile>())
+      tiles.push_back(*tile);
+    if (auto error = entry->value.as<PathError>()) {
+      result.driven = error->driven;
+      result.collisions = error->collisions;
+    }
+  }
+  for (const auto& entry : system.entries("navigation"))
+    if (auto state = entry->value.as<ExplorationState>())
+      result.finished = state->finished;
+  const auto building = load_building(file).building;
+  const ReachableFloor floor(building);
+  // The frame of the map begins where the robot does.
+  result.seen = seen_share(floor, cell_map(tiles), building.start);
+  result.bound = shortest_exploration(building, floor, sight);
+  return result;
+}
+
+void print_line(const std::string& name, const Result& x) {
+  fmt::print("{:<16} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>10} {}\n", name,
+             100 * x.seen, x.simulated, x.real, x.driven, x.bound,
+             x.bound > 0 ? x.driven / x.bound : 0, x.collisions, x.finished ? "" : "not finished");
+  std::fflush(stdout);
+}
+
+int run(int argc, char** argv) {
+  std::vector<std::uint64_t> numbers;
+  std::map<std::string, std::string> variables;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (const auto equals = word.find('='); equals != word.npos)
+      variables[word.substr(0, equals)] = word.substr(equals + 1);
+    else
+      numbers.push_back(std::stoull(word));
+  }
+  numbers.resize(3);
+  fmt::print("{:<16} {:>8} {:>9} {:>7} {:>9} {:>9} {:>6} {:>10}\n", "building", "seen, %",
+             "time, s", "real, s", "driven, m", "bound, m", "ratio", "collisions");
+  if (variables.contains("building")) {
+    print_line("given", explore(variables["building"], variables));
+    return 0;
+  }
+  const auto folder = std::filesystem::temp_directory_path() / "castor-exploration";
+  std::filesystem::create_directories(folder);
+  const auto count = numbers[0] > 0 ? numbers[0] : 10;
+  const auto first = numbers[1] > 0 ? numbers[1] : 1;
+  for (auto seed = first; seed < first + count; ++seed) {
+    GeneratorOptions options;
+    options.seed = seed;
+    if (numbers[2] > 0)
+      options.rooms = static_cast<int>(numbers[2]);
+    const auto building = generate_building(options);
+    const auto file = folder / (building.name + ".building");
+    std::ofstream{file} << building_text(building);
+    print_line(building.name, explore(file.string(), variables));
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 1;
+  }
+}
