@@ -44,8 +44,7 @@ public:
     else
       lay_out_spine();
     result_.building.name = "generated-" + std::to_string(options_.seed);
-    building.rooms.push_back(
-      {.name = "corridor", .kind = "corridor", .inside = result_.corridor.front().middle()});
+    add_room("corridor", "corridor", result_.corridor.front().middle());
     if (random_.chance(0.5))
       exchange_axes();
     return std::move(result_);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -95,12 +94,26 @@ private:
       return result;
     }
     const auto from = floor_.centre(view);
-    const auto to = floor_.centre(target);
     result.is_reachable = true;
-    result.view = {from.x, from.y, view == target ? 0 : std::atan2(to.y - from.y, to.x - from.x)};
+    result.view = {from.x, from.y, heading_to_unknown(from, target)};
     result.cost = floor_.way_to(view);
     result.gain = seen_from(view);
     return result;
+  }
+
+  /// To the middle of what is unknown around a cell of the frontier.
+  double heading_to_unknown(const Point2& from, const Cell& target) const {
+    constexpr int around = 6;
+    Point2 sum;
+    for (int y = -around; y <= around; ++y)
+      for (int x = -around; x <= around; ++x) {
+        const Cell cell{target.column + x, target.row + y};
+        if (!floor_.is_unknown(cell))
+          continue;
+        const auto p = floor_.centre(cell);
+        sum = {sum.x + p.x - from.x, sum.y + p.y - from.y};
+      }
+    return std::atan2(sum.y, sum.x);
   }
 
   /// Where the robot can stand and sees a cell of the frontier, the one nearest to the robot's way,
@@ -125,8 +138,9 @@ private:
       for (int x = -reach; x <= reach; ++x) {
         const Cell cell{target.column + x, target.row + y};
         const double away = std::hypot(x, y);
-        // The way counts less than the distance: from near, more is seen around corners.
-        const double worth = away * map_.cell_size + 0.2 * floor_.way_to(cell);
+        // The way counts less: from near, more is seen around corners.
+        const double worth =
+          std::abs(away * map_.cell_size - options_.best_view_distance) + 0.2 * floor_.way_to(cell);
         if (away <= reach && worth < best && floor_.sees(cell, target)) {
           best = worth;
           result = cell;

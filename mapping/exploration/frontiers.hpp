@@ -12,6 +12,8 @@ struct FrontierOptions {
   double least_size = 0.2;
   /// From how far a frontier is looked at, at most, metres.
   double view_distance = 1.5;
+  /// From how far it is looked at best: the footprint stays in what is known to be free, metres.
+  double best_view_distance = 0.5;
   /// How far the robot is expected to see into the unknown, metres.
   double sight = 4;
 };
