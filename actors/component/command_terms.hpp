@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 namespace castor {
 
@@ -17,6 +18,8 @@ struct CommandTerms {
   std::chrono::microseconds valid_for = standard_command_duration;
   /// The commander has to hold a lease of this entry; nothing if anybody may command.
   std::optional<Address> lease = std::nullopt;
+  /// Name of the only component that may command; nothing if any component may.
+  std::optional<std::string> commander = std::nullopt;
 };
 
 } // namespace castor

@@ -75,6 +75,9 @@ std::string CommandGate::refusal_unconfirmed(const Offer& x, const std::string& 
 std::optional<std::string> CommandGate::refusal_of(const Waiting& x, Time now) const {
   if (expiry(x.offer) <= now)
     return refusal_of_age(x, now);
+  if (terms_.commander && x.offer.commander->component != *terms_.commander)
+    return fmt::format("{} obeys only {}, not {}: command that one", effector_, *terms_.commander,
+                       to_string(*x.offer.commander));
   if (!demands_lease() || (is_confirmed(now) && is_holder(x.offer)))
     return "";
   // Tokens only rise: nobody has to be asked.

@@ -252,7 +252,7 @@ ComponentCommands::Effector& ComponentCommands::connect(const std::string& name,
 }
 
 CommandMessage
-ComponentCommands::make_message(Effector& effector, const Value& x,
+ComponentCommands::make_message(Effector& effector, Clock::time_point given, const Value& x,
                                 std::optional<std::chrono::microseconds> valid_for) const {
   if (valid_for && *valid_for <= Timestamp{0})
     throw std::invalid_argument("a command has to be valid for more than 0 s");
@@ -261,7 +261,7 @@ ComponentCommands::make_message(Effector& effector, const Value& x,
   result.value = x;
   result.commander = parts_.context.client();
   result.token = lease ? parts_.context.leases().token(*lease) : 0;
-  result.sent = effector.clock.at(parts_.context.time_point());
+  result.sent = effector.clock.at(given);
   result.valid_for =
     std::min(valid_for.value_or(effector.terms.valid_for), effector.terms.valid_for);
   result.number = ++effector.last_number;
@@ -272,7 +272,8 @@ void ComponentCommands::command(const std::string& effector, const Value& x,
                                 std::optional<std::chrono::microseconds> valid_for) {
   auto& to = connect(effector, x.type_ptr());
   auto done = parts_.providers.ask_once<CommandDone>(
-    effector, to.actor, make_message(to, x, valid_for), "send a " + x.type_name() + " to");
+    effector, to.actor, make_message(to, parts_.context.time_point(), x, valid_for),
+    "send a " + x.type_name() + " to");
   to.clock.synchronise(done.clock, parts_.context.time_point());
   if (done.result == CommandResult::refused)
     throw CommandRefused(done.reason);
@@ -284,8 +285,10 @@ void ComponentCommands::command(const std::string& effector, const Value& x,
 void ComponentCommands::stream(const std::string& effector, const Value& x,
                                std::optional<std::chrono::microseconds> valid_for) {
   parts_.actor.file_arrived();
+  // What was right before the effector was started again need not be right after.
+  const auto given = parts_.context.time_point();
   auto& to = connect(effector, x.type_ptr());
-  auto message = make_message(to, x, valid_for);
+  auto message = make_message(to, given, x, valid_for);
   if (to.under_way == 0) {
     to.under_way = message.number;
     parts_.actor.send(to.actor, std::move(message));

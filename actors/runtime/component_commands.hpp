@@ -127,7 +127,8 @@ private:
   // -- commander
 
   Effector& connect(const std::string& name, const TypeDescriptorPtr& type);
-  CommandMessage make_message(Effector& effector, const Value& x,
+  /// @param given when the component's code gave the command
+  CommandMessage make_message(Effector& effector, Clock::time_point given, const Value& x,
                               std::optional<std::chrono::microseconds> valid_for) const;
 
   Parts parts_;

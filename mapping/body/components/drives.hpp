@@ -45,7 +45,13 @@ protected:
     }
   }
 
+  /// Whose pushes count.
+  const std::string& sensors() const { return sensors_->empty() ? robot_.get() : sensors_.get(); }
+
   Option<StandaloneName> robot_{this, "robot", "robot", "the robot to drive"};
+  Option<StandaloneName> sensors_{
+    this, "sensors", "",
+    "whose pushes count, if another component takes the commands; empty: the robot"};
   Option<std::string> seat_{this, "seat", "",
                             "id of the entry to lock for driving, in this subarchitecture"};
 

@@ -50,13 +50,13 @@ class PathDriver final : public Drives {
   void start() override {
     switch (pose_source_) {
       case PoseSource::odometry:
-        on_push<Odometry>(robot_, [this](auto& x) { pose_ = x->pose; });
+        on_push<Odometry>(sensors(), [this](auto& x) { pose_ = x->pose; });
         break;
       case PoseSource::truth:
-        on_push<BodyStatus>(robot_, [this](auto& x) { pose_ = x->pose; });
+        on_push<BodyStatus>(sensors(), [this](auto& x) { pose_ = x->pose; });
         break;
       case PoseSource::localisation:
-        on_push<Odometry>(robot_, [this](auto& x) {
+        on_push<Odometry>(sensors(), [this](auto& x) {
           corrected_.add(*x);
           pose_ = corrected_.now();
         });
@@ -68,7 +68,7 @@ class PathDriver final : public Drives {
         break;
     }
     if (stop_before_ > 0)
-      on_push<LaserScan>(robot_, [this](auto& x) { free_way_ = free_way(*x, half_width_); });
+      on_push<LaserScan>(sensors(), [this](auto& x) { free_way_ = free_way(*x, half_width_); });
   }
 
   void run() override {

@@ -9,6 +9,7 @@
 #include "castor/mapping/building/building_statement.hpp"
 #include "castor/mapping/building/solids.hpp"
 #include "castor/mapping/octree/types.hpp"
+#include "castor/mapping/planar/lease_address.hpp"
 #include "castor/perception/vision/types.hpp"
 
 #include <algorithm>
@@ -127,6 +128,8 @@ class SimulatedRobot final : public StandaloneComponent {
     CommandTerms terms;
     terms.valid_for = valid_for_.get();
     terms.lease = address_of(lease_);
+    if (!commander_->empty())
+      terms.commander = commander_.get();
     on_command<DriveCommand>([this](const DriveCommand& x) { body_->command(x.velocity); },
                              [this] { body_->command({}); }, terms);
     every(step_ * std::min(odometry_steps_, scan_steps_), [this] { advance(); });
@@ -232,6 +235,8 @@ class SimulatedRobot final : public StandaloneComponent {
   LaserScan scan() {
     auto x = body_->scan();
     x.time += offset();
+    if (scan_ && laser_freezes_after_.get() > 0ms && now() >= laser_freezes_after_.get())
+      x.ranges = scan_->ranges;
     scan_ = x;
     return x;
   }
@@ -276,6 +281,8 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<std::string> lease_{
     this, "lease", "",
     "SUBARCHITECTURE/ID of the entry whose lease holder it obeys; empty: anybody"};
+  Option<StandaloneName> commander_{this, "commander", "",
+                                    "the only component that it obeys; empty: anybody"};
   Option<std::chrono::milliseconds> valid_for_{this, "valid-for", 300ms,
                                                "the robot stops so long after the last command"};
   Option<std::chrono::milliseconds> odometry_period_{this, "odometry-period", 20ms,
@@ -306,6 +313,9 @@ class SimulatedRobot final : public StandaloneComponent {
     this, "state", "", "file that keeps where the robot is, for when this component is restarted"};
   Option<std::chrono::milliseconds> laser_stops_after_{
     this, "laser-stops-after", 0ms, "fault: no scan comes any more from then on; 0: never"};
+  Option<std::chrono::milliseconds> laser_freezes_after_{
+    this, "laser-freezes-after", 0ms,
+    "fault: from then on the same ranges come again and again; 0: never"};
   Option<Wheel> blocked_wheel_{this, "blocked-wheel", Wheel::none, "fault: this wheel blocks"};
   Option<std::chrono::milliseconds> blocks_after_{this, "blocks-after", 0ms,
                                                   "when the wheel blocks"};

@@ -73,6 +73,16 @@ TEST_F(CommandGateTest, WithoutALeaseAnybodyIsObeyedUntilTheCommandExpires) {
   EXPECT_FALSE(open_.next_alarm());
 }
 
+TEST_F(CommandGateTest, ObeysOnlyTheCommanderThatItIsTold) {
+  CommandGate gate{"wheel", {500ms, std::nullopt, "driver"}};
+  EXPECT_EQ(outcome(gate, offer(joystick, 0, at(0ms)), at(1ms)),
+            "wheel obeys only driver, not joystick of people: command that one");
+  EXPECT_EQ(outcome(gate, offer(driver, 0, at(2ms)), at(3ms)), "obeyed");
+  // It is obeyed again after it was restarted.
+  const auto next = std::make_shared<const Client>(Client{"driver", "nav", 2});
+  EXPECT_EQ(outcome(gate, offer(next, 0, at(4ms)), at(5ms)), "obeyed");
+}
+
 TEST_F(CommandGateTest, NoCommandHoldsForLongerThanTheEffectorAllows) {
   outcome(open_, offer(driver, 0, at(0ms), 10s), at(100ms));
   EXPECT_EQ(open_.in_force()->until, at(500ms));

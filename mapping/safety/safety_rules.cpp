@@ -1,0 +1,165 @@
+#include "castor/mapping/safety/safety_rules.hpp"
+
+#include "castor/mapping/safety/way_to_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace castor::mapping {
+
+namespace {
+
+/// A robot that has moved less since then has stood, metres.
+constexpr double stood = 0.01;
+/// Slower robots are taken to drive the commanded arc already, m/s.
+constexpr double slow = 0.05;
+
+std::vector<Point2> points_of(const LaserScan& x) {
+  std::vector<Point2> result;
+  result.reserve(x.ranges.size());
+  for (std::size_t i = 0; i < x.ranges.size(); ++i) {
+    const double range = x.ranges[i];
+    if (!(range > 0))
+      continue;
+    const double angle = x.first_angle + static_cast<double>(i) * x.angle_step;
+    result.push_back(transform(x.mount, {range * std::cos(angle), range * std::sin(angle)}));
+  }
+  return result;
+}
+
+} // namespace
+
+void SafetyRules::add(const LaserScan& x, std::int64_t now) {
+  if (scan_ && x.time <= scan_->time)
+    return;
+  const auto newest = odometry_.newest();
+  const auto pose = odometry_.pose_at(x.time).value_or(newest ? newest->pose : Pose2{});
+  // Clocks of machines differ a little: nothing was measured after it has arrived.
+  scan_time_ = std::min(x.time, now);
+  const bool differs = !scan_ || x.ranges != scan_->ranges;
+  if (differs)
+    differed_at_ = pose;
+  if (differs || (!options_.laser_has_noise && distance(differed_at_, pose) < stood))
+    fresh_ = scan_time_;
+  remember(x, pose);
+  points_ = points_of(x);
+  scanned_at_ = pose;
+  scan_ = x;
+}
+
+void SafetyRules::add(const Odometry& x, std::int64_t now) {
+  const auto newest = odometry_.newest();
+  if (newest && x.time <= newest->time)
+    return;
+  odometry_.add(x);
+  odometry_time_ = std::min(x.time, now);
+}
+
+SafetyReason SafetyRules::failure(std::int64_t now) const {
+  if (now - odometry_time_ > options_.odometry_patience.count())
+    return SafetyReason::odometry_silent;
+  if (now - scan_time_ > options_.laser_patience.count())
+    return SafetyReason::laser_silent;
+  if (now - fresh_ > options_.laser_patience.count())
+    return SafetyReason::laser_frozen;
+  return SafetyReason::none;
+}
+
+bool SafetyRules::sees(const LaserScan& scan, double direction) {
+  using std::numbers::pi;
+  const double seen = scan.angle_step * static_cast<double>(scan.ranges.size());
+  if (seen > 2 * pi - scan.angle_step / 2)
+    return true;
+  return normalised(direction - scan.mount.heading - scan.first_angle - pi) + pi < seen;
+}
+
+void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
+  if (scan_)
+    for (const auto& x : points_)
+      remembered_.push_back({transform(scanned_at_, x), scan_->time});
+  const auto robot = inverse(pose);
+  const auto scanner = inverse(compose(pose, next.mount));
+  std::erase_if(remembered_, [&](const Remembered& x) {
+    const auto seen = transform(scanner, x.point);
+    const auto on_robot = transform(robot, x.point);
+    return next.time - x.time > options_.memory.count() ||
+           std::hypot(on_robot.x, on_robot.y) > options_.memory_range ||
+           sees(next, std::atan2(seen.y, seen.x) + next.mount.heading);
+  });
+}
+
+std::vector<Point2> SafetyRules::points_now(std::int64_t now) const {
+  const auto wheels = *odometry_.newest();
+  constexpr double microsecond = 1e-6;
+  const double since = std::max(0.0, static_cast<double>(now - wheels.time) * microsecond);
+  const auto here = moved(wheels.pose, wheels.velocity, since);
+  const auto back = between(here, scanned_at_);
+  auto result = points_;
+  for (auto& x : result)
+    x = transform(back, x);
+  const auto from_wheels = inverse(here);
+  for (const auto& x : remembered_)
+    result.push_back(transform(from_wheels, x.point));
+  return result;
+}
+
+double SafetyRules::way(const std::vector<Point2>& points, double curvature, double radius) const {
+  double result = scan_->max_range;
+  for (const auto& x : points)
+    result = std::min(result, way_to_contact(x, curvature, radius));
+  return result;
+}
+
+double SafetyRules::speed_along(const std::vector<Point2>& points, double curvature) const {
+  const auto within = [&](double radius) {
+    return speed_to_stop_within(way(points, curvature, radius), options_.latency, options_.braking);
+  };
+  const double speed = within(options_.radius + options_.margin);
+  if (speed >= options_.creeping)
+    return speed;
+  return std::min(options_.creeping, within(options_.radius + options_.margin / 3));
+}
+
+SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded,
+                                          std::int64_t now) const {
+  if (!commanded)
+    return {{}, SafetyReason::no_command, 0};
+  if (const auto reason = failure(now); reason != SafetyReason::none)
+    return {{}, reason, 0};
+  if (!std::isfinite(commanded->forward) || !std::isfinite(commanded->turn))
+    return {{}, SafetyReason::no_command, 0};
+  Verdict result{*commanded, SafetyReason::none, scan_->max_range};
+  const double wanted = std::abs(commanded->forward);
+  if (wanted == 0)
+    return result;
+  // Driving backwards is driving forwards in a mirror behind the robot.
+  const double side = commanded->forward > 0 ? 1 : -1;
+  auto points = points_now(now);
+  for (auto& x : points)
+    x.x *= side;
+  const double curvature = side * commanded->turn / wanted;
+  result.free_way = way(points, curvature, options_.radius);
+  double speed = speed_along(points, curvature);
+  const auto velocity = odometry_.newest()->velocity;
+  if (const double driven = side * velocity.forward; driven > slow) {
+    // It leaves the arc that it drives only by and by.
+    const double driven_curvature = side * velocity.turn / driven;
+    for (const double x : {driven_curvature, (driven_curvature + curvature) / 2})
+      speed = std::min(speed, speed_along(points, x));
+  }
+  if (speed < wanted)
+    result.reason = SafetyReason::obstacle;
+  if (!sees(*scan_, side > 0 ? 0 : std::numbers::pi) && options_.unseen < std::min(speed, wanted)) {
+    speed = options_.unseen;
+    result.reason = SafetyReason::unseen_side;
+  }
+  if (speed < wanted) {
+    result.velocity.forward = side * speed;
+    if (speed > 0)
+      result.velocity.turn *= speed / wanted;
+  }
+  return result;
+}
+
+} // namespace castor::mapping

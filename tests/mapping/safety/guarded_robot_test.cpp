@@ -1,0 +1,93 @@
+// A simulated robot whose driver is reckless, with the rules between them: it runs into nothing.
+
+#include "castor/mapping/body/simulated_body.hpp"
+#include "castor/mapping/building/building_file.hpp"
+#include "castor/mapping/safety/safety_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <deque>
+#include <random>
+#include <string>
+#include <utility>
+
+namespace castor::mapping {
+
+namespace {
+
+const std::string furnished = "wall 0 0 to 8 0 to 8 6 to 0 6 close thickness 0.2\n"
+                              "wall 5 0 to 5 6\n"
+                              "door d at 5 2.5 width 0.85\n"
+                              "furniture table at 2 4 box 1.6 0.8 0.74 legs\n"
+                              "furniture plant at 3 1 disc 0.4 1\n"
+                              "furniture shelf at 7.7 3 box 1.5 0.4 1.8 turned 90\n"
+                              "person ann route 1 2.5 to 7 2.5 speed 0.8\n"
+                              "start 2 2.5\n";
+
+struct Drive {
+  std::int64_t collisions = 0;
+  double driven = 0;
+  double least_clearance = 0;
+};
+
+/// Three minutes of random commands, each for up to two seconds.
+Drive drive_recklessly(std::uint64_t seed, int field_of_view, double backwards) {
+  auto read = parse_building(furnished, "furnished.building");
+  BodyOptions options;
+  options.people = true;
+  options.seed = seed;
+  options.laser.field_of_view = field_of_view;
+  SimulatedBody body{surroundings_in(read.building, options), options};
+  SafetyRules rules{{}};
+  std::mt19937_64 random{seed};
+  auto within = [&](double low, double high) {
+    return std::uniform_real_distribution<double>{low, high}(random);
+  };
+  // The base gets each command two steps later.
+  std::deque<Twist2> under_way;
+  Twist2 commanded;
+  std::int64_t until = 0;
+  for (std::int64_t step = 1; step <= 18'000; ++step) {
+    body.step();
+    const auto now = body.time().count();
+    if (step % 2 == 0)
+      rules.add(body.odometry(), now);
+    if (step % 10 == 0)
+      rules.add(body.scan(), now);
+    if (now >= until) {
+      commanded = {within(-backwards, 0.8), within(-1.6, 1.6)};
+      if (within(0, 1) < 0.3)
+        commanded.turn = 0;
+      until = now + static_cast<std::int64_t>(within(100'000, 2'000'000));
+    }
+    if (step % 2 == 0)
+      under_way.push_back(rules.verdict(commanded, now).velocity);
+    if (under_way.size() > 1) {
+      body.command(under_way.front());
+      under_way.pop_front();
+    }
+  }
+  const auto status = body.status();
+  return {status.collisions, status.driven, status.least_clearance};
+}
+
+} // namespace
+
+TEST(GuardedRobot, DoesNotCollideForwards) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto x = drive_recklessly(seed, 180, 0);
+    EXPECT_EQ(x.collisions, 0) << "seed " << seed;
+    EXPECT_GT(x.driven, 5) << "seed " << seed;
+  }
+}
+
+TEST(GuardedRobot, DoesNotCollideBackwardsIfItsLaserLooksAllAround) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto x = drive_recklessly(seed, 360, 0.8);
+    EXPECT_EQ(x.collisions, 0) << "seed " << seed;
+    EXPECT_GT(x.driven, 5) << "seed " << seed;
+  }
+}
+
+} // namespace castor::mapping
