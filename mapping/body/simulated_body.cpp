@@ -112,6 +112,8 @@ Odometry SimulatedBody::odometry() const {
 }
 
 LaserScan SimulatedBody::scan() {
+  if (options_.legs)
+    return laser_.scan(*surroundings_.seen, people_.legs(), pose_, time().count());
   return laser_.scan(*surroundings_.seen, people_.discs(), pose_, time().count());
 }
 

@@ -22,6 +22,8 @@ struct BodyOptions {
   DriveOptions drive;
   LaserOptions laser;
   bool people = false;
+  /// Whether the laser sees their legs; else it sees them as discs.
+  bool legs = false;
   /// Where odometry begins; that it is at the robot's start makes it easy to compare.
   Pose2 odometry_start;
   /// Of the noise.

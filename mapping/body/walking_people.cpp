@@ -1,5 +1,7 @@
 #include "castor/mapping/body/walking_people.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace castor::mapping {
@@ -39,6 +41,27 @@ void WalkingPeople::step(double dt, const Disc& robot) {
     walk.at = at;
     discs_[i].centre = place;
   }
+}
+
+std::vector<Disc> WalkingPeople::legs() const {
+  constexpr double leg_radius = 0.07; // metres
+  // From the middle of the body to each leg, and how far a leg swings; a step takes half a stride.
+  constexpr double aside = 0.11;
+  constexpr double swing = 0.22;
+  constexpr double stride = 1.3;
+  std::vector<Disc> result;
+  for (std::size_t i = 0; i < walks_.size(); ++i) {
+    const auto& walk = walks_[i];
+    const auto& at = discs_[i].centre;
+    constexpr double little = 0.05; // metres
+    const auto next = place_on_route(walk.person, walk.at + walk.direction * little);
+    const double heading = std::atan2(next.y - at.y, next.x - at.x);
+    const double ahead = swing * std::sin(2 * std::numbers::pi * walk.at / stride);
+    for (const double side : {-1, 1})
+      result.push_back(
+        {transform({at.x, at.y, heading}, {side * ahead, side * aside}), leg_radius});
+  }
+  return result;
 }
 
 } // namespace castor::mapping

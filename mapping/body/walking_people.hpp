@@ -20,6 +20,9 @@ public:
   /// Where they are.
   std::span<const Disc> discs() const { return discs_; }
 
+  /// Their legs, two each, as they walk.
+  std::vector<Disc> legs() const;
+
 private:
   struct Walk {
     Walker person;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -12,6 +13,12 @@ namespace {
 
 /// A robot that has moved less since then has stood, metres.
 constexpr double stood = 0.01;
+/// What comes towards the robot is faster than the noise of scans, and slower than anybody who
+/// runs, m/s.
+constexpr double slowest_approach = 0.35;
+constexpr double fastest_approach = 2.5;
+/// Number of scans between the two that are compared.
+constexpr std::size_t compared = 2;
 /// Slower robots are taken to drive the commanded arc already, m/s.
 constexpr double slow = 0.05;
 
@@ -43,6 +50,10 @@ void SafetyRules::add(const LaserScan& x, std::int64_t now) {
   if (differs || (!options_.laser_has_noise && distance(differed_at_, pose) < stood))
     fresh_ = scan_time_;
   remember(x, pose);
+  if (scan_)
+    earlier_.push_back({std::move(points_), scanned_at_, scan_->time});
+  if (earlier_.size() > compared)
+    earlier_.pop_front();
   points_ = points_of(x);
   scanned_at_ = pose;
   scan_ = x;
@@ -89,16 +100,19 @@ void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
   });
 }
 
-std::vector<Point2> SafetyRules::points_now(std::int64_t now) const {
+Pose2 SafetyRules::wheels_now(std::int64_t now) const {
   const auto wheels = *odometry_.newest();
   constexpr double microsecond = 1e-6;
   const double since = std::max(0.0, static_cast<double>(now - wheels.time) * microsecond);
-  const auto here = moved(wheels.pose, wheels.velocity, since);
-  const auto back = between(here, scanned_at_);
+  return moved(wheels.pose, wheels.velocity, since);
+}
+
+std::vector<Point2> SafetyRules::points_now(const Pose2& wheels) const {
+  const auto back = between(wheels, scanned_at_);
   auto result = points_;
   for (auto& x : result)
     x = transform(back, x);
-  const auto from_wheels = inverse(here);
+  const auto from_wheels = inverse(wheels);
   for (const auto& x : remembered_)
     result.push_back(transform(from_wheels, x.point));
   return result;
@@ -111,9 +125,26 @@ double SafetyRules::way(const std::vector<Point2>& points, double curvature, dou
   return result;
 }
 
-double SafetyRules::speed_along(const std::vector<Point2>& points, double curvature) const {
+double SafetyRules::approach(const std::vector<Point2>& points, const std::vector<Point2>& before,
+                             double curvature) const {
+  if (before.empty())
+    return 0;
+  constexpr double microsecond = 1e-6;
+  const double nearer =
+    way(before, curvature, options_.radius) - way(points, curvature, options_.radius);
+  const double speed =
+    nearer / (static_cast<double>(scan_->time - earlier_.front().time) * microsecond);
+  // What is nearer still was hidden before, or has come from the side.
+  return speed < slowest_approach || speed > fastest_approach ? 0 : speed;
+}
+
+double SafetyRules::speed_along(const std::vector<Point2>& points,
+                                const std::vector<Point2>& before, double curvature) const {
+  // What approaches goes on while the robot reacts, and while it brakes.
+  const double nearing = approach(points, before, curvature);
   const auto within = [&](double radius) {
-    return speed_to_stop_within(way(points, curvature, radius), options_.latency, options_.braking);
+    return speed_to_stop_within(way(points, curvature, radius) - nearing * options_.latency,
+                                options_.latency + nearing / options_.braking, options_.braking);
   };
   const double speed = within(options_.radius + options_.margin);
   if (speed >= options_.creeping)
@@ -135,18 +166,26 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
     return result;
   // Driving backwards is driving forwards in a mirror behind the robot.
   const double side = commanded->forward > 0 ? 1 : -1;
-  auto points = points_now(now);
-  for (auto& x : points)
-    x.x *= side;
+  const auto wheels = wheels_now(now);
+  auto points = points_now(wheels);
+  std::vector<Point2> before;
+  if (!earlier_.empty()) {
+    const auto back = between(wheels, earlier_.front().wheels);
+    for (const auto& x : earlier_.front().points)
+      before.push_back(transform(back, x));
+  }
+  for (auto* part : {&points, &before})
+    for (auto& x : *part)
+      x.x *= side;
   const double curvature = side * commanded->turn / wanted;
   result.free_way = way(points, curvature, options_.radius);
-  double speed = speed_along(points, curvature);
+  double speed = speed_along(points, before, curvature);
   const auto velocity = odometry_.newest()->velocity;
   if (const double driven = side * velocity.forward; driven > slow) {
     // It leaves the arc that it drives only by and by.
     const double driven_curvature = side * velocity.turn / driven;
     for (const double x : {driven_curvature, (driven_curvature + curvature) / 2})
-      speed = std::min(speed, speed_along(points, x));
+      speed = std::min(speed, speed_along(points, before, x));
   }
   if (speed < wanted)
     result.reason = SafetyReason::obstacle;

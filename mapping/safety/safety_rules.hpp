@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -75,14 +76,27 @@ private:
   void remember(const LaserScan& next, const Pose2& pose);
   /// Way until the robot touches something.
   double way(const std::vector<Point2>& points, double curvature, double radius) const;
+  /// Pose of the wheels now.
+  Pose2 wheels_now(std::int64_t now) const;
   /// What the scan shows, as seen from where the robot is now.
-  std::vector<Point2> points_now(std::int64_t now) const;
+  std::vector<Point2> points_now(const Pose2& wheels) const;
+  /// How fast something comes towards the robot along the arc, m/s, beside the robot's own motion;
+  /// 0 if that cannot be told from noise.
+  double approach(const std::vector<Point2>& points, const std::vector<Point2>& before,
+                  double curvature) const;
   /// Greatest speed along the arc.
-  double speed_along(const std::vector<Point2>& points, double curvature) const;
+  double speed_along(const std::vector<Point2>& points, const std::vector<Point2>& before,
+                     double curvature) const;
 
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min() / 2;
 
   SafetyOptions options_;
+  struct Seen {
+    std::vector<Point2> points;
+    Pose2 wheels;
+    std::int64_t time = 0;
+  };
+
   struct Remembered {
     /// In the frame of the wheels.
     Point2 point;
@@ -94,6 +108,8 @@ private:
   /// On the robot when it was scanned.
   std::vector<Point2> points_;
   std::vector<Remembered> remembered_;
+  /// The last scans, oldest first, to see what moves.
+  std::deque<Seen> earlier_;
   /// Pose of the wheels at the newest scan.
   Pose2 scanned_at_;
   /// Time of the newest scan, and of the newest that shows that the laser works.

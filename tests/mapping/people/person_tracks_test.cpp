@@ -1,0 +1,137 @@
+// People are followed by where they are detected, and keep their ids.
+
+#include "castor/mapping/people/person_tracks.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+constexpr std::int64_t scan_period = 100'000; // microseconds
+
+/// Feeds scans until that time, seconds; each person is a function of time.
+class Scene {
+public:
+  explicit Scene(std::uint64_t seed) : random_(seed) {}
+
+  using Walk = std::function<Point2(double)>;
+
+  void run(PersonTracks& tracks, const std::vector<Walk>& people, double until,
+           const std::function<bool(std::size_t, double)>& is_seen = {}) {
+    std::normal_distribution<double> noise{0, 0.03};
+    for (; time_ <= until; time_ += 0.1) {
+      std::vector<Point2> detections;
+      for (std::size_t i = 0; i < people.size(); ++i) {
+        const auto x = people[i](time_);
+        if (!is_seen || is_seen(i, time_))
+          detections.push_back({x.x + noise(random_), x.y + noise(random_)});
+      }
+      tracks.add(detections, static_cast<std::int64_t>(std::round(time_ * 10)) * scan_period);
+    }
+  }
+
+private:
+  std::mt19937_64 random_;
+  double time_ = 0;
+};
+
+/// The id of the person nearest to the place; 0 if there is none within half a metre.
+std::int64_t id_at(const PersonTracks& tracks, const Point2& place) {
+  for (const auto& x : tracks.people())
+    if (distance(x.place, place) < 0.5)
+      return x.id;
+  return 0;
+}
+
+Point2 from_left(double t) {
+  return {-3 + 0.8 * t, 0};
+}
+Point2 from_right(double t) {
+  return {3 - 0.8 * t, 0.1};
+}
+
+} // namespace
+
+TEST(PersonTracks, WalkersAreKnownAsPeople) {
+  PersonTracks tracks{{}, 5};
+  Scene scene{1};
+  scene.run(tracks, {from_left}, 3);
+  ASSERT_EQ(tracks.people().size(), 1u);
+  const auto x = tracks.people()[0];
+  EXPECT_EQ(x.id, 5);
+  EXPECT_NEAR(x.speed(), 0.8, 0.15);
+  EXPECT_NEAR(x.heading, 0, 0.2);
+  EXPECT_GT(x.visibility, 0.9);
+  EXPECT_NEAR(distance(x.place, from_left(3)), 0, 0.1);
+}
+
+TEST(PersonTracks, ThingsAreNoPeople) {
+  PersonTracks tracks{{}};
+  Scene scene{1};
+  scene.run(tracks, {[](double) { return Point2{2, 1}; }}, 60);
+  EXPECT_TRUE(tracks.people().empty());
+}
+
+TEST(PersonTracks, SomebodyWhoStopsIsStillAPerson) {
+  PersonTracks tracks{{}};
+  Scene scene{1};
+  scene.run(tracks, {[](double t) { return from_left(std::min(t, 3.0)); }}, 30);
+  ASSERT_EQ(tracks.people().size(), 1u);
+  EXPECT_LT(tracks.people()[0].speed(), 0.15);
+  EXPECT_NEAR(tracks.people()[0].heading, 0, 0.5) << "that of the last step";
+}
+
+TEST(PersonTracks, GivesUpWhoIsGone) {
+  PersonTracks tracks{{}};
+  Scene scene{1};
+  const auto leaves = [](std::size_t, double t) { return t < 3; };
+  scene.run(tracks, {from_left}, 5.5, leaves);
+  EXPECT_EQ(tracks.people().size(), 1u) << "still expected";
+  EXPECT_LT(tracks.people()[0].visibility, 0.2);
+  scene.run(tracks, {from_left}, 6.5, leaves);
+  EXPECT_TRUE(tracks.people().empty());
+}
+
+RC_GTEST_PROP(PersonTracksProperties, KeepIdsThroughCrossings, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  // They cross at any angle, and where they are close only one of them is seen.
+  const double angle = 0.4 + *rc::gen::inRange(0, 100) * 0.01 * (std::numbers::pi - 0.4);
+  const Scene::Walk other = [angle](double t) {
+    const double along = -3 + 0.8 * t;
+    return Point2{along * std::cos(angle), along * std::sin(angle) + 0.1};
+  };
+  PersonTracks tracks{{}};
+  Scene scene{seed};
+  const auto is_seen = [&](std::size_t i, double t) {
+    return i == 0 || distance(from_left(t), other(t)) > 0.4;
+  };
+  scene.run(tracks, {from_left, other}, 2.2, is_seen);
+  const auto first = id_at(tracks, from_left(2.2));
+  const auto second = id_at(tracks, other(2.2));
+  RC_ASSERT(first != 0 && second != 0 && first != second);
+  scene.run(tracks, {from_left, other}, 6.5, is_seen);
+  RC_ASSERT(id_at(tracks, from_left(6.5)) == first);
+  RC_ASSERT(id_at(tracks, other(6.5)) == second);
+}
+
+TEST(PersonTracks, KeepsIdsWherePeopleMeetHeadOn) {
+  PersonTracks tracks{{}};
+  Scene scene{3};
+  scene.run(tracks, {from_left, from_right}, 2);
+  const auto left = id_at(tracks, from_left(2));
+  const auto right = id_at(tracks, from_right(2));
+  scene.run(tracks, {from_left, from_right}, 6);
+  EXPECT_EQ(id_at(tracks, from_left(6)), left);
+  EXPECT_EQ(id_at(tracks, from_right(6)), right);
+}
+
+} // namespace castor::mapping
