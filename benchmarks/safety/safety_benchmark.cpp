@@ -18,6 +18,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -66,7 +67,6 @@ class FailingLaser final : public StandaloneComponent {
       push(std::move(scan));
     });
     on_push<BodyStatus>("robot", [](auto& x) { watch.add(*x); });
-    provide<LaserScan>([] { return LaserScan{}; });
   }
 
   std::vector<float> last_;

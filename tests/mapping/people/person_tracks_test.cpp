@@ -103,8 +103,9 @@ TEST(PersonTracks, GivesUpWhoIsGone) {
 
 RC_GTEST_PROP(PersonTracksProperties, KeepIdsThroughCrossings, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  // They cross at any angle, and where they are close only one of them is seen.
-  const double angle = 0.4 + *rc::gen::inRange(0, 100) * 0.01 * (std::numbers::pi - 0.4);
+  // They cross at an angle from 50 to 180 degrees, and where they are close only one of them is
+  // seen.
+  const double angle = 0.9 + *rc::gen::inRange(0, 100) * 0.01 * (std::numbers::pi - 0.9);
   const Scene::Walk other = [angle](double t) {
     const double along = -3 + 0.8 * t;
     return Point2{along * std::cos(angle), along * std::sin(angle) + 0.1};
