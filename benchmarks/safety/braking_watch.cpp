@@ -1,8 +1,10 @@
 #include "castor/benchmarks/safety/braking_watch.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 namespace castor::benchmark {
 
@@ -10,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A robot that is so much slower brakes, m/s; less may be what its wheels slip.
+/// A robot that is so much slower brakes, m/s.
 constexpr double slower = 0.05;
 
 } // namespace
@@ -35,8 +37,8 @@ void BrakingWatch::wait(std::unique_lock<std::mutex>& guard,
 mapping::BodyStatus BrakingWatch::await_cruise(double speed) {
   std::unique_lock guard{mutex_};
   wait(guard, [&] {
-    constexpr std::size_t samples = 30;
-    return samples_.size() > samples &&
+    constexpr std::ptrdiff_t samples = 30;
+    return std::ssize(samples_) > samples &&
            std::all_of(samples_.end() - samples, samples_.end(), [&](const Sample& x) {
              return x.status.velocity.forward > speed - slower / 2;
            });

@@ -4,8 +4,9 @@
 //   safety_benchmark [TIMES [CASE]]
 //
 // The robot drives a circle at 0.5 m/s, and brakes with 0.8 m/s^2. It and its laser are in this
-// process; its guard, the driver, and the working memory with the driver's seat are in nodes of
-// their own, processes of this program on 127.0.0.1. Each failure is injected TIMES (100) times.
+// process, and its wheels do not slip; its guard, the driver, and the working memory with the
+// driver's seat are in nodes of their own, processes of this program on 127.0.0.1. Each failure is
+// injected TIMES (100) times.
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
@@ -175,7 +176,7 @@ std::string architecture(const std::filesystem::path& folder) {
          "SUPERVISE * RESTARTS 1000000 IN 1s DELAY 0ms TO 0ms\n"
          "COMPONENT CPP robot SimulatedRobot --building hall.building --base " +
          folder.string() +
-         " --commander safety --odometry-period 10ms\n"
+         " --commander safety --odometry-period 10ms --slip 0 --diameter-error 0\n"
          "COMPONENT CPP laser FailingLaser\n"
          "COMPONENT [guarding] CPP safety SafetyGuard --laser laser --lease navigation/seat\n"
          "SUBARCHITECTURE navigation [keeping]\n"
