@@ -55,7 +55,7 @@ class Navigator final : public FollowsGrid<Drives> {
   }
 
   void start() override {
-    const std::string where = sensors_->empty() ? std::string{robot_.get()} : sensors_.get();
+    const std::string& where = sensors();
     switch (pose_source_) {
       case NavigatorPose::odometry:
         on_push<Odometry>(where, [this](auto& x) { pose_ = x->pose; });
@@ -321,8 +321,6 @@ class Navigator final : public FollowsGrid<Drives> {
     put(here(component_name()), movement_);
   }
 
-  Option<std::string> sensors_{this, "sensors", "",
-                               "the robot whose sensors count; empty: the one it drives"};
   Option<NavigatorPose> pose_source_{this, "pose", NavigatorPose::localisation,
                                      "by what it knows where the robot is"};
   Option<SubarchitectureName> localisation_{
