@@ -34,9 +34,19 @@ std::vector<Point2> PersonDetector::detect(const LaserScan& scan, const Pose2& r
   std::vector<Point2> ends;
   std::vector<Point2> parts;
   std::vector<Point2> part;
+  // Beams that the part consists of.
+  std::size_t first = 0;
+  std::size_t last = 0;
+  const auto is_known = [&](const Point2& place) {
+    return std::ranges::any_of(known,
+                               [&](auto& x) { return distance(x, place) < options_.person_size; });
+  };
   const auto finish_part = [&] {
-    if (!part.empty() && distance(part.front(), part.back()) < options_.widest_part)
-      parts.push_back(middle_of(part, scanner));
+    if (!part.empty() && distance(part.front(), part.back()) < options_.widest_part) {
+      const auto place = middle_of(part, scanner);
+      if (stands_alone(scan, first, last) || is_known(place))
+        parts.push_back(place);
+    }
     part.clear();
   };
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -52,12 +62,26 @@ std::vector<Point2> PersonDetector::detect(const LaserScan& scan, const Pose2& r
     const double gap = std::max(options_.part_gap, 2 * range * scan.angle_step);
     if (!part.empty() && (!stands_out || distance(part.back(), end) > gap))
       finish_part();
-    if (stands_out)
+    if (stands_out) {
+      if (part.empty())
+        first = i;
+      last = i;
       part.push_back(end);
+    }
   }
   finish_part();
   free_space_.add(scanner, ends, known);
   return group(std::move(parts));
+}
+
+bool PersonDetector::stands_alone(const LaserScan& scan, std::size_t first,
+                                  std::size_t last) const {
+  const auto goes_on = [&](std::size_t edge, std::size_t beside) {
+    const double gap = std::max(options_.part_gap, 2 * scan.ranges[edge] * scan.angle_step);
+    return scan.ranges[beside] > 0 && std::abs(scan.ranges[beside] - scan.ranges[edge]) <= gap;
+  };
+  return !(first > 0 && goes_on(first, first - 1)) &&
+         !(last + 1 < scan.ranges.size() && goes_on(last, last + 1));
 }
 
 std::vector<Point2> PersonDetector::group(std::vector<Point2> parts) const {

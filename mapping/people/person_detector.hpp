@@ -4,6 +4,7 @@
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/planar/types.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,9 @@ public:
                              std::span<const Point2> known);
 
 private:
+  /// Whether the beams beside these end elsewhere, so that they are no piece of a wall.
+  bool stands_alone(const LaserScan& scan, std::size_t first, std::size_t last) const;
+
   /// Parts of the same person as one place each.
   std::vector<Point2> group(std::vector<Point2> parts) const;
 

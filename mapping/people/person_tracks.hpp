@@ -11,8 +11,9 @@ namespace castor::mapping {
 struct TrackOptions {
   /// Standard deviation of a detection, metres.
   double noise = 0.08;
-  /// How much people change their velocity, m/s^2.
-  double acceleration = 1.2;
+  /// How much people change their velocity: root of the spectral density of their acceleration,
+  /// m/s^1.5.
+  double acceleration = 0.5;
   /// A detection belongs to a person within so many standard deviations, and within so many metres
   /// of where the person is expected.
   double gate = 3.5;
