@@ -84,8 +84,9 @@ Result explore(const std::string& file, const std::map<std::string, std::string>
       result.finished = state->finished;
   const auto building = load_building(file).building;
   const ReachableFloor floor(building);
-  // The frame of the map begins where the robot does.
-  result.seen = seen_share(floor, cell_map(tiles), building.start);
+  // The odometry of SimulatedRobot begins at its true pose, and the map's frame is that of
+  // odometry.
+  result.seen = seen_share(floor, cell_map(tiles), {});
   result.bound = shortest_exploration(building, floor, sight);
   return result;
 }
