@@ -179,7 +179,7 @@ TEST(BuildingFile, OfficeHasRoomsALoopAndObjects) {
 }
 
 TEST(PlaceOnRoute, GoesThereAndBackOrAround) {
-  Person x;
+  Walker x;
   x.route = {{0, 0}, {4, 0}, {4, 3}};
   EXPECT_EQ(place_on_route(x, 0), (Point2{0, 0}));
   EXPECT_EQ(place_on_route(x, 5), (Point2{4, 1}));

@@ -37,7 +37,7 @@ struct Drive {
 
 /// Pursues a goal with a simulated body in `world`, of which the robot knows `map`.
 Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const Point2& goal,
-            std::optional<double> heading, double seconds, const std::vector<Person>& people = {}) {
+            std::optional<double> heading, double seconds, const std::vector<Walker>& people = {}) {
   BodyOptions body_options;
   body_options.people = true;
   BodySurroundings surroundings{obstacles_of(world), obstacles_of(world), start, people};
@@ -107,9 +107,9 @@ TEST(GoalPursuit, SaysAtOnceThatAGoalCannotBeReached) {
 
 TEST(GoalPursuit, DoesNotRunIntoPeopleWhoCrossItsWay) {
   const auto map = test::empty_room(8, 5);
-  Person up;
+  Walker up;
   up.route = {{3, 1}, {3, 4}};
-  Person down;
+  Walker down;
   down.route = {{5, 4}, {5, 1}};
   const auto x = drive(map, map, {1, 2.5, 0}, {7, 2.5}, {}, 90, {up, down});
   EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
