@@ -44,9 +44,9 @@ TEST(PathPlanner, GoesAroundACornerByNearlyTheShortestWay) {
 TEST(PathPlanner, PrefersAWideDoorToANarrowOneThatIsLittleShorter) {
   auto map = test::empty_room(6, 4);
   test::fill(map, 2.95, 0, 3.05, 4);
-  test::fill(map, 2.95, 1.6, 3.05, 2.3, 0);
+  test::fill(map, 2.95, 1.65, 3.05, 2.3, 0);
   test::fill(map, 2.95, 2.5, 3.05, 3.9, 0);
-  const auto path = plan(map, {1, 2.3}, {5, 2.3});
+  const auto path = plan(map, {1, 2.38}, {5, 2.38});
   ASSERT_FALSE(path.points.empty()) << path.reason;
   for (auto& x : path.points)
     EXPECT_TRUE(std::abs(x.x - 3) > 0.3 || x.y > 2.7) << x.x << ' ' << x.y;

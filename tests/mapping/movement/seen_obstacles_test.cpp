@@ -31,7 +31,7 @@ TEST(SeenObstacles, RemembersWhatItDoesNotSeeAnyMore) {
 TEST(SeenObstacles, ForgetsWhatABeamGoesThrough) {
   SeenObstacles seen;
   seen.add(three_beams(0, 2), {1, 1, 0});
-  seen.add(three_beams(100'000, 2.05F), {1, 1, 0});
+  seen.add(three_beams(100'000, 2.08F), {1, 1, 0});
   EXPECT_EQ(seen.points().size(), 2u);
   seen.add(three_beams(200'000, 3.5F), {1, 1, 0});
   ASSERT_EQ(seen.points().size(), 1u);
