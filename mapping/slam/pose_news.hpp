@@ -16,8 +16,8 @@ struct PoseNewsOptions {
   double rest_heading = 0.001;
   /// What a scan may say otherwise than the last pose while the robot stands, m and radians: more
   /// than its noise.
-  double tolerance = 0.005;
-  double tolerance_heading = 0.0035;
+  double tolerance = 0.015;
+  double tolerance_heading = 0.01;
 };
 
 /// Decides when the pose of a robot is told again. Others carry the last one on by odometry, so it

