@@ -27,6 +27,7 @@ struct Told {
   Action second;
   Action third;
   BodyStatus body;
+  Timestamp asked_at{0};
 };
 
 Told& told() {
@@ -73,7 +74,9 @@ class MovementStopper final : public UnmanagedComponent {
     told().third = third.wait(2s);
     told().first = first.wait(2s);
     told().second = second.wait(2s);
-    sleep_for(1s);
+    sleep_for(2s);
+    told().body = *pull<BodyStatus>("robot");
+    told().asked_at = now();
     add(Movement{});
   }
 };
@@ -127,6 +130,8 @@ TEST_F(NavigatorSystem, StopsAtOnceAndClearsTheQueue) {
   EXPECT_EQ(told().first.reason, "an urgent action has cleared the queue");
   EXPECT_EQ(told().second.outcome, ActionOutcome::cancelled);
   EXPECT_EQ(told().second.reason, "an urgent action has cleared the queue");
+  EXPECT_GT(told().body.time, told().asked_at.count() - 100'000);
+  EXPECT_EQ(told().body.velocity.forward, 0);
   EXPECT_LT(told().body.driven, 1);
 }
 
