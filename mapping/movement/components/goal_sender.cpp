@@ -108,6 +108,8 @@ class GoalSender final : public UnmanagedComponent {
     const auto& goal = goals_[number];
     const auto begin = *status_;
     const auto shortest = shortest_to(goal);
+    // Each action counts its plans anew.
+    plans_ = 0;
     GoToPlace what;
     what.x = goal.x;
     what.y = goal.y;
