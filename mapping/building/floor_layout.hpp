@@ -1,6 +1,7 @@
 #pragma once
 
-#include "castor/mapping/building/building_generator.hpp"
+#include "castor/mapping/building/building.hpp"
+#include "castor/mapping/building/generator_options.hpp"
 #include "castor/mapping/building/seeded_uniform.hpp"
 
 #include <cmath>
