@@ -129,7 +129,7 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
   EXPECT_THAT(flaws_of("expect answer within 1s\nexpect answer within 2s"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
   EXPECT_THAT(flaws_of("never  # anything"), HasSubstr("the change filter is missing"));
-  EXPECT_THAT(flaws_of("never Oven where"), HasSubstr("test.workload:1: error:"));
+  EXPECT_THAT(flaws_of("never Oven where level >"), HasSubstr("test.workload:1: error:"));
   EXPECT_THAT(flaws_of("same A for b"), HasSubstr("do not know what to do with 'for'"));
 }
 
