@@ -14,9 +14,6 @@ namespace castor::mapping {
 enum class MovementPriority {
   /// After those that wait.
   normal,
-  /// To begin before those that wait. Navigator executes it as `normal`: components begin their
-  /// actions in the order in which these were asked for.
-  high,
   /// At once: the one that runs and those that wait are cancelled.
   urgent
 };
@@ -28,20 +25,6 @@ struct GoToPlace {
   /// Direction to face there, if `has_heading`.
   double heading = 0;
   bool has_heading = false;
-  /// Along the navigation graph where it leads there.
-  bool along_graph = false;
-  MovementPriority priority = MovementPriority::normal;
-};
-
-/// Action: go to a node of the navigation graph.
-struct GoToNode {
-  std::int64_t node = 0;
-  MovementPriority priority = MovementPriority::normal;
-};
-
-/// Action: go to the nearest node of an area.
-struct GoToArea {
-  std::int64_t area = 0;
   MovementPriority priority = MovementPriority::normal;
 };
 
@@ -64,14 +47,6 @@ struct TurnBy {
 /// Action: turn on the spot to a heading in the map frame, the shorter way round.
 struct TurnTo {
   double heading = 0;
-  MovementPriority priority = MovementPriority::normal;
-};
-
-/// Action: follow a person until it is cancelled or the person is lost.
-struct FollowPerson {
-  std::int64_t person = 0;
-  /// To keep from the person.
-  double distance = 1.2;
   MovementPriority priority = MovementPriority::normal;
 };
 
@@ -118,14 +93,11 @@ struct Movement {
   friend bool operator==(const Movement&, const Movement&) = default;
 };
 
-CASTOR_REFLECT_ENUM(MovementPriority, normal, high, urgent)
-CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, along_graph, priority)
-CASTOR_REFLECT(GoToNode, node, priority)
-CASTOR_REFLECT(GoToArea, area, priority)
+CASTOR_REFLECT_ENUM(MovementPriority, normal, urgent)
+CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, priority)
 CASTOR_REFLECT(GoToObject, x, y, distance, priority)
 CASTOR_REFLECT(TurnBy, angle, priority)
 CASTOR_REFLECT(TurnTo, heading, priority)
-CASTOR_REFLECT(FollowPerson, person, distance, priority)
 CASTOR_REFLECT(StopMoving, priority)
 CASTOR_REFLECT_ENUM(MovementStatus, idle, planning, moving, waiting, recovering, arrived, failed,
                     cancelled)

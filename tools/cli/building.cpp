@@ -23,7 +23,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace castor::cli {
@@ -111,14 +110,6 @@ std::string building_as_text(const Json& building) {
                         building["shut"].dump(), building["furniture"].dump(),
                         building["objects"].dump(), building["people"].dump());
   return result;
-}
-
-void write_file(const std::string& file, std::string_view bytes) {
-  auto out = create(file);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.flush();
-  if (!out)
-    throw std::runtime_error("cannot write " + file + ": check that the disk is not full");
 }
 
 int generate_building(const GenerateArguments& arguments) {

@@ -9,6 +9,7 @@
 #include "castor/tools/chaos/resource_growth.hpp"
 #include "castor/tools/chaos/rounded.hpp"
 #include "castor/tools/cli/commands.hpp"
+#include "castor/tools/cli/forbidden_changes.hpp"
 #include "castor/tools/cli/history_watch.hpp"
 #include "castor/tools/cli/local_nodes.hpp"
 #include "castor/tools/cli/process_resources.hpp"
@@ -73,52 +74,6 @@ private:
   mutable std::mutex mutex_;
   std::vector<faults::LifeNote> notes_;
   std::set<std::string> down_;
-};
-
-/// Changes that the workload forbids, as the system tells of them, by any thread.
-class ForbiddenChanges {
-public:
-  explicit ForbiddenChanges(const std::vector<faults::ForbiddenChange>& never)
-    : never_(never), seen_(never.size()) {}
-
-  /// Adds the filters to those that the system watches.
-  void watch(SystemOptions& options) {
-    auto first = options.watched.size();
-    for (auto& x : never_)
-      options.watched.push_back(x.filter);
-    options.on_watched = [this, first, next = std::move(options.on_watched)](
-                           std::size_t filter, const ChangeEvent& event) {
-      if (filter < first)
-        return next(filter, event);
-      std::lock_guard guard{mutex_};
-      auto& x = seen_[filter - first];
-      if (x.count++ == 0)
-        x.first = fmt::format("{} of {} by {}", to_string(event.operation),
-                              to_string(event.address), event.source);
-    };
-  }
-
-  /// One text for each filter that a change matched.
-  std::vector<std::string> violations() const {
-    std::lock_guard guard{mutex_};
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < never_.size(); ++i)
-      if (seen_[i].count > 0)
-        result.push_back(fmt::format("{}: {}: {} {}, the first: {}", to_string(never_[i].where),
-                                     never_[i].line, seen_[i].count,
-                                     seen_[i].count == 1 ? "change" : "changes", seen_[i].first));
-    return result;
-  }
-
-private:
-  struct Seen {
-    std::size_t count = 0;
-    std::string first;
-  };
-
-  const std::vector<faults::ForbiddenChange>& never_;
-  mutable std::mutex mutex_;
-  std::vector<Seen> seen_;
 };
 
 /// One start of a system and what comes of it.

@@ -87,12 +87,7 @@ int show_rooms(const MapRoomsArguments& arguments) {
   const auto found = mapping::segment_rooms(map, arguments.options);
   if (!arguments.picture.empty()) {
     const auto png = mapping::picture_of(map, found);
-    auto out = create(arguments.picture);
-    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    out.flush();
-    if (!out)
-      throw std::runtime_error("cannot write " + arguments.picture +
-                               ": check that the disk is not full");
+    write_file(arguments.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
   }
   print(arguments.json ? as_json(found).dump() + '\n' : as_text(found));
   return success;

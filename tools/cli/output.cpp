@@ -37,6 +37,14 @@ std::ofstream create(const std::filesystem::path& file) {
   return result;
 }
 
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
+  auto out = create(file);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.flush();
+  if (!out)
+    throw std::runtime_error("cannot write " + file.string() + ": check that the disk is not full");
+}
+
 JsonOutput::JsonOutput() {
   std::fflush(stdout);
   output_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,6 +17,9 @@ void print(const std::vector<Diagnostic>& problems);
 
 /// Creates or truncates a file. Throws std::runtime_error.
 std::ofstream create(const std::filesystem::path& file);
+
+/// Creates or replaces a file. Throws std::runtime_error.
+void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Reserves standard output for JSON lines: during its lifetime all other output to it goes to
 /// standard error, also in processes started meanwhile.
