@@ -187,9 +187,9 @@ void ComponentCommands::work() {
 }
 
 ComponentCommands::Clock::time_point ComponentCommands::next_alarm() const {
-  auto result = Clock::time_point::max();
   if (!answers_.empty())
-    return Clock::time_point::min();
+    return parts_.context.time_point();
+  auto result = Clock::time_point::max();
   for (auto& [type, obedience] : obediences_)
     if (auto x = obedience.gate.next_alarm())
       result = std::min(result, *x);

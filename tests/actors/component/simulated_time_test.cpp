@@ -127,6 +127,33 @@ TEST_P(SimulatedTime, ALockIsAwaitedForAsLongAsItsHolderSleeps) {
   EXPECT_THAT(log, ElementsAre("60000 ms"));
 }
 
+TEST_P(SimulatedTime, AnEffectorThatLearnsWhoHoldsTheLeaseDuringATimerMissesNoTimer) {
+  StandaloneScript::scripts()["meter"].start = [](auto& self) {
+    self.template provide<Other>([] { return Other{}; });
+  };
+  int rounds = 0;
+  StandaloneScript::scripts()["wheel"].start = [&](auto& self) {
+    self.template on_command<Note>([](const Note&) {}, [] {},
+                                   CommandTerms{10s, Address{"a", "drive"}});
+    self.every(20ms, [&] {
+      // The working memory's answer about the lease arrives during one of these.
+      for (int i = 0; i < 50; ++i)
+        self.template pull<Other>("meter");
+      ++rounds;
+    });
+  };
+  run_of("d") = [](auto& self) {
+    self.add(self.here("drive"), Note{});
+    auto lease = self.lock(self.here("drive"), LockLevel::o);
+    self.command("wheel", Note{});
+    self.sleep_for(10s);
+  };
+  run_for("HOST localhost\nCOMPONENT CPP wheel Standalone\nCOMPONENT CPP meter Standalone\n" +
+            subarchitecture("a") + "CPP MG d Managed\n",
+          2s);
+  EXPECT_GE(rounds, 99);
+}
+
 TEST_P(SimulatedTime, TimesToLiveEndInIt) {
   run_of("x") = [&](auto& self) {
     self.on_change(deleted<Note>(), [&](const ChangeEvent& e) { note(text(e.time)); });
