@@ -35,17 +35,11 @@ class Explorer final : public FollowsGrid<UnmanagedComponent> {
     options.aversion = aversion_;
     options.attempts = static_cast<int>(attempts_.get());
     planner_ = ExplorationPlanner(options);
-    const auto look_at_pose = [this](const ChangeEvent& event) {
-      try {
-        const auto x = read<RobotPose>(event.address);
-        if (x->state == LocalisationState::tracking ||
-            x->state == LocalisationState::dead_reckoning)
-          pose_ = x->pose;
-      } catch (const DoesNotExistOnWM&) {
-        debug("{} was deleted before it was read", event.address.id);
-      }
-    };
-    on_change(changed<RobotPose>().in(localisation_), look_at_pose);
+    on_change(changed<RobotPose>().in(localisation_),
+              [this](const ChangeEvent& event) { look_at_pose(event.address); });
+    // It is not told again while the robot stands.
+    for (auto& x : read_all_in<RobotPose>(localisation_.get()))
+      take_pose(*x);
     follow_grid();
     on_action<Explore>(
       [this](ActionInProgress& action, const Explore& what) { return explore(action, what); });
@@ -64,6 +58,19 @@ class Explorer final : public FollowsGrid<UnmanagedComponent> {
   }
 
   void grid_changed(const CellRegion&) override { is_new_ = true; }
+
+  void look_at_pose(const Address& address) {
+    try {
+      take_pose(*read<RobotPose>(address));
+    } catch (const DoesNotExistOnWM&) {
+      debug("{} was deleted before it was read", address.id);
+    }
+  }
+
+  void take_pose(const RobotPose& x) {
+    if (x.state == LocalisationState::tracking || x.state == LocalisationState::dead_reckoning)
+      pose_ = x.pose;
+  }
 
   ActionResult explore(ActionInProgress& action, const Explore& what) {
     std::optional<Frontier> goal;

@@ -18,6 +18,8 @@ namespace castor::mapping {
 template <class Base>
 class FollowsGrid : public Base {
 protected:
+  using Base::Base;
+
   /// Tiles are in the component's own subarchitecture, or in the one that --grid names. To be
   /// called in `start()`: tells of all that there are.
   void follow_grid() {

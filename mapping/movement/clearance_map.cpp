@@ -1,90 +1,59 @@
 #include "castor/mapping/movement/clearance_map.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 namespace castor::mapping {
 
 namespace {
 
-/// Squared distance of a cell from an obstacle where there is none.
-constexpr float far = 1e12F;
-
-/// One dimension of the transform: lower envelope of the parabolas at `values`.
-class LineTransform {
-public:
-  explicit LineTransform(std::size_t longest)
-    : values(longest), result_(longest), vertices_(longest), bounds_(longest + 1) {}
-
-  std::vector<float> values;
-
-  const std::vector<float>& transform(std::size_t n) {
-    constexpr auto infinity = std::numeric_limits<float>::infinity();
-    std::size_t k = 0;
-    vertices_[0] = 0;
-    bounds_[0] = -infinity;
-    bounds_[1] = infinity;
-    for (std::size_t q = 1; q < n; ++q) {
-      float s = intersection(q, vertices_[k]);
-      while (s <= bounds_[k])
-        s = intersection(q, vertices_[--k]);
-      vertices_[++k] = q;
-      bounds_[k] = s;
-      bounds_[k + 1] = infinity;
-    }
-    k = 0;
-    for (std::size_t q = 0; q < n; ++q) {
-      while (bounds_[k + 1] < static_cast<float>(q))
-        ++k;
-      const auto away = static_cast<float>(q) - static_cast<float>(vertices_[k]);
-      result_[q] = away * away + values[vertices_[k]];
-    }
-    return result_;
-  }
-
-private:
-  float intersection(std::size_t q, std::size_t v) const {
-    const auto a = static_cast<double>(q);
-    const auto b = static_cast<double>(v);
-    return static_cast<float>((double{values[q]} + a * a - double{values[v]} - b * b) /
-                              (2 * (a - b)));
-  }
-
-  std::vector<float> result_;
-  std::vector<std::size_t> vertices_;
-  std::vector<float> bounds_;
-};
+/// From the distance of two cells' centres, in cells.
+float clearance_of(float cells, double cell_size) {
+  return std::max(0.0F, (cells - 0.5F) * static_cast<float>(cell_size));
+}
 
 } // namespace
 
 ClearanceMap::ClearanceMap(const CellMap& map, const ClearanceOptions& options)
   : columns_(map.columns), rows_(map.rows),
     cell_size_(map.cell_size), origin_{map.origin.x, map.origin.y} {
-  const auto columns = static_cast<std::size_t>(columns_);
-  const auto rows = static_cast<std::size_t>(rows_);
-  clearance_.resize(columns * rows);
-  for (std::size_t i = 0; i < clearance_.size(); ++i) {
-    const bool is_obstacle =
-      map.cells[i] < 0 ? options.unknown_is_obstacle : map.cells[i] >= options.occupied_from;
-    clearance_[i] = is_obstacle ? 0 : far;
-  }
-  LineTransform line(std::max(columns, rows));
-  for (std::size_t column = 0; column < columns; ++column) {
-    for (std::size_t row = 0; row < rows; ++row)
-      line.values[row] = clearance_[row * columns + column];
-    auto& result = line.transform(rows);
-    for (std::size_t row = 0; row < rows; ++row)
-      clearance_[row * columns + column] = std::min(result[row], far);
-  }
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::copy_n(clearance_.begin() + static_cast<std::ptrdiff_t>(row * columns), columns,
-                line.values.begin());
-    auto& result = line.transform(columns);
-    for (std::size_t column = 0; column < columns; ++column)
-      clearance_[row * columns + column] =
-        std::max(0.0F, (std::sqrt(result[column]) - 0.5F) * static_cast<float>(cell_size_));
-  }
+  if (map.cells.empty())
+    return;
+  cv::Mat is_free(rows_, columns_, CV_8U);
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      const auto cell = map.at(column, row);
+      const bool is_obstacle =
+        cell < 0 ? options.unknown_is_obstacle : cell >= options.occupied_from;
+      is_free.at<std::uint8_t>(row, column) = is_obstacle ? 0 : 1;
+    }
+  clearance_.resize(map.cells.size());
+  cv::Mat distances(rows_, columns_, CV_32F, clearance_.data());
+  cv::distanceTransform(is_free, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  for (auto& x : clearance_)
+    x = clearance_of(x, cell_size_);
+}
+
+void ClearanceMap::add_obstacle(const Point2& point, double reach) {
+  const auto cell = cell_at(point);
+  if (!cell)
+    return;
+  const int middle_column = static_cast<int>(*cell) % columns_;
+  const int middle_row = static_cast<int>(*cell) / columns_;
+  const int most = static_cast<int>(std::ceil(reach / cell_size_ + 0.5));
+  for (int row = std::max(0, middle_row - most); row <= std::min(rows_ - 1, middle_row + most);
+       ++row)
+    for (int column = std::max(0, middle_column - most);
+         column <= std::min(columns_ - 1, middle_column + most); ++column) {
+      const auto away = std::hypot(static_cast<float>(column - middle_column),
+                                   static_cast<float>(row - middle_row));
+      auto& known = clearance_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(column)];
+      known = std::min(known, clearance_of(away, cell_size_));
+    }
 }
 
 double ClearanceMap::at(const Point2& point) const {

@@ -16,14 +16,17 @@ struct ClearanceOptions {
   bool unknown_is_obstacle = true;
 };
 
-/// Distance of each cell of a map from the nearest obstacle, by the exact distance transform of
-/// P. Felzenszwalb and D. Huttenlocher, "Distance transforms of sampled functions", 2012: time
-/// linear in the number of cells.
+/// Distance of each cell of a map from the nearest obstacle, exact, in time linear in the number of
+/// cells.
 class ClearanceMap {
 public:
   ClearanceMap() = default;
   /// \pre the rows of the map are parallel to the x axis.
   explicit ClearanceMap(const CellMap& map, const ClearanceOptions& options = {});
+
+  /// One more obstacle, of a cell's size. Clearances up to `reach` are exact afterwards, metres;
+  /// larger ones may be too large. One outside the map is ignored.
+  void add_obstacle(const Point2& point, double reach);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

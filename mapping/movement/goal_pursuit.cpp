@@ -1,6 +1,7 @@
 #include "castor/mapping/movement/goal_pursuit.hpp"
 
 #include "castor/mapping/movement/free_arc.hpp"
+#include "castor/mapping/planar/braking.hpp"
 
 #include <fmt/format.h>
 
@@ -27,27 +28,25 @@ GoalPursuit::GoalPursuit(const Point2& goal, std::optional<double> heading,
                          const PursuitOptions& options)
   : goal_(goal), heading_(heading), options_(options) {}
 
-GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot, const CellMap& map,
-                                    std::uint64_t map_version, std::span<const Point2> seen) {
+GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot, const PlanningMap& map,
+                                    std::span<const Point2> seen) {
   const auto since_last = step_time_ ? time - *step_time_ : 0;
   step_time_ = time_ = time;
   if (stands_since_ || is_blocked_)
     waited_ += since_last;
   if (backs_off_from_)
-    return recover(robot, seen);
+    return recover(robot, map, seen);
   if (follower_ && follower_->has_arrived())
     return turn_at_goal(robot);
   const bool may_plan = !planned_ || time - *planned_ >= options_.replan_period;
-  if (may_plan && map_version_ != map_version)
-    look_at_map(map, map_version);
-  const auto obstacles = unexpected(seen);
-  if (may_plan && (!follower_ || is_blocked_ || !is_path_free(robot, obstacles)))
+  const auto obstacles = unexpected(map, seen);
+  if (may_plan && (!follower_ || is_blocked_ || !is_path_free(robot, map, obstacles)))
     plan(robot, map, obstacles);
   if (!problem_.empty())
     return fail(problem_);
   if (!is_blocked_) {
     blocked_since_.reset();
-    return drive(robot, seen);
+    return drive(robot, map, seen);
   }
   if (!blocked_since_)
     blocked_since_ = time;
@@ -57,23 +56,17 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot, const
   return stand(MovementStatus::waiting, "a free way");
 }
 
-void GoalPursuit::look_at_map(const CellMap& map, std::uint64_t version) {
-  map_version_ = version;
-  clearance_ = ClearanceMap(map, options_.plan.cells);
-  auto occupied = options_.plan.cells;
-  occupied.unknown_is_obstacle = false;
-  occupied_ = ClearanceMap(map, occupied);
-}
-
-std::vector<Point2> GoalPursuit::unexpected(std::span<const Point2> seen) const {
+std::vector<Point2> GoalPursuit::unexpected(const PlanningMap& map,
+                                            std::span<const Point2> seen) const {
   std::vector<Point2> result;
   for (auto& x : seen)
-    if (occupied_.at(x) > options_.unexpected_from)
+    if (map.clearance_of_occupied().at(x) > options_.unexpected_from)
       result.push_back(x);
   return result;
 }
 
-bool GoalPursuit::is_path_free(const Pose2& robot, std::span<const Point2> points) const {
+bool GoalPursuit::is_path_free(const Pose2& robot, const PlanningMap& map,
+                               std::span<const Point2> points) const {
   // Less than planned for, or each cell that flickers would be a reason for a new plan.
   const double least = options_.plan.radius + options_.plan.margin / 2;
   const double done = follower_->done();
@@ -92,7 +85,7 @@ bool GoalPursuit::is_path_free(const Pose2& robot, std::span<const Point2> point
     const auto a = at(begin);
     const auto b = at(end);
     const bool leaves_start = distance(a, {robot.x, robot.y}) < options_.plan.start_tolerance;
-    if (!leaves_start && !is_clear(clearance_, a, b, least - clearance_.cell_size()))
+    if (!leaves_start && !is_clear(map.clearance(), a, b, least - map.cells().cell_size))
       return false;
     for (auto& x : points)
       if (distance_from_piece(x, a, b) < least)
@@ -101,24 +94,29 @@ bool GoalPursuit::is_path_free(const Pose2& robot, std::span<const Point2> point
   return true;
 }
 
-void GoalPursuit::plan(const Pose2& robot, const CellMap& map, std::span<const Point2> obstacles) {
+void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
+                       std::span<const Point2> obstacles) {
   planned_ = time_;
   ++plans_;
   const Point2 start{robot.x, robot.y};
-  auto planned = plan_path(map, clearance_, start, goal_, options_.plan);
-  if (planned.points.empty()) {
-    problem_ = planned.reason;
-    return;
-  }
+  PlannedPath planned;
   if (!obstacles.empty()) {
-    auto with_obstacles = map;
+    auto options = options_.plan;
+    options.explains = false;
+    auto clearance = map.clearance();
     for (auto& x : obstacles)
-      if (const auto cell = clearance_.cell_at(x))
-        with_obstacles.cells[*cell] = 100;
-    const ClearanceMap clearance(with_obstacles, options_.plan.cells);
-    planned = plan_path(with_obstacles, clearance, start, goal_, options_.plan);
+      clearance.add_obstacle(x, options.preferred_clearance);
+    planned = plan_path(map.cells(), clearance, start, goal_, options);
   }
-  is_blocked_ = planned.points.empty();
+  is_blocked_ = false;
+  if (planned.points.empty()) {
+    planned = plan_path(map.cells(), map.clearance(), start, goal_, options_.plan);
+    if (planned.points.empty()) {
+      problem_ = planned.reason;
+      return;
+    }
+    is_blocked_ = !obstacles.empty();
+  }
   if (is_blocked_)
     return;
   path_ = std::move(planned.points);
@@ -129,7 +127,8 @@ GoalPursuit::Step GoalPursuit::stand(MovementStatus status, const std::string& w
   return {{}, status, waits_for, {}};
 }
 
-GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, std::span<const Point2> seen) {
+GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PlanningMap& map,
+                                     std::span<const Point2> seen) {
   auto velocity = follower_->velocity_at(robot);
   if (follower_->has_arrived())
     return turn_at_goal(robot);
@@ -139,16 +138,14 @@ GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, std::span<const Point2>
       velocity.forward = fastest;
     }
   };
-  if (occupied_.at(Point2{robot.x, robot.y}) < options_.narrow_clearance)
+  if (map.clearance_of_occupied().at(Point2{robot.x, robot.y}) < options_.narrow_clearance)
     slow_to(options_.narrow_speed);
   if (velocity.forward > 0) {
     const double fast = velocity.forward;
     const double reach = fast * fast / (2 * options_.braking) + fast * options_.reaction + 0.1;
     const double left = free_arc(robot, velocity, seen, options_.plan.radius, options_.gap, reach);
     if (left < reach) {
-      // Fastest with v * reaction + v^2 / (2 braking) = left.
-      const double lag = options_.braking * options_.reaction;
-      const double fastest = std::sqrt(lag * lag + 2 * options_.braking * left) - lag;
+      const double fastest = speed_to_stop_within(left, options_.reaction, options_.braking);
       constexpr double slowest = 0.03; // m/s
       if (fastest < slowest) {
         if (!stands_since_)
@@ -159,7 +156,7 @@ GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, std::span<const Point2>
             return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help",
                                     robot.x, robot.y, options_.recoveries));
           backs_off_from_ = robot;
-          return recover(robot, seen);
+          return recover(robot, map, seen);
         }
         return stand(MovementStatus::waiting, "a free way");
       }
@@ -170,13 +167,14 @@ GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, std::span<const Point2>
   return {velocity, MovementStatus::moving, {}, {}};
 }
 
-GoalPursuit::Step GoalPursuit::recover(const Pose2& robot, std::span<const Point2> seen) {
+GoalPursuit::Step GoalPursuit::recover(const Pose2& robot, const PlanningMap& map,
+                                       std::span<const Point2> seen) {
   const Twist2 back{-options_.back_off_speed, 0};
   const double step = 0.05; // metres
   const auto behind = transform(robot, Point2{-step, 0});
   const bool is_map_free =
-    clearance_.at(behind) >=
-    std::min(options_.plan.radius + options_.gap, clearance_.at(Point2{robot.x, robot.y}));
+    map.clearance().at(behind) >=
+    std::min(options_.plan.radius + options_.gap, map.clearance().at(Point2{robot.x, robot.y}));
   const bool is_free =
     free_arc(robot, back, seen, options_.plan.radius, options_.gap, step) >= step - 1e-9;
   if (distance(robot, *backs_off_from_) < options_.back_off && is_map_free && is_free)

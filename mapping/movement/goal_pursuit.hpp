@@ -2,6 +2,7 @@
 
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/movement/path_planner.hpp"
+#include "castor/mapping/movement/planning_map.hpp"
 #include "castor/mapping/movement/types.hpp"
 
 #include <cstdint>
@@ -59,9 +60,9 @@ public:
   };
 
   /// @param time microseconds
-  /// @param map_version differs from that before if the map does
+  /// @param map with the same options for cells as those of the plan
   /// @param seen what the laser has seen lately
-  Step step(std::int64_t time, const Pose2& robot, const CellMap& map, std::uint64_t map_version,
+  Step step(std::int64_t time, const Pose2& robot, const PlanningMap& map,
             std::span<const Point2> seen);
 
   const Path& path() const { return path_; }
@@ -73,24 +74,20 @@ public:
   std::int64_t waited() const { return waited_; }
 
 private:
-  void look_at_map(const CellMap& map, std::uint64_t version);
-  std::vector<Point2> unexpected(std::span<const Point2> seen) const;
+  std::vector<Point2> unexpected(const PlanningMap& map, std::span<const Point2> seen) const;
   /// Nothing of `points` is near the path ahead, nor does the map show anything there.
-  bool is_path_free(const Pose2& robot, std::span<const Point2> points) const;
-  void plan(const Pose2& robot, const CellMap& map, std::span<const Point2> unexpected);
+  bool is_path_free(const Pose2& robot, const PlanningMap& map,
+                    std::span<const Point2> points) const;
+  void plan(const Pose2& robot, const PlanningMap& map, std::span<const Point2> unexpected);
   Step stand(MovementStatus status, const std::string& waits_for);
-  Step drive(const Pose2& robot, std::span<const Point2> seen);
-  Step recover(const Pose2& robot, std::span<const Point2> seen);
+  Step drive(const Pose2& robot, const PlanningMap& map, std::span<const Point2> seen);
+  Step recover(const Pose2& robot, const PlanningMap& map, std::span<const Point2> seen);
   Step turn_at_goal(const Pose2& robot) const;
   Step fail(const std::string& reason) const;
 
   Point2 goal_;
   std::optional<double> heading_;
   PursuitOptions options_;
-  std::optional<std::uint64_t> map_version_;
-  /// Unknown cells included as the options say, and of occupied cells only.
-  ClearanceMap clearance_;
-  ClearanceMap occupied_;
   Path path_;
   std::unique_ptr<PathFollower> follower_;
   std::string problem_;

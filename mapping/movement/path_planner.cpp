@@ -67,7 +67,10 @@ public:
                           options_.start_tolerance, start.x, start.y, needed_)};
     const auto cells = search(*start_cell, static_cast<std::uint32_t>(*goal_cell));
     if (cells.empty())
-      return {{}, 0, why_no_way(*start_cell, static_cast<std::uint32_t>(*goal_cell))};
+      return {{},
+              0,
+              options_.explains ? why_no_way(*start_cell, static_cast<std::uint32_t>(*goal_cell))
+                                : "no way"};
     PlannedPath result;
     result.points = straightened(points_of(cells, start, goal));
     for (std::size_t i = 1; i < result.points.size(); ++i)

@@ -19,6 +19,9 @@ struct PlanOptions {
   /// metres.
   double start_tolerance = 0.4;
   ClearanceOptions cells;
+  /// Whether it says what blocks the way where there is none. To find that takes longer than to
+  /// plan.
+  bool explains = true;
 };
 
 struct PlannedPath {

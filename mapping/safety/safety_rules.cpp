@@ -1,5 +1,6 @@
 #include "castor/mapping/safety/safety_rules.hpp"
 
+#include "castor/mapping/planar/braking.hpp"
 #include "castor/mapping/safety/way_to_contact.hpp"
 
 #include <algorithm>

@@ -49,11 +49,4 @@ double way_to_contact(const Point2& p, double curvature, double radius) {
   return along_circle({p.x, curvature > 0 ? p.y : -p.y}, 1 / std::abs(curvature), radius);
 }
 
-double speed_to_stop_within(double way, double latency, double braking) {
-  // way = speed * latency + speed^2 / (2 * braking), solved for the speed.
-  if (way <= 0)
-    return 0;
-  return braking * (std::sqrt(latency * latency + 2 * way / braking) - latency);
-}
-
 } // namespace castor::mapping

@@ -1,16 +1,14 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/base/text_file.hpp"
-#include "castor/mapping/body/components/drives.hpp"
+#include "castor/mapping/body/components/drives_by_pose.hpp"
 #include "castor/mapping/body/components/named_file.hpp"
-#include "castor/mapping/body/corrected_pose.hpp"
 #include "castor/mapping/body/free_way.hpp"
 #include "castor/mapping/body/path_follower.hpp"
-#include "castor/mapping/slam/types.hpp"
+#include "castor/mapping/planar/braking.hpp"
 
 #include <fmt/core.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,16 +21,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// By what the driver knows where the robot is.
-enum class PoseSource { odometry, localisation, truth };
-CASTOR_REFLECT_ENUM(PoseSource, odometry, localisation, truth)
-
 enum class AfterArrival { stay, end };
 CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
 
 /// Drives a robot along a given path, and waits while something is in its way. It never drives
 /// around anything: after --patience it says that somebody has to clear the way.
-class PathDriver final : public Drives {
+class PathDriver final : public DrivesByPose {
+public:
+  PathDriver() : DrivesByPose(PoseSource::odometry) {
+    // nop
+  }
+
+private:
   void configure() override {
     PathText read;
     if (!file_->empty()) {
@@ -48,25 +48,7 @@ class PathDriver final : public Drives {
   }
 
   void start() override {
-    switch (pose_source_) {
-      case PoseSource::odometry:
-        on_push<Odometry>(sensors(), [this](auto& x) { pose_ = x->pose; });
-        break;
-      case PoseSource::truth:
-        on_push<BodyStatus>(sensors(), [this](auto& x) { pose_ = x->pose; });
-        break;
-      case PoseSource::localisation:
-        on_push<Odometry>(sensors(), [this](auto& x) {
-          corrected_.add(*x);
-          pose_ = corrected_.now();
-        });
-        on_change(changed<RobotPose>().in(localisation_),
-                  [this](const ChangeEvent& event) { look_at_pose(event.address); });
-        // It is not told again while the robot stands.
-        for (auto& x : read_all_in<RobotPose>(localisation_.get()))
-          take_pose(*x);
-        break;
-    }
+    follow_pose();
     if (stop_before_ > 0)
       on_push<LaserScan>(sensors(), [this](auto& x) { free_way_ = free_way(*x, half_width_); });
   }
@@ -92,18 +74,18 @@ class PathDriver final : public Drives {
   }
 
   void drive_on() {
-    if (!pose_) {
+    if (!pose()) {
       wait("a pose");
       return;
     }
-    auto velocity = follower_->velocity_at(*pose_);
+    auto velocity = follower_->velocity_at(*pose());
     if (follower_->has_arrived()) {
       ++rounds_;
       begin_round();
       tell({});
       return;
     }
-    if (is_lost_)
+    if (is_lost())
       wait("localisation");
     else if (!is_slowed_to_way(velocity))
       wait_for_way();
@@ -119,8 +101,7 @@ class PathDriver final : public Drives {
   bool is_slowed_to_way(Twist2& velocity) const {
     if (!(velocity.forward > 0) || !(stop_before_ > 0))
       return true;
-    const double left = free_way_ - stop_before_;
-    const double fastest = left > 0 ? std::sqrt(2 * braking_ * left) : 0;
+    const double fastest = speed_to_stop_within(free_way_ - stop_before_, 0, braking_);
     constexpr double slowest = 0.03; // m/s
     if (fastest < slowest)
       return false;
@@ -148,20 +129,6 @@ class PathDriver final : public Drives {
     if (waits_for_ != what)
       warning("waits for {}", what);
     wait(what);
-  }
-
-  void look_at_pose(const Address& address) {
-    try {
-      take_pose(*read<RobotPose>(address));
-    } catch (const DoesNotExistOnWM&) {
-      is_lost_ = true;
-    }
-  }
-
-  void take_pose(const RobotPose& x) {
-    is_lost_ = x.state == LocalisationState::lost;
-    if (x.state != LocalisationState::starting && !is_lost_)
-      corrected_.correct(x.time, x.pose);
   }
 
   void begin_round() {
@@ -197,10 +164,6 @@ class PathDriver final : public Drives {
   Option<std::string> path_{this, "path", "", "waypoints: X Y, X Y, ..., metres"};
   Option<std::string> file_{this, "file", "", "file of waypoints, one on a line, instead"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
-  Option<PoseSource> pose_source_{this, "pose", PoseSource::odometry,
-                                  "by what the driver knows where the robot is"};
-  Option<SubarchitectureName> localisation_{
-    this, "localisation", "slam", "whose RobotPose entries count with --pose localisation"};
   Option<double> speed_{this, "speed", 0.5, "m/s"};
   Option<double> look_ahead_{this, "look-ahead", 0.4, "how far ahead on the path it aims, metres"};
   Option<double> tolerance_{this, "tolerance", 0.1,
@@ -220,9 +183,6 @@ class PathDriver final : public Drives {
 
   Path way_;
   std::unique_ptr<PathFollower> follower_;
-  CorrectedPose corrected_;
-  std::optional<Pose2> pose_;
-  bool is_lost_ = false;
   double free_way_ = 1e9;
   /// When it began to stand because of what is in its way.
   std::optional<Timestamp> way_ended_;

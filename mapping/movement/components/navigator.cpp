@@ -1,14 +1,12 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
-#include "castor/mapping/body/components/drives.hpp"
+#include "castor/mapping/body/components/drives_by_pose.hpp"
 #include "castor/mapping/body/components/named_file.hpp"
-#include "castor/mapping/body/corrected_pose.hpp"
 #include "castor/mapping/map_components/follows_grid.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/goal_pursuit.hpp"
 #include "castor/mapping/movement/seen_obstacles.hpp"
 #include "castor/mapping/movement/types.hpp"
-#include "castor/mapping/slam/types.hpp"
 
 #include <fmt/format.h>
 
@@ -31,12 +29,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// By what the navigator knows where the robot is; the truth is for tests.
-enum class NavigatorPose { localisation, odometry, truth };
-CASTOR_REFLECT_ENUM(NavigatorPose, localisation, odometry, truth)
-
 /// Moves the robot: executes the actions of movement, one after the other.
-class Navigator final : public FollowsGrid<Drives> {
+class Navigator final : public FollowsGrid<DrivesByPose> {
+public:
+  Navigator() : FollowsGrid(PoseSource::localisation) {
+    // nop
+  }
+
+private:
   void configure() override {
     if (!map_file_->empty())
       map_ = read_map_server(file_named(map_file_, base_));
@@ -52,29 +52,14 @@ class Navigator final : public FollowsGrid<Drives> {
     options_.narrow_speed = narrow_speed_;
     options_.patience = std::chrono::duration_cast<Timestamp>(patience_.get()).count();
     options_.recoveries = recoveries_;
+    planning_map_ = PlanningMap(options_.plan.cells);
   }
 
   void start() override {
-    const std::string& where = sensors();
-    switch (pose_source_) {
-      case NavigatorPose::odometry:
-        on_push<Odometry>(where, [this](auto& x) { pose_ = x->pose; });
-        break;
-      case NavigatorPose::truth:
-        on_push<BodyStatus>(where, [this](auto& x) { pose_ = x->pose; });
-        break;
-      case NavigatorPose::localisation:
-        on_push<Odometry>(where, [this](auto& x) {
-          corrected_.add(*x);
-          pose_ = corrected_.now();
-        });
-        on_change(changed<RobotPose>().in(localisation_),
-                  [this](const ChangeEvent& event) { look_at_pose(event.address); });
-        break;
-    }
-    on_push<LaserScan>(where, [this](auto& x) {
-      if (pose_)
-        seen_.add(*x, *pose_);
+    follow_pose();
+    on_push<LaserScan>(sensors(), [this](auto& x) {
+      if (pose())
+        seen_.add(*x, *pose());
     });
     if (map_file_->empty())
       follow_grid();
@@ -91,7 +76,7 @@ class Navigator final : public FollowsGrid<Drives> {
       return turn(action, x.angle, fmt::format("turn by {:.2f} rad", x.angle));
     });
     execute<TurnTo>([this](ActionInProgress& action, const TurnTo& x) {
-      const double angle = pose_ ? normalised(x.heading - pose_->heading) : 0;
+      const double angle = pose() ? normalised(x.heading - pose()->heading) : 0;
       return turn(action, angle, fmt::format("turn to {:.2f} rad", x.heading));
     });
     execute<StopMoving>([this](ActionInProgress&, const StopMoving&) {
@@ -173,7 +158,7 @@ class Navigator final : public FollowsGrid<Drives> {
         tell(MovementStatus::waiting, missing);
       } else {
         const auto begun = std::chrono::steady_clock::now();
-        const auto step = pursuit.step(now().count(), *pose_, map(), map_version(), seen_.points());
+        const auto step = pursuit.step(now().count(), *pose(), planning_map(), seen_.points());
         if (pursuit.plans() != told_plans)
           movement_.planning_time =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -197,9 +182,11 @@ class Navigator final : public FollowsGrid<Drives> {
 
   /// To the place around the object that takes the shortest way.
   ActionResult go_near(ActionInProgress& action, const GoToObject& x) {
-    if (!pose_)
+    if (!pose())
       return ActionResult::failed("it is not known where the robot is");
-    const ClearanceMap clearance(map(), options_.plan.cells);
+    const auto& map = planning_map();
+    auto options = options_.plan;
+    options.explains = false;
     std::optional<Pose2> best;
     double shortest = std::numeric_limits<double>::infinity();
     std::string reason;
@@ -207,7 +194,8 @@ class Navigator final : public FollowsGrid<Drives> {
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * std::numbers::pi * i / directions;
       const Point2 place{x.x + x.distance * std::cos(angle), x.y + x.distance * std::sin(angle)};
-      const auto plan = plan_path(map(), clearance, {pose_->x, pose_->y}, place, options_.plan);
+      const auto plan =
+        plan_path(map.cells(), map.clearance(), {pose()->x, pose()->y}, place, options);
       if (plan.points.empty()) {
         reason = plan.reason;
       } else if (plan.length < shortest) {
@@ -234,8 +222,8 @@ class Navigator final : public FollowsGrid<Drives> {
         tell(MovementStatus::waiting, missing);
       } else {
         if (before)
-          left -= normalised(pose_->heading - *before);
-        before = pose_->heading;
+          left -= normalised(pose()->heading - *before);
+        before = pose()->heading;
         if (std::abs(left) < close) {
           drive({});
           tell(MovementStatus::arrived, {}, true);
@@ -262,31 +250,25 @@ class Navigator final : public FollowsGrid<Drives> {
   std::string what_is_missing() const {
     if (!has_seat_)
       return "the driver's seat";
-    if (is_lost_)
-      return "localisation: " + lost_reason_;
-    if (!pose_)
+    if (is_lost())
+      return "localisation: " + lost_reason();
+    if (!pose())
       return "a pose";
     if (map().columns == 0)
       return "a map";
     return {};
   }
 
-  void look_at_pose(const Address& address) {
-    try {
-      const auto x = read<RobotPose>(address);
-      is_lost_ = x->state == LocalisationState::lost;
-      lost_reason_ = x->reason.empty() ? "the robot is lost" : x->reason;
-      if (x->state == LocalisationState::starting || is_lost_)
-        return;
-      corrected_.correct(x->time, x->pose);
-    } catch (const DoesNotExistOnWM&) {
-      is_lost_ = true;
-      lost_reason_ = "nobody says where the robot is";
-    }
-  }
-
   const CellMap& map() const { return map_ ? *map_ : grid().map(); }
-  std::uint64_t map_version() const { return map_ ? 0 : grid().version(); }
+
+  /// The map of now, or of half a second ago: the grid changes tile by tile.
+  const PlanningMap& planning_map() {
+    if (!planning_map_.version() || now() - map_updated_ >= 500ms) {
+      planning_map_.update(map(), map_ ? 0 : grid().version());
+      map_updated_ = now();
+    }
+    return planning_map_;
+  }
 
   static double in_seconds(std::chrono::milliseconds x) {
     return std::chrono::duration<double>(x).count();
@@ -321,10 +303,6 @@ class Navigator final : public FollowsGrid<Drives> {
     put(here(component_name()), movement_);
   }
 
-  Option<NavigatorPose> pose_source_{this, "pose", NavigatorPose::localisation,
-                                     "by what it knows where the robot is"};
-  Option<SubarchitectureName> localisation_{
-    this, "localisation", "slam", "whose RobotPose entries count with --pose localisation"};
   Option<std::string> map_file_{this, "map", "",
                                 "a .yaml of map_server in place of the grid's tiles"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
@@ -348,11 +326,9 @@ class Navigator final : public FollowsGrid<Drives> {
 
   PursuitOptions options_;
   std::optional<CellMap> map_;
+  PlanningMap planning_map_;
+  Timestamp map_updated_{0};
   SeenObstacles seen_;
-  CorrectedPose corrected_;
-  std::optional<Pose2> pose_;
-  bool is_lost_ = false;
-  std::string lost_reason_;
   bool has_seat_ = false;
   /// Actions that were asked for and have not begun, and those of them that are not to begin.
   std::deque<Address> arrived_;

@@ -3,7 +3,7 @@
 #include "castor/mapping/people/person_detector.hpp"
 #include "castor/mapping/people/person_tracks.hpp"
 #include "castor/mapping/people/types.hpp"
-#include "castor/mapping/planar/odometry_history.hpp"
+#include "castor/mapping/planar/corrected_pose.hpp"
 #include "castor/mapping/slam/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -34,10 +34,13 @@ class PersonTracker final : public UnmanagedComponent {
     TrackOptions tracking;
     tracking.patience = std::chrono::duration<double>(patience_.get()).count();
     tracks_ = std::make_unique<PersonTracks>(tracking, remove_former() + 1);
-    on_push<Odometry>(robot_, [this](auto& x) { odometry_.add(*x); });
+    on_push<Odometry>(robot_, [this](auto& x) { corrected_.add(*x); });
     on_push<LaserScan>(robot_, [this](auto& x) { look(*x); });
     on_change(changed<RobotPose>().in(localisation_),
               [this](const ChangeEvent& event) { localise(event.address); });
+    // It is not told again while the robot stands.
+    for (auto& x : read_all_in<RobotPose>(localisation_.get()))
+      take_pose(*x);
   }
 
   /// A tracker before this one has failed: whom it knew is not known any more. Returns the greatest
@@ -53,24 +56,25 @@ class PersonTracker final : public UnmanagedComponent {
 
   void localise(const Address& address) {
     try {
-      const auto x = read<RobotPose>(address);
-      if (x->state == LocalisationState::starting || x->state == LocalisationState::lost)
-        return;
-      if (const auto wheels = odometry_.pose_at(x->time))
-        odometry_in_map_ = compose(x->pose, inverse(*wheels));
+      take_pose(*read<RobotPose>(address));
     } catch (const DoesNotExistOnWM&) {
       // The next pose comes with another event.
     }
   }
 
+  void take_pose(const RobotPose& x) {
+    if (x.state != LocalisationState::starting && x.state != LocalisationState::lost)
+      corrected_.correct(x.time, x.pose);
+  }
+
   void look(const LaserScan& scan) {
-    const auto newest = odometry_.newest();
+    const auto newest = corrected_.odometry().newest();
     if (!newest)
       return;
-    const auto robot = odometry_.pose_at(scan.time).value_or(newest->pose);
+    const auto robot = corrected_.odometry().pose_at(scan.time).value_or(newest->pose);
     const auto detections = detector_->detect(scan, robot, tracks_->expected(scan.time));
     tracks_->add(detections, scan.time);
-    if (odometry_in_map_ && now() - told_ >= period_.get())
+    if (corrected_.odometry_frame() && now() - told_ >= period_.get())
       tell(scan.time);
   }
 
@@ -78,7 +82,8 @@ class PersonTracker final : public UnmanagedComponent {
     told_ = now();
     std::set<std::int64_t> present;
     for (const auto& track : tracks_->people()) {
-      const auto in_map = compose(*odometry_in_map_, {track.place.x, track.place.y, track.heading});
+      const auto in_map =
+        compose(*corrected_.odometry_frame(), {track.place.x, track.place.y, track.heading});
       put(here(id_of(track.id)), Person{track.id, time, in_map.x, in_map.y, in_map.heading,
                                         track.speed(), track.visibility});
       present.insert(track.id);
@@ -102,8 +107,7 @@ class PersonTracker final : public UnmanagedComponent {
 
   std::unique_ptr<PersonDetector> detector_;
   std::unique_ptr<PersonTracks> tracks_;
-  OdometryHistory odometry_;
-  std::optional<Pose2> odometry_in_map_;
+  CorrectedPose corrected_;
   Timestamp told_{0};
   /// Ids of whom there are entries.
   std::set<std::int64_t> told_of_;

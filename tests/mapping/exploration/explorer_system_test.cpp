@@ -86,7 +86,7 @@ std::unique_ptr<TestSystem> system_with(const std::string& navigator, const std:
       navigator +
       "\n"
       "CPP UM explorer Explorer --grid slam --start true " +
-      explorer + "\n",
+      explorer + "\nSUPERVISE * RESTARTS 10 IN 10s\n",
     TestSystemOptions{.patience = 5min, .open_access = true, .simulated_time = true});
 }
 
@@ -116,6 +116,17 @@ TEST(ExplorerSystem, EndsWhenTheNavigatorGetsNowhere) {
   for (auto& x : state.frontiers)
     says_why |= x.state == FrontierState::given_up && x.reason == "the wheels are blocked";
   EXPECT_TRUE(says_why);
+}
+
+TEST(ExplorerSystem, GoesOnAfterAFailureWhileTheRobotStands) {
+  // Nothing moves the robot before the Explorer asks for it.
+  auto system = system_with("--fails true", "");
+  system->expect_entry("ExplorationState in navigation where finished == true");
+  const auto crashed = system->system().now().count();
+  system->inject("crash explorer");
+  system->expect_back("explorer");
+  system->expect_entry("ExplorationState in navigation where finished == true && time > " +
+                       std::to_string(crashed));
 }
 
 } // namespace castor::mapping::test

@@ -44,6 +44,24 @@ RC_GTEST_PROP(ClearanceMap, IsTheDistanceFromTheNearestObstacle, ()) {
     }
 }
 
+RC_GTEST_PROP(ClearanceMap, IsExactAroundAnObstacleThatIsAdded, ()) {
+  auto map = test::empty_room(3, 2, 0.1);
+  ClearanceMap clearance(map);
+  for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
+    const Point2 place{*rc::gen::inRange(-2, 32) * 0.1 + 0.05,
+                       *rc::gen::inRange(-2, 22) * 0.1 + 0.05};
+    clearance.add_obstacle(place, 0.5);
+    if (const auto cell = clearance.cell_at(place))
+      map.cells[*cell] = 100;
+  }
+  const ClearanceMap expected(map);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (expected.at(i) <= 0.5)
+      RC_ASSERT(std::abs(clearance.at(i) - expected.at(i)) < 1e-5);
+    RC_ASSERT(clearance.at(i) > expected.at(i) - 1e-5);
+  }
+}
+
 TEST(ClearanceMap, HasNoneOutsideTheMap) {
   const ClearanceMap clearance(test::empty_room(2, 2));
   EXPECT_GT(clearance.at(Point2{1, 1}), 0.9);

@@ -45,6 +45,8 @@ Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const 
   PursuitOptions options;
   options.follow.look_ahead = 0.3;
   GoalPursuit pursuit(goal, heading, options);
+  PlanningMap planning_map(options.plan.cells);
+  planning_map.update(map, 1);
   SeenObstacles seen;
   Drive result;
   while (body.time().count() < static_cast<std::int64_t>(seconds * 1e6)) {
@@ -53,7 +55,8 @@ Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const 
       seen.add(body.scan(), body.status().pose);
     if (body.steps() % 5 != 0)
       continue;
-    result.last = pursuit.step(body.time().count(), body.status().pose, map, 1, seen.points());
+    result.last =
+      pursuit.step(body.time().count(), body.status().pose, planning_map, seen.points());
     body.command(result.last.velocity);
     if (result.last.status == MovementStatus::arrived ||
         result.last.status == MovementStatus::failed)

@@ -6,6 +6,7 @@
 #include "castor/mapping/body/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/types.hpp"
+#include "castor/mapping/slam/types.hpp"
 #include "castor/tests/mapping/movement/drawn_map.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
@@ -13,7 +14,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace castor::mapping {
@@ -82,33 +86,86 @@ class MovementStopper final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(MovementStopper, "stops the robot")
 
+std::atomic<bool> navigator_is_back = false;
+
+/// A goal, and another one after the Navigator was restarted.
+class PatientAsker final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [](auto& x) { told().body = *x; });
+  }
+
+  void run() override {
+    GoToPlace there;
+    there.x = 1.5;
+    there.y = 2;
+    told().first = perform("navigation", there).wait(60s);
+    // Long enough for the robot to stand, and for its pose to be told.
+    sleep_for(2s);
+    add(DriverSeat{});
+    while (is_running() && !navigator_is_back)
+      sleep_for(50ms);
+    there.x = 2;
+    told().second = perform("navigation", there).wait(60s);
+    add(Movement{});
+  }
+};
+CASTOR_COMPONENT(PatientAsker, "asks for movements before and after a failure")
+
+/// Tells of the true pose; nothing while the robot stands.
+class QuietLocalisation final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [this](auto& x) {
+      if (x->time % 200'000 != 0 || x->pose == told_)
+        return;
+      told_ = x->pose;
+      RobotPose pose;
+      pose.time = x->time;
+      pose.frame = "map";
+      pose.pose = x->pose;
+      pose.state = LocalisationState::tracking;
+      put(here("pose"), pose);
+    });
+  }
+
+  std::optional<Pose2> told_;
+};
+CASTOR_COMPONENT(QuietLocalisation, "says where the robot is")
+
 class NavigatorSystem : public testing::Test {
 protected:
   void run(const std::string& asker) {
+    const auto system = system_with(asker, "--pose truth");
+    system->expect_entry("Movement in asking");
+  }
+
+  std::unique_ptr<TestSystem> system_with(const std::string& asker, const std::string& navigator) {
     told() = {};
+    navigator_is_back = false;
     auto map = test::empty_room(6, 4);
     test::fill(map, 2.95, 0, 3.05, 4);
     test::fill(map, 2.95, 1.6, 3.05, 2.4, 0);
-    const castor::test::TemporaryFolder folder;
-    const auto stem = folder.path() / "rooms";
+    const auto stem = folder_.path() / "rooms";
     write_map_server(map, stem);
     const auto yaml = stem.string() + ".yaml";
-    TestSystem system{"COMPONENT CPP robot SimulatedRobot --building " + yaml +
-                        " --start \"1 1 heading 90\" --lease navigation/seat\n"
-                        "SUBARCHITECTURE navigation\n"
-                        "CPP WM SubarchitectureWorkingMemory\n"
-                        "CPP TM AlwaysPositiveTaskManager\n"
-                        "CPP UM navigator Navigator --map " +
-                        yaml +
-                        " --pose truth --seat seat\n"
-                        "SUBARCHITECTURE asking\n"
-                        "CPP WM SubarchitectureWorkingMemory\n"
-                        "CPP TM AlwaysPositiveTaskManager\n"
-                        "CPP UM asker " +
-                        asker + "\n",
-                      {.patience = 120s, .simulated_time = true}};
-    system.expect_entry("Movement in asking");
+    return std::make_unique<TestSystem>(
+      "COMPONENT CPP robot SimulatedRobot --building " + yaml +
+        " --start \"1 1 heading 90\" --lease navigation/seat\n"
+        "SUBARCHITECTURE navigation\n"
+        "CPP WM SubarchitectureWorkingMemory\n"
+        "CPP TM AlwaysPositiveTaskManager\n"
+        "CPP UM localisation QuietLocalisation\n"
+        "CPP UM navigator Navigator --map " +
+        yaml + " --seat seat --localisation navigation " + navigator +
+        "\n"
+        "SUBARCHITECTURE asking\n"
+        "CPP WM SubarchitectureWorkingMemory\n"
+        "CPP TM AlwaysPositiveTaskManager\n"
+        "CPP UM asker " +
+        asker + "\nSUPERVISE * RESTARTS 10 IN 10s\n",
+      TestSystemOptions{.patience = 120s, .simulated_time = true});
   }
+
+  castor::test::TemporaryFolder folder_;
 };
 
 TEST_F(NavigatorSystem, GoesToPlacesAndSaysWhyItCannot) {
@@ -133,6 +190,19 @@ TEST_F(NavigatorSystem, StopsAtOnceAndClearsTheQueue) {
   EXPECT_GT(told().body.time, told().asked_at.count() - 100'000);
   EXPECT_EQ(told().body.velocity.forward, 0);
   EXPECT_LT(told().body.driven, 1);
+}
+
+TEST_F(NavigatorSystem, GoesOnAfterAFailureWhileTheRobotStands) {
+  const auto system = system_with("PatientAsker", "");
+  system->expect_entry("DriverSeat in asking");
+  system->inject("crash navigator");
+  system->expect_back("navigator");
+  navigator_is_back = true;
+  system->expect_entry("Movement in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
+  EXPECT_NEAR(told().body.pose.x, 2, 0.15);
+  EXPECT_NEAR(told().body.pose.y, 2, 0.15);
 }
 
 } // namespace

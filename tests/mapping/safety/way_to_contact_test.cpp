@@ -66,13 +66,4 @@ RC_GTEST_PROP(WayToContactProperties, IsThatOfSmallSteps, ()) {
     RC_ASSERT(calculated >= round - 0.01 || least < radius + 0.0005);
 }
 
-RC_GTEST_PROP(SpeedToStopWithin, StopsExactlyThere, ()) {
-  const double way = between_numbers(0.001, 12);
-  const double latency = between_numbers(0, 0.5);
-  const double braking = between_numbers(0.1, 3);
-  const double speed = speed_to_stop_within(way, latency, braking);
-  RC_ASSERT(std::abs(speed * latency + speed * speed / (2 * braking) - way) < 1e-9);
-  RC_ASSERT(speed_to_stop_within(-way, latency, braking) == 0);
-}
-
 } // namespace castor::mapping

@@ -1,4 +1,4 @@
-#include "castor/mapping/body/corrected_pose.hpp"
+#include "castor/mapping/planar/corrected_pose.hpp"
 
 #include "castor/mapping/planar/poses.hpp"
 

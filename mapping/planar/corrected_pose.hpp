@@ -24,6 +24,11 @@ public:
   /// time.
   std::optional<Pose2> now() const;
 
+  /// Pose of the odometry frame in the frame of the correction. Nothing as with `now()`.
+  const std::optional<Pose2>& odometry_frame() const { return frame_; }
+
+  const OdometryHistory& odometry() const { return history_; }
+
 private:
   struct Correction {
     std::int64_t time = 0;
@@ -37,7 +42,6 @@ private:
   std::optional<Odometry> first_;
   /// Newer than odometry.
   std::optional<Correction> waiting_;
-  /// Pose of the odometry frame.
   std::optional<Pose2> frame_;
 };
 
