@@ -44,7 +44,7 @@ constexpr double sight = 12;
 
 struct Result {
   bool finished = false;
-  double seen = 0;
+  SeenFloor seen;
   double simulated = 0;
   double real = 0;
   double driven = 0;
@@ -86,15 +86,17 @@ Result explore(const std::string& file, const std::map<std::string, std::string>
   const ReachableFloor floor(building);
   // The odometry of SimulatedRobot begins at its true pose, and the map's frame is that of
   // odometry.
-  result.seen = seen_share(floor, cell_map(tiles), {});
+  result.seen = seen_floor(building, floor, cell_map(tiles), {});
   result.bound = shortest_exploration(building, floor, sight);
   return result;
 }
 
 void print_line(const std::string& name, const Result& x) {
-  fmt::print("{:<16} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>10} {}\n", name,
-             100 * x.seen, x.simulated, x.real, x.driven, x.bound,
-             x.bound > 0 ? x.driven / x.bound : 0, x.collisions, x.finished ? "" : "not finished");
+  fmt::print(
+    "{:<16} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>10} {}\n",
+    name, 100 * x.seen.known, 100 * x.seen.free_of_open, 100 * x.seen.free, x.simulated, x.real,
+    x.driven, x.bound, x.bound > 0 ? x.driven / x.bound : 0, x.collisions,
+    x.finished ? "" : "not finished");
   std::fflush(stdout);
 }
 
@@ -109,8 +111,9 @@ int run(int argc, char** argv) {
       numbers.push_back(std::stoull(word));
   }
   numbers.resize(3);
-  fmt::print("{:<16} {:>8} {:>9} {:>7} {:>9} {:>9} {:>6} {:>10}\n", "building", "seen, %",
-             "time, s", "real, s", "driven, m", "bound, m", "ratio", "collisions");
+  fmt::print("{:<16} {:>8} {:>8} {:>8} {:>9} {:>7} {:>9} {:>9} {:>6} {:>10}\n", "building",
+             "known, %", "open, %", "free, %", "time, s", "real, s", "driven, m", "bound, m",
+             "ratio", "collisions");
   if (variables.contains("building")) {
     print_line("given", explore(variables["building"], variables));
     return 0;

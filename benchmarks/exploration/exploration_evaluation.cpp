@@ -87,23 +87,40 @@ double spanning_tree(const std::vector<std::vector<double>>& distances) {
 
 } // namespace
 
-double seen_share(const ReachableFloor& floor, const CellMap& map, const Pose2& frame) {
+SeenFloor seen_floor(const Building& building, const ReachableFloor& floor, const CellMap& map,
+                     const Pose2& frame) {
+  const SolidObstacles obstacles(between_heights(solids_of(building), 0, checked_robot_height));
+  const double half_diagonal = floor.cell() / std::numbers::sqrt2;
   const auto to_map = inverse(compose(frame, map.origin));
-  std::size_t covered = 0;
-  std::size_t seen = 0;
+  double covered = 0;
+  double open = 0;
+  SeenFloor result;
   for (int row = 0; row < floor.rows(); ++row)
     for (int column = 0; column < floor.columns(); ++column) {
       if (!floor.can_cover(column, row))
         continue;
+      const auto place = floor.centre(column, row);
+      const bool is_open = obstacles.clearance(place, 2 * half_diagonal) >= half_diagonal;
       ++covered;
-      const auto p = transform(to_map, floor.centre(column, row));
+      open += is_open ? 1 : 0;
+      const auto p = transform(to_map, place);
       const int x = static_cast<int>(std::floor(p.x / map.cell_size));
       const int y = static_cast<int>(std::floor(p.y / map.cell_size));
-      if (x >= 0 && y >= 0 && x < map.columns && y < map.rows && map.at(x, y) >= 0 &&
-          map.at(x, y) < 50)
-        ++seen;
+      if (x < 0 || y < 0 || x >= map.columns || y >= map.rows || map.at(x, y) < 0)
+        continue;
+      ++result.known;
+      if (map.at(x, y) >= 50)
+        continue;
+      ++result.free;
+      result.free_of_open += is_open ? 1 : 0;
     }
-  return covered == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(covered);
+  if (covered > 0) {
+    result.known /= covered;
+    result.free /= covered;
+  }
+  if (open > 0)
+    result.free_of_open /= open;
+  return result;
 }
 
 double shortest_exploration(const Building& building, const ReachableFloor& floor, double sight) {

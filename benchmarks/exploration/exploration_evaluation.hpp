@@ -7,9 +7,21 @@
 /// How well a building was explored, by what is known of the true one.
 namespace castor::mapping {
 
-/// Share of the floor that the robot's footprint can cover which the map has as free, 0 to 1.
+/// Shares of the floor that the robot's footprint can cover, 0 to 1.
+struct SeenFloor {
+  /// Known to the map, as free or as occupied.
+  double known = 0;
+  /// Free on the map. Cells in which a wall begins are occupied on the best of maps, so that this
+  /// stays below 1.
+  double free = 0;
+  /// Free on the map, of the cells that no obstacle reaches into.
+  double free_of_open = 0;
+};
+
+/// What a map has of the floor.
 /// @param frame of the map, in that of the building
-double seen_share(const ReachableFloor& floor, const CellMap& map, const Pose2& frame);
+SeenFloor seen_floor(const Building& building, const ReachableFloor& floor, const CellMap& map,
+                     const Pose2& frame);
 
 /// A length, metres, that no path is shorter than by which a robot sees a point of each room that
 /// it can reach: that of its reachable floor which is farthest from the start. Each such point is

@@ -30,6 +30,7 @@ class Explorer final : public FollowsGrid<UnmanagedComponent> {
   void start() override {
     ExplorationOptions options;
     options.floor.clearance = clearance_;
+    options.floor.radius = radius_;
     options.frontiers.least_size = least_size_;
     options.frontiers.sight = sight_;
     options.aversion = aversion_;
@@ -173,9 +174,11 @@ class Explorer final : public FollowsGrid<UnmanagedComponent> {
                                               "it ends when nothing was reachable for so long"};
   Option<double> clearance_{this, "clearance", 0.3,
                             "of the robot's middle from what is occupied, metres"};
+  Option<double> radius_{this, "radius", 0.25,
+                         "of the robot's footprint: it looks for floor where that fits; metres"};
   Option<double> least_size_{this, "least-size", 0.2, "shorter frontiers do not count, metres"};
   Option<double> sight_{this, "sight", 4, "how far the robot sees into the unknown, metres"};
-  Option<double> aversion_{this, "aversion", 0.35,
+  Option<double> aversion_{this, "aversion", ExplorationOptions{}.aversion,
                            "how strongly the way counts against what is to be seen, 1/m"};
   Option<std::int64_t> attempts_{this, "attempts", 2, "how often it goes to a frontier at most"};
 

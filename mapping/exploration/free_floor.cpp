@@ -30,29 +30,61 @@ FreeFloor::FreeFloor(const CellMap& map, const Pose2& robot, const Options& opti
   standable_.resize(count);
   connected_.resize(count);
   ways_.resize(count, no_way);
+  coverable_.resize(count);
   if (count == 0)
     return;
-  find_standable();
+  const auto distances = distances_from_blocked();
+  find_standable(distances);
   const auto start = start_of(cell_at({robot.x, robot.y}));
   if (!contains(start))
     return;
   find_ways(start);
   find_connected(start);
+  find_coverable(distances, start);
 }
 
-void FreeFloor::find_standable() {
-  cv::Mat blocked(map_.rows, map_.columns, CV_8U, cv::Scalar(255));
+std::vector<float> FreeFloor::distances_from_blocked() const {
+  cv::Mat open(map_.rows, map_.columns, CV_8U);
   for (int row = 0; row < map_.rows; ++row)
     for (int column = 0; column < map_.columns; ++column)
-      if (is_blocked({column, row}))
-        blocked.at<std::uint8_t>(row, column) = 0;
-  cv::Mat distances;
-  cv::distanceTransform(blocked, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+      open.at<std::uint8_t>(row, column) = is_blocked({column, row}) ? 0 : 1;
+  std::vector<float> result(standable_.size());
+  cv::Mat distances(map_.rows, map_.columns, CV_32F, result.data());
+  cv::distanceTransform(open, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  return result;
+}
+
+void FreeFloor::find_standable(const std::vector<float>& distances) {
   const auto least = static_cast<float>(options_.clearance / map_.cell_size);
   for (int row = 0; row < map_.rows; ++row)
     for (int column = 0; column < map_.columns; ++column)
       standable_[position({column, row})] =
-        is_free({column, row}) && distances.at<float>(row, column) >= least;
+        is_free({column, row}) && distances[position({column, row})] >= least;
+}
+
+void FreeFloor::find_coverable(const std::vector<float>& distances, const Cell& start) {
+  // One cell more, since what is in the way may be anywhere within its cell.
+  const auto least = static_cast<float>(options_.radius / map_.cell_size + 1);
+  // 0 where the robot's middle may be, as a distance transform takes it.
+  cv::Mat elsewhere(map_.rows, map_.columns, CV_8U, cv::Scalar(1));
+  std::vector<Cell> waiting{start};
+  elsewhere.at<std::uint8_t>(start.row, start.column) = 0;
+  while (!waiting.empty()) {
+    const auto cell = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto next = cell + neighbours[i];
+      if (contains(next) && distances[position(next)] >= least &&
+          std::exchange(elsewhere.at<std::uint8_t>(next.row, next.column), std::uint8_t{0}) != 0)
+        waiting.push_back(next);
+    }
+  }
+  cv::Mat away;
+  cv::distanceTransform(elsewhere, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  const auto reach = static_cast<float>(options_.radius / map_.cell_size);
+  for (int row = 0; row < map_.rows; ++row)
+    for (int column = 0; column < map_.columns; ++column)
+      coverable_[position({column, row})] = away.at<float>(row, column) <= reach;
 }
 
 /// Outside of the map if there is none.

@@ -15,6 +15,8 @@ public:
   struct Options {
     /// From the middle of the robot to what is occupied, metres.
     double clearance = 0.3;
+    /// Of the robot's footprint, metres. It bounds where the robot may get at all.
+    double radius = 0.25;
     /// Cells up to that probability are free, percent. What is neither free nor unknown is in the
     /// way.
     int free_at_most = 49;
@@ -42,6 +44,10 @@ public:
   /// Whether there is a way through free cells, however narrow, from where the robot is.
   bool is_connected(const Cell& x) const;
 
+  /// Whether the footprint may come to cover the cell, as far as is known: there is a way for it
+  /// through what is free or unknown. True outside of the map.
+  bool may_cover(const Cell& x) const { return !contains(x) || coverable_[position(x)] != 0; }
+
   /// Whether nothing that is occupied or unknown is between two cells. The last cell may be
   /// unknown.
   bool sees(const Cell& from, const Cell& to) const;
@@ -57,7 +63,10 @@ private:
     return static_cast<std::size_t>(x.row) * static_cast<std::size_t>(map_.columns) +
            static_cast<std::size_t>(x.column);
   }
-  void find_standable();
+  /// Distance of each cell from the nearest one that is in the way, in cells.
+  std::vector<float> distances_from_blocked() const;
+  void find_standable(const std::vector<float>& distances);
+  void find_coverable(const std::vector<float>& distances, const Cell& start);
   Cell start_of(const Cell& robot) const;
   void find_ways(const Cell& start);
   void find_connected(const Cell& start);
@@ -66,6 +75,7 @@ private:
   Options options_;
   std::vector<std::uint8_t> standable_;
   std::vector<std::uint8_t> connected_;
+  std::vector<std::uint8_t> coverable_;
   std::vector<float> ways_;
 };
 

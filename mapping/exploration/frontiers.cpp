@@ -24,25 +24,48 @@ public:
 
   std::vector<Frontier> run() {
     std::vector<Frontier> result;
-    for (const auto& cells : clusters())
-      if (static_cast<double>(cells.size()) * map_.cell_size >= options_.least_size)
+    auto [sought, others] = borders();
+    for (const auto& cells : clusters(std::move(sought)))
+      if (is_large(cells))
         result.push_back(frontier_of(cells));
+    for (const auto& cells : clusters(std::move(others)))
+      if (is_large(cells))
+        result.push_back(needless(cells));
     return result;
   }
 
 private:
-  bool is_border(const Cell& x) const {
-    return floor_.is_free(x) &&
-           (floor_.is_unknown({x.column + 1, x.row}) || floor_.is_unknown({x.column - 1, x.row}) ||
-            floor_.is_unknown({x.column, x.row + 1}) || floor_.is_unknown({x.column, x.row - 1}));
+  /// Unknown floor that the robot may come to cover: what is to be seen.
+  bool is_sought(const Cell& x) const { return floor_.is_unknown(x) && floor_.may_cover(x); }
+
+  template <class F>
+  bool is_beside(const Cell& x, F is_wanted) const {
+    return is_wanted(Cell{x.column + 1, x.row}) || is_wanted(Cell{x.column - 1, x.row}) ||
+           is_wanted(Cell{x.column, x.row + 1}) || is_wanted(Cell{x.column, x.row - 1});
   }
 
-  std::vector<std::vector<Cell>> clusters() const {
-    std::set<Cell> borders;
+  struct Borders {
+    /// Beside what is sought, and beside other unknown cells only.
+    std::set<Cell> sought;
+    std::set<Cell> others;
+  };
+
+  Borders borders() const {
+    Borders result;
     for (int row = 0; row < map_.rows; ++row)
-      for (int column = 0; column < map_.columns; ++column)
-        if (is_border({column, row}))
-          borders.insert({column, row});
+      for (int column = 0; column < map_.columns; ++column) {
+        const Cell x{column, row};
+        if (!floor_.is_free(x))
+          continue;
+        if (is_beside(x, [&](const Cell& y) { return is_sought(y); }))
+          result.sought.insert(x);
+        else if (is_beside(x, [&](const Cell& y) { return floor_.is_unknown(y); }))
+          result.others.insert(x);
+      }
+    return result;
+  }
+
+  std::vector<std::vector<Cell>> clusters(std::set<Cell> borders) const {
     std::vector<std::vector<Cell>> result;
     while (!borders.empty()) {
       std::vector<Cell> cluster{*borders.begin()};
@@ -72,7 +95,11 @@ private:
     return result;
   }
 
-  Frontier frontier_of(const std::vector<Cell>& cells) const {
+  bool is_large(const std::vector<Cell>& cells) const {
+    return static_cast<double>(cells.size()) * map_.cell_size >= options_.least_size;
+  }
+
+  Cell middle_of(const std::vector<Cell>& cells) const {
     double column = 0;
     double row = 0;
     for (const auto& x : cells) {
@@ -81,20 +108,37 @@ private:
     }
     column /= static_cast<double>(cells.size());
     row /= static_cast<double>(cells.size());
-    const auto middle = *std::ranges::min_element(
+    return *std::ranges::min_element(
       cells, {}, [&](const Cell& x) { return std::hypot(x.column - column, x.row - row); });
+  }
+
+  Frontier without_view(const std::vector<Cell>& cells, const Cell& middle) const {
     Frontier result;
     result.middle = floor_.centre(middle);
     result.size = static_cast<double>(cells.size()) * map_.cell_size;
+    result.reason = floor_.is_connected(middle) ? "the way there is too narrow for the robot"
+                                                : "no free way leads there from where the robot is";
+    return result;
+  }
+
+  /// Nothing behind it is sought.
+  Frontier needless(const std::vector<Cell>& cells) const {
+    const auto middle = middle_of(cells);
+    auto result = without_view(cells, middle);
+    if (floor_.may_cover(middle))
+      result.reason = "the robot does not fit into what is behind it";
+    return result;
+  }
+
+  Frontier frontier_of(const std::vector<Cell>& cells) const {
+    const auto middle = middle_of(cells);
+    auto result = without_view(cells, middle);
     const auto [view, target] = view_of(cells, middle);
-    if (!floor_.contains(view)) {
-      result.reason = floor_.is_connected(middle)
-                        ? "the way there is too narrow for the robot"
-                        : "no free way leads there from where the robot is";
+    if (!floor_.contains(view))
       return result;
-    }
     const auto from = floor_.centre(view);
     result.is_reachable = true;
+    result.reason.clear();
     result.view = {from.x, from.y, heading_to_unknown(from, target)};
     result.cost = floor_.way_to(view);
     result.gain = seen_from(view);
@@ -161,7 +205,7 @@ private:
                         view.row + static_cast<int>(std::lround(step * std::sin(angle)))};
         if (floor_.is_blocked(cell))
           break;
-        if (floor_.is_unknown(cell))
+        if (is_sought(cell))
           result += step;
       }
     }

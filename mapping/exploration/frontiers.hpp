@@ -32,12 +32,15 @@ struct Frontier {
   Pose2 view;
   /// Length of the way there, metres.
   double cost = 0;
-  /// Unknown floor that is expected to be seen from there, square metres.
+  /// Unknown floor that the robot may come to cover and is expected to see from there, square
+  /// metres.
   double gain = 0;
 };
 
 /// The frontiers of a map (B. Yamauchi, "A frontier-based approach for autonomous exploration",
-/// 1997), in no order. A door that is shut is a wall to a laser: it makes no frontier.
+/// 1997), in no order. A door that is shut is a wall to a laser: it makes no frontier. One behind
+/// which the robot fits nowhere is not reachable, so that nobody looks into each gap behind a
+/// cupboard.
 std::vector<Frontier> find_frontiers(const CellMap& map, const FreeFloor& floor,
                                      const FrontierOptions& options = {});
 

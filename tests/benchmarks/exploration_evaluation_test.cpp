@@ -1,5 +1,6 @@
 // The evaluator of explorations, on hand-made cases, and explorations with an exact laser.
 
+#include "castor/benchmarks/exploration/exact_exploration.hpp"
 #include "castor/benchmarks/exploration/exploration_evaluation.hpp"
 #include "castor/mapping/building/building_file.hpp"
 #include "castor/mapping/building/building_generator.hpp"
@@ -45,12 +46,49 @@ CellMap map_up_to(double greatest_x) {
 
 } // namespace
 
-TEST(SeenShare, IsThatOfTheReachableFloor) {
+TEST(SeenFloor, IsThatOfTheReachableFloor) {
   const auto building = two_rooms();
   const ReachableFloor floor(building);
-  EXPECT_NEAR(seen_share(floor, map_up_to(10), building.start), 1, 1e-9);
-  EXPECT_NEAR(seen_share(floor, map_up_to(4), building.start), 0.5, 0.02);
-  EXPECT_EQ(seen_share(floor, {}, building.start), 0);
+  const auto all = seen_floor(building, floor, map_up_to(10), building.start);
+  EXPECT_NEAR(all.known, 1, 1e-9);
+  EXPECT_NEAR(all.free, 1, 1e-9);
+  EXPECT_NEAR(all.free_of_open, 1, 1e-9);
+  const auto half = seen_floor(building, floor, map_up_to(4), building.start);
+  EXPECT_NEAR(half.known, 0.5, 0.02);
+  EXPECT_NEAR(half.free_of_open, 0.5, 0.02);
+  const auto none = seen_floor(building, floor, {}, building.start);
+  EXPECT_EQ(none.known, 0);
+  EXPECT_EQ(none.free_of_open, 0);
+}
+
+TEST(SeenFloor, CellsThatHoldAWallNeedNotBeFree) {
+  const auto building = two_rooms();
+  const ReachableFloor floor(building);
+  auto map = map_up_to(10);
+  // Everything within a cell of a wall is occupied.
+  const auto to_building = compose(building.start, map.origin);
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column) {
+      const auto p = transform(to_building, {0.05 * (column + 0.5), 0.05 * (row + 0.5)});
+      if (p.y < 0.08 || p.y > 3.92)
+        map.at(column, row) = 90;
+    }
+  const auto seen = seen_floor(building, floor, map, building.start);
+  EXPECT_NEAR(seen.known, 1, 1e-9);
+  EXPECT_LT(seen.free, seen.free_of_open);
+  EXPECT_GT(seen.free_of_open, 0.97);
+  EXPECT_LT(seen.free, 0.99);
+}
+
+TEST(ExactExploration, SeesAllOfTwoRooms) {
+  const auto building = two_rooms();
+  ExactExplorationOptions options;
+  options.plan.cells.unknown_is_obstacle = false;
+  const auto x = explore_exactly(building, options);
+  EXPECT_TRUE(x.finished);
+  EXPECT_GE(seen_floor(building, ReachableFloor(building), x.map, {}).free_of_open, 0.98);
+  EXPECT_GT(x.driven, 2) << "the other room is not seen from the start";
+  EXPECT_LT(x.driven, 30);
 }
 
 TEST(ShortestExploration, IsNoLongerThanTheWayToTheDoorOfTheOtherRoom) {
@@ -85,7 +123,8 @@ TEST(ExplorationPlanner, SeesGeneratedBuildingsWithAnExactLaser) {
       planner.arrived(*next);
     }
     EXPECT_LT(goals, 300);
-    EXPECT_GE(seen_share(scanned.floor(), cell_map(scanned.grid()), {}), 0.96)
+    EXPECT_GE(seen_floor(building, scanned.floor(), cell_map(scanned.grid()), {}).free_of_open,
+              0.98)
       << "seed " << seed << ", " << goals << " goals";
     EXPECT_LE(outside, goals / 10) << "seed " << seed;
     RecordProperty("goals_of_seed_" + std::to_string(seed), goals);

@@ -115,6 +115,57 @@ TEST(Frontiers, WithoutAFreeWayAreUnreachableWithTheReason) {
   EXPECT_THAT(found[0].reason, HasSubstr("no free way"));
 }
 
+TEST(Frontiers, BehindWhichTheRobotDoesNotFitAreNotGoneTo) {
+  // A gap of 0.4 m between a cupboard and the wall.
+  auto picture = room(41, 41);
+  for (std::size_t row = 5; row < 15; ++row)
+    for (std::size_t column = 10; column < 31; ++column)
+      picture[row][column] = '#';
+  for (std::size_t row = 1; row < 5; ++row)
+    for (std::size_t column = 13; column < 28; ++column)
+      picture[row][column] = ' ';
+  const auto narrow = frontiers_in(map_of(picture), {2, 1, 0});
+  ASSERT_THAT(narrow, SizeIs(2));
+  for (const auto& x : narrow) {
+    EXPECT_FALSE(x.is_reachable);
+    EXPECT_THAT(x.reason, HasSubstr("too narrow"));
+  }
+  // The cupboard is moved away from the wall.
+  for (std::size_t column = 10; column < 31; ++column)
+    for (std::size_t row = 5; row < 9; ++row)
+      picture[row][column] = column >= 13 && column < 28 ? ' ' : '.';
+  const auto wide = frontiers_in(map_of(picture), {2, 1, 0});
+  ASSERT_THAT(wide, SizeIs(2));
+  for (const auto& x : wide)
+    EXPECT_TRUE(x.is_reachable) << x.reason;
+}
+
+TEST(Frontiers, OfANarrowNicheAreNotGoneTo) {
+  auto picture = room(41, 41);
+  for (std::size_t row = 18; row < 22; ++row)
+    picture[row][40] = ' ';
+  auto map = map_of(picture);
+  map.cell_size = 0.05;
+  const auto found = frontiers_in(map, {1, 1, 0});
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_FALSE(found[0].is_reachable);
+  EXPECT_THAT(found[0].reason, HasSubstr("does not fit"));
+}
+
+TEST(FreeFloor, FootprintMayCoverWhatIsUnknown) {
+  auto picture = room(41, 21);
+  for (std::size_t row = 1; row < 20; ++row)
+    for (std::size_t column = 20; column < 40; ++column)
+      picture[row][column] = ' ';
+  const auto map = map_of(picture);
+  const FreeFloor floor(map, {1, 1, 0}, {});
+  EXPECT_TRUE(floor.may_cover({30, 10}));
+  EXPECT_TRUE(floor.may_cover({38, 10}));
+  EXPECT_FALSE(floor.may_cover({40, 10})) << "a wall";
+  EXPECT_FALSE(floor.may_cover({39, 1})) << "a corner, for a disc";
+  EXPECT_TRUE(floor.may_cover({-1, 10}));
+}
+
 TEST(ExplorationPlanner, PrefersTheNearerOfTwoEqualFrontiers) {
   auto picture = room(101, 21);
   for (std::size_t row = 6; row < 15; ++row)
