@@ -20,7 +20,7 @@ double distance(const Line2& line, const Point2& p) {
   if (!(square > 0))
     return distance(line.a, p);
   auto share = std::clamp(((p.x - line.a.x) * dx + (p.y - line.a.y) * dy) / square, 0.0, 1.0);
-  return distance({line.a.x + share * dx, line.a.y + share * dy}, p);
+  return distance(Point2{line.a.x + share * dx, line.a.y + share * dy}, p);
 }
 
 bool cross(const Line2& x, const Line2& y) {

@@ -97,8 +97,9 @@ TEST(GraphKeeper, RoomsAreAreasWithTheDoorBetween) {
   EXPECT_NEAR(drive.gateways()[0].pose.y, 2.5, 0.04);
   EXPECT_EQ(drive.live_areas().size(), 2U);
   for (auto& [id, x] : drive.keeper.graph().nodes()) {
-    if (x.kind == NodeKind::place)
+    if (x.kind == NodeKind::place) {
       EXPECT_EQ(x.area == drive.keeper.position().area, x.pose.x < 5) << id << " " << x.pose.x;
+    }
   }
   const auto edges = edges_of(drive.keeper);
   const auto nodes = nodes_of(drive.keeper);

@@ -115,8 +115,9 @@ TEST(NavigationGraphBuilder, WritesAnEntryForEachNodeEdgeAndArea) {
   EXPECT_EQ(areas_with_places(system), 2U);
   EXPECT_EQ(all<GraphEdge>(system).size(), nodes.size() - 1);
   for (auto& entry : system.system().entries("mapping"))
-    if (auto x = entry->value.as<GraphNode>())
+    if (auto x = entry->value.as<GraphNode>()) {
       EXPECT_EQ(entry->address.id, "node-" + std::to_string(x->id));
+    }
 }
 
 TEST(NavigationGraphBuilder, MovesEntriesWithTheCorrectedKeyframes) {
