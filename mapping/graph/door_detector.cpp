@@ -97,7 +97,9 @@ private:
         continue;
       for (int q = std::max(p + 1, j - neighbourhood); q <= std::min(count_ - 1, j + neighbourhood);
            ++q) {
-        if (beam(q).hits && is_across(p, q, i, j) && distance(beam(p).point, beam(q).point) < width)
+        if (beam(q).hits && is_across(p, q, i, j) &&
+            distance(beam(p).point, beam(q).point) < width && !is_behind(p, i, j) &&
+            !is_behind(q, i, j))
           return false;
       }
     }
@@ -109,6 +111,19 @@ private:
     constexpr double near = 0.3; // m
     return distance(beam(p).point, beam(i).point) < near &&
            distance(beam(q).point, beam(j).point) < near;
+  }
+
+  /// Whether a point is behind the line through two posts, as those on the faces of the wall that
+  /// one goes past on the way through.
+  bool is_behind(int p, int i, int j) const {
+    constexpr double behind = 0.03; // m
+    const auto& a = beam(i).point;
+    const auto& b = beam(j).point;
+    // The robot is to the left of the way from the right post to the left one.
+    const auto left =
+      ((b.x - a.x) * (beam(p).point.y - a.y) - (b.y - a.y) * (beam(p).point.x - a.x)) /
+      distance(a, b);
+    return left < -behind;
   }
 
   /// Whether all beams between two posts pass the line between them, and one of them by far.

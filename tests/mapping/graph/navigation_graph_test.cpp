@@ -146,7 +146,7 @@ TEST(NavigationGraph, GoesOnFromItsEntries) {
 }
 
 TEST(NavigationGraph, AreasAreTheConnectedPlacesWhateverHappens) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     NavigationGraph graph;
     for (int i = 0; i < 12; ++i)
       graph.add(*rc::gen::inRange(0, 4) == 0 ? NodeKind::gateway : NodeKind::place, {1.0 * i, 0, 0},
@@ -175,17 +175,17 @@ TEST(NavigationGraph, AreasAreTheConnectedPlacesWhateverHappens) {
           }
       for (std::int64_t i = 0; i < 12; ++i) {
         const auto area = graph.nodes().at(i).area;
-        RC_ASSERT(is_place(i) == (area >= 0));
-        RC_ASSERT(area < 0 || graph.areas().at(area).merged_into < 0);
+        RC_ASSERT((is_place(i) == (area >= 0)));
+        RC_ASSERT((area < 0 || graph.areas().at(area).merged_into < 0));
         for (std::int64_t k = 0; k < 12; ++k)
           if (is_place(i) && is_place(k))
-            RC_ASSERT((area == graph.nodes().at(k).area) ==
-                      (group[static_cast<std::size_t>(i)] == group[static_cast<std::size_t>(k)]));
+            RC_ASSERT(((area == graph.nodes().at(k).area) ==
+                       (group[static_cast<std::size_t>(i)] == group[static_cast<std::size_t>(k)])));
       }
       for (auto& [id, area] : graph.areas())
-        RC_ASSERT((area.merged_into >= 0) == (area.places == 0));
+        RC_ASSERT(((area.merged_into >= 0) == (area.places == 0)));
     }
-  });
+  }));
 }
 
 TEST(ShortestWay, IsTheCheapestAndEmptyIfThereIsNone) {
@@ -198,7 +198,7 @@ TEST(ShortestWay, IsTheCheapestAndEmptyIfThereIsNone) {
 }
 
 TEST(ShortestWay, IsThatOfAllPairs) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto edges = *rc::gen::container<std::vector<GraphEdge>>(rc::gen::apply(
       [](std::int64_t a, std::int64_t b, int cost) {
         return GraphEdge{a, b, static_cast<double>(cost)};
@@ -227,7 +227,7 @@ TEST(ShortestWay, IsThatOfAllPairs) {
           RC_ASSERT(way.cost == costs[a][b]);
       }
     }
-  });
+  }));
 }
 
 TEST(Segments, CrossAndDistance) {
