@@ -46,13 +46,24 @@ public:
             angle(j) - angle(i) < std::numbers::pi / 2)
           break;
         if (may_be_post(j) && is_opening(i, j))
-          result.push_back(on_robot(i, j));
+          add(result, on_robot(i, j));
       }
     }
     return result;
   }
 
 private:
+  /// Of the pairs of posts at one door, the narrowest counts.
+  static void add(std::vector<Opening>& openings, const Opening& x) {
+    constexpr double one_door = 0.4; // m
+    const auto same = std::ranges::find_if(
+      openings, [&](const Opening& other) { return distance(other.pose(), x.pose()) < one_door; });
+    if (same == openings.end())
+      openings.push_back(x);
+    else if (x.width() < same->width())
+      *same = x;
+  }
+
   struct Beam {
     /// Where it ended; where it passed, the end of its range.
     Point2 point;
@@ -97,9 +108,10 @@ private:
         continue;
       for (int q = std::max(p + 1, j - neighbourhood); q <= std::min(count_ - 1, j + neighbourhood);
            ++q) {
-        if (beam(q).hits && is_across(p, q, i, j) &&
-            distance(beam(p).point, beam(q).point) < width && !is_behind(p, i, j) &&
-            !is_behind(q, i, j))
+        if (!beam(q).hits || !is_across(p, q, i, j))
+          continue;
+        const auto narrower = width - distance(beam(p).point, beam(q).point);
+        if (narrower > (is_on_jamb(p, i, j) || is_on_jamb(q, i, j) ? jamb_error(i, j) : 0))
           return false;
       }
     }
@@ -113,17 +125,22 @@ private:
            distance(beam(q).point, beam(j).point) < near;
   }
 
-  /// Whether a point is behind the line through two posts, as those on the faces of the wall that
-  /// one goes past on the way through.
-  bool is_behind(int p, int i, int j) const {
+  /// Whether a point is behind the line through two posts, as those on the sides of a door that
+  /// one sees straight ahead.
+  bool is_on_jamb(int p, int i, int j) const {
     constexpr double behind = 0.03; // m
     const auto& a = beam(i).point;
     const auto& b = beam(j).point;
     // The robot is to the left of the way from the right post to the left one.
-    const auto left =
-      ((b.x - a.x) * (beam(p).point.y - a.y) - (b.y - a.y) * (beam(p).point.x - a.x)) /
-      distance(a, b);
-    return left < -behind;
+    const auto left = (b.x - a.x) * (beam(p).point.y - a.y) - (b.y - a.y) * (beam(p).point.x - a.x);
+    return left < -behind * distance(a, b);
+  }
+
+  /// How much narrower a door may be between its jambs: the last beams on the wall's face are up to
+  /// a beam before its ends. What narrows more is round. Metres.
+  double jamb_error(int i, int j) const {
+    constexpr double noise = 0.02; // m
+    return noise + std::abs(scan_.angle_step) * (beam(i).way + beam(j).way);
   }
 
   /// Whether all beams between two posts pass the line between them, and one of them by far.

@@ -18,7 +18,7 @@ struct DoorOptions {
   /// Neighbouring points of that wall are at most this far apart, and three beams; metres.
   double gap = 0.02;
   /// That wall is at most this far off the line through both posts, metres.
-  double offset = 0.06;
+  double offset = 0.04;
   /// A beam through the opening goes on for at least this long, metres.
   double clearance = 1.5;
   /// Posts are looked for up to here, metres.

@@ -146,6 +146,7 @@ void GraphKeeper::add_gateway(const Gateway& gateway) {
   auto& x = door->second;
   const bool has_moved =
     is_new || distance(x.pose, gateway.pose) > options_.graph.tolerance ||
+    std::abs(x.width - gateway.width) > options_.graph.tolerance ||
     std::abs(normalised(x.pose.heading - gateway.pose.heading)) > options_.graph.heading_tolerance;
   if (!has_moved)
     return;

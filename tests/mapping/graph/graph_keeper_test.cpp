@@ -81,8 +81,15 @@ TEST(GraphKeeper, PlacesAreAboutAMetreApart) {
   for (auto& a : nodes)
     for (auto& b : nodes)
       EXPECT_TRUE(a.id == b.id || distance(a.pose, b.pose) > 0.9) << a.id << " " << b.id;
-  for (auto& x : drive.keeper.graph().edges())
-    EXPECT_LT(x.second.cost, 2) << x.first.first << " " << x.first.second;
+  // The way to the door, which was only seen, is longer.
+  const auto is_place = [&](std::int64_t x) {
+    return drive.keeper.graph().nodes().at(x).kind == NodeKind::place;
+  };
+  for (auto& [key, edge] : drive.keeper.graph().edges()) {
+    if (is_place(key.first) && is_place(key.second)) {
+      EXPECT_LT(edge.cost, 2) << key.first << " " << key.second;
+    }
+  }
   // Driving on among them adds nothing.
   drive.keeper.take_changes();
   drive.go({{1, 1}, {1, 3.8}});
