@@ -2,7 +2,8 @@
 //
 //     graph_benchmark BUILDING PATH [seeds=N] [people=1] [laser=DEGREES] [slam=0] [nodes=1]
 //
-// One line for each seed of noise and slip. slam=0 takes the true poses; nodes=1 lists the nodes.
+// Two lines for each seed of noise and slip, without and with rooms of the grid as a second source.
+// slam=0 takes the true poses; nodes=1 lists the nodes.
 
 #include "castor/base/text_file.hpp"
 #include "castor/benchmarks/graph/simulated_tour.hpp"
@@ -16,6 +17,7 @@
 #include <exception>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -69,29 +71,25 @@ void list(const GraphKeeper& keeper, const Building& building) {
 void run(const Task& task) {
   const auto building = load_building(task.building).building;
   const auto read = parse_path(castor::load_text(task.path), task.path);
-  fmt::print("seed keyframes places areas/rooms recall precision  doors found missed invented  "
-             "error median most, m  width  collisions  ms/keyframe\n");
+  print_columns();
   for (int seed = 1; seed <= task.seeds; ++seed) {
     auto options = task.tour;
     options.seed = static_cast<std::uint64_t>(seed);
     const auto tour = drive_tour(building, read.path, options);
-    GraphKeeper keeper;
-    const auto seconds = add_tour(keeper, tour);
-    const auto x = evaluate_tour(keeper, building, tour);
-    fmt::print("{:4} {:9} {:6} {:5}/{:<5} {:6.3f} {:9.3f}  {:5} {:5} {:6} {:8}  {:12.3f} {:6.3f}  "
-               "{:5.3f} {:10}  {:11.2f}\n",
-               seed, tour.steps.size(), x.places, x.areas, x.rooms, x.area_recall, x.area_precision,
-               x.doors_seen, x.doors_found, x.doors_missed.size(), x.doors_invented.size(),
-               x.door_error_median, x.door_error_most, x.width_error_median, tour.collisions,
-               1e3 * seconds / static_cast<double>(tour.steps.size()));
-    for (auto& door : x.doors_missed)
-      fmt::print("     missed {}\n", door);
-    for (auto& at : x.doors_invented) {
-      const auto there = transform(building.start, at);
-      fmt::print("     invented at {:.2f} {:.2f}\n", there.x, there.y);
+    for (const bool rooms : {false, true}) {
+      GraphKeeper keeper;
+      const auto seconds = add_tour(keeper, tour, rooms);
+      std::vector<GraphNode> nodes;
+      for (auto& [id, x] : keeper.graph().nodes())
+        nodes.push_back(x);
+      print_quality(fmt::format("seed {}, {}", seed, rooms ? "with rooms" : "without rooms"),
+                    evaluate_nodes(nodes, building, true_path(tour), building.start),
+                    building.start);
+      fmt::print("     {} keyframes, {:.2f} ms for each, {} collisions\n", tour.steps.size(),
+                 1e3 * seconds / static_cast<double>(tour.steps.size()), tour.collisions);
+      if (task.nodes)
+        list(keeper, building);
     }
-    if (task.nodes)
-      list(keeper, building);
   }
 }
 

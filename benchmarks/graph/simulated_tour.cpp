@@ -5,12 +5,17 @@
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/building/solid_obstacles.hpp"
 #include "castor/mapping/building/solids.hpp"
+#include "castor/mapping/graph/room_segments.hpp"
+#include "castor/mapping/grid/keyframe_grid.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/slam/slam.hpp"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -106,19 +111,39 @@ Tour drive_tour(const Building& building, const std::vector<Point2>& path,
   return result;
 }
 
-double add_tour(GraphKeeper& keeper, const Tour& tour) {
+double add_tour(GraphKeeper& keeper, const Tour& tour, bool rooms) {
+  constexpr std::int64_t period = 10'000'000; // us
+  std::int64_t last = 0;
+  KeyframeGrid grid;
   const auto start = std::chrono::steady_clock::now();
   for (auto& x : tour.steps) {
     auto scan = std::make_shared<const LaserScan>(x.keyframe.scan);
-    for (std::size_t i = 0; i + 1 < x.corrected.size(); ++i)
+    for (std::size_t i = 0; i + 1 < x.corrected.size(); ++i) {
       keeper.correct(static_cast<std::int64_t>(i), x.corrected[i]);
+      if (rooms)
+        grid.place(std::to_string(i), nullptr, x.corrected[i]);
+    }
     keeper.add(x.keyframe.number, scan, x.keyframe.local_pose, x.pose);
+    if (rooms)
+      grid.place(std::to_string(x.keyframe.number), scan, x.pose);
+    if (rooms && x.keyframe.time - last >= period) {
+      last = x.keyframe.time;
+      keeper.reconcile(room_segments(cell_map(grid.grid())));
+    }
     keeper.finish();
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<TrueDoor> doors_of(const Building& building, const Tour& tour) {
+std::vector<Pose2> true_path(const Tour& tour) {
+  std::vector<Pose2> result;
+  for (auto& x : tour.steps)
+    result.push_back(x.truth);
+  return result;
+}
+
+std::vector<TrueDoor> doors_of(const Building& building, const std::vector<Pose2>& path,
+                               const Pose2& frame) {
   const SolidObstacles walls(between_heights(solids_of(building), laser_height, laser_height));
   std::vector<TrueDoor> result;
   for (auto& door : building.doors) {
@@ -131,32 +156,51 @@ std::vector<TrueDoor> doors_of(const Building& building, const Tour& tour) {
     x.was_seen = false;
     const auto through = std::atan2(opening.to.y - opening.from.y, opening.to.x - opening.from.x) +
                          std::numbers::pi / 2;
-    for (auto& step : tour.steps) {
-      const Point2 from{step.truth.x, step.truth.y};
+    for (auto& robot : path) {
+      const Point2 from{robot.x, robot.y};
       const auto far = distance(from, middle);
       const auto sight = std::atan2(middle.y - from.y, middle.x - from.x);
       const bool is_frontal = std::abs(std::cos(sight - through)) > std::numbers::sqrt2 / 2;
-      const bool is_ahead = std::abs(normalised(sight - step.truth.heading)) < 1.4;
+      const bool is_ahead = std::abs(normalised(sight - robot.heading)) < 1.4;
       if (far < 3 && far > 0.5 && is_frontal && is_ahead && !walls.cast(from, sight, far)) {
         x.was_seen = true;
         break;
       }
     }
-    x.middle = transform(inverse(building.start), middle);
+    x.middle = transform(inverse(frame), middle);
     result.push_back(x);
   }
   return result;
 }
 
-GraphQuality evaluate_tour(const GraphKeeper& keeper, const Building& building, const Tour& tour) {
-  std::vector<GraphNode> nodes;
-  for (auto& [id, x] : keeper.graph().nodes())
-    nodes.push_back(x);
+GraphQuality evaluate_nodes(const std::vector<GraphNode>& nodes, const Building& building,
+                            const std::vector<Pose2>& path, const Pose2& frame) {
   auto room = [&](const Point2& p) {
-    const auto* x = room_at(building, transform(building.start, p));
+    const auto* x = room_at(building, transform(frame, p));
     return x ? x->name : std::string{};
   };
-  return evaluate(nodes, room, doors_of(building, tour));
+  return evaluate(nodes, room, doors_of(building, path, frame));
+}
+
+void print_columns() {
+  fmt::print("{:<24} places areas/rooms recall precision  doors found missed invented  "
+             "error median most, m  width\n",
+             "");
+}
+
+void print_quality(const std::string& name, const GraphQuality& x, const Pose2& frame) {
+  fmt::print("{:<24} {:6} {:5}/{:<5} {:6.3f} {:9.3f}  {:5} {:5} {:6} {:8}  {:12.3f} {:7.3f}  "
+             "{:5.3f}\n",
+             name, x.places, x.areas, x.rooms, x.area_recall, x.area_precision, x.doors_seen,
+             x.doors_found, x.doors_missed.size(), x.doors_invented.size(), x.door_error_median,
+             x.door_error_most, x.width_error_median);
+  for (auto& door : x.doors_missed)
+    fmt::print("     missed {}\n", door);
+  for (auto& at : x.doors_invented) {
+    const auto there = transform(frame, at);
+    fmt::print("     invented at {:.2f} {:.2f}\n", there.x, there.y);
+  }
+  std::fflush(stdout);
 }
 
 } // namespace castor::mapping

@@ -7,6 +7,7 @@
 #include "castor/mapping/slam/types.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace castor::mapping {
@@ -39,13 +40,25 @@ Tour drive_tour(const Building& building, const std::vector<Point2>& path,
                 const TourOptions& options);
 
 /// Gives the tour to a keeper, as the component would, and returns the time that it took, seconds.
-double add_tour(GraphKeeper& keeper, const Tour& tour);
+/// @param rooms whether rooms of the grid are a second source, each 10 s of the tour
+double add_tour(GraphKeeper& keeper, const Tour& tour, bool rooms);
 
-/// Doors of the building in the frame of the map, and whether the robot has seen them: from at most
-/// 3 m, less than 45 degrees aside, with nothing in between.
-std::vector<TrueDoor> doors_of(const Building& building, const Tour& tour);
+/// Doors of the building, and whether a robot has seen them: from at most 3 m, less than 45 degrees
+/// aside, with nothing in between.
+/// @param path true poses of the robot in the building
+/// @param frame of the map, in that of the building; the doors are in that of the map
+std::vector<TrueDoor> doors_of(const Building& building, const std::vector<Pose2>& path,
+                               const Pose2& frame);
 
-/// The graph against the building; the map's frame is the building's, moved to the robot's start.
-GraphQuality evaluate_tour(const GraphKeeper& keeper, const Building& building, const Tour& tour);
+/// Nodes of a graph against the building.
+GraphQuality evaluate_nodes(const std::vector<GraphNode>& nodes, const Building& building,
+                            const std::vector<Pose2>& path, const Pose2& frame);
+
+/// True poses at the keyframes.
+std::vector<Pose2> true_path(const Tour& tour);
+
+/// A line on a graph, below the names of its columns, and what is wrong with it.
+void print_columns();
+void print_quality(const std::string& name, const GraphQuality& x, const Pose2& frame);
 
 } // namespace castor::mapping

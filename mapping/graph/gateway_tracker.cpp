@@ -154,12 +154,12 @@ void GatewayTracker::summarise(std::int64_t id) {
   result.keyframe = best->keyframe;
   const auto share = static_cast<double>(evidence.hits) / (evidence.hits + evidence.misses);
   const auto views = evidence.support == true ? 1 : options_.views;
-  const auto least =
-    evidence.support == false ? options_.least_share_if_doubted : options_.least_share;
+  result.is_doubted = evidence.support == false;
+  const auto least = result.is_doubted ? options_.least_share_if_doubted : options_.least_share;
   result.is_confirmed = evidence.hits >= views && share >= least;
 }
 
-void GatewayTracker::support(std::int64_t gateway, bool is_gateway) {
+void GatewayTracker::support(std::int64_t gateway, std::optional<bool> is_gateway) {
   evidence_.at(gateway).support = is_gateway;
   summarise(gateway);
 }

@@ -39,6 +39,8 @@ struct Gateway {
   Pose2 pose;
   double width = 0;
   bool is_confirmed = false;
+  /// Another source says that it is none.
+  bool is_doubted = false;
   /// The keyframe that it was seen best from.
   std::int64_t keyframe = 0;
 
@@ -61,8 +63,8 @@ public:
            const std::vector<Opening>& openings);
 
   /// Another source, such as a room segmentation, says whether that gateway is one: then one view
-  /// is enough, or most of the possible views are needed.
-  void support(std::int64_t gateway, bool is_gateway);
+  /// is enough, or most of the possible views are needed. Nothing, if it does not say.
+  void support(std::int64_t gateway, std::optional<bool> is_gateway);
 
   /// The views of that keyframe count no more.
   void remove(std::int64_t keyframe, const PoseOf& pose_of);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace castor::mapping {
@@ -107,14 +108,19 @@ void GraphKeeper::finish() {
     position_.area = area->second.merged_into;
 }
 
-void GraphKeeper::reconcile(const SegmentOf& segment_of) {
+void GraphKeeper::reconcile(const RoomSegments& rooms) {
   // A little beyond the wall, on both sides of it.
   constexpr double beyond = 0.5; // m
   for (auto& [id, x] : tracker_.gateways()) {
-    const auto front = segment_of(transform(x.pose, {beyond, 0}));
-    const auto back = segment_of(transform(x.pose, {-beyond, 0}));
-    if (front >= 0 && back >= 0)
-      tracker_.support(id, front != back);
+    const auto front = rooms.at(transform(x.pose, {beyond, 0}));
+    const auto back = rooms.at(transform(x.pose, {-beyond, 0}));
+    const bool is_at_opening = std::ranges::any_of(rooms.openings, [&](const Line2& opening) {
+      return distance(opening, point_of(x.pose)) < options_.gateways.near;
+    });
+    std::optional<bool> support;
+    if (front >= 0 && back >= 0 && (front == back || is_at_opening))
+      support = front != back;
+    tracker_.support(id, support);
   }
 }
 
@@ -131,14 +137,29 @@ void GraphKeeper::update_gateways() {
   std::vector<std::int64_t> gone;
   for (auto& [id, door] : doors_) {
     auto x = tracker_.gateways().find(id);
-    if (x == tracker_.gateways().end() || !x->second.is_confirmed)
+    if (x == tracker_.gateways().end() || !counts(x->second))
       gone.push_back(id);
   }
   for (auto& [id, x] : tracker_.gateways())
-    if (x.is_confirmed)
+    if (counts(x))
       add_gateway(x);
   for (auto id : gone)
     drop_gateway(id);
+}
+
+bool GraphKeeper::counts(const Gateway& gateway) const {
+  return gateway.is_confirmed && (!gateway.is_doubted || is_passed(gateway));
+}
+
+bool GraphKeeper::is_passed(const Gateway& gateway) const {
+  if (auto door = doors_.find(gateway.id); door != doors_.end())
+    return has_neighbour_on_side(door->second, transform(door->second.pose, {1, 0})) &&
+           has_neighbour_on_side(door->second, transform(door->second.pose, {-1, 0}));
+  return std::ranges::any_of(graph_.edges(), [&](auto& x) {
+    const Line2 way{point_of(graph_.nodes().at(x.first.first).pose),
+                    point_of(graph_.nodes().at(x.first.second).pose)};
+    return cross(gateway.line(), way);
+  });
 }
 
 void GraphKeeper::add_gateway(const Gateway& gateway) {
@@ -227,15 +248,41 @@ void GraphKeeper::connect_way(std::int64_t a, std::int64_t b) {
     if (door.node == a || door.node == b || door.node < 0 ||
         !cross(line_of(door.pose, door.width, wall_beside), line))
       continue;
-    const auto to_middle = [&](std::int64_t node) {
-      const Line2 part{point_of(graph_.nodes().at(node).pose), point_of(door.pose)};
-      graph_.connect(node, door.node, clearance_.clearance(part, options_.graph.comfort));
-    };
-    to_middle(a);
-    to_middle(b);
+    connect_driven(a, door.node);
+    connect_driven(door.node, b);
     return;
   }
-  graph_.connect(a, b, clearance_.clearance(line, options_.graph.comfort));
+  connect_driven(a, b);
+}
+
+void GraphKeeper::connect_driven(std::int64_t a, std::int64_t b) {
+  const auto& from = graph_.nodes().at(a);
+  const auto& to = graph_.nodes().at(b);
+  graph_.connect(
+    a, b, clearance_.clearance({point_of(from.pose), point_of(to.pose)}, options_.graph.comfort));
+  if (from.kind == NodeKind::gateway && to.kind == NodeKind::place)
+    drop_detours(a, b);
+  else if (from.kind == NodeKind::place && to.kind == NodeKind::gateway)
+    drop_detours(b, a);
+}
+
+/// Longer ways from a gateway to places near the one that the robot has driven to, as from where
+/// the gateway was only seen.
+void GraphKeeper::drop_detours(std::int64_t gateway, std::int64_t place) {
+  const auto door = graph_.nodes().at(gateway).pose;
+  const auto at = graph_.nodes().at(place).pose;
+  const auto& beside = graph_.neighbours(place);
+  const auto is_near = [&](std::int64_t x) {
+    return beside.contains(x) || std::ranges::any_of(graph_.neighbours(x), [&](std::int64_t y) {
+             return y != gateway && beside.contains(y);
+           });
+  };
+  for (auto x : std::set<std::int64_t>{graph_.neighbours(gateway)}) {
+    const auto there = graph_.nodes().at(x).pose;
+    if (x != place && distance(there, door) > distance(at, door) &&
+        side_of(door, point_of(there)) * side_of(door, point_of(at)) > 0 && is_near(x))
+      graph_.disconnect(x, gateway);
+  }
 }
 
 bool GraphKeeper::goes_through_wall(const Line2& line, std::int64_t except) const {

@@ -3,11 +3,11 @@
 #include "castor/mapping/graph/gateway_tracker.hpp"
 #include "castor/mapping/graph/moving_beams.hpp"
 #include "castor/mapping/graph/navigation_graph.hpp"
+#include "castor/mapping/graph/room_segments.hpp"
 #include "castor/mapping/graph/scan_clearance.hpp"
 #include "castor/mapping/graph/types.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,12 +51,10 @@ public:
   /// The pose of a keyframe was corrected. After all of them, finish() moves the nodes.
   void correct(std::int64_t keyframe, const Pose2& robot);
 
-  /// Segment of a room segmentation that holds a point; -1 for none.
-  using SegmentOf = std::function<int(const Point2&)>;
-
-  /// Uses a room segmentation as a second source: gateways between two segments need one view only,
-  /// those within a segment most of the possible views.
-  void reconcile(const SegmentOf& segment_of);
+  /// Uses a division of the map into rooms as a second source: a gateway at an opening between two
+  /// segments needs one view only; one within a segment most of the possible views, and that the
+  /// robot has passed it. It divides no areas by itself. finish() has to follow.
+  void reconcile(const RoomSegments& rooms);
 
   /// To be called after keyframes were added, removed or corrected: updates gateways and areas.
   void finish();
@@ -78,6 +76,8 @@ private:
 
   void move_nodes();
   void update_gateways();
+  bool counts(const Gateway& gateway) const;
+  bool is_passed(const Gateway& gateway) const;
   void add_gateway(const Gateway& gateway);
   void drop_gateway(std::int64_t gateway);
   void split_edges(const Door& door);
@@ -85,6 +85,8 @@ private:
   void go(const Pose2& from, const Pose2& to, std::int64_t keyframe);
   void arrive(std::int64_t node);
   void connect_way(std::int64_t a, std::int64_t b);
+  void connect_driven(std::int64_t a, std::int64_t b);
+  void drop_detours(std::int64_t gateway, std::int64_t place);
   bool is_free(const Point2& a, const Point2& b) const;
   bool goes_through_wall(const Line2& line, std::int64_t except) const;
   std::optional<std::int64_t> nearest_place(const Pose2& robot, double within) const;

@@ -2,8 +2,11 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/write_batch.hpp"
 #include "castor/mapping/graph/graph_keeper.hpp"
+#include "castor/mapping/graph/room_segments.hpp"
+#include "castor/mapping/map_components/follows_grid.hpp"
 #include "castor/mapping/map_components/follows_keyframes.hpp"
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,8 +18,10 @@ namespace castor::mapping {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 /// Keeps the navigation graph of the robot's path: an entry for each node, edge and area.
-class NavigationGraphBuilder final : public FollowsKeyframes<UnmanagedComponent> {
+class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<UnmanagedComponent>> {
   void configure() override {
     GraphOptions options;
     options.spacing = spacing_;
@@ -37,7 +42,27 @@ class NavigationGraphBuilder final : public FollowsKeyframes<UnmanagedComponent>
       if (event.source != component_name())
         adopt_label(event.address);
     });
+    if (rooms_) {
+      follow_grid();
+      every(rooms_period_.get(), [this] {
+        if (!reconcile())
+          return;
+        keeper_->finish();
+        write_changes();
+      });
+    }
     follow_keyframes();
+    is_started_ = true;
+  }
+
+  void grid_changed(const CellRegion&) override { is_grid_new_ = true; }
+
+  /// Whether the grid has changed since the last time.
+  bool reconcile() {
+    if (!std::exchange(is_grid_new_, false))
+      return false;
+    keeper_->reconcile(room_segments(grid().map()));
+    return true;
   }
 
   void restore() {
@@ -87,6 +112,9 @@ class NavigationGraphBuilder final : public FollowsKeyframes<UnmanagedComponent>
       keeper_->add(number, {keyframe.object, &keyframe->scan}, keyframe->local_pose, x.second);
       added_[keyframe.address.id] = number;
     }
+    // Gateways that the rooms have confirmed before a restart, or not, stay what they are.
+    if (!is_started_)
+      reconcile();
     keeper_->finish();
     write_changes();
   }
@@ -184,6 +212,10 @@ class NavigationGraphBuilder final : public FollowsKeyframes<UnmanagedComponent>
   Option<double> least_door_{this, "least-door", 0.6, "smallest width of a door, metres"};
   Option<double> most_door_{this, "most-door", 1.05, "largest width of a door, metres"};
   Option<int> views_{this, "views", 3, "number of views that confirm a gateway"};
+  Option<bool> rooms_{this, "rooms", true,
+                      "whether rooms of the grid are a second source for gateways"};
+  Option<std::chrono::milliseconds> rooms_period_{
+    this, "rooms-period", 10s, "time from one division of the grid into rooms to the next"};
   Option<double> comfort_{this, "comfort", 0.5, "edges with a smaller clearance cost more; metres"};
   Option<double> narrowness_{this, "narrowness", 1,
                              "a narrow edge costs up to 1 + this times its length"};
@@ -191,6 +223,8 @@ class NavigationGraphBuilder final : public FollowsKeyframes<UnmanagedComponent>
                             "smaller changes of positions and costs are not written, metres"};
 
   std::optional<GraphKeeper> keeper_;
+  bool is_started_ = false;
+  bool is_grid_new_ = false;
   /// Keyframes that are in the graph, and their numbers.
   std::map<std::string, std::int64_t> added_;
   std::map<std::int64_t, std::pair<EntryOf<Keyframe>, Pose2>> waiting_;

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
 
 namespace castor::mapping {
 
@@ -15,7 +19,7 @@ struct Rgb {
   std::uint8_t blue;
 };
 
-/// Dark enough for text; an area has the colour of its id modulo their number.
+/// Dark enough for text.
 constexpr std::array<Rgb, 8> area_colours{{{0x1F, 0x77, 0xB4},
                                            {0xD6, 0x6A, 0x00},
                                            {0x2C, 0x8A, 0x2C},
@@ -30,15 +34,49 @@ constexpr Rgb person_colour{0x80, 0x30, 0xC0};
 constexpr Rgb frontier_colour{0xF0, 0x80, 0x00};
 constexpr Rgb unreachable_colour{0x80, 0x80, 0x80};
 
-Rgb colour_of_area(std::int64_t area) {
-  if (area < 0)
-    return gateway_colour;
-  return area_colours[static_cast<std::size_t>(area) % area_colours.size()];
+using Colours = std::map<std::int64_t, std::size_t>;
+
+/// For each area, by the order of their ids, the colour that comes next among those that no area
+/// behind its gateways has.
+Colours colours_of_areas(const MapKnowledge& knowledge) {
+  std::map<std::int64_t, std::int64_t> area_of;
+  Colours result;
+  for (const auto& x : knowledge.nodes) {
+    area_of[x.id] = x.area;
+    if (x.area >= 0)
+      result[x.area] = 0;
+  }
+  std::map<std::int64_t, std::set<std::int64_t>> around;
+  for (const auto& x : knowledge.edges) {
+    const auto a = area_of.find(x.a);
+    const auto b = area_of.find(x.b);
+    if (a == area_of.end() || b == area_of.end())
+      continue;
+    if (a->second < 0)
+      around[x.a].insert(b->second);
+    if (b->second < 0)
+      around[x.b].insert(a->second);
+  }
+  std::size_t next = 0;
+  for (auto& [area, colour] : result) {
+    std::set<std::size_t> taken;
+    for (const auto& [gateway, areas] : around)
+      if (areas.contains(area))
+        for (auto other : areas)
+          if (other < area && result.contains(other))
+            taken.insert(result.at(other));
+    colour = next;
+    while (taken.contains(colour) && taken.size() < area_colours.size())
+      colour = (colour + 1) % area_colours.size();
+    next = (colour + 1) % area_colours.size();
+  }
+  return result;
 }
 
 class Scene {
 public:
-  explicit Scene(const MapKnowledge& knowledge) : knowledge_(knowledge) {
+  explicit Scene(const MapKnowledge& knowledge)
+    : knowledge_(knowledge), colours_(colours_of_areas(knowledge)) {
     // nop
   }
 
@@ -75,6 +113,23 @@ private:
       {place, colour.red, colour.green, colour.blue, radius, std::move(text)});
   }
 
+  Rgb colour_of_area(std::int64_t area) const {
+    const auto x = colours_.find(area);
+    return x == colours_.end() ? gateway_colour : area_colours[x->second];
+  }
+
+  /// The centroid of a corridor that goes around rooms is in one of them.
+  Point2 middle_of(const Area& area) const {
+    const GraphNode* nearest = nullptr;
+    const auto far = [&](const GraphNode& x) {
+      return std::hypot(x.pose.x - area.x, x.pose.y - area.y);
+    };
+    for (const auto& x : knowledge_.nodes)
+      if (x.area == area.id && (!nearest || far(x) < far(*nearest)))
+        nearest = &x;
+    return nearest ? Point2{nearest->pose.x, nearest->pose.y} : Point2{area.x, area.y};
+  }
+
   void draw_graph() {
     std::map<std::int64_t, const GraphNode*> nodes;
     for (const auto& x : knowledge_.nodes)
@@ -95,7 +150,7 @@ private:
       if (x.merged_into >= 0)
         continue;
       ++areas;
-      mark({x.x, x.y}, colour_of_area(x.id), 0,
+      mark(middle_of(x), colour_of_area(x.id), 0,
            x.label.empty() ? fmt::format("area {}", x.id) : x.label);
     }
     if (!knowledge_.nodes.empty())
@@ -136,6 +191,7 @@ private:
   }
 
   const MapKnowledge& knowledge_;
+  Colours colours_;
   MapScene result_;
 };
 

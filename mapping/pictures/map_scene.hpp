@@ -32,9 +32,10 @@ struct MapScene {
   std::string content;
 };
 
-/// The trajectory is red, nodes and edges have the colour of their area, whose label (or "area 3")
-/// is at its middle; gateways are black; people's tracks are violet, the planned path is green, and
-/// frontiers are orange, or grey if they cannot be reached.
+/// The trajectory is red, nodes and edges have the colour of their area, which differs from those
+/// of areas behind its gateways; its label (or "area 3") is at the place nearest to its middle;
+/// gateways are black; people's tracks are violet, the planned path is green, and frontiers are
+/// orange, or grey if they cannot be reached.
 MapScene map_scene(const MapKnowledge& knowledge);
 
 } // namespace castor::mapping

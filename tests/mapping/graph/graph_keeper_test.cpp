@@ -186,13 +186,45 @@ TEST(GraphKeeper, NodesOfAKeyframeThatIsGoneMoveWithAnother) {
   EXPECT_NEAR(drive.keeper.graph().nodes().at(0).pose.x, 1, 0.01);
 }
 
-TEST(GraphKeeper, ARoomSegmentationConfirmsDoorsAtItsBorders) {
+TEST(GraphKeeper, ARoomSegmentationConfirmsDoorsAtItsOpenings) {
   Drive drive;
   drive.go({{2, 2.5}, {2.1, 2.5}});
   ASSERT_TRUE(drive.gateways().empty());
-  drive.keeper.reconcile([](const Point2& p) { return p.x < 5 ? 0 : 1; });
+  const auto room_at = [](const Point2& p) { return p.x < 5 ? 1 : 2; };
+  // A border somewhere else says nothing.
+  drive.keeper.reconcile({room_at, {{{5, 4}, {5, 5}}}});
+  drive.keeper.finish();
+  EXPECT_TRUE(drive.gateways().empty());
+  drive.keeper.reconcile({room_at, {{{5, 2.05}, {5, 2.95}}}});
   drive.keeper.finish();
   EXPECT_EQ(drive.gateways().size(), 1U);
+}
+
+TEST(GraphKeeper, OfDoubtedDoorsThoseStayThatTheRobotHasPassed) {
+  Drive seen;
+  seen.go({{1, 2.5}, {4.3, 2.5}});
+  ASSERT_EQ(seen.gateways().size(), 1U);
+  const RoomSegments one_room{[](const Point2&) { return 1; }, {}};
+  seen.keeper.reconcile(one_room);
+  seen.keeper.finish();
+  EXPECT_TRUE(seen.gateways().empty());
+  // Driving on, the robot passes it.
+  seen.go({{4.3, 2.5}, {8, 2.5}});
+  EXPECT_EQ(seen.gateways().size(), 1U);
+  EXPECT_EQ(seen.live_areas().size(), 2U);
+  seen.keeper.reconcile(one_room);
+  seen.keeper.finish();
+  EXPECT_EQ(seen.gateways().size(), 1U);
+}
+
+TEST(GraphKeeper, TheWayDrivenToADoorReplacesWaysFromWhereItWasSeen) {
+  Drive drive;
+  drive.go({{1, 2.5}, {8, 2.5}});
+  ASSERT_EQ(drive.gateways().size(), 1U);
+  const auto door = drive.gateways()[0].id;
+  ASSERT_EQ(drive.keeper.graph().neighbours(door).size(), 2U);
+  for (auto x : drive.keeper.graph().neighbours(door))
+    EXPECT_LT(distance(drive.keeper.graph().nodes().at(x).pose, drive.gateways()[0].pose), 1.5);
 }
 
 } // namespace
