@@ -62,6 +62,9 @@ public:
   void add(std::int64_t keyframe, const Pose2& robot, const LaserScan& scan,
            const std::vector<Opening>& openings);
 
+  /// Whether two openings are one: at one place, and facing the same or opposite directions.
+  bool is_same(const Pose2& a, const Pose2& b) const;
+
   /// Another source, such as a room segmentation, says whether that gateway is one: then one view
   /// is enough, or most of the possible views are needed. Nothing, if it does not say.
   void support(std::int64_t gateway, std::optional<bool> is_gateway);
@@ -96,7 +99,6 @@ private:
     Point2 last_miss_from;
   };
 
-  bool is_same(const Pose2& a, const Pose2& b) const;
   void count_hit(Evidence& x, const Pose2& robot) const;
   void count_miss(Evidence& x, const Gateway& gateway, const Pose2& robot,
                   const LaserScan& scan) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -27,6 +28,12 @@ Point2 point_of(const Pose2& x) {
 Line2 line_of(const Pose2& pose, double width, double beside) {
   const auto half = width / 2 + beside;
   return {transform(pose, {0, -half}), transform(pose, {0, half})};
+}
+
+/// In the middle of an opening, facing one of its sides.
+Pose2 pose_across(const Line2& x) {
+  const auto along = std::atan2(x.b.y - x.a.y, x.b.x - x.a.x);
+  return {(x.a.x + x.b.x) / 2, (x.a.y + x.b.y) / 2, normalised(along + std::numbers::pi / 2)};
 }
 
 /// Positive in front of the gateway, negative behind.
@@ -115,7 +122,7 @@ void GraphKeeper::reconcile(const RoomSegments& rooms) {
     const auto front = rooms.at(transform(x.pose, {beyond, 0}));
     const auto back = rooms.at(transform(x.pose, {-beyond, 0}));
     const bool is_at_opening = std::ranges::any_of(rooms.openings, [&](const Line2& opening) {
-      return distance(opening, point_of(x.pose)) < options_.gateways.near;
+      return tracker_.is_same(pose_across(opening), x.pose);
     });
     std::optional<bool> support;
     if (front >= 0 && back >= 0 && (front == back || is_at_opening))

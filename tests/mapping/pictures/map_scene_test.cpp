@@ -55,6 +55,33 @@ TEST(MapScene, ColoursNodesByTheirAreas) {
   EXPECT_EQ(scene.content, "3 nodes of 2 areas");
 }
 
+TEST(MapScene, AreasBehindAGatewayDifferInColourWhateverTheirIds) {
+  for (std::int64_t first = 0; first < 10; ++first)
+    for (std::int64_t second = first + 1; second < 20; ++second) {
+      MapKnowledge x;
+      // Others have the colours in between.
+      for (std::int64_t i = 0; i <= second; ++i)
+        x.nodes.push_back(node(i, static_cast<double>(i), i));
+      x.nodes.push_back(node(100, 0.5, -1));
+      x.edges = {{first, 100, 1}, {second, 100, 1}};
+      const auto marks = map_scene(x).marks;
+      const auto& a = marks[static_cast<std::size_t>(first)];
+      const auto& b = marks[static_cast<std::size_t>(second)];
+      EXPECT_FALSE(a.red == b.red && a.green == b.green && a.blue == b.blue)
+        << first << " " << second;
+    }
+}
+
+TEST(MapScene, LabelsAnAreaAtThePlaceNearestToItsMiddle) {
+  auto x = knowledge();
+  x.areas[0].x = -5;
+  x.areas[0].y = 7;
+  const auto& label = map_scene(x).marks[3];
+  EXPECT_EQ(label.text, "area 0");
+  EXPECT_EQ(label.place.x, 0);
+  EXPECT_EQ(label.place.y, 0);
+}
+
 TEST(MapScene, ShowsFrontiersPeopleAndThePlannedPath) {
   MapKnowledge x;
   x.trajectory = {{0, 0, 0}, {1, 0, 0}};
