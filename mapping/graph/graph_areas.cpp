@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -22,21 +25,38 @@ void NavigationGraph::update_areas() {
   has_moved_ = false;
 }
 
-/// Places that are connected without a gateway between them; each component by increasing ids, and
-/// those first that have the lowest ones.
+int NavigationGraph::side_of(std::int64_t gateway, std::int64_t node) const {
+  const auto& at = nodes_.at(node).pose;
+  return transform(inverse(nodes_.at(gateway).pose), {at.x, at.y}).x >= 0 ? 1 : -1;
+}
+
+/// Places that are connected without going through a gateway: those that a gateway is connected
+/// with on the same side are. Each component is by increasing ids, and those come first that have
+/// the lowest ones.
 std::vector<NavigationGraph::Component> NavigationGraph::components() const {
+  // A node, and the side of a gateway; 0 for a place.
+  using Stop = std::pair<std::int64_t, int>;
+  const auto stop_at = [this](std::int64_t node, std::int64_t from) {
+    return Stop{node, nodes_.at(node).kind == NodeKind::gateway ? side_of(node, from) : 0};
+  };
   std::vector<Component> result;
-  std::set<std::int64_t> done;
+  std::set<Stop> done;
   for (auto& [id, node] : nodes_) {
-    if (node.kind == NodeKind::gateway || !done.insert(id).second)
+    if (node.kind == NodeKind::gateway || !done.insert({id, 0}).second)
       continue;
-    Component x{id};
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (auto other : neighbours(x[i]))
-        if (nodes_.at(other).kind == NodeKind::place && done.insert(other).second)
-          x.push_back(other);
-    std::ranges::sort(x);
-    result.push_back(std::move(x));
+    std::vector<Stop> stops{{id, 0}};
+    Component places;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const auto [at, side] = stops[i];
+      if (side == 0)
+        places.push_back(at);
+      for (auto other : neighbours(at))
+        if (side == 0 || side_of(at, other) == side)
+          if (auto next = stop_at(other, at); done.insert(next).second)
+            stops.push_back(next);
+    }
+    std::ranges::sort(places);
+    result.push_back(std::move(places));
   }
   return result;
 }

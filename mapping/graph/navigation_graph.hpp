@@ -86,6 +86,8 @@ private:
 
   double factor(double clearance) const;
   void update_cost(const EdgeKey& edge);
+  /// 1 for a node in front of the gateway, -1 for one behind.
+  int side_of(std::int64_t gateway, std::int64_t node) const;
   std::vector<Component> components() const;
   void assign(const std::vector<Component>& components);
   void summarise(const std::map<std::int64_t, Component>& places);

@@ -44,7 +44,7 @@ struct GraphEdge {
   friend bool operator==(const GraphEdge&, const GraphEdge&) = default;
 };
 
-/// Entry "area-ID": places that are connected without a gateway between them, such as a room.
+/// Entry "area-ID": places that are connected without going through a gateway, such as a room.
 struct Area {
   std::int64_t id = 0;
   /// Given by people; empty without.

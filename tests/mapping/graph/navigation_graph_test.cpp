@@ -43,6 +43,25 @@ TEST(NavigationGraph, AreasAreSeparatedByGateways) {
   EXPECT_NEAR(graph.areas().at(0).x, 0.5, 1e-9);
 }
 
+TEST(NavigationGraph, PlacesOnOneSideOfAGatewayAreOfOneArea) {
+  auto graph = two_areas();
+  const auto beside = graph.add(NodeKind::place, {1.2, 2, 0}, 5, {1.2, 2, 0});
+  const auto behind = graph.add(NodeKind::place, {2.8, -2, 0}, 6, {2.8, -2, 0});
+  const auto other = graph.add(NodeKind::gateway, {1, 4, 0}, 7, {1, 4, 0}, 0.9);
+  const auto beyond = graph.add(NodeKind::place, {0.5, 5, 0}, 8, {0.5, 5, 0});
+  graph.connect(2, beside, 1);
+  graph.connect(2, behind, 1);
+  // From gateway to gateway.
+  graph.connect(2, other, 1);
+  graph.connect(other, beyond, 1);
+  graph.update_areas();
+  EXPECT_EQ(graph.nodes().at(beside).area, graph.nodes().at(0).area);
+  EXPECT_EQ(graph.nodes().at(behind).area, graph.nodes().at(4).area);
+  // The first gateway is in front of the other one, and this one's far side is another area.
+  EXPECT_NE(graph.nodes().at(beyond).area, graph.nodes().at(0).area);
+  EXPECT_NE(graph.nodes().at(beyond).area, graph.nodes().at(4).area);
+}
+
 TEST(NavigationGraph, AGatewayThatIsNoneMergesItsAreasAndKeepsTheEntryOfTheOther) {
   auto graph = two_areas();
   graph.label(1, "kitchen");
@@ -161,18 +180,23 @@ TEST(NavigationGraph, AreasAreTheConnectedPlacesWhateverHappens) {
       if (step == 20 && graph.nodes().at(a).kind == NodeKind::gateway)
         graph.make_place(a);
       graph.update_areas();
-      // By repeated spreading, as a model.
-      std::vector<std::int64_t> group(12);
-      for (std::size_t i = 0; i < 12; ++i)
+      // By repeated spreading, as a model, of places, of gateways' fronts and of their backs. All
+      // face along the line that they are on.
+      std::vector<std::int64_t> group(36);
+      for (std::size_t i = 0; i < 36; ++i)
         group[i] = static_cast<std::int64_t>(i);
       auto is_place = [&](std::int64_t x) { return graph.nodes().at(x).kind == NodeKind::place; };
-      for (int round = 0; round < 12; ++round)
-        for (auto& [key, edge] : graph.edges())
-          if (is_place(key.first) && is_place(key.second)) {
-            auto& x = group[static_cast<std::size_t>(key.first)];
-            auto& y = group[static_cast<std::size_t>(key.second)];
-            x = y = std::min(x, y);
-          }
+      auto end_of = [&](std::int64_t node, std::int64_t from) -> std::int64_t& {
+        return group[static_cast<std::size_t>(is_place(node) ? node
+                                              : from > node  ? node + 12
+                                                             : node + 24)];
+      };
+      for (int round = 0; round < 36; ++round)
+        for (auto& [key, edge] : graph.edges()) {
+          auto& x = end_of(key.first, key.second);
+          auto& y = end_of(key.second, key.first);
+          x = y = std::min(x, y);
+        }
       for (std::int64_t i = 0; i < 12; ++i) {
         const auto area = graph.nodes().at(i).area;
         RC_ASSERT((is_place(i) == (area >= 0)));
