@@ -1,15 +1,14 @@
 #include "castor/base/text_file.hpp"
 
 #include "castor/base/input_file.hpp"
+#include "castor/base/output_file.hpp"
 #include "castor/base/text.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 namespace castor {
@@ -108,22 +107,10 @@ std::string load_text(const std::filesystem::path& path) {
 }
 
 void save_text(const std::filesystem::path& path, std::string_view text) {
-  // Who reads it meanwhile, or after this process has died, finds the old text or the new one.
-  auto beside = path;
-  beside += ".new";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  std::error_code error;
-  if (file)
-    std::filesystem::rename(beside, path, error);
-  if (!file || error) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
+  if (!replace_file(path, text))
     throw unreadable(path, "the file cannot be written",
                      "Check that its folder exists, that you may write there, and that the disk is "
                      "not full.");
-  }
 }
 
 std::vector<TextLine> text_lines(std::string_view text) {

@@ -8,7 +8,7 @@ packages=(
   libcaf-dev libceres-dev libcli11-dev libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
   libssl-dev libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev zlib1g-dev
   # Maps of robots.
-  libmrpt-maps-dev liboctomap-dev
+  libmrpt-maps-dev libmrpt-slam-dev liboctomap-dev
   # The font of timelines.
   fonts-liberation2
   # For the tests of what `castor new` makes.

@@ -31,6 +31,10 @@ BodySurroundings surroundings_in_map(const std::filesystem::path& yaml) {
   if (map.origin.heading != 0)
     throw std::invalid_argument(yaml.string() + ": the map is turned, which no building can be; "
                                                 "set the third number of its origin to 0");
+  return surroundings_in_map(map);
+}
+
+BodySurroundings surroundings_in_map(const CellMap& map) {
   BodySurroundings result;
   result.obstacles = obstacles_of(map);
   result.seen = obstacles_of(map);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/mapping/body/simulated_body.hpp"
+#include "castor/mapping/grid/cell_map.hpp"
 
 #include <filesystem>
 
@@ -10,5 +11,8 @@ namespace castor::mapping {
 /// all heights. The start is the map's origin.
 /// \throws MapFileError if the map cannot be read, std::invalid_argument if it is turned.
 BodySurroundings surroundings_in_map(const std::filesystem::path& yaml);
+
+/// The same of a map that was read already; it is not turned.
+BodySurroundings surroundings_in_map(const CellMap& map);
 
 } // namespace castor::mapping

@@ -50,12 +50,24 @@ SimulatedBody::SimulatedBody(BodySurroundings surroundings, const BodyOptions& o
       options.drive.max_forward * seconds(options.step) > options.radius)
     throw std::invalid_argument("a robot has to have a radius, and to drive less than that within "
                                 "a step");
-  clearance_ = clearance_at(pose_, options_.radius + far_enough) - options_.radius;
+  clearance_ = least_clearance_ = clearance_of_robot_at(pose_);
+}
+
+double SimulatedBody::clearance_of_robot_at(const Pose2& pose) const {
+  auto result = clearance_at(pose, options_.radius + far_enough) - options_.radius;
   constexpr double rounding = 1e-9;
-  if (clearance_ < -rounding)
-    throw std::invalid_argument("the robot does not fit where it is to begin: something is less "
-                                "than its radius away; choose another start");
-  least_clearance_ = clearance_;
+  if (result < -rounding)
+    throw std::invalid_argument("the robot does not fit where it is to be: something is less than "
+                                "its radius away; choose another place");
+  return result;
+}
+
+void SimulatedBody::carry_to(const Pose2& pose) {
+  clearance_ = clearance_of_robot_at(pose);
+  pose_ = pose;
+  drive_.stop();
+  velocity_ = measured_velocity_ = {};
+  blocked_ = false;
 }
 
 double SimulatedBody::clearance_at(const Pose2& pose, double limit) const {

@@ -89,11 +89,18 @@ public:
 
   const WalkingPeople& people() const { return people_; }
 
+  /// Fault injection: somebody carries the robot to another place, where it stands. Its wheels do
+  /// not notice.
+  /// \throws std::invalid_argument if it does not fit there.
+  void carry_to(const Pose2& pose);
+
   /// Fault injection: from now on that wheel does not turn.
   void block(Wheel wheel) { drive_.block(wheel); }
 
 private:
   double clearance_at(const Pose2& pose, double limit) const;
+  /// From the edge of a robot that fits there, metres.
+  double clearance_of_robot_at(const Pose2& pose) const;
 
   BodyOptions options_;
   BodySurroundings surroundings_;

@@ -1,14 +1,13 @@
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/mapping/logs/robot_log_file.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace castor::mapping {
@@ -22,7 +21,7 @@ class RecordedRobot final : public StandaloneComponent {
   void configure() override {
     if (file_->empty())
       throw std::invalid_argument("--file is not set: name a CARMEN log or a rawlog");
-    auto read = read_robot_log(path());
+    auto read = read_robot_log(file_named(file_, base_.get()));
     if (!read.log)
       throw std::invalid_argument(render(read.diagnostics));
     for (auto& x : read.diagnostics)
@@ -87,14 +86,6 @@ class RecordedRobot final : public StandaloneComponent {
     auto due = std::chrono::microseconds{time_of(logged)};
     // What is due already is pushed at once, but the component can still be stopped.
     return due > now() ? sleep_for(due - now()) : is_running();
-  }
-
-  std::filesystem::path path() const {
-    std::filesystem::path result{file_.get()};
-    std::error_code ignored;
-    if (result.is_absolute() || base_->empty() || exists(result, ignored))
-      return result;
-    return std::filesystem::path{base_.get()} / result;
   }
 
   Option<std::string> file_{this, "file", "", "a CARMEN log, compressed or not, or an MRPT rawlog"};

@@ -1,8 +1,5 @@
 #include "castor/mapping/slam/map_frame.hpp"
 
-#include "castor/mapping/geometry/poses.hpp"
-#include "castor/mapping/planar/poses.hpp"
-
 #include <cmath>
 
 namespace castor::mapping {
@@ -17,17 +14,6 @@ PoseCovariance turned(const PoseCovariance& x, double heading) {
   result.x_heading = c * x.x_heading - s * x.y_heading;
   result.y_heading = s * x.x_heading + c * x.y_heading;
   result.heading = x.heading;
-  return result;
-}
-
-geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, std::int64_t time) {
-  auto frame = compose(in_map, inverse(odometry));
-  geometry::Transform result;
-  result.frame = geometry::odometry_frame;
-  result.pose.position = {frame.x, frame.y, 0};
-  result.pose.rotation = geometry::rotation_about_z(frame.heading);
-  result.pose.frame = geometry::map_frame;
-  result.time = time;
   return result;
 }
 

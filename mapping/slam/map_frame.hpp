@@ -1,17 +1,10 @@
 #pragma once
 
-#include "castor/mapping/geometry/types.hpp"
 #include "castor/mapping/slam/types.hpp"
-
-#include <cstdint>
 
 namespace castor::mapping {
 
 /// Covariance of a pose in another frame, in which the first frame is turned by `heading`.
 PoseCovariance turned(const PoseCovariance& x, double heading);
-
-/// The frame of the odometry in that of the map, if the robot is there in the map and has this
-/// odometry.
-geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, std::int64_t time);
 
 } // namespace castor::mapping

@@ -1,7 +1,7 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/base/text_file.hpp"
 #include "castor/mapping/body/components/drives_by_pose.hpp"
-#include "castor/mapping/body/components/named_file.hpp"
 #include "castor/mapping/body/free_way.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/planar/braking.hpp"
@@ -36,7 +36,7 @@ private:
   void configure() override {
     PathText read;
     if (!file_->empty()) {
-      const auto file = file_named(file_, base_);
+      const auto file = file_named(file_, base_.get());
       read = parse_path(load_text(file), file.string());
     } else {
       read = parse_path(path_.get(), "--path");

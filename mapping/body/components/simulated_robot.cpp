@@ -1,7 +1,7 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/base/text_file.hpp"
 #include "castor/mapping/body/body_state_text.hpp"
-#include "castor/mapping/body/components/named_file.hpp"
 #include "castor/mapping/body/map_surroundings.hpp"
 #include "castor/mapping/body/scene_camera.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
@@ -61,9 +61,11 @@ class SimulatedRobot final : public StandaloneComponent {
     options.drive.diameter_error = diameter_error_;
     auto surroundings = surroundings_with(options);
     if (!start_->empty())
-      surroundings.start = start_pose();
+      surroundings.start = pose_named("--start", start_);
     if (odometry_start_ == OdometryStart::start)
       options.odometry_start = surroundings.start;
+    if (!kidnapped_to_->empty())
+      pose_named("--kidnap-to", kidnapped_to_);
     step_ = options.step;
     body_ = std::make_unique<SimulatedBody>(std::move(surroundings), options);
     if (camera_period_.get() > 0ms)
@@ -75,7 +77,7 @@ class SimulatedRobot final : public StandaloneComponent {
 
   /// Of a building's file, or of a map of ROS's map_server.
   BodySurroundings surroundings_with(const BodyOptions& options) {
-    const auto file = file_named(building_, base_);
+    const auto file = file_named(building_, base_.get());
     if (file.extension() == ".yaml") {
       if (start_->empty())
         throw std::invalid_argument("a map does not say where the robot begins: write --start "
@@ -92,9 +94,10 @@ class SimulatedRobot final : public StandaloneComponent {
     return surroundings_in(read.building, options);
   }
 
-  Pose2 start_pose() const {
+  /// @param option whose value it is
+  static Pose2 pose_named(const std::string& option, const std::string& value) {
     std::vector<std::string> words;
-    for (auto& line : text_lines(start_.get()))
+    for (auto& line : text_lines(value))
       words.insert(words.end(), line.words.begin(), line.words.end());
     StatementWords statement(words);
     try {
@@ -102,7 +105,7 @@ class SimulatedRobot final : public StandaloneComponent {
       statement.expect_end();
       return pose;
     } catch (const StatementError& e) {
-      throw std::invalid_argument(std::string{"--start: "} + e.what() + ". " + e.remedy());
+      throw std::invalid_argument(option + ": " + e.what() + ". " + e.remedy());
     }
   }
 
@@ -143,6 +146,7 @@ class SimulatedRobot final : public StandaloneComponent {
     const auto due = (now() - begun_) / step_;
     while (body_->steps() < due) {
       block_wheel();
+      kidnap();
       body_->step();
       if (body_->steps() % odometry_steps_ == 0) {
         push(odometry());
@@ -209,6 +213,15 @@ class SimulatedRobot final : public StandaloneComponent {
   void block_wheel() {
     if (blocked_wheel_ != Wheel::none && now() >= blocks_after_.get())
       body_->block(blocked_wheel_);
+  }
+
+  void kidnap() {
+    if (kidnapped_to_->empty() || is_kidnapped_ || now() < kidnapped_after_.get())
+      return;
+    is_kidnapped_ = true;
+    body_->carry_to(pose_named("--kidnap-to", kidnapped_to_));
+    warning("somebody has carried the robot to {:.2f} {:.2f}", body_->status().pose.x,
+            body_->status().pose.y);
   }
 
   bool laser_works() { return laser_stops_after_.get() == 0ms || now() < laser_stops_after_.get(); }
@@ -321,6 +334,10 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<Wheel> blocked_wheel_{this, "blocked-wheel", Wheel::none, "fault: this wheel blocks"};
   Option<std::chrono::milliseconds> blocks_after_{this, "blocks-after", 0ms,
                                                   "when the wheel blocks"};
+  Option<std::string> kidnapped_to_{this, "kidnap-to", "",
+                                    "fault: somebody carries it there: X Y heading DEGREES"};
+  Option<std::chrono::milliseconds> kidnapped_after_{this, "kidnap-after", 0ms,
+                                                     "when somebody carries it away"};
 
   std::unique_ptr<SimulatedBody> body_;
   std::chrono::microseconds step_{0};
@@ -336,6 +353,7 @@ class SimulatedRobot final : public StandaloneComponent {
   vision::CameraFrame frame_;
   std::uint64_t looks_ = 0;
   std::int64_t reported_collisions_ = 0;
+  bool is_kidnapped_ = false;
   Timestamp saved_{0};
   bool is_unsaved_ = false;
 };

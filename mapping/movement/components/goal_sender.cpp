@@ -1,7 +1,7 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/base/text_file.hpp"
-#include "castor/mapping/body/components/named_file.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"

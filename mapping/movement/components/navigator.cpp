@@ -1,7 +1,7 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/mapping/body/components/drives_by_pose.hpp"
-#include "castor/mapping/body/components/named_file.hpp"
 #include "castor/mapping/map_components/follows_grid.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/goal_pursuit.hpp"

@@ -1,7 +1,8 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/mapping/geometry/types.hpp"
-#include "castor/mapping/planar/odometry_history.hpp"
+#include "castor/mapping/planar/odometry_frame.hpp"
 #include "castor/mapping/planar/poses.hpp"
+#include "castor/mapping/planar/scan_queue.hpp"
 #include "castor/mapping/slam/front_end.hpp"
 #include "castor/mapping/slam/map_frame.hpp"
 #include "castor/mapping/slam/pose_news.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <string>
 #include <utility>
@@ -48,15 +48,11 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     for (auto& x : read_all<GraphPoses>())
       take_graph(*x);
     on_push<Odometry>(odometry_.get(), [this](const std::shared_ptr<const Odometry>& x) {
-      history_.add(*x);
+      scans_.add(*x);
       process_waiting();
     });
     on_push<LaserScan>(laser_.get(), [this](const std::shared_ptr<const LaserScan>& x) {
-      // Memory for a robot whose odometry has stopped.
-      constexpr std::size_t most_waiting = 100;
-      waiting_.push_back(x);
-      if (waiting_.size() > most_waiting)
-        waiting_.pop_front();
+      scans_.add(x);
       process_waiting();
     });
     every(silence_.get(), [this] { check_silence(); });
@@ -89,19 +85,10 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
 
   void take_graph(const GraphPoses& x) { local_frame_ = x.local_frame; }
 
-  /// Scans wait until the odometry of their time is known.
   void process_waiting() {
-    while (!waiting_.empty()) {
-      auto scan = waiting_.front();
-      auto odometry = history_.pose_at(scan->time);
-      auto newest = history_.newest();
-      if (!odometry && (!newest || newest->time < scan->time))
-        return;
-      waiting_.pop_front();
-      // Older than all odometry: nobody knows where it was taken.
-      if (odometry && scan->time > last_.time)
-        process(*scan, *odometry);
-    }
+    while (auto x = scans_.next())
+      if (x->scan->time > last_.time)
+        process(*x->scan, x->odometry);
   }
 
   void process(const LaserScan& scan, const Pose2& odometry) {
@@ -145,7 +132,7 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
   void check_silence() {
     if (now() - last_scan_ < silence_.get())
       return;
-    auto newest = history_.newest();
+    auto newest = scans_.newest_odometry();
     RobotPose x;
     x.frame = geometry::map_frame;
     x.time = newest ? newest->time : last_.time;
@@ -156,8 +143,8 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     x.covariance.heading = 1e-4 + 0.01 * way * way;
     auto has_been_seen = last_scan_ != Timestamp{} || last_.time > 0;
     x.state = has_been_seen ? LocalisationState::dead_reckoning : LocalisationState::starting;
-    x.reason = waiting_.empty() ? "no scan comes from " + laser_.get()
-                                : "no odometry comes from " + odometry_.get();
+    x.reason = scans_.empty() ? "no scan comes from " + laser_.get()
+                              : "no odometry comes from " + odometry_.get();
     if (x.reason != silence_told_of_ && has_been_seen)
       warning("{}", x.reason);
     silence_told_of_ = x.reason;
@@ -189,8 +176,7 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
   std::unique_ptr<FrontEnd> front_end_;
   std::size_t keyframe_count_ = 0;
   PoseNews news_;
-  OdometryHistory history_;
-  std::deque<std::shared_ptr<const LaserScan>> waiting_;
+  ScanQueue scans_;
   FrontEndStep last_;
   Pose2 last_odometry_;
   Pose2 local_frame_;

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "castor/base/input_file.hpp"
+#include "castor/base/named_file.hpp"
 #include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
@@ -27,15 +28,12 @@ std::filesystem::path resolve(const std::string& name, const ImageSourceOptions&
     throw ImageSourceError(ImageFault::not_found, "image source", "no name is given",
                            "Name a picture, a folder, a video, a camera such as /dev/video0, or a "
                            "scene as in scene:FILE.");
-  if (std::filesystem::exists(path, ignored))
-    return path;
+  auto found = file_named(name, options.base_directory);
+  if (std::filesystem::exists(found, ignored))
+    return found;
   std::string places = std::filesystem::absolute(path, ignored).string();
-  if (path.is_relative() && !options.base_directory.empty()) {
-    const auto based = options.base_directory / path;
-    if (std::filesystem::exists(based, ignored))
-      return based;
-    places += " and " + based.string();
-  }
+  if (path.is_relative() && !options.base_directory.empty())
+    places += " and " + (options.base_directory / path).string();
   const auto colon = name.find(':');
   if (colon != std::string::npos && colon > 1)
     throw ImageSourceError(ImageFault::unknown_kind, name,

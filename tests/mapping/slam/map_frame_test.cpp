@@ -1,8 +1,9 @@
 #include "castor/mapping/slam/map_frame.hpp"
 
 #include "castor/mapping/geometry/frame_tree.hpp"
-#include "castor/mapping/planar/poses.hpp"
+#include "castor/mapping/planar/odometry_frame.hpp"
 #include "castor/mapping/planar/odometry_history.hpp"
+#include "castor/mapping/planar/poses.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/localisation/localisation_monitor.hpp"
+#include "castor/mapping/localisation/map_fit.hpp"
+#include "castor/mapping/localisation/particle_filter.hpp"
+#include "castor/mapping/localisation/particles.hpp"
+#include "castor/mapping/slam/types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace castor::mapping {
+
+struct MonteCarloOptions {
+  ParticleFilterOptions filter;
+  ClusterOptions clusters;
+  MapFitOptions fit;
+  LocalisationMonitorOptions monitor;
+  /// Particles for a square metre of free space when the robot may be anywhere; as many as the
+  /// filter may have, at most.
+  double search_density = 120;
+  /// Deviations of a start that is given, m and radians.
+  double start_deviation = 0.2;
+  double start_deviation_heading = 0.1;
+  /// Particles are weighted when the robot has moved so far, m, or turned, radians, ...
+  double update_distance = 0.1;
+  double update_turn = 0.1;
+  /// ... and, while a robot that stands is not found yet, after so long, s, but not more often than
+  /// that: its scans tell nothing new.
+  double still_period = 0.3;
+  std::size_t still_updates = 10;
+};
+
+struct LocalisationStep {
+  std::int64_t time = 0;
+  /// Of the robot in the map: where it most probably is.
+  Pose2 pose;
+  PoseCovariance covariance;
+  /// Deviation of the position, m.
+  double spread = 0;
+  /// Share of the beams that the map explains from there.
+  double explained = 0;
+  /// In how many places the robot may be, and how probable the first is.
+  std::size_t clusters = 0;
+  double weight = 0;
+  std::size_t particles = 0;
+  LocalisationState state = LocalisationState::starting;
+  /// For people, where the state is not tracking, or has become it.
+  std::string reason;
+};
+
+/// Where a robot is in a given map, scan by scan: from a start that is known or not. Notices that
+/// it is lost, and searches the whole map then. Without threads and clocks.
+class MonteCarloLocaliser {
+public:
+  /// @param start pose of the robot at its first scan; nothing if it may be anywhere
+  /// @throws std::invalid_argument if the map is turned, or has no free or no occupied cell
+  MonteCarloLocaliser(const CellMap& map, const std::optional<Pose2>& start,
+                      const MonteCarloOptions& options = {});
+
+  /// The next scan, with the robot's odometry at its time.
+  LocalisationStep add(const LaserScan& scan, const Pose2& odometry);
+
+private:
+  bool is_due(std::int64_t time, const Pose2& motion);
+  void search_everywhere();
+  void summarise();
+
+  MonteCarloOptions options_;
+  MapFit fit_;
+  ParticleFilter filter_;
+  LocalisationMonitor monitor_;
+  bool has_begun_ = false;
+  /// Of the last update.
+  std::int64_t updated_ = 0;
+  Pose2 update_odometry_;
+  std::size_t still_updates_ = 0;
+  Pose2 last_odometry_;
+  ParticleCluster best_;
+  std::size_t clusters_ = 0;
+  std::size_t particles_ = 0;
+};
+
+} // namespace castor::mapping
