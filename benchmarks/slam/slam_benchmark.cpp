@@ -7,9 +7,9 @@
 // may be compressed. Options make the task harder, to see how robust the settings are: beams=N
 // takes each Nth beam, scans=N each Nth scan, noise=SIGMA adds noise to ranges (m), drift=SHARE to
 // odometry, seed=N; density=FACTOR multiplies the distance of keyframes; loops=0 leaves out loop
-// closing; worst=1 lists the relations that are kept worst. Settings of SLAM are changed by their
-// names, such as keyframe_distance=0.3; see setting(). path=FILE writes the path: time x y heading;
-// truth=FILE has the true one, to compare it with.
+// closing; icp=1 aligns scans by ICP of MRPT, a baseline; worst=1 lists the relations that are kept
+// worst. Settings of SLAM are changed by their names, such as keyframe_distance=0.3; see setting().
+// path=FILE writes the path: time x y heading; truth=FILE has the true one, to compare it with.
 
 #include "castor/benchmarks/slam/relations.hpp"
 #include "castor/mapping/logs/robot_log_file.hpp"
@@ -116,6 +116,9 @@ bool set_option(Task& task, std::string_view name, const std::string& value) {
     task.shows_worst = number != 0;
   else if (name == "loops")
     task.options.closes_loops = number != 0;
+  else if (name == "icp")
+    task.options.front_end.method =
+      number != 0 ? mapping::MatchingMethod::icp : mapping::MatchingMethod::point_to_line;
   else if (name == "path")
     task.path = value;
   else if (name == "truth")

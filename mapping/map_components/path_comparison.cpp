@@ -1,5 +1,6 @@
 #include "castor/mapping/map_components/path_comparison.hpp"
 
+#include "castor/mapping/map_components/median.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <algorithm>
@@ -7,16 +8,6 @@
 #include <utility>
 
 namespace castor::mapping {
-
-namespace {
-
-double median_of(std::vector<double>& values) {
-  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-} // namespace
 
 void PathComparison::add_truth(std::int64_t time, const Pose2& pose) {
   truths_.add({time, pose, {}});

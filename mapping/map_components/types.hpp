@@ -55,10 +55,35 @@ struct TruePath {
   friend bool operator==(const TruePath&, const TruePath&) = default;
 };
 
+/// Entry: how far the pose that localisation tells of a simulated robot is from the true one. There
+/// is one, which is overwritten.
+struct PoseError {
+  /// Of the newest pose that was compared, microseconds since the system began.
+  std::int64_t time = 0;
+  /// How many poses were told, and in how many of them the state was tracking: those are compared.
+  std::int64_t poses = 0;
+  std::int64_t tracking = 0;
+  /// Distances from the true positions, metres.
+  double median = 0;
+  double most = 0;
+  /// Differences from the true headings, radians.
+  double heading_median = 0;
+  double heading_most = 0;
+  /// How often the robot was lost, and when it was so and was found for the last time,
+  /// microseconds; 0: never.
+  std::int64_t lost = 0;
+  std::int64_t last_lost = 0;
+  std::int64_t last_found = 0;
+
+  friend bool operator==(const PoseError&, const PoseError&) = default;
+};
+
 CASTOR_REFLECT(ExportMap, folder)
 CASTOR_REFLECT(ExportedMap, files, left_out)
 CASTOR_REFLECT(PathError, time, keyframes, median, most, heading_median, heading_most, collisions,
                least_clearance, driven)
 CASTOR_REFLECT(TruePath, poses)
+CASTOR_REFLECT(PoseError, time, poses, tracking, median, most, heading_median, heading_most, lost,
+               last_lost, last_found)
 
 } // namespace castor::mapping

@@ -1,5 +1,7 @@
 #include "castor/mapping/slam/front_end.hpp"
 
+#include "castor/mapping/slam/icp_matcher.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,9 +15,16 @@ double squared(double x) {
   return x * x;
 }
 
+std::unique_ptr<const PointMatcher> matcher_of(const FrontEndOptions& options) {
+  if (options.method == MatchingMethod::icp)
+    return std::make_unique<IcpMatcher>(options.matcher);
+  return std::make_unique<ScanMatcher>(options.matcher);
+}
+
 } // namespace
 
-FrontEnd::FrontEnd(const FrontEndOptions& options) : options_(options), matcher_(options.matcher) {}
+FrontEnd::FrontEnd(const FrontEndOptions& options)
+  : options_(options), matcher_(matcher_of(options)) {}
 
 void FrontEnd::resume(const std::vector<Keyframe>& newest) {
   placed_.clear();
@@ -61,16 +70,16 @@ FrontEnd::Motion FrontEnd::motion_to(std::int64_t time, const Pose2& odometry) c
 ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) const {
   auto by_odometry = compose(pose_, motion.step);
   if (!motion.as_before)
-    return matcher_.match(map_, scan, by_odometry, motion.prior);
+    return matcher_->match(map_, scan, by_odometry, motion.prior);
   auto late = between(motion.step, *motion.as_before);
   auto late_by = std::hypot(late.x, late.y);
   if (late_by < options_.late_odometry && std::abs(late.heading) < options_.late_odometry_heading)
-    return matcher_.match(map_, scan, by_odometry, motion.prior);
+    return matcher_->match(map_, scan, by_odometry, motion.prior);
   auto prior = motion.prior;
   prior.translation += late_by;
   prior.heading += std::abs(late.heading);
-  auto a = matcher_.match(map_, scan, by_odometry, prior);
-  auto b = matcher_.match(map_, scan, compose(pose_, *motion.as_before), prior);
+  auto a = matcher_->match(map_, scan, by_odometry, prior);
+  auto b = matcher_->match(map_, scan, compose(pose_, *motion.as_before), prior);
   return b.matched > a.matched + options_.search_gain ? b : a;
 }
 
@@ -92,7 +101,7 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
     coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window, options_.least_score);
   if (!best)
     return result;
-  auto match = matcher_.match(map_, scan, best->pose);
+  auto match = matcher_->match(map_, scan, best->pose, {});
   if (match.matched >= options_.least_matched &&
       match.matched > result.match.matched + options_.search_gain) {
     result.match = match;

@@ -9,11 +9,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace castor::mapping {
+
+/// The metric by which scans are aligned.
+enum class MatchingMethod {
+  /// ScanMatcher.
+  point_to_line,
+  /// IcpMatcher, a baseline.
+  icp
+};
 
 struct FrontEndOptions {
   /// A keyframe is made each time that the robot has moved this far, m ...
@@ -55,6 +64,7 @@ struct FrontEndOptions {
   /// Points that are further from their neighbours count alike, m.
   double spacing = 0.04;
   SurfaceOptions surface;
+  MatchingMethod method = MatchingMethod::point_to_line;
   ScanMatcherOptions matcher;
 };
 
@@ -123,7 +133,7 @@ private:
   void place(const Keyframe& keyframe, const SurfacePoints& points);
 
   FrontEndOptions options_;
-  ScanMatcher matcher_;
+  std::unique_ptr<const PointMatcher> matcher_;
   std::deque<Placed> placed_;
   PointMap map_;
   std::int64_t time_ = 0;
@@ -134,5 +144,7 @@ private:
   std::int64_t last_duration_ = 0;
   bool has_resumed_ = false;
 };
+
+CASTOR_REFLECT_ENUM(MatchingMethod, point_to_line, icp)
 
 } // namespace castor::mapping

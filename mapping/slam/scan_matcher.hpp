@@ -41,18 +41,28 @@ struct ScanMatch {
   double observability = 0;
 };
 
-/// Aligns a scan with points of a map: iterated closest points with the point-to-line metric
-/// (Censi, "An ICP variant using a point-to-line metric", 2008), Gauss-Newton.
-class ScanMatcher {
+/// Aligns a scan with points of a map.
+class PointMatcher {
 public:
-  explicit ScanMatcher(const ScanMatcherOptions& options = {}) : options_(options) {}
+  virtual ~PointMatcher() = default;
 
   /// @param scan points on the robot
   /// @param guess where the search begins
-  /// @param prior how well the guess is known already; it counts like other measurements
+  /// @param prior how well the guess is known already
   /// Without a match the pose is the guess and `matched` is 0.
+  virtual ScanMatch match(const PointMap& map, const SurfacePoints& scan, const Pose2& guess,
+                          const std::optional<PosePrior>& prior) const = 0;
+};
+
+/// The point-to-line metric: iterated closest points with the point-to-line metric
+/// (Censi, "An ICP variant using a point-to-line metric", 2008), Gauss-Newton.
+class ScanMatcher final : public PointMatcher {
+public:
+  explicit ScanMatcher(const ScanMatcherOptions& options = {}) : options_(options) {}
+
+  /// The prior counts like other measurements.
   ScanMatch match(const PointMap& map, const SurfacePoints& scan, const Pose2& guess,
-                  const std::optional<PosePrior>& prior = {}) const;
+                  const std::optional<PosePrior>& prior = {}) const override;
 
 private:
   ScanMatcherOptions options_;

@@ -103,7 +103,7 @@ void add_picture(CLI::App& group, Action& chosen) {
 
 void add_map(CLI::App& app, Action& chosen) {
   auto* command =
-    app.add_subcommand("map", "write the map of a running system, find rooms in a map");
+    app.add_subcommand("map", "write the map of a running system, check a map, find rooms in it");
   command->require_subcommand(1);
   auto arguments = std::make_shared<MapArguments>();
   auto* write = inspection_command(*command, "export", "write map files that other tools open",
@@ -119,6 +119,7 @@ void add_map(CLI::App& app, Action& chosen) {
     ->capture_default_str();
   add_json_flag(*write, arguments->json);
   on_call(*write, chosen, arguments, export_map);
+  add_map_check(*command, chosen);
   add_map_rooms(*command, chosen);
   add_picture(*command, chosen);
   command->footer(
@@ -128,6 +129,7 @@ void add_map(CLI::App& app, Action& chosen) {
     "(OctoMap).\n"
     "Examples: castor map export out\n"
     "          castor map export /tmp/map --in slam --json\n"
+    "          castor map check out/map.yaml\n"
     "          castor map rooms out/map.yaml --picture rooms.png");
 }
 

@@ -32,6 +32,7 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
     options.keyframe_distance = keyframe_distance_;
     options.keyframe_turn = keyframe_turn_;
     options.surface.max_range = max_range_;
+    options.method = method_;
     front_end_ = std::make_unique<FrontEnd>(options);
     PoseNewsOptions news;
     news.period = std::chrono::microseconds{period_.get()}.count();
@@ -163,6 +164,9 @@ class ScanMatchingFrontEnd final : public UnmanagedComponent {
                                 "or turn, radians"};
   Option<double> max_range_{this, "max-range", SurfaceOptions{}.max_range,
                             "beams that end further away are left out, metres"};
+  Option<MatchingMethod> method_{this, "matcher", MatchingMethod::point_to_line,
+                                 "metric by which scans are aligned; icp (point to point, of MRPT) "
+                                 "is a baseline"};
   Option<std::chrono::milliseconds> period_{this, "period", 100ms,
                                             "shortest time from one pose to the next"};
   Option<double> tolerance_{this, "tolerance", PoseNewsOptions{}.tolerance,

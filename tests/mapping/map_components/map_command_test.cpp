@@ -107,6 +107,53 @@ TEST_F(MapCommand, RoomsOfAFileThatIsNotThereAreAnError) {
   EXPECT_THAT(answer.errors, HasSubstr("none.yaml"));
 }
 
+TEST_F(MapCommand, ChecksAMapFile) {
+  std::ofstream{folder / "map.pgm"} << "P2\n4 2\n255\n254 254 254 0\n205 205 0 0\n";
+  std::ofstream{folder / "map.yaml"} << "image: map.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\n"
+                                        "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  auto yaml = (folder / "map.yaml").string();
+  auto answer = ask({"map", "check", yaml});
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_THAT(answer.output, HasSubstr("4 x 2 cells of 0.5 m, 2.0 m x 1.0 m"));
+  EXPECT_THAT(answer.output, HasSubstr("37.5 % occupied, 37.5 % free (0.8 m2), 25.0 % unknown"));
+  EXPECT_EQ(answer.errors, "");
+  auto as_json = json::parse(ask({"map", "check", yaml, "--json"}).output);
+  EXPECT_EQ(as_json["cells"]["occupied"], 3);
+  EXPECT_EQ(as_json["cells"]["unknown"], 2);
+  EXPECT_EQ(as_json["origin"]["y"], 2);
+}
+
+TEST_F(MapCommand, SaysAllThatIsWrongWithAMapFile) {
+  std::ofstream{folder / "map.yaml"} << "image: none.pgm\nresolution: -1\norigin: [0, 0]\n"
+                                        "negate: 0\noccupied_thresh: 0.2\nfree_thresh: 0.6\n";
+  auto yaml = (folder / "map.yaml").string();
+  auto answer = ask({"map", "check", yaml});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_EQ(answer.output, "");
+  EXPECT_THAT(answer.errors, HasSubstr("map.yaml:2"));
+  EXPECT_THAT(answer.errors, HasSubstr("the resolution is not a number above 0"));
+  EXPECT_THAT(answer.errors, HasSubstr("map.yaml:3"));
+  EXPECT_THAT(answer.errors, HasSubstr("map.yaml:5"));
+  EXPECT_THAT(answer.errors, HasSubstr("is not above free_thresh"));
+  std::ofstream{folder / "map.yaml"} << "image: none.pgm\nresolution: 1\norigin: [0, 0, 0]\n"
+                                        "negate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n";
+  auto without_image = ask({"map", "check", yaml});
+  EXPECT_EQ(without_image.status, 2);
+  EXPECT_THAT(without_image.errors, HasSubstr("map.yaml:1"));
+  EXPECT_THAT(without_image.errors, HasSubstr("there is no such file"));
+  EXPECT_EQ(ask({"map", "check", (folder / "none.yaml").string(), "--json"}).status, 2);
+}
+
+TEST_F(MapCommand, WarnsOfAMapThatNoRobotCanBeIn) {
+  std::ofstream{folder / "map.pgm"} << "P2\n2 1\n255\n0 205\n";
+  std::ofstream{folder / "map.yaml"} << "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0.5]\n"
+                                        "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  auto answer = ask({"map", "check", (folder / "map.yaml").string()});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.errors, HasSubstr("no cell is free"));
+  EXPECT_THAT(answer.errors, HasSubstr("the map is turned"));
+}
+
 } // namespace
 
 } // namespace castor::test
