@@ -3,6 +3,7 @@
 #include "castor/base/input_file.hpp"
 #include "castor/mapping/logs/gzip.hpp"
 #include "castor/mapping/planar/poses.hpp"
+#include "castor/mapping/planar/timed_poses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -151,9 +152,7 @@ std::optional<mapping::Pose2> pose_at(const std::vector<TimedPose>& path, std::i
   auto before = std::prev(after);
   if (std::min(time - before->time, after->time - time) > most_gap)
     return {};
-  auto share =
-    static_cast<double>(time - before->time) / static_cast<double>(after->time - before->time);
-  return interpolate(before->pose, after->pose, share);
+  return mapping::pose_between(path, time);
 }
 
 std::int64_t clock_offset(const std::vector<TimedPose>& path,

@@ -13,14 +13,14 @@ struct LocalisationMonitorOptions {
   /// m, and the map explains this share of the beams from there ...
   double sure_weight = 0.95;
   double sure_spread = 0.3;
-  double sure_explained = 0.75;
+  double sure_explained = 0.85;
   /// ... after it has moved that far since the search began, m plus radians ...
-  double sure_way = 0.5;
+  double sure_way = 1;
   /// ... or, for one that stands, after so many updates and with this share of the beams.
   std::size_t still_updates = 5;
   double still_explained = 0.9;
   /// A scan of which the map explains less does not fit.
-  double least_explained = 0.55;
+  double least_explained = 0.6;
   /// The robot is lost if no scan has fitted for so long, s.
   double lost_after = 1;
   /// Of a robot that was found, the pose is not certain if its cluster has less probability or

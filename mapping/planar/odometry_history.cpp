@@ -1,8 +1,6 @@
 #include "castor/mapping/planar/odometry_history.hpp"
 
-#include "castor/mapping/planar/poses.hpp"
-
-#include <algorithm>
+#include "castor/mapping/planar/timed_poses.hpp"
 
 namespace castor::mapping {
 
@@ -15,18 +13,7 @@ void OdometryHistory::add(const Odometry& x) {
 }
 
 std::optional<Pose2> OdometryHistory::pose_at(std::int64_t time) const {
-  auto after = std::lower_bound(known_.begin(), known_.end(), time,
-                                [](const Odometry& x, std::int64_t t) { return x.time < t; });
-  if (after == known_.end())
-    return {};
-  if (after->time == time)
-    return after->pose;
-  if (after == known_.begin())
-    return {};
-  auto before = std::prev(after);
-  auto share =
-    static_cast<double>(time - before->time) / static_cast<double>(after->time - before->time);
-  return interpolate(before->pose, after->pose, share);
+  return pose_between(known_, time);
 }
 
 std::optional<Odometry> OdometryHistory::newest() const {

@@ -36,7 +36,7 @@ void add_call(CLI::App& app, Action& chosen);
 void add_command(CLI::App& app, Action& chosen);
 void add_clock(CLI::App& app, Action& chosen);
 void add_map(CLI::App& app, Action& chosen);
-/// Adds `rooms` to the group `map`.
+/// Add `check` and `rooms` to the group `map`.
 void add_map_check(CLI::App& group, Action& chosen);
 void add_map_rooms(CLI::App& group, Action& chosen);
 void add_actions(CLI::App& app, Action& chosen);

@@ -33,9 +33,9 @@ protected:
 };
 
 TEST_F(Monitor, FindsARobotAfterSomeWay) {
-  EXPECT_EQ(see(0.85).state, LocalisationState::starting);
-  EXPECT_EQ(see_often(5, 0.85).state, LocalisationState::starting);
-  auto found = see(0.85, 1, 0.05, 0.5);
+  EXPECT_EQ(see(0.87).state, LocalisationState::starting);
+  EXPECT_EQ(see_often(5, 0.87).state, LocalisationState::starting);
+  auto found = see(0.87, 1, 0.05, 0.8);
   EXPECT_EQ(found.state, LocalisationState::tracking);
   EXPECT_THAT(found.reason, HasSubstr("found after 0.6 s"));
 }
