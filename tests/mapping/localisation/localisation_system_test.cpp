@@ -1,5 +1,6 @@
 // Localisation in a given map as a component of a system, in simulated time.
 
+#include "castor/actors/system/system.hpp"
 #include "castor/mapping/geometry/types.hpp"
 #include "castor/mapping/map_components/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"

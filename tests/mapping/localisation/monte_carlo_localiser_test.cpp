@@ -108,8 +108,9 @@ TEST(MonteCarloLocaliser, ARoomThatLooksAlikeFromBothEndsIsSaidToDo) {
     robot.drive();
     auto step = localiser.add(robot.scan(), robot.odometry());
     ASSERT_NE(step.state, LocalisationState::tracking) << i;
-    if (i > 20)
+    if (i > 20) {
       ASSERT_GE(step.clusters, 2U) << i;
+    }
   }
 }
 
