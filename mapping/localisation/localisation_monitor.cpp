@@ -33,7 +33,8 @@ LocalisationVerdict LocalisationMonitor::add(const LocalisationEvidence& x) {
 }
 
 bool LocalisationMonitor::is_found(const LocalisationEvidence& x) const {
-  if (x.weight < options_.sure_weight || x.spread > options_.sure_spread)
+  if (x.weight < options_.sure_weight || x.spread > options_.sure_spread || x.rivals > 0 ||
+      x.many_rivals)
     return false;
   return (way_ >= options_.sure_way && x.explained >= options_.sure_explained) ||
          (updates_ >= options_.still_updates && x.explained >= options_.still_explained);
@@ -57,12 +58,14 @@ LocalisationVerdict LocalisationMonitor::search(const LocalisationEvidence& x) {
     result.searches_anew = true;
   }
   auto found_so_far =
-    x.clusters > 1 ? fmt::format("the robot may be in {} places, in the first with {:.0f} %",
-                                 x.clusters, 100 * x.weight)
-    : is_narrow    ? fmt::format("one place is left, which has to prove itself: the map explains "
-                                    "{:.0f} % of the beams",
-                                 100 * x.explained)
-                   : fmt::format("the place is known to {:.1f} m", x.spread);
+    x.many_rivals    ? std::string{"too many places look alike"}
+    : x.rivals > 0   ? fmt::format("{} places look alike", x.rivals + 1)
+    : x.clusters > 1 ? fmt::format("the robot may be in {} places, in the first with {:.0f} %",
+                                   x.clusters, 100 * x.weight)
+    : is_narrow      ? fmt::format("one place is left, which has to prove itself: the map explains "
+                                        "{:.0f} % of the beams",
+                                   100 * x.explained)
+                     : fmt::format("the place is known to {:.1f} m", x.spread);
   result.reason = lost_reason_.empty() ? found_so_far : lost_reason_ + "; " + found_so_far;
   return result;
 }

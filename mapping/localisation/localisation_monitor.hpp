@@ -10,7 +10,7 @@ namespace castor::mapping {
 
 struct LocalisationMonitorOptions {
   /// The robot is found if one cluster of particles has this probability, deviates less than that,
-  /// m, and the map explains this share of the beams from there ...
+  /// m, the map explains this share of the beams from there, and no other place looks like it ...
   double sure_weight = 0.95;
   double sure_spread = 0.3;
   double sure_explained = 0.85;
@@ -39,6 +39,9 @@ struct LocalisationEvidence {
   double spread = 0;
   /// Share of the beams that the map explains from the middle of the first cluster.
   double explained = 0;
+  /// Other places that explain the scans as well; there may be too many to be counted.
+  std::size_t rivals = 0;
+  bool many_rivals = false;
   /// Way of the robot since the scan before by odometry, m plus radians.
   double moved = 0;
   /// Particles were weighted by this scan.

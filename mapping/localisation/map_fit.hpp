@@ -1,9 +1,11 @@
 #pragma once
 
-#include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/localisation/distance_field.hpp"
 #include "castor/mapping/planar/types.hpp"
 
-#include <vector>
+#include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -13,8 +15,6 @@ struct MapFitOptions {
   /// ... and passes none before that. A cell that is that near to the end does not count, since the
   /// pose is not exact.
   double before_end = 0.4;
-  /// Cells of at least this probability are occupied, percent.
-  int occupied_from = 65;
   /// How many beams of a scan are looked at, at most.
   std::size_t beams = 90;
 };
@@ -22,28 +22,18 @@ struct MapFitOptions {
 /// Tells how much of a scan a map explains.
 class MapFit {
 public:
-  explicit MapFit(const CellMap& map, const MapFitOptions& options = {});
+  explicit MapFit(std::shared_ptr<const DistanceField> map, const MapFitOptions& options = {})
+    : options_(options), map_(std::move(map)) {}
 
   /// Share of the scan's beams that the map explains if the robot is there, from 0 to 1; 1 for a
   /// scan in which nothing came back.
   double explained(const LaserScan& scan, const Pose2& robot) const;
 
-  /// Area of the free cells, m2.
-  double free_area() const { return free_area_; }
-
 private:
-  /// Metres from the point to the nearest occupied cell; large outside of the map.
-  float distance_at(double x, double y) const;
   bool is_explained(const Pose2& scanner, double angle, double range) const;
 
   MapFitOptions options_;
-  int columns_;
-  int rows_;
-  double cell_;
-  Pose2 origin_;
-  double free_area_ = 0;
-  /// Of each cell from the nearest occupied one, m.
-  std::vector<float> distances_;
+  std::shared_ptr<const DistanceField> map_;
 };
 
 } // namespace castor::mapping

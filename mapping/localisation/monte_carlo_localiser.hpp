@@ -1,14 +1,18 @@
 #pragma once
 
 #include "castor/mapping/grid/cell_map.hpp"
+#include "castor/mapping/localisation/distance_field.hpp"
 #include "castor/mapping/localisation/localisation_monitor.hpp"
+#include "castor/mapping/localisation/map_alignment.hpp"
 #include "castor/mapping/localisation/map_fit.hpp"
 #include "castor/mapping/localisation/particle_filter.hpp"
 #include "castor/mapping/localisation/particles.hpp"
+#include "castor/mapping/localisation/place_tracker.hpp"
 #include "castor/mapping/slam/types.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -19,8 +23,12 @@ struct MonteCarloOptions {
   ClusterOptions clusters;
   MapFitOptions fit;
   LocalisationMonitorOptions monitor;
-  /// Particles for a square metre of free space when the robot may be anywhere; as many as the
-  /// filter may have, at most.
+  PlaceTrackerOptions places;
+  /// Of the pose that is told, near that of the particles.
+  MapAlignmentOptions alignment{.prior = 0.15, .prior_heading = 0.05};
+  std::size_t alignment_beams = 90;
+  /// Particles for a square metre of free space when the robot may be at more places than can be
+  /// followed one by one; as many as the filter may have, at most.
   double search_density = 120;
   /// Deviations of a start that is given, m and radians.
   double start_deviation = 0.2;
@@ -46,6 +54,8 @@ struct LocalisationStep {
   /// In how many places the robot may be, and how probable the first is.
   std::size_t clusters = 0;
   double weight = 0;
+  /// While the robot is searched for: other places that explain its scans as well.
+  std::size_t rivals = 0;
   std::size_t particles = 0;
   LocalisationState state = LocalisationState::starting;
   /// For people, where the state is not tracking, or has become it.
@@ -53,7 +63,9 @@ struct LocalisationStep {
 };
 
 /// Where a robot is in a given map, scan by scan: from a start that is known or not. Notices that
-/// it is lost, and searches the whole map then. Without threads and clocks.
+/// it is lost, and searches the whole map then. A search is systematic: all places that explain the
+/// scans get particles, and the robot is found when one of them is left. Without threads and
+/// clocks.
 class MonteCarloLocaliser {
 public:
   /// @param start pose of the robot at its first scan; nothing if it may be anywhere
@@ -66,14 +78,22 @@ public:
 
 private:
   bool is_due(std::int64_t time, const Pose2& motion);
+  bool is_searching() const;
   void search_everywhere();
+  void update(const LaserScan& scan, const Pose2& odometry, const Pose2& motion);
   void summarise();
 
   MonteCarloOptions options_;
+  std::shared_ptr<const DistanceField> map_;
   MapFit fit_;
   ParticleFilter filter_;
+  PlaceTracker places_;
   LocalisationMonitor monitor_;
   bool has_begun_ = false;
+  /// The robot may be anywhere, so that other places count.
+  bool is_anywhere_ = false;
+  /// There are particles.
+  bool is_spread_ = false;
   /// Of the last update.
   std::int64_t updated_ = 0;
   Pose2 update_odometry_;

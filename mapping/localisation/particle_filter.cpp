@@ -116,7 +116,8 @@ void ParticleFilter::seed_generator() {
   std::seed_seq sequence{options_.seed, ++draws_};
   std::uint32_t seed = 0;
   sequence.generate(&seed, &seed + 1);
-  mrpt::random::getRandomGenerator().randomize(seed);
+  // A new one, because randomize() keeps a normal deviate that was drawn before.
+  mrpt::random::getRandomGenerator() = mrpt::random::CRandomGenerator{seed};
 }
 
 void ParticleFilter::spread_everywhere(unsigned particles) {
@@ -125,15 +126,22 @@ void ParticleFilter::spread_everywhere(unsigned particles) {
   filter_->poses.resetUniformFreeSpace(filter_->grid.get(), 0.7, static_cast<int>(particles));
 }
 
-void ParticleFilter::spread_around(const Pose2& pose, double deviation, double deviation_heading) {
+void ParticleFilter::spread_around(const std::vector<Pose2>& poses, double deviation,
+                                   double deviation_heading) {
   std::lock_guard lock{generator_mutex()};
   seed_generator();
   auto& generator = mrpt::random::getRandomGenerator();
-  filter_->poses.resetDeterministic({pose.x, pose.y, pose.heading},
-                                    std::max(1000U, options_.least_particles));
-  for (auto& x : filter_->poses.m_particles)
-    x.d = {generator.drawGaussian1D(pose.x, deviation), generator.drawGaussian1D(pose.y, deviation),
-           normalised(generator.drawGaussian1D(pose.heading, deviation_heading))};
+  constexpr std::size_t least_each = 30;
+  auto each =
+    std::max(least_each, std::max<std::size_t>(1000, options_.least_particles) / poses.size());
+  filter_->poses.resetDeterministic({poses.front().x, poses.front().y, poses.front().heading},
+                                    each * poses.size());
+  for (std::size_t i = 0; i < filter_->poses.m_particles.size(); ++i) {
+    const auto& pose = poses[i / each];
+    filter_->poses.m_particles[i].d = {
+      generator.drawGaussian1D(pose.x, deviation), generator.drawGaussian1D(pose.y, deviation),
+      normalised(generator.drawGaussian1D(pose.heading, deviation_heading))};
+  }
 }
 
 void ParticleFilter::update(const Pose2& motion, const LaserScan& scan) {

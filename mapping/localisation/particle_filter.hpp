@@ -35,7 +35,7 @@ struct ParticleFilterOptions {
 
 /// Particles that follow the robot through a map: MRPT's CMonteCarloLocalization2D with the
 /// likelihood field of a laser (Thrun, Burgard, Fox, "Probabilistic robotics", 6.4). Depends on its
-/// seed and on what it is given alone.
+/// seed and on what it is given alone, whatever else draws from MRPT's generator.
 class ParticleFilter {
 public:
   /// @throws std::invalid_argument if no cell of the map is free, or none is occupied, or the map
@@ -46,9 +46,10 @@ public:
   /// That many particles over all free cells, in all directions.
   void spread_everywhere(unsigned particles);
 
-  /// Particles around a pose, with these deviations of the position along each axis, m, and of the
-  /// heading.
-  void spread_around(const Pose2& pose, double deviation, double deviation_heading);
+  /// Particles around the poses, with these deviations of the position along each axis, m, and of
+  /// the heading.
+  /// @param poses at least one; as many particles around each
+  void spread_around(const std::vector<Pose2>& poses, double deviation, double deviation_heading);
 
   /// The robot has moved, by its odometry, and sees that now.
   void update(const Pose2& motion, const LaserScan& scan);

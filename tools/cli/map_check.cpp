@@ -103,8 +103,7 @@ int check_map(const MapCheckArguments& arguments) {
 
 void add_map_check(CLI::App& group, Action& chosen) {
   auto arguments = std::make_shared<MapCheckArguments>();
-  auto* check =
-    group.add_subcommand("check", "check a map of ROS's map_server, and describe it");
+  auto* check = group.add_subcommand("check", "check a map of ROS's map_server, and describe it");
   check->add_option("FILE", arguments->file, "the map's .yaml")->type_name("")->required();
   add_json_flag(*check, arguments->json);
   check->footer("Prints the map's size, and how much of it is occupied, free and unknown. All "

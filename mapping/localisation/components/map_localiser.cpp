@@ -7,6 +7,7 @@
 #include "castor/mapping/planar/odometry_frame.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/planar/scan_queue.hpp"
+#include "castor/mapping/slam/pose_news.hpp"
 #include "castor/mapping/slam/types.hpp"
 
 #include <chrono>
@@ -55,6 +56,9 @@ class MapLocaliser final : public UnmanagedComponent {
     start_ = start_named(start_text_);
     map_ = read_map_server(file_named(map_file_, base_.get()));
     localiser_ = std::make_unique<MonteCarloLocaliser>(map_, start_, localiser_options());
+    PoseNewsOptions news;
+    news.period = std::chrono::microseconds{period_.get()}.count();
+    news_ = PoseNews{news};
   }
 
   MonteCarloOptions localiser_options() const {
@@ -108,12 +112,10 @@ class MapLocaliser final : public UnmanagedComponent {
       info("{}", last_.reason.empty() ? "tracking again" : last_.reason);
     else if (is_new)
       warning("{}", last_.reason);
-    if (is_new || now() - told_ >= period_.get())
-      tell_pose();
+    tell_pose();
   }
 
   void tell_pose() {
-    told_ = now();
     RobotPose x;
     x.time = last_.time;
     x.frame = geometry::map_frame;
@@ -121,6 +123,9 @@ class MapLocaliser final : public UnmanagedComponent {
     x.covariance = last_.covariance;
     x.state = last_.state;
     x.reason = last_.reason;
+    if (!news_.is_news(x, last_odometry_))
+      return;
+    news_.told(x, last_odometry_);
     put(here("robot-pose"), x);
     // Before it is known, there is no such frame; while the robot is lost, the last one is kept.
     if (x.state == LocalisationState::tracking || x.state == LocalisationState::dead_reckoning)
@@ -151,6 +156,10 @@ class MapLocaliser final : public UnmanagedComponent {
     x.state =
       last_.state == LocalisationState::tracking ? LocalisationState::dead_reckoning : last_.state;
     x.reason = reason;
+    auto odometry = newest ? newest->pose : last_odometry_;
+    if (!news_.is_news(x, odometry))
+      return;
+    news_.told(x, odometry);
     put(here("robot-pose"), x);
   }
 
@@ -181,11 +190,11 @@ class MapLocaliser final : public UnmanagedComponent {
   std::unique_ptr<MonteCarloLocaliser> localiser_;
   /// Of the odometry in the map, by a localiser before this one.
   std::optional<Pose2> frame_before_;
+  PoseNews news_;
   ScanQueue scans_;
   LocalisationStep last_;
   Pose2 last_odometry_;
   Timestamp last_scan_{};
-  Timestamp told_{};
   std::string silence_told_of_;
 };
 
