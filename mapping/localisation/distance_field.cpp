@@ -8,34 +8,65 @@
 
 namespace castor::mapping {
 
-DistanceField::DistanceField(const CellMap& map, int occupied_from)
-  : columns_(map.columns), rows_(map.rows), cell_(map.cell_size), origin_(map.origin) {
-  cv::Mat others(rows_, columns_, CV_8U);
-  std::size_t free = 0;
-  is_free_.reserve(map.cells.size());
-  for (int row = 0; row < rows_; ++row)
-    for (int column = 0; column < columns_; ++column) {
-      auto cell = map.at(column, row);
-      others.at<std::uint8_t>(row, column) = cell >= occupied_from ? 0 : 1;
-      is_free_.push_back(cell >= 0 && cell < occupied_from);
-      free += is_free_.back() ? 1 : 0;
-    }
-  free_area_ = static_cast<double>(free) * cell_ * cell_;
+namespace {
+
+/// From the middle of each cell to that of the nearest occupied one, m.
+std::vector<float> distances_in(const CellMap& map, int occupied_from) {
+  cv::Mat others(map.rows, map.columns, CV_8U);
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column)
+      others.at<std::uint8_t>(row, column) = map.at(column, row) >= occupied_from ? 0 : 1;
   cv::Mat distances;
   cv::distanceTransform(others, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  distances_.reserve(map.cells.size());
-  for (int row = 0; row < rows_; ++row)
-    for (int column = 0; column < columns_; ++column)
-      distances_.push_back(distances.at<float>(row, column) * static_cast<float>(cell_));
+  std::vector<float> result;
+  result.reserve(map.cells.size());
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column)
+      result.push_back(distances.at<float>(row, column) * static_cast<float>(map.cell_size));
+  return result;
 }
 
-float DistanceField::at(double x, double y) const {
+} // namespace
+
+CellMap visible_surfaces(const CellMap& map, int occupied_from) {
+  auto is_free = [&](int column, int row) {
+    return column >= 0 && row >= 0 && column < map.columns && row < map.rows &&
+           map.at(column, row) >= 0 && map.at(column, row) < occupied_from;
+  };
+  auto result = map;
+  bool has_surface = false;
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column) {
+      if (map.at(column, row) < occupied_from)
+        continue;
+      bool is_visible = false;
+      for (int dx : {-1, 0, 1})
+        for (int dy : {-1, 0, 1})
+          is_visible = is_visible || is_free(column + dx, row + dy);
+      if (!is_visible)
+        result.at(column, row) = -1;
+      has_surface = has_surface || is_visible;
+    }
+  return has_surface ? result : map;
+}
+
+DistanceField::DistanceField(const CellMap& map, int occupied_from)
+  : columns_(map.columns), rows_(map.rows), cell_(map.cell_size), origin_(map.origin),
+    to_occupied_(distances_in(map, occupied_from)),
+    to_surface_(distances_in(visible_surfaces(map, occupied_from), occupied_from)) {
+  is_free_.reserve(map.cells.size());
+  for (auto cell : map.cells)
+    is_free_.push_back(cell >= 0 && cell < occupied_from);
+  free_area_ = static_cast<double>(std::ranges::count(is_free_, true)) * cell_ * cell_;
+}
+
+float DistanceField::at(const std::vector<float>& distances, double x, double y) const {
   constexpr float far = 1000;
   auto column = std::floor((x - origin_.x) / cell_);
   auto row = std::floor((y - origin_.y) / cell_);
   if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_))
     return far;
-  return distances_[index(static_cast<int>(column), static_cast<int>(row))];
+  return distances[index(static_cast<int>(column), static_cast<int>(row))];
 }
 
 std::optional<DistanceField::Slope> DistanceField::slope(double x, double y) const {
@@ -47,10 +78,10 @@ std::optional<DistanceField::Slope> DistanceField::slope(double x, double y) con
   auto row = static_cast<int>(v);
   u -= column;
   v -= row;
-  double a = distances_[index(column, row)];
-  double b = distances_[index(column + 1, row)];
-  double c = distances_[index(column, row + 1)];
-  double d = distances_[index(column + 1, row + 1)];
+  double a = to_surface_[index(column, row)];
+  double b = to_surface_[index(column + 1, row)];
+  double c = to_surface_[index(column, row + 1)];
+  double d = to_surface_[index(column + 1, row + 1)];
   return Slope{(1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d),
                ((1 - v) * (b - a) + v * (d - c)) / cell_,
                ((1 - u) * (c - a) + u * (d - b)) / cell_};
@@ -61,7 +92,7 @@ std::vector<Point2> DistanceField::free_places(double side, double clearance) co
   for (double y = side / 2; y < rows_ * cell_; y += side)
     for (double x = side / 2; x < columns_ * cell_; x += side) {
       auto place = index(static_cast<int>(x / cell_), static_cast<int>(y / cell_));
-      if (is_free_[place] && distances_[place] >= clearance)
+      if (is_free_[place] && to_occupied_[place] >= clearance)
         result.push_back({origin_.x + x, origin_.y + y});
     }
   return result;

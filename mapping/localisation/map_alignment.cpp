@@ -23,11 +23,13 @@ std::vector<Point2> ends_of_beams(const LaserScan& scan, std::size_t beams) {
 Pose2 aligned(const DistanceField& map, const std::vector<Point2>& points, const Pose2& guess,
               const MapAlignmentOptions& options) {
   auto pose = guess;
-  auto squared_deviation = options.deviation * options.deviation;
   const Eigen::Vector3d known(1 / (options.prior * options.prior),
                               1 / (options.prior * options.prior),
                               1 / (options.prior_heading * options.prior_heading));
+  auto deviation = options.first_deviation;
   for (int i = 0; i < options.iterations; ++i) {
+    deviation = std::max(options.deviation, options.narrowing * deviation);
+    auto squared_deviation = deviation * deviation;
     Eigen::Matrix3d information = known.asDiagonal();
     Eigen::Vector3d gradient = known.cwiseProduct(Eigen::Vector3d(
       pose.x - guess.x, pose.y - guess.y, normalised(pose.heading - guess.heading)));
@@ -50,7 +52,8 @@ Pose2 aligned(const DistanceField& map, const std::vector<Point2>& points, const
     pose.x += step.x();
     pose.y += step.y();
     pose.heading = normalised(pose.heading + step.z());
-    if (std::hypot(step.x(), step.y()) < 1e-3 && std::abs(step.z()) < 1e-3)
+    if (deviation == options.deviation && std::hypot(step.x(), step.y()) < 1e-3 &&
+        std::abs(step.z()) < 1e-3)
       break;
   }
   return pose;

@@ -14,7 +14,11 @@ struct MapAlignmentOptions {
   /// Deviation of a beam's end from the nearest occupied cell, m; ends that are further away count
   /// less (the loss of Geman and McClure), and those beyond `furthest` do not.
   double deviation = 0.1;
-  double furthest = 0.5;
+  double furthest = 0.6;
+  /// It begins with this deviation, m, and is multiplied by `narrowing` in each iteration: so ends
+  /// that are far away count in the beginning.
+  double first_deviation = 0.5;
+  double narrowing = 0.7;
   /// Deviations of the guess, m and radians.
   double prior = 0.2;
   double prior_heading = 0.1;

@@ -10,12 +10,12 @@ namespace castor::mapping {
 bool MapFit::is_explained(const Pose2& scanner, double angle, double range) const {
   auto dx = std::cos(scanner.heading + angle);
   auto dy = std::sin(scanner.heading + angle);
-  if (map_->at(scanner.x + range * dx, scanner.y + range * dy) > options_.near)
+  if (map_->to_surface(scanner.x + range * dx, scanner.y + range * dy) > options_.near)
     return false;
   // Steps from the scanner, each as long as nothing can be in the way.
   auto cell = map_->cell_size();
   for (double way = 0; way < range - options_.before_end;) {
-    auto left = map_->at(scanner.x + way * dx, scanner.y + way * dy);
+    auto left = map_->to_occupied(scanner.x + way * dx, scanner.y + way * dy);
     if (left <= 0)
       return false;
     way += std::max(cell / 2, static_cast<double>(left) - cell);

@@ -10,7 +10,7 @@
 namespace castor::mapping {
 
 struct MapFitOptions {
-  /// A beam is explained if it ends so near to an occupied cell, m ...
+  /// A beam is explained if it ends so near to an occupied cell that can be seen, m ...
   double near = 0.2;
   /// ... and passes none before that. A cell that is that near to the end does not count, since the
   /// pose is not exact.

@@ -1,5 +1,6 @@
 #include "castor/mapping/localisation/particle_filter.hpp"
 
+#include "castor/mapping/localisation/distance_field.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <mrpt/bayes/CParticleFilter.h>
@@ -96,7 +97,8 @@ struct ParticleFilter::Filter {
 
 ParticleFilter::ParticleFilter(const CellMap& map, const ParticleFilterOptions& options)
   : options_(options), filter_(std::make_unique<Filter>()) {
-  filter_->grid = grid_of(map, options);
+  // Within walls a beam's end is as far from the surface as before it.
+  filter_->grid = grid_of(visible_surfaces(map, options.occupied_from), options);
   filter_->poses.options.metricMap = filter_->grid;
   auto& kld = filter_->poses.options.KLD_params;
   kld.KLD_minSampleSize = options.least_particles;

@@ -34,7 +34,7 @@ std::size_t fitting(const DistanceField& map, const std::vector<TurnedPoint>& po
   std::size_t result = 0;
   auto left = points.size();
   for (const auto& x : points) {
-    result += map.at(robot.x + x.arm.x, robot.y + x.arm.y) <= x.near ? 1 : 0;
+    result += map.to_surface(robot.x + x.arm.x, robot.y + x.arm.y) <= x.near ? 1 : 0;
     if (result + --left < least)
       return result;
   }

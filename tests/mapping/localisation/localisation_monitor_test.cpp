@@ -15,8 +15,17 @@ protected:
   LocalisationVerdict see(double explained, double weight = 1, double spread = 0.05,
                           double moved = 0.05, bool is_update = true) {
     time_ += 100000;
-    return monitor_.add({time_, weight < 1 ? std::size_t{2} : std::size_t{1}, weight, spread,
-                         explained, moved, is_update});
+    LocalisationEvidence x;
+    x.time = time_;
+    x.clusters = weight < 1 ? 2 : 1;
+    x.weight = weight;
+    x.spread = spread;
+    x.explained = explained;
+    x.rivals = rivals_;
+    x.many_rivals = many_rivals_;
+    x.moved = moved;
+    x.is_update = is_update;
+    return monitor_.add(x);
   }
 
   LocalisationVerdict see_often(int times, double explained, double moved = 0.05) {
@@ -26,9 +35,11 @@ protected:
     return result;
   }
 
-  void find() { ASSERT_EQ(see_often(12, 0.95).state, LocalisationState::tracking); }
+  void find() { ASSERT_EQ(see_often(22, 0.95).state, LocalisationState::tracking); }
 
   LocalisationMonitor monitor_;
+  std::size_t rivals_ = 0;
+  bool many_rivals_ = false;
   std::int64_t time_ = 0;
 };
 
@@ -51,6 +62,27 @@ TEST_F(Monitor, SeveralPlacesAreNotEnough) {
     ASSERT_EQ(x.state, LocalisationState::starting);
     ASSERT_THAT(x.reason, HasSubstr("2 places"));
   }
+  EXPECT_EQ(see(0.95).state, LocalisationState::tracking);
+}
+
+TEST_F(Monitor, APlaceThatOthersLookLikeIsNotEnough) {
+  rivals_ = 2;
+  for (int i = 0; i < 50; ++i) {
+    auto x = see(1);
+    ASSERT_EQ(x.state, LocalisationState::starting);
+    ASSERT_EQ(x.reason, "3 places look alike");
+    ASSERT_FALSE(x.searches_anew);
+  }
+  rivals_ = 0;
+  many_rivals_ = true;
+  EXPECT_EQ(see(1).reason, "too many places look alike");
+  many_rivals_ = false;
+  EXPECT_EQ(see(1).state, LocalisationState::tracking);
+}
+
+TEST_F(Monitor, OtherPlacesDoNotCountOnceTheRobotIsFound) {
+  find();
+  rivals_ = 2;
   EXPECT_EQ(see(0.95).state, LocalisationState::tracking);
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <mrpt/random.h>
+
 #include <cstdint>
 #include <stdexcept>
 
@@ -100,16 +102,38 @@ TEST(MonteCarloLocaliser, SameSeedGivesTheSameAnswer) {
   EXPECT_TRUE(differs);
 }
 
+TEST(MonteCarloLocaliser, SameSeedGivesTheSameAnswerWhateverElseDraws) {
+  const auto map = furnished_map();
+  auto pose_with = [&](bool others_draw) {
+    WanderingRobot robot{map, begin};
+    MonteCarloLocaliser localiser{map, robot.truth(), seeded(7)};
+    LocalisationStep step;
+    for (int i = 0; i < 10; ++i) {
+      if (others_draw)
+        mrpt::random::getRandomGenerator().drawGaussian1D_normalized();
+      robot.drive();
+      step = localiser.add(robot.scan(), robot.odometry());
+    }
+    return step.pose;
+  };
+  EXPECT_EQ(pose_with(false), pose_with(true));
+}
+
 TEST(MonteCarloLocaliser, ARoomThatLooksAlikeFromBothEndsIsSaidToDo) {
   const auto map = symmetric_map();
-  WanderingRobot robot{map, begin};
-  MonteCarloLocaliser localiser{map, {}, seeded(1)};
-  for (int i = 0; i < 60; ++i) {
-    robot.drive();
-    auto step = localiser.add(robot.scan(), robot.odometry());
-    ASSERT_NE(step.state, LocalisationState::tracking) << i;
-    if (i > 20) {
-      ASSERT_GE(step.clusters, 2U) << i;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    WanderingRobot robot{map, begin, {.seed = seed}};
+    MonteCarloLocaliser localiser{map, {}, seeded(seed)};
+    for (int i = 0; i < 300; ++i) {
+      robot.drive();
+      auto step = localiser.add(robot.scan(), robot.odometry());
+      ASSERT_NE(step.state, LocalisationState::tracking) << i;
+      if (i > 100) {
+        ASSERT_GE(step.rivals, 1U) << i;
+      }
+      if (i == 299) {
+        EXPECT_EQ(step.reason, "2 places look alike");
+      }
     }
   }
 }
