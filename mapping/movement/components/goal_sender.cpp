@@ -48,7 +48,7 @@ class GoalSender final : public UnmanagedComponent {
       goals_ = std::move(read.path);
     }
     if (!map_file_->empty())
-      map_ = read_map_server(file_named(map_file_, base_));
+      map_ = read_map_server(file_named(map_file_, base_.get()));
     if (goals_.empty())
       draw_goals();
   }

@@ -39,7 +39,7 @@ public:
 private:
   void configure() override {
     if (!map_file_->empty())
-      map_ = read_map_server(file_named(map_file_, base_));
+      map_ = read_map_server(file_named(map_file_, base_.get()));
     options_.plan.radius = radius_;
     options_.plan.margin = margin_;
     options_.plan.preferred_clearance = preferred_clearance_;
