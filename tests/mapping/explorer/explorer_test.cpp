@@ -29,8 +29,12 @@ protected:
     result.file = CASTOR_CONFIGS "/explorer.cast";
     result.simulated_time = true;
     result.patience = 300s;
-    result.variables = {
-      {"path", path}, {"after", "stay"}, {"state", (folder_ / "robot.state").string()}};
+    // All failures of a test happen within ten seconds of real time: more restarts than usual, or
+    // the map is lost with its working memory.
+    result.variables = {{"path", path},
+                        {"after", "stay"},
+                        {"state", (folder_ / "robot.state").string()},
+                        {"restarts", "20"}};
     return result;
   }
 
@@ -116,7 +120,7 @@ TEST_F(Explorer, ArrivesAndComesToRestWhateverFailsOnTheWay) {
   const auto error = error_of(system);
   // The evaluator has not seen where the robot was before it failed.
   EXPECT_GT(error.keyframes, 10);
-  EXPECT_LT(error.most, 0.1);
+  EXPECT_LT(error.most, 0.06);
   EXPECT_EQ(error.collisions, 0);
 }
 
