@@ -3,6 +3,8 @@
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
+#include <cmath>
+
 namespace castor::mapping {
 
 geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, std::int64_t time) {
@@ -14,6 +16,11 @@ geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, 
   result.pose.frame = geometry::map_frame;
   result.time = time;
   return result;
+}
+
+Pose2 floor_pose(const geometry::Transform& frame) {
+  const auto& x = frame.pose;
+  return {x.position.x, x.position.y, 2 * std::atan2(x.rotation.z, x.rotation.w)};
 }
 
 } // namespace castor::mapping

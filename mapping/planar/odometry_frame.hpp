@@ -11,4 +11,7 @@ namespace castor::mapping {
 /// odometry.
 geometry::Transform odometry_in_map(const Pose2& in_map, const Pose2& odometry, std::int64_t time);
 
+/// Where such a frame is on the floor of the map, the inverse of `odometry_in_map`.
+Pose2 floor_pose(const geometry::Transform& frame);
+
 } // namespace castor::mapping

@@ -11,7 +11,6 @@
 #include "castor/mapping/slam/types.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
@@ -77,8 +76,7 @@ class MapLocaliser final : public UnmanagedComponent {
       if (x->state == LocalisationState::tracking)
         for (auto& frame : read_all<geometry::Transform>())
           if (frame->frame == geometry::odometry_frame)
-            frame_before_ = Pose2{frame->pose.position.x, frame->pose.position.y,
-                                  2 * std::atan2(frame->pose.rotation.z, frame->pose.rotation.w)};
+            frame_before_ = floor_pose(*frame);
     on_push<Odometry>(odometry_.get(), [this](const std::shared_ptr<const Odometry>& x) {
       scans_.add(*x);
       process_waiting();

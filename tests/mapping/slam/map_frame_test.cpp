@@ -26,6 +26,15 @@ TEST(MapFrame, TheRobotIsWhereBothFramesHaveIt) {
   EXPECT_NEAR(there.position.y, in_map.y, 1e-9);
 }
 
+TEST(MapFrame, TheFrameOfTheOdometryIsWhereTheRobotWasWithoutOdometry) {
+  for (const double heading : {-3.0, -0.4, 0.0, 2.0, 3.1}) {
+    const auto pose = floor_pose(odometry_in_map({3, 4, heading}, {}, 1000));
+    EXPECT_NEAR(pose.x, 3, 1e-9);
+    EXPECT_NEAR(pose.y, 4, 1e-9);
+    EXPECT_NEAR(normalised(pose.heading - heading), 0, 1e-9);
+  }
+}
+
 TEST(MapFrame, CovariancesTurnWithTheFrame) {
   PoseCovariance along{4, 0, 0.1, 1, 0.2, 0.5};
   auto quarter = turned(along, pi / 2);
