@@ -168,10 +168,8 @@ void draw_scale(cv::Mat& picture, const Layout& layout) {
               cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar::all(60), 1, cv::LINE_AA);
 }
 
-} // namespace
-
-std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
-                        const MapPictureOptions& options, const std::vector<MapMark>& marks) {
+cv::Mat drawn(const CellMap& map, const std::vector<MapTrack>& tracks,
+              const MapPictureOptions& options, const std::vector<MapMark>& marks) {
   Layout layout{map, tracks, options.side};
   cv::Mat picture(layout.size(), CV_8UC3, cv::Scalar::all(unknown_grey));
   draw_cells(picture, map, layout);
@@ -180,8 +178,21 @@ std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
   for (auto& x : marks)
     draw_mark(picture, x, layout);
   draw_scale(picture, layout);
+  return picture;
+}
+
+} // namespace
+
+MapPixels map_pixels(const CellMap& map, const std::vector<MapTrack>& tracks,
+                     const MapPictureOptions& options, const std::vector<MapMark>& marks) {
+  const auto picture = drawn(map, tracks, options, marks);
+  return {picture.cols, picture.rows, {picture.datastart, picture.dataend}};
+}
+
+std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
+                        const MapPictureOptions& options, const std::vector<MapMark>& marks) {
   std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", picture, bytes);
+  cv::imencode(".png", drawn(map, tracks, options, marks), bytes);
   return {bytes.begin(), bytes.end()};
 }
 

@@ -39,10 +39,21 @@ struct MapPictureOptions {
   int side = 1200;
 };
 
-/// The bytes of a PNG file: the map, light where it is free and dark where it is occupied, and the
-/// tracks and marks over it, and a bar of round length for the scale. The map is enlarged so that
-/// all tracks are in the picture.
+/// Pixels in rows from the top, each of blue, green and red.
+struct MapPixels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
+/// The map, light where it is free and dark where it is occupied, and the tracks and marks over it,
+/// and a bar of round length for the scale. The map is enlarged so that all tracks are in the
+/// picture.
 /// @throws std::invalid_argument if there is neither a cell nor a pose
+MapPixels map_pixels(const CellMap& map, const std::vector<MapTrack>& tracks,
+                     const MapPictureOptions& options = {}, const std::vector<MapMark>& marks = {});
+
+/// The same as the bytes of a PNG file.
 std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
                         const MapPictureOptions& options = {},
                         const std::vector<MapMark>& marks = {});

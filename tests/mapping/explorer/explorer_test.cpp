@@ -2,13 +2,18 @@
 
 #include "castor/actors/system/system.hpp"
 #include "castor/base/text_file.hpp"
+#include "castor/mapping/grid/tile_codec.hpp"
 #include "castor/mapping/map_components/types.hpp"
+#include "castor/mapping/octree/types.hpp"
+#include "castor/mapping/pictures/components/types.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -35,6 +40,29 @@ protected:
                         {"after", "stay"},
                         {"state", (folder_ / "robot.state").string()},
                         {"restarts", "20"}};
+    return result;
+  }
+
+  /// Occupied voxels of the octree whose middles are in the box, which is in the map's frame.
+  static int occupied_voxels(TestSystem& system, const geometry::Point3& low,
+                             const geometry::Point3& high) {
+    int result = 0;
+    for (auto& entry : system.system().entries("mapping")) {
+      const auto block = entry->value.as<OctreeBlock>();
+      if (!block)
+        continue;
+      const auto voxels = decode_tile(block->bytes);
+      const auto middle = [&](std::int32_t of_block, std::size_t i) {
+        return (16 * of_block + static_cast<double>(i) + 0.5) * block->voxel_size;
+      };
+      for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const double x = middle(block->x, i % 16);
+        const double y = middle(block->y, i / 16 % 16);
+        const double z = middle(block->z, i / 256);
+        result += voxels[i] > 0 && x > low.x && x < high.x && y > low.y && y < high.y &&
+                  z > low.z && z < high.z;
+      }
+    }
     return result;
   }
 
@@ -68,6 +96,10 @@ protected:
   /// PoseNews there would be 300.
   static void expect_rest(TestSystem& system) {
     for (auto& [address, writes] : writes_at_rest(system)) {
+      if (address == "mapping/map-picture") {
+        EXPECT_LE(writes, 1U) << "the last metres of the way are drawn late, but only once";
+        continue;
+      }
       EXPECT_TRUE(address == "slam/robot-pose" || address == "slam/odometry-frame") << address;
       EXPECT_LE(writes, 5U) << address;
     }
@@ -82,12 +114,38 @@ protected:
 
 } // namespace
 
+TEST_F(Explorer, PutsWhatItsDepthCameraSeesIntoTheOctree) {
+  for (const bool camera : {false, true}) {
+    auto with_camera = options();
+    const auto path = with_camera.variables.at("path");
+    // Before the desk of the first office, which stands on legs: the laser looks through below.
+    save_text(path, "2.5 5.1\n2.5 3\n1.9 2.2\n");
+    with_camera.variables["camera"] = camera ? "true" : "false";
+    TestSystem system{cast(), with_camera};
+    system.expect_entry("PathProgress in navigation where arrived == true");
+    // OctreeBuilder's period.
+    system.advance(10s);
+    const int desk = occupied_voxels(system, {0.3, 0.3, 0.6}, {1.7, 0.9, 0.9});
+    if (camera)
+      EXPECT_GT(desk, 5);
+    else
+      EXPECT_EQ(desk, 0);
+    EXPECT_GT(occupied_voxels(system, {-1, -1, 0}, {19, 16, 0.5}), 50);
+    EXPECT_EQ(error_of(system).collisions, 0);
+  }
+}
+
 TEST_F(Explorer, WritesHardlyAnythingWhileItStands) {
   TestSystem system{cast(), options()};
   system.expect_entry("PathProgress in navigation where arrived == true");
   // PathEvaluator's period.
   system.advance(15s);
   expect_rest(system);
+  const auto picture = *system.expect_entry("MapPicture in mapping")->value.as<MapPicture>();
+  EXPECT_NE(picture.content.find("grid"), std::string::npos) << picture.content;
+  EXPECT_NE(picture.content.find("trajectory"), std::string::npos) << picture.content;
+  EXPECT_EQ(picture.image.bytes.size(),
+            std::size_t{3} * picture.image.width * picture.image.height);
   EXPECT_EQ(error_of(system).collisions, 0);
   system.expect_nobody_else_down();
 }

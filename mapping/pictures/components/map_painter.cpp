@@ -5,10 +5,12 @@
 #include "castor/mapping/map_components/keyframe_poses.hpp"
 #include "castor/mapping/maps/output_file.hpp"
 #include "castor/mapping/people/types.hpp"
+#include "castor/mapping/pictures/components/types.hpp"
 #include "castor/mapping/pictures/map_scene.hpp"
 #include "castor/mapping/pictures/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -22,7 +24,10 @@ namespace castor::mapping {
 
 namespace {
 
-/// Draws what is known of a building: when it is asked to, and at the end of a run.
+using namespace std::chrono_literals;
+
+/// Draws what is known of a building: when it is asked to, at the end of a run, and now and then as
+/// a MapPicture.
 class MapPainter final : public UnmanagedComponent {
   void start() override {
     const auto note = [this](const ChangeEvent& event) {
@@ -39,6 +44,8 @@ class MapPainter final : public UnmanagedComponent {
         throw std::invalid_argument("the request names no file");
       return draw(request.file);
     });
+    if (period_.get() > 0s)
+      every(period_.get(), [this] { show(); });
   }
 
   void stop() override {
@@ -53,7 +60,14 @@ class MapPainter final : public UnmanagedComponent {
     }
   }
 
-  DrawnMap draw(const std::string& file) {
+  struct Drawing {
+    CellMap map;
+    MapScene scene;
+    /// Of the whole picture, in words.
+    std::string content;
+  };
+
+  Drawing drawing() {
     MapKnowledge knowledge;
     std::optional<GraphPoses> graph;
     for (auto& x : all<GraphPoses>(keyframes_))
@@ -67,12 +81,32 @@ class MapPainter final : public UnmanagedComponent {
     knowledge.explorations = all<ExplorationState>(navigation_);
     knowledge.movements = all<Movement>(navigation_);
     const auto tiles = all<GridTile>(grid_);
-    const auto scene = map_scene(knowledge);
-    write_output_file(file, map_picture(cell_map(tiles), scene.tracks, {}, scene.marks));
-    auto content = scene.content;
+    Drawing result{cell_map(tiles), map_scene(knowledge), {}};
+    result.content = result.scene.content;
     if (!tiles.empty())
-      content = content.empty() ? "grid" : "grid, " + content;
-    return {file, content};
+      result.content = result.content.empty() ? "grid" : "grid, " + result.content;
+    return result;
+  }
+
+  DrawnMap draw(const std::string& file) {
+    const auto x = drawing();
+    write_output_file(file, map_picture(x.map, x.scene.tracks, {}, x.scene.marks));
+    return {file, x.content};
+  }
+
+  /// Writes the picture if it has changed.
+  void show() {
+    const auto x = drawing();
+    if (x.content.empty())
+      return;
+    auto pixels = map_pixels(x.map, x.scene.tracks, {.side = shown_side_}, x.scene.marks);
+    MapPicture picture{x.content,
+                       {static_cast<std::uint32_t>(pixels.width),
+                        static_cast<std::uint32_t>(pixels.height), 3, std::move(pixels.bytes)}};
+    if (picture == shown_)
+      return;
+    put(here("map-picture"), picture);
+    shown_ = std::move(picture);
   }
 
   std::string where(const SubarchitectureName& x) const {
@@ -100,7 +134,14 @@ class MapPainter final : public UnmanagedComponent {
   Option<SubarchitectureName> navigation_{
     this, "navigation", "", "subarchitecture of Navigator and Explorer; empty: its own"};
 
+  Option<std::chrono::milliseconds> period_{
+    this, "period", 0ms, "time between entries with the picture, for timelines; 0: none"};
+
+  /// Longer side of the picture in an entry, pixels.
+  static constexpr int shown_side_ = 480;
+
   std::map<std::int64_t, std::vector<Pose2>> people_;
+  MapPicture shown_;
 };
 
 CASTOR_COMPONENT(MapPainter, "draws the map with what is known of it")
