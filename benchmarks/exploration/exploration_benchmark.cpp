@@ -4,11 +4,13 @@
 //
 // Runs configs/explorer.cast with drive=explore in simulated time, for each building, and prints a
 // line for each: share of the reachable floor that was seen, simulated and real time, length of the
-// path against a lower bound, collisions. VARIABLE=VALUE sets a variable of the configuration;
+// path, that of the same decisions with an exact laser and a known pose, a lower bound, collisions.
+// VARIABLE=VALUE sets a variable of the configuration;
 // building=FILE takes that building instead of generated ones.
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/system/system.hpp"
+#include "castor/benchmarks/exploration/exact_exploration.hpp"
 #include "castor/benchmarks/exploration/exploration_evaluation.hpp"
 #include "castor/mapping/building/building_file.hpp"
 #include "castor/mapping/building/building_generator.hpp"
@@ -48,9 +50,19 @@ struct Result {
   double simulated = 0;
   double real = 0;
   double driven = 0;
+  double exact = 0;
   double bound = 0;
   std::int64_t collisions = 0;
 };
+
+/// As the configuration has the Explorer and the Navigator.
+ExactExplorationOptions exact_options() {
+  ExactExplorationOptions result;
+  result.exploration.floor.clearance = 0.35;
+  result.exploration.frontiers.least_size = 0.4;
+  result.plan.cells.unknown_is_obstacle = false;
+  return result;
+}
 
 Result explore(const std::string& file, const std::map<std::string, std::string>& variables) {
   cast::ParseOptions options;
@@ -87,16 +99,17 @@ Result explore(const std::string& file, const std::map<std::string, std::string>
   // The odometry of SimulatedRobot begins at its true pose, and the map's frame is that of
   // odometry.
   result.seen = seen_floor(building, floor, cell_map(tiles), {});
+  result.exact = explore_exactly(building, exact_options()).driven;
   result.bound = shortest_exploration(building, floor, sight);
   return result;
 }
 
 void print_line(const std::string& name, const Result& x) {
-  fmt::print(
-    "{:<16} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>10} {}\n",
-    name, 100 * x.seen.known, 100 * x.seen.free_of_open, 100 * x.seen.free, x.simulated, x.real,
-    x.driven, x.bound, x.bound > 0 ? x.driven / x.bound : 0, x.collisions,
-    x.finished ? "" : "not finished");
+  fmt::print("{:<16} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>8.1f} {:>8.1f} "
+             "{:>6.2f} {:>10} {}\n",
+             name, 100 * x.seen.known, 100 * x.seen.free_of_open, 100 * x.seen.free, x.simulated,
+             x.real, x.driven, x.exact, x.bound, x.bound > 0 ? x.driven / x.bound : 0, x.collisions,
+             x.finished ? "" : "not finished");
   std::fflush(stdout);
 }
 
@@ -111,9 +124,9 @@ int run(int argc, char** argv) {
       numbers.push_back(std::stoull(word));
   }
   numbers.resize(3);
-  fmt::print("{:<16} {:>8} {:>8} {:>8} {:>9} {:>7} {:>9} {:>9} {:>6} {:>10}\n", "building",
-             "known, %", "open, %", "free, %", "time, s", "real, s", "driven, m", "bound, m",
-             "ratio", "collisions");
+  fmt::print("{:<16} {:>8} {:>8} {:>8} {:>9} {:>7} {:>9} {:>8} {:>8} {:>6} {:>10}\n", "building",
+             "known, %", "open, %", "free, %", "time, s", "real, s", "driven, m", "exact, m",
+             "bound, m", "ratio", "collisions");
   if (variables.contains("building")) {
     print_line("given", explore(variables["building"], variables));
     return 0;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <queue>
@@ -57,14 +58,81 @@ std::vector<double> ways_from(const ReachableFloor& floor, const std::vector<Flo
   return result;
 }
 
-std::vector<FloorCell> reachable_cells(const ReachableFloor& floor) {
-  std::vector<FloorCell> result;
-  for (int row = 0; row < floor.rows(); ++row)
-    for (int column = 0; column < floor.columns(); ++column)
+/// From where on the floor its points are seen, by a coarser grid than that of the floor.
+class ViewPoints {
+public:
+  ViewPoints(const Building& building, const ReachableFloor& floor, double sight)
+    : floor_(floor), sight_(sight),
+      obstacles_(between_heights(solids_of(building), 0, checked_robot_height)) {
+    for_each_sample([&](int column, int row) {
       if (floor.can_be_at(column, row))
-        result.emplace_back(column, row);
-  return result;
-}
+        cells_.emplace_back(column, row);
+    });
+  }
+
+  /// Where the robot can be.
+  const std::vector<FloorCell>& cells() const { return cells_; }
+
+  /// What distances between regions may be too long by, metres.
+  double rounding() const { return stride * floor_.cell() * std::numbers::sqrt2; }
+
+  FloorCell nearest_to(const Point2& p) const {
+    return *std::ranges::min_element(cells_, {},
+                                     [&](const FloorCell& x) { return distance(centre(x), p); });
+  }
+
+  /// Regions from which points of the floor are seen that are hard to see; they do not overlap.
+  std::vector<std::vector<FloorCell>> hidden_regions() const {
+    std::vector<std::vector<std::size_t>> all;
+    for_each_sample([&](int column, int row) {
+      if (!floor_.can_cover(column, row))
+        return;
+      if (auto region = region_of(floor_.centre(column, row)); !region.empty())
+        all.push_back(std::move(region));
+    });
+    std::ranges::stable_sort(all, {}, &std::vector<std::size_t>::size);
+    std::vector<bool> is_taken(cells_.size());
+    std::vector<std::vector<FloorCell>> result;
+    for (const auto& region : all) {
+      if (std::ranges::any_of(region, [&](std::size_t i) { return is_taken[i]; }))
+        continue;
+      result.emplace_back();
+      for (auto i : region) {
+        is_taken[i] = true;
+        result.back().push_back(cells_[i]);
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr int stride = 4;
+
+  template <class F>
+  void for_each_sample(F f) const {
+    for (int row = 0; row < floor_.rows(); row += stride)
+      for (int column = 0; column < floor_.columns(); column += stride)
+        f(column, row);
+  }
+
+  Point2 centre(const FloorCell& x) const { return floor_.centre(x.first, x.second); }
+
+  std::vector<std::size_t> region_of(const Point2& seen) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const auto p = centre(cells_[i]);
+      const double away = distance(p, seen);
+      if (away <= sight_ && !obstacles_.cast(seen, std::atan2(p.y - seen.y, p.x - seen.x), away))
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  const ReachableFloor& floor_;
+  double sight_;
+  SolidObstacles obstacles_;
+  std::vector<FloorCell> cells_;
+};
 
 /// Length of the minimal spanning tree of nodes with these distances (R. C. Prim, 1957).
 double spanning_tree(const std::vector<std::vector<double>>& distances) {
@@ -81,6 +149,25 @@ double spanning_tree(const std::vector<std::vector<double>>& distances) {
     result += nearest[next];
     for (std::size_t j = 0; j < distances.size(); ++j)
       nearest[j] = std::min(nearest[j], distances[next][j]);
+  }
+  return result;
+}
+
+/// That of the nodes of which none can be left out so that it becomes longer; the first stays.
+double greatest_spanning_tree(std::vector<std::vector<double>> distances) {
+  double result = spanning_tree(distances);
+  for (std::size_t i = 1; i < distances.size();) {
+    auto without = distances;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+    for (auto& row : without)
+      row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
+    if (const double longer = spanning_tree(without); longer > result) {
+      result = longer;
+      distances = std::move(without);
+      i = 1;
+    } else {
+      ++i;
+    }
   }
   return result;
 }
@@ -124,44 +211,23 @@ SeenFloor seen_floor(const Building& building, const ReachableFloor& floor, cons
 }
 
 double shortest_exploration(const Building& building, const ReachableFloor& floor, double sight) {
-  const SolidObstacles obstacles(between_heights(solids_of(building), 0, checked_robot_height));
-  const auto cells = reachable_cells(floor);
-  if (cells.empty())
+  const ViewPoints views(building, floor, sight);
+  if (views.cells().empty())
     return 0;
-  const auto centre = [&](const FloorCell& x) { return floor.centre(x.first, x.second); };
   const Point2 start{building.start.x, building.start.y};
-  const auto first = *std::ranges::min_element(
-    cells, {}, [&](const FloorCell& x) { return distance(centre(x), start); });
-  std::vector<std::vector<FloorCell>> regions{{first}};
-  std::vector<std::vector<double>> ways{ways_from(floor, regions.front())};
-  for (const auto& room : building.rooms) {
-    const FloorCell* farthest = nullptr;
-    for (const auto& x : cells)
-      if (room_at(building, centre(x)) == &room &&
-          (!farthest || ways.front()[floor.position(x.first, x.second)] >
-                          ways.front()[floor.position(farthest->first, farthest->second)]))
-        farthest = &x;
-    if (!farthest)
-      continue;
-    const auto witness = centre(*farthest);
-    std::vector<FloorCell> region;
-    for (const auto& x : cells) {
-      const auto p = centre(x);
-      const double away = distance(p, witness);
-      if (away <= sight &&
-          !obstacles.cast(witness, std::atan2(p.y - witness.y, p.x - witness.x), away))
-        region.push_back(x);
-    }
-    ways.push_back(ways_from(floor, region));
-    regions.push_back(std::move(region));
-  }
+  std::vector<std::vector<FloorCell>> regions{{views.nearest_to(start)}};
+  std::ranges::copy(views.hidden_regions(), std::back_inserter(regions));
   std::vector<std::vector<double>> distances(regions.size(),
                                              std::vector<double>(regions.size(), never));
-  for (std::size_t i = 0; i < regions.size(); ++i)
-    for (std::size_t j = 0; j < regions.size(); ++j)
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto ways = ways_from(floor, regions[i]);
+    for (std::size_t j = 0; j < regions.size(); ++j) {
       for (const auto& x : regions[j])
-        distances[i][j] = std::min(distances[i][j], ways[i][floor.position(x.first, x.second)]);
-  return spanning_tree(distances) / detour_of_cells;
+        distances[i][j] = std::min(distances[i][j], ways[floor.position(x.first, x.second)]);
+      distances[i][j] = std::max(0.0, distances[i][j] / detour_of_cells - views.rounding());
+    }
+  }
+  return greatest_spanning_tree(std::move(distances));
 }
 
 } // namespace castor::mapping

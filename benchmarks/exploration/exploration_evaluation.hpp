@@ -23,12 +23,13 @@ struct SeenFloor {
 SeenFloor seen_floor(const Building& building, const ReachableFloor& floor, const CellMap& map,
                      const Pose2& frame);
 
-/// A length, metres, that no path is shorter than by which a robot sees a point of each room that
-/// it can reach: that of its reachable floor which is farthest from the start. Each such point is
-/// seen from a region of the floor, and a path visits all regions and begins at the start; so it is
-/// not shorter than the minimal spanning tree of the start and the regions, where the distance of
-/// two regions is the least between any two of their points. Ways over cells are up to 1.083 times
-/// as long as true ones, and are divided by that.
+/// A length, metres, that no path is shorter than by which a robot sees every point of the floor
+/// that its footprint can cover. Each point is seen from a region of the floor, and a path visits
+/// all regions and begins at the start; so it is not shorter than the minimal spanning tree of the
+/// start and of some regions, where the distance of two regions is the least between any two of
+/// their points. The regions are those of points that are seen from few places, and do not overlap.
+/// Ways over cells are up to 1.083 times as long as true ones, and are divided by that; regions are
+/// known to 0.2 m. Takes some seconds.
 /// @param sight range of the robot's laser, metres
 double shortest_exploration(const Building& building, const ReachableFloor& floor, double sight);
 
