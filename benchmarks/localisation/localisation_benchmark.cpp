@@ -5,9 +5,10 @@
 //
 // seeds=N runs of seconds=N each, the first with seed=N. After kidnap=N seconds somebody carries
 // the robot to another random place; 0: never. known=1 tells the localiser where the robot begins;
-// building=MAP.yaml has the walls, where the map was made of it by a robot; worst=1 prints what
-// happens in each run. Settings of the localiser: beams, hit, random, least, most, density, near,
-// explained; see set_option().
+// building=MAP.yaml has the walls, where the map was made of it by a robot; boxes=N puts N boxes
+// that the map does not have into the building, other ones for each seed, and people=N lets so many
+// walk there; worst=1 prints what happens in each run. Settings of the localiser: beams, hit,
+// random, least, most, density, near, explained; see set_option().
 
 #include "castor/benchmarks/localisation/wandering_robot.hpp"
 #include "castor/mapping/localisation/monte_carlo_localiser.hpp"
@@ -39,6 +40,8 @@ struct Task {
   std::uint64_t seeds = 20;
   double seconds = 150;
   double kidnapped_at = 60;
+  int boxes = 0;
+  int people = 0;
   bool is_start_known = false;
   bool shows_runs = false;
   mapping::MonteCarloOptions options;
@@ -78,12 +81,14 @@ double share_of(std::vector<double>& sorted, double share) {
            : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-Run run(const Task& task, const mapping::CellMap& map, const mapping::CellMap& building,
+Run run(const Task& task, const mapping::CellMap& map, const mapping::CellMap& mapped_building,
         std::uint64_t seed, Figures& figures) {
+  const auto building = localisation_benchmark::with_boxes(mapped_building, task.boxes, seed);
   using Clock = std::chrono::steady_clock;
   constexpr double radius = 0.25;
   localisation_benchmark::WanderOptions wander;
   wander.seed = seed;
+  wander.people = task.people;
   localisation_benchmark::WanderingRobot robot{
     building, localisation_benchmark::random_place(building, radius, seed), wander};
   auto options = task.options;
@@ -217,6 +222,10 @@ bool set_option(Task& task, std::string_view name, const std::string& value) {
     task.seconds = number;
   else if (name == "kidnap")
     task.kidnapped_at = number;
+  else if (name == "boxes")
+    task.boxes = static_cast<int>(number);
+  else if (name == "people")
+    task.people = static_cast<int>(number);
   else if (name == "known")
     task.is_start_known = number != 0;
   else if (name == "worst")

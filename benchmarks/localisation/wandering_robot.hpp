@@ -16,6 +16,8 @@ struct WanderOptions {
   double speed = 0.5;
   /// It turns where something is nearer ahead, m.
   double turns_before = 0.7;
+  /// People who walk to and fro, whose legs the laser sees.
+  int people = 0;
 };
 
 /// A simulated robot that drives about in a map, straight on until something is in its way, with a
@@ -44,6 +46,10 @@ private:
   /// Direction in which it turns, or 0 if it drives on.
   double turning_ = 0;
 };
+
+/// The map with that many boxes of 0.4 m to 0.9 m in free places, which leave room to pass: what
+/// has been put into a building since it was mapped.
+mapping::CellMap with_boxes(mapping::CellMap map, int boxes, std::uint64_t seed);
 
 /// A place where a robot of that radius has room, uniformly over them. Depends on the seed alone.
 mapping::Pose2 random_place(const mapping::CellMap& map, double radius, std::uint64_t seed);

@@ -78,8 +78,11 @@ bool MonteCarloLocaliser::is_due(std::int64_t time, const Pose2& motion) {
     still_updates_ = 0;
     return true;
   }
-  if (!is_searching() || still_updates_ >= options_.still_updates ||
-      static_cast<double>(time - updated_) < 1e6 * options_.still_period)
+  if (!is_searching())
+    return false;
+  auto period =
+    still_updates_ < options_.still_updates ? options_.still_period : options_.places.still_period;
+  if (static_cast<double>(time - updated_) < 1e6 * period)
     return false;
   ++still_updates_;
   return true;

@@ -36,8 +36,8 @@ struct MonteCarloOptions {
   /// Particles are weighted when the robot has moved so far, m, or turned, radians, ...
   double update_distance = 0.1;
   double update_turn = 0.1;
-  /// ... and, while a robot that stands is not found yet, after so long, s, but not more often than
-  /// that: its scans tell nothing new.
+  /// ... and, while a robot that stands is not found yet, after so long, s, so many times, and as
+  /// often as places are searched for then: its scans tell little new.
   double still_period = 0.3;
   std::size_t still_updates = 10;
 };

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 namespace castor::mapping {
 
 namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
 
 /// An end of a beam, turned as the robot is.
 struct TurnedPoint {
@@ -71,22 +75,26 @@ double PlaceSearch::explained(const std::vector<PlacedScan>& trail, const Pose2&
   return sum / static_cast<double>(trail.size());
 }
 
-std::vector<Pose2> PlaceSearch::candidates(const std::vector<Point2>& points) const {
-  constexpr double turn = 2 * std::numbers::pi;
-  auto headings = std::max(1, static_cast<int>(std::lround(turn / options_.step_heading)));
-  auto step_heading = turn / headings;
+int PlaceSearch::headings() const {
+  return std::max(1, static_cast<int>(std::lround(whole_turn / options_.step_heading)));
+}
+
+std::vector<PlaceSearch::Candidate>
+PlaceSearch::candidates(const std::vector<Point2>& points) const {
+  auto step_heading = whole_turn / headings();
   auto least = static_cast<std::size_t>(
     std::ceil(options_.least_explained * static_cast<double>(points.size())));
   // What half a step moves an end by.
   auto near = options_.near + options_.step * std::numbers::sqrt2 / 2;
   auto half_near = options_.near + options_.step * std::numbers::sqrt2 / 4;
-  std::vector<Pose2> result;
-  for (int i = 0; i < headings; ++i) {
+  std::vector<Candidate> result;
+  for (int i = 0; i < headings(); ++i) {
     auto heading = i * step_heading;
     auto coarse = turned(points, heading, near, step_heading / 2);
     auto left = turned(points, heading - step_heading / 4, half_near, step_heading / 4);
     auto right = turned(points, heading + step_heading / 4, half_near, step_heading / 4);
-    for (const auto& position : positions_) {
+    for (std::size_t k = 0; k < positions_.size(); ++k) {
+      const auto& position = positions_[k];
       if (fitting(*map_, coarse, position, least) < least)
         continue;
       std::size_t most = least;
@@ -105,7 +113,7 @@ std::vector<Pose2> PlaceSearch::candidates(const std::vector<Point2>& points) co
                     normalised(heading + (half == &left ? -step_heading : step_heading) / 4)};
           }
       if (fits)
-        result.push_back(best);
+        result.push_back({best, most, k, i});
     }
     if (result.size() > options_.most_candidates)
       break;
@@ -113,20 +121,55 @@ std::vector<Pose2> PlaceSearch::candidates(const std::vector<Point2>& points) co
   return result;
 }
 
+std::vector<PlaceSearch::Candidate>
+PlaceSearch::best_of_neighbours(const std::vector<Candidate>& all) const {
+  // By their places on the grid.
+  auto key = [this](double x, double y, int heading) {
+    auto count = headings();
+    return std::tuple{std::lround(x / options_.step), std::lround(y / options_.step),
+                      (heading + count) % count};
+  };
+  std::map<std::tuple<long, long, int>, std::size_t> index;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& at = positions_[all[i].position];
+    index[key(at.x, at.y, all[i].heading)] = i;
+  }
+  auto is_better = [&](std::size_t a, std::size_t b) {
+    return all[a].fitting != all[b].fitting ? all[a].fitting > all[b].fitting : a < b;
+  };
+  auto is_best = [&](std::size_t i) {
+    const auto& at = positions_[all[i].position];
+    for (int dx : {-1, 0, 1})
+      for (int dy : {-1, 0, 1})
+        for (int turn : {-1, 0, 1}) {
+          auto other = index.find(
+            key(at.x + dx * options_.step, at.y + dy * options_.step, all[i].heading + turn));
+          if (other != index.end() && is_better(other->second, i))
+            return false;
+        }
+    return true;
+  };
+  std::vector<Candidate> result;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_best(i))
+      result.push_back(all[i]);
+  return result;
+}
+
 FoundPlaces PlaceSearch::find(const std::vector<PlacedScan>& trail) const {
   auto points = points_of(trail, options_.points);
   if (points.empty())
     return {{}, true};
-  auto poses = candidates(points);
-  if (poses.size() > options_.most_candidates)
+  auto candidates = this->candidates(points);
+  if (candidates.size() > options_.most_candidates)
     return {{}, true};
   MapAlignmentOptions alignment;
   alignment.prior = options_.step;
   alignment.prior_heading = options_.step_heading;
   std::vector<Place> places;
-  for (const auto& x : poses) {
+  for (const auto& x : best_of_neighbours(candidates)) {
     Place place;
-    place.pose = aligned(*map_, points, x, alignment);
+    place.pose = aligned(*map_, points, x.pose, alignment);
     place.explained = explained(trail, place.pose);
     if (place.explained >= options_.least_explained)
       places.push_back(place);

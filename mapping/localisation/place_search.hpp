@@ -27,7 +27,7 @@ struct Place {
 
 struct PlaceSearchOptions {
   /// Poses of the grid that is searched are so far apart, m and radians. Each that may fit is
-  /// looked at in half steps, and the best of them is aligned.
+  /// looked at in half steps, and those that fit better than their neighbours are aligned.
   double step = 0.2;
   double step_heading = 0.105;
   /// The robot is at least so far from occupied cells, m.
@@ -67,7 +67,20 @@ public:
   double explained(const std::vector<PlacedScan>& trail, const Pose2& robot) const;
 
 private:
-  std::vector<Pose2> candidates(const std::vector<Point2>& points) const;
+  /// A pose of the grid, moved by half steps, that may fit.
+  struct Candidate {
+    Pose2 pose;
+    /// Points that fit there.
+    std::size_t fitting = 0;
+    /// Of its position on the grid, and of its heading there.
+    std::size_t position = 0;
+    int heading = 0;
+  };
+
+  int headings() const;
+  std::vector<Candidate> candidates(const std::vector<Point2>& points) const;
+  /// Those of which no neighbour on the grid fits better.
+  std::vector<Candidate> best_of_neighbours(const std::vector<Candidate>& all) const;
 
   PlaceSearchOptions options_;
   std::shared_ptr<const DistanceField> map_;

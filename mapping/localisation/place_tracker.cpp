@@ -37,7 +37,8 @@ void PlaceTracker::follow(const LaserScan& scan, const Pose2& motion) {
   std::erase_if(places_, [&](const Place& x) { return x.explained < least; });
 }
 
-void PlaceTracker::search(const Pose2& odometry) {
+void PlaceTracker::search(std::int64_t time, const Pose2& odometry) {
+  searched_ = time;
   way_since_search_ = 0;
   std::vector<PlacedScan> trail;
   trail.reserve(trail_.size());
@@ -62,8 +63,11 @@ bool PlaceTracker::add(const LaserScan& scan, const Pose2& odometry) {
   way_since_trail_ += way;
   way_since_search_ += way;
   follow(scan, motion);
-  auto is_due = is_first || way_since_search_ >=
-                              (places_.empty() ? options_.search_soon : options_.search_again);
+  auto is_overdue =
+    places_.empty() && static_cast<double>(scan.time - searched_) >= 1e6 * options_.still_period;
+  auto is_due =
+    is_first || is_overdue ||
+    way_since_search_ >= (places_.empty() ? options_.search_soon : options_.search_again);
   if (is_first || is_due || way_since_trail_ >= options_.trail_spacing) {
     way_since_trail_ = 0;
     trail_.push_back({scan, odometry});
@@ -71,7 +75,7 @@ bool PlaceTracker::add(const LaserScan& scan, const Pose2& odometry) {
       trail_.pop_front();
   }
   if (is_due)
-    search(odometry);
+    search(scan.time, odometry);
   return is_due;
 }
 

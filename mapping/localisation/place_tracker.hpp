@@ -6,6 +6,7 @@
 #include "castor/mapping/planar/types.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -21,6 +22,8 @@ struct PlaceTrackerOptions {
   /// many, and while there are some.
   double search_soon = 0.5;
   double search_again = 2;
+  /// While there are none, it is searched again after so long, too, s.
+  double still_period = 5;
   /// What a place explains is the mean over about so many scans.
   double memory = 12;
   /// A place that explains less is none, nor one that explains so much less than the best.
@@ -63,7 +66,7 @@ private:
   };
 
   void follow(const LaserScan& scan, const Pose2& motion);
-  void search(const Pose2& odometry);
+  void search(std::int64_t time, const Pose2& odometry);
 
   PlaceTrackerOptions options_;
   std::shared_ptr<const DistanceField> map_;
@@ -76,6 +79,8 @@ private:
   Pose2 odometry_;
   double way_since_trail_ = 0;
   double way_since_search_ = 0;
+  /// Time of the scan that was searched by, microseconds.
+  std::int64_t searched_ = 0;
 };
 
 } // namespace castor::mapping
