@@ -12,6 +12,7 @@
 // path=FILE writes the path: time x y heading; truth=FILE has the true one, to compare it with.
 
 #include "castor/benchmarks/slam/relations.hpp"
+#include "castor/benchmarks/slam/slam_settings.hpp"
 #include "castor/mapping/logs/robot_log_file.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/slam/slam.hpp"
@@ -50,55 +51,6 @@ struct Task {
   mapping::SlamOptions options;
 };
 
-// Settings of SLAM that can be changed for studies, by their names in the options.
-double* setting(mapping::SlamOptions& x, std::string_view name) {
-  auto& front = x.front_end;
-  auto& loops = x.loop_closer;
-  const std::pair<std::string_view, double*> settings[]{
-    {"keyframe_distance", &front.keyframe_distance},
-    {"keyframe_turn", &front.keyframe_turn},
-    {"odometry_translation", &front.odometry_translation},
-    {"late_odometry", &front.late_odometry},
-    {"late_odometry_heading", &front.late_odometry_heading},
-    {"search_gain", &front.search_gain},
-    {"sure_matched", &front.sure_matched},
-    {"spacing", &front.spacing},
-    {"noise_of_points", &front.matcher.noise},
-    {"last_distance", &front.matcher.last_distance},
-    {"robust_points", &front.matcher.robust_from},
-    {"fit_radius", &front.surface.fit_radius},
-    {"max_range", &front.surface.max_range},
-    {"motion_deviation", &front.motion_deviation},
-    {"motion_deviation_heading", &front.motion_deviation_heading},
-    {"loop_spacing", &loops.spacing},
-    {"loop_last_distance", &loops.matcher.last_distance},
-    {"loop_robust_points", &loops.matcher.robust_from},
-    {"loop_fit_radius", &loops.surface.fit_radius},
-    {"least_path", &loops.least_path},
-    {"near", &loops.near},
-    {"window", &loops.window},
-    {"drift_window", &loops.drift},
-    {"search_distance", &loops.search_distance},
-    {"search_turn", &loops.search_turn},
-    {"least_score", &loops.least_score},
-    {"least_matched", &loops.least_matched},
-    {"least_observability", &loops.least_observability},
-    {"most_deviation", &loops.most_deviation},
-    {"deviation", &loops.deviation},
-    {"most_window", &loops.most_window},
-    {"sure_window", &loops.sure_window},
-    {"confirmation", &loops.confirmation},
-    {"agreement", &loops.agreement},
-    {"patience", &loops.patience},
-    {"deviation_heading", &loops.deviation_heading},
-    {"robust_loops", &x.graph.graph.robust_from},
-  };
-  for (auto& [known, value] : settings)
-    if (known == name)
-      return value;
-  return nullptr;
-}
-
 bool set_option(Task& task, std::string_view name, const std::string& value) {
   auto number = std::atof(value.c_str());
   auto count = static_cast<std::size_t>(std::max(number, 1.));
@@ -126,7 +78,7 @@ bool set_option(Task& task, std::string_view name, const std::string& value) {
   else if (name == "density") {
     task.options.front_end.keyframe_distance *= number;
     task.options.front_end.keyframe_turn *= number;
-  } else if (auto* value_of = setting(task.options, name)) {
+  } else if (auto* value_of = slam_benchmark::setting(task.options, name)) {
     *value_of = number;
   } else {
     return false;

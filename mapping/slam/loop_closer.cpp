@@ -161,16 +161,15 @@ std::optional<LoopCloser::Closure> LoopCloser::close(const Place& place, std::in
       match.observability < options_.least_observability)
     return {};
   auto correction = between(guess, match.pose);
-  Closure result;
-  result.correction = std::hypot(correction.x, correction.y);
+  auto moved = std::hypot(correction.x, correction.y);
   // The window is left by as much as closest points may move the scan from a pose of the search.
-  if (result.correction > window.translation + 0.3 ||
-      std::abs(correction.heading) > window.heading + 0.1)
+  if (moved > window.translation + 0.3 || std::abs(correction.heading) > window.heading + 0.1)
     return {};
+  Closure result;
   result.window = window.translation;
-  result.is_large = result.correction > options_.large_correction ||
-                    window.translation > options_.sure_window ||
-                    std::abs(correction.heading) > options_.large_turn;
+  result.is_large =
+    moved > options_.large_correction || std::abs(correction.heading) > options_.large_turn;
+  result.is_sure = !result.is_large && window.translation <= options_.sure_window;
   auto& constraint = result.constraint;
   constraint.kind = ConstraintKind::loop;
   constraint.from = place.keyframe;
@@ -197,10 +196,12 @@ bool LoopCloser::agree(const Constraint& a, const Constraint& b,
 
 std::vector<Constraint> LoopCloser::confirmed(const Closure& closure,
                                               const std::vector<Pose2>& poses) {
-  if (!closure.is_large)
+  if (closure.is_sure)
     return {closure.constraint};
   // Scans from nearly the same place would be mistaken in the same way.
-  auto apart = std::max(0.4, options_.confirmation * closure.window);
+  auto apart = options_.least_apart;
+  if (closure.is_large)
+    apart = std::max(apart, options_.confirmation * closure.window);
   auto is_confirmed = std::any_of(waiting_.begin(), waiting_.end(), [&](const Closure& x) {
     return known(closure.constraint.to).path - known(x.constraint.to).path >= apart &&
            agree(x.constraint, closure.constraint, poses);

@@ -45,7 +45,9 @@ struct LoopCloserOptions {
   double large_turn = 0.12;
   /// ... and all in windows beyond this, m, in which a place may be mistaken for another.
   double sure_window = 1;
-  /// Both are this part of the window from each other on the way, and 0.4 m at least.
+  /// Both are so far from each other on the way, m, and those of large corrections this part of the
+  /// window, too.
+  double least_apart = 0.4;
   double confirmation = 0.5;
   /// Two closures agree up to this, m and radians.
   double agreement = 0.2;
@@ -98,9 +100,12 @@ private:
 
   struct Closure {
     Constraint constraint;
-    double correction = 0;
+    /// Half the width of the window that it was found in, m.
     double window = 0;
+    /// It moves the robot far.
     bool is_large = false;
+    /// It needs no other one.
+    bool is_sure = false;
   };
 
   const Known& known(std::int64_t number) const { return known_[static_cast<std::size_t>(number)]; }
