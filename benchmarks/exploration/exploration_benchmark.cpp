@@ -5,8 +5,8 @@
 // Runs configs/explorer.cast with drive=explore in simulated time, for each building, and prints a
 // line for each: share of the reachable floor that was seen, simulated and real time, length of the
 // path, that of the same decisions with an exact laser and a known pose, a lower bound, collisions.
-// VARIABLE=VALUE sets a variable of the configuration;
-// building=FILE takes that building instead of generated ones.
+// VARIABLE=VALUE sets a variable of the configuration; building=FILE takes that building instead of
+// generated ones; noise=N explores each building N times, with the seeds 1 to N of noise and slip.
 
 #include "castor/actors/cast/parser.hpp"
 #include "castor/actors/system/system.hpp"
@@ -50,9 +50,13 @@ struct Result {
   double simulated = 0;
   double real = 0;
   double driven = 0;
+  std::int64_t collisions = 0;
+};
+
+/// What does not depend on noise, metres.
+struct Reference {
   double exact = 0;
   double bound = 0;
-  std::int64_t collisions = 0;
 };
 
 /// As the configuration has the Explorer and the Navigator.
@@ -62,6 +66,12 @@ ExactExplorationOptions exact_options() {
   result.exploration.frontiers.least_size = 0.4;
   result.plan.cells.unknown_is_obstacle = false;
   return result;
+}
+
+Reference reference_of(const std::string& file) {
+  const auto building = load_building(file).building;
+  return {explore_exactly(building, exact_options()).driven,
+          shortest_exploration(building, ReachableFloor(building), sight)};
 }
 
 Result explore(const std::string& file, const std::map<std::string, std::string>& variables) {
@@ -99,18 +109,29 @@ Result explore(const std::string& file, const std::map<std::string, std::string>
   // The odometry of SimulatedRobot begins at its true pose, and the map's frame is that of
   // odometry.
   result.seen = seen_floor(building, floor, cell_map(tiles), {});
-  result.exact = explore_exactly(building, exact_options()).driven;
-  result.bound = shortest_exploration(building, floor, sight);
   return result;
 }
 
-void print_line(const std::string& name, const Result& x) {
-  fmt::print("{:<16} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>8.1f} {:>8.1f} "
+void print_line(const std::string& name, const Result& x, const Reference& reference) {
+  fmt::print("{:<20} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.0f} {:>7.1f} {:>9.1f} {:>8.1f} {:>8.1f} "
              "{:>6.2f} {:>10} {}\n",
              name, 100 * x.seen.known, 100 * x.seen.free_of_open, 100 * x.seen.free, x.simulated,
-             x.real, x.driven, x.exact, x.bound, x.bound > 0 ? x.driven / x.bound : 0, x.collisions,
+             x.real, x.driven, reference.exact, reference.bound,
+             reference.bound > 0 ? x.driven / reference.bound : 0, x.collisions,
              x.finished ? "" : "not finished");
   std::fflush(stdout);
+}
+
+/// Explores it with each seed of noise, or with that of the variables if `seeds` is 0.
+void explore_building(const std::string& name, const std::string& file,
+                      std::map<std::string, std::string> variables, int seeds) {
+  const auto reference = reference_of(file);
+  if (seeds == 0)
+    print_line(name, explore(file, variables), reference);
+  for (int seed = 1; seed <= seeds; ++seed) {
+    variables["seed"] = std::to_string(seed);
+    print_line(fmt::format("{}, seed {}", name, seed), explore(file, variables), reference);
+  }
 }
 
 int run(int argc, char** argv) {
@@ -124,11 +145,14 @@ int run(int argc, char** argv) {
       numbers.push_back(std::stoull(word));
   }
   numbers.resize(3);
-  fmt::print("{:<16} {:>8} {:>8} {:>8} {:>9} {:>7} {:>9} {:>8} {:>8} {:>6} {:>10}\n", "building",
+  int seeds = 0;
+  if (const auto noise = variables.extract("noise"); !noise.empty())
+    seeds = std::stoi(noise.mapped());
+  fmt::print("{:<20} {:>8} {:>8} {:>8} {:>9} {:>7} {:>9} {:>8} {:>8} {:>6} {:>10}\n", "building",
              "known, %", "open, %", "free, %", "time, s", "real, s", "driven, m", "exact, m",
              "bound, m", "ratio", "collisions");
   if (variables.contains("building")) {
-    print_line("given", explore(variables["building"], variables));
+    explore_building("given", variables["building"], variables, seeds);
     return 0;
   }
   const auto folder = std::filesystem::temp_directory_path() / "castor-exploration";
@@ -143,7 +167,7 @@ int run(int argc, char** argv) {
     const auto building = generate_building(options);
     const auto file = folder / (building.name + ".building");
     std::ofstream{file} << building_text(building);
-    print_line(building.name, explore(file.string(), variables));
+    explore_building(building.name, file.string(), variables, seeds);
   }
   return 0;
 }
