@@ -72,6 +72,44 @@ Point2 PathFollower::point_at(double way) const {
           std::lerp(path_[i - 1].y, path_[i].y, share)};
 }
 
+Point2 PathFollower::shifted_point_at(double way, double shift) const {
+  const auto point = point_at(way);
+  // Of the path around it.
+  constexpr double half = 0.05; // metres
+  const auto before = point_at(std::max(0.0, way - half));
+  const auto after = point_at(std::min(along_.back(), way + half));
+  const double length = distance(before, after);
+  if (shift == 0 || length == 0)
+    return point;
+  return {point.x - shift * (after.y - before.y) / length,
+          point.y + shift * (after.x - before.x) / length};
+}
+
+std::optional<double> PathFollower::free_shift(std::span<const Point2> points, double clearance,
+                                               double way, double most) const {
+  const double end = std::min(along_.back(), done_ + way);
+  std::vector<Point2> near;
+  for (const auto& x : points)
+    if (distance(x, point_at(done_)) < way + clearance + most)
+      near.push_back(x);
+  const auto is_free = [&](double shift) {
+    constexpr double step = 0.05; // metres
+    for (double at = done_; at <= end; at += step) {
+      const auto place = shifted_point_at(at, shift);
+      for (const auto& x : near)
+        if (distance(x, place) < clearance)
+          return false;
+    }
+    return true;
+  };
+  constexpr double step = 0.02; // metres
+  for (double shift = 0; shift <= most; shift += step)
+    for (const double side : {1.0, -1.0})
+      if (is_free(side * shift))
+        return side * shift;
+  return std::nullopt;
+}
+
 double PathFollower::progress_of(const Pose2& pose) const {
   // Not further ahead, where the path may come back to this place.
   const double window = 2 * options_.look_ahead;
@@ -88,14 +126,14 @@ double PathFollower::progress_of(const Pose2& pose) const {
   return best;
 }
 
-Twist2 PathFollower::velocity_at(const Pose2& pose) {
+Twist2 PathFollower::velocity_at(const Pose2& pose, double shift) {
   done_ = progress_of(pose);
   const double left = distance(path_.back(), {pose.x, pose.y});
   if (along_.back() - done_ < 2 * options_.look_ahead && left < options_.tolerance)
     has_arrived_ = true;
   if (has_arrived_)
     return {};
-  const auto goal = transform(inverse(pose), point_at(done_ + options_.look_ahead));
+  const auto goal = transform(inverse(pose), shifted_point_at(done_ + options_.look_ahead, shift));
   const double aside = std::atan2(goal.y, goal.x);
   is_turning_ = std::abs(aside) > (is_turning_ ? end_to_turn : begin_to_turn);
   if (is_turning_)

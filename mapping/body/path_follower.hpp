@@ -4,6 +4,8 @@
 #include "castor/mapping/planar/poses.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +46,14 @@ public:
   void resume(double done) { done_ = std::clamp(done, 0.0, along_.back()); }
 
   /// The velocity to have at that pose. After arrival it is zero.
-  Twist2 velocity_at(const Pose2& pose);
+  /// @param shift of the path to the left, metres
+  Twist2 velocity_at(const Pose2& pose, double shift = 0);
+
+  /// The smallest shift of the path to the left, metres, with which no point is nearer than
+  /// `clearance` to the next `way` metres of it; nothing if it would be more than `most` to either
+  /// side.
+  std::optional<double> free_shift(std::span<const Point2> points, double clearance, double way,
+                                   double most) const;
 
   bool has_arrived() const { return has_arrived_; }
   /// How far along the path it is, and the path's length; metres.
@@ -53,6 +62,7 @@ public:
 
 private:
   Point2 point_at(double way) const;
+  Point2 shifted_point_at(double way, double shift) const;
   /// Where on the path, from where it was up to a little ahead, the pose is nearest.
   double progress_of(const Pose2& pose) const;
 

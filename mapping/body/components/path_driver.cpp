@@ -4,6 +4,7 @@
 #include "castor/mapping/body/components/drives_by_pose.hpp"
 #include "castor/mapping/body/free_way.hpp"
 #include "castor/mapping/body/path_follower.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/planar/braking.hpp"
 
 #include <fmt/core.h>
@@ -24,8 +25,9 @@ using namespace std::chrono_literals;
 enum class AfterArrival { stay, end };
 CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
 
-/// Drives a robot along a given path, and waits while something is in its way. It never drives
-/// around anything: after --patience it says that somebody has to clear the way.
+/// Drives a robot along a given path. Where something reaches into its way, it steers aside a
+/// little, by --aside at most; otherwise it waits, and says after --patience that somebody has to
+/// clear the way.
 class PathDriver final : public DrivesByPose {
 public:
   PathDriver() : DrivesByPose(PoseSource::odometry) {
@@ -50,7 +52,13 @@ private:
   void start() override {
     follow_pose();
     if (stop_before_ > 0)
-      on_push<LaserScan>(sensors(), [this](auto& x) { free_way_ = free_way(*x, half_width_); });
+      on_push<LaserScan>(sensors(), [this](auto& x) { look(*x); });
+  }
+
+  void look(const LaserScan& scan) {
+    free_way_ = free_way(scan, half_width_);
+    if (pose())
+      seen_.add(scan, *pose());
   }
 
   void run() override {
@@ -78,7 +86,7 @@ private:
       wait("a pose");
       return;
     }
-    auto velocity = follower_->velocity_at(*pose());
+    auto velocity = follower_->velocity_at(*pose(), shift());
     if (follower_->has_arrived()) {
       ++rounds_;
       begin_round();
@@ -95,6 +103,14 @@ private:
       if (!waits_for_.empty() || now() - told_ >= 1s)
         tell({});
     }
+  }
+
+  /// Of the path, so that the robot passes what reaches into it.
+  double shift() const {
+    if (!(aside_ > 0) || !(stop_before_ > 0))
+      return 0;
+    constexpr double way = 1.2; // metres
+    return follower_->free_shift(seen_.points(), half_width_, way, aside_).value_or(0);
   }
 
   /// Slows down so that the robot can stop before what is in its way; false if it has to stand.
@@ -171,6 +187,9 @@ private:
   Option<double> stop_before_{
     this, "stop-before", 0.3,
     "it stops so far before what is in its way, from the robot's middle, metres; 0: never"};
+  Option<double> aside_{this, "aside", 0.3,
+                        "how far from the path it steers past what reaches into it, metres; 0: not "
+                        "at all"};
   Option<double> braking_{this, "braking", 0.4, "how hard it brakes for that, m/s^2"};
   Option<double> half_width_{this, "half-width", 0.27,
                              "how far aside that something may be, metres"};
@@ -184,6 +203,7 @@ private:
   Path way_;
   std::unique_ptr<PathFollower> follower_;
   double free_way_ = 1e9;
+  SeenObstacles seen_;
   /// When it began to stand because of what is in its way.
   std::optional<Timestamp> way_ended_;
   std::int64_t rounds_ = 0;

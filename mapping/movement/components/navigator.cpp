@@ -5,7 +5,7 @@
 #include "castor/mapping/map_components/follows_grid.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/goal_pursuit.hpp"
-#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/movement/types.hpp"
 
 #include <fmt/format.h>

@@ -206,6 +206,22 @@ TEST_F(DriveSystem, DriverWaitsForAFreeWay) {
   EXPECT_GT(last.pose.x, 4);
 }
 
+TEST_F(DriveSystem, DriverSteersAsideOfADoorPostThatReachesIntoItsWay) {
+  // The middle of the door is at y = 2.5, and there are 0.2 m on both sides of the robot.
+  for (const std::string y : {"2.24", "2.3", "2.75"}) {
+    seen() = {};
+    const auto path = " --path \"2 2.5, 2.6 " + y + ", 7 " + y + "\"\n";
+    auto system = run("", "CPP UM driver PathDriver" + path, 40s);
+    ASSERT_EQ(progress(*system).size(), 1u);
+    EXPECT_TRUE(progress(*system)[0].arrived) << y << " " << progress(*system)[0].waits_for;
+    EXPECT_EQ(seen().statuses.back().collisions, 0) << y;
+  }
+  seen() = {};
+  auto system =
+    run("", "CPP UM driver PathDriver --aside 0 --path \"2 2.5, 2.6 2.24, 7 2.24\"\n", 40s);
+  EXPECT_EQ(progress(*system)[0].waits_for, "a free way, for more than 30 s: clear it");
+}
+
 TEST_F(DriveSystem, DriverAsksForAFreeWayAfterItsPatience) {
   auto system =
     run("--shut d", "CPP UM driver PathDriver --patience 5s --path \"2 2.5, 7 2.5\"\n", 20s);

@@ -2,7 +2,7 @@
 
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/building/grid_obstacles.hpp"
-#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/tests/mapping/movement/drawn_map.hpp"
 
 #include <gmock/gmock.h>

@@ -1,12 +1,9 @@
-#include "castor/mapping/movement/free_arc.hpp"
-#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace castor::mapping {
 
@@ -36,21 +33,6 @@ TEST(SeenObstacles, ForgetsWhatABeamGoesThrough) {
   seen.add(three_beams(200'000, 3.5F), {1, 1, 0});
   ASSERT_EQ(seen.points().size(), 1u);
   EXPECT_NEAR(seen.points()[0].x, 4.5, 1e-6);
-}
-
-TEST(FreeArc, EndsBeforeAPoint) {
-  const std::vector<Point2> points{{2, 0.1}};
-  EXPECT_NEAR(free_arc({0, 0, 0}, {0.5, 0}, points, 0.25, 0.05, 5), 2 - std::sqrt(0.09 - 0.01),
-              0.021);
-  EXPECT_EQ(free_arc({0, 0, 0}, {0.5, 0}, points, 0.25, 0.05, 1), 1);
-  EXPECT_EQ(free_arc({0, 0, 0}, {0.5, 0.5}, points, 0.25, 0.05, 2), 2);
-  EXPECT_EQ(free_arc({0, 0, 0}, {-0.5, 0}, points, 0.25, 0.05, 5), 5);
-}
-
-TEST(FreeArc, LetsADiscAwayFromAPointThatIsTooNear) {
-  const std::vector<Point2> points{{0.26, 0}};
-  EXPECT_EQ(free_arc({0, 0, 0}, {0.5, 0}, points, 0.25, 0.05, 1), 0);
-  EXPECT_EQ(free_arc({0, 0, 0}, {-0.5, 0}, points, 0.25, 0.05, 1), 1);
 }
 
 } // namespace

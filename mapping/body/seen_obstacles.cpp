@@ -1,4 +1,4 @@
-#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 
 #include <cmath>
 
