@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -99,6 +100,21 @@ TEST(PathFollower, GoesOnWhereAnotherOneWas) {
 
 TEST(PathFollower, ArrivesAtASinglePoint) {
   EXPECT_LT(follow({{2, 1}}, {}).off_end, 0.11);
+}
+
+TEST(PathFollower, FindsTheSmallestShiftWithWhichThePathIsFree) {
+  PathFollower x({{0, 0}, {10, 0}}, {});
+  x.resume(2);
+  const std::vector<Point2> nothing;
+  EXPECT_EQ(x.free_shift(nothing, 0.3, 1, 0.3), 0);
+  // To its left, 0.1 m too near; that to the right leaves room.
+  const std::vector<Point2> left{{2.5, 0.2}, {2.7, -0.5}};
+  EXPECT_NEAR(x.free_shift(left, 0.3, 1, 0.3).value(), -0.1, 0.021);
+  const std::vector<Point2> gap{{2.5, 0.2}, {2.7, -0.35}};
+  EXPECT_FALSE(x.free_shift(gap, 0.3, 1, 0.3)) << "too narrow";
+  EXPECT_EQ(x.free_shift(std::vector<Point2>{{3.5, 0.1}}, 0.3, 1, 0.3), 0) << "further on";
+  const auto velocity = x.velocity_at({2, 0, 0}, 0.1);
+  EXPECT_GT(velocity.turn, 0.1);
 }
 
 } // namespace castor::mapping
