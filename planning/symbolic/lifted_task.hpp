@@ -80,14 +80,27 @@ struct CostTerm {
   std::vector<Term> arguments;
 };
 
+enum class ActionKind : std::uint8_t {
+  action,
+  /// Its agent then knows the value of a state variable.
+  sensor,
+  /// A promise, to be replaced by other actions as soon as its `replan` is known.
+  assertion
+};
+
 struct ActionSchema {
   std::string name;
+  ActionKind kind = ActionKind::action;
   /// The parameters, and then the quantified variables.
   std::vector<Variable> variables;
   std::size_t parameters = 0;
   Formula precondition;
   std::vector<LiftedEffect> effects;
   std::vector<CostTerm> costs;
+  /// Of an assertion. It can be planned only if this does not hold in the beginning.
+  Formula replan;
+  /// What is so once a sensor was used in vain.
+  Formula negative_outcome;
 };
 
 /// A derived atom is true if the body of one of its axioms holds.

@@ -2,6 +2,7 @@
 
 #include "castor/base/file_access.hpp"
 #include "castor/base/text.hpp"
+#include "castor/planning/symbolic/mapl_translation.hpp"
 #include "castor/planning/symbolic/section_reader.hpp"
 
 #include <algorithm>
@@ -126,7 +127,9 @@ PddlResult parse_pddl(const std::string& domain_file, std::string domain_text,
   const PddlText problem(problem_file, std::move(problem_text));
   // Nodes refer to the texts, and tables of names to the nodes.
   context.text = &domain;
-  const auto domain_tree = parse_syntax(domain, context.problems);
+  MaplTranslation mapl(context);
+  auto domain_tree = parse_syntax(domain, context.problems);
+  mapl.domain(domain_tree);
   read_domain(context, domain_tree);
   check_stratification(context, domain_tree.empty() ? SyntaxNode{} : domain_tree.front());
   const auto by_line = [](const Diagnostic& a, const Diagnostic& b) {
@@ -137,12 +140,15 @@ PddlResult parse_pddl(const std::string& domain_file, std::string domain_text,
   // With errors in the domain, what is found in the problem may be their consequence.
   if (!has_errors(context.problems)) {
     context.text = &problem;
-    const auto problem_tree = parse_syntax(problem, context.problems);
+    auto problem_tree = parse_syntax(problem, context.problems);
+    mapl.problem(problem_tree);
     read_problem(context, problem_tree);
     std::stable_sort(context.problems.begin() + in_domain, context.problems.end(), by_line);
   }
-  if (!has_errors(context.problems))
+  if (!has_errors(context.problems)) {
     list_objects_of_types(context.task);
+    mapl.complete(context.task);
+  }
   return {std::move(context.task), std::move(context.problems)};
 }
 

@@ -12,7 +12,7 @@ namespace castor::planning {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> supported_requirements{":strips",
+constexpr std::array<std::string_view, 14> supported_requirements{":strips",
                                                                   ":typing",
                                                                   ":equality",
                                                                   ":negative-preconditions",
@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 13> supported_requirements{":strips",
                                                                   ":derived-predicates",
                                                                   ":domain-axioms",
                                                                   ":action-costs",
-                                                                  ":adl"};
+                                                                  ":adl",
+                                                                  ":mapl"};
 
 constexpr std::array<std::string_view, 12> other_requirements{":fluents",
                                                               ":numeric-fluents",
@@ -192,6 +193,14 @@ void read_declarations(ReadingContext& context, const SyntaxNode& section, bool 
   }
 }
 
+bool mentions_derived(const LiftedTask& task, const Formula& formula) {
+  if (formula.kind == Formula::Kind::literal)
+    return formula.literal.predicate >= 0 &&
+           task.predicates[static_cast<std::size_t>(formula.literal.predicate)].is_derived;
+  return std::ranges::any_of(formula.parts,
+                             [&](const Formula& x) { return mentions_derived(task, x); });
+}
+
 void read_action(ReadingContext& context, const SyntaxNode& section,
                  std::set<std::string_view>& names) {
   const auto& nodes = section.children;
@@ -202,8 +211,11 @@ void read_action(ReadingContext& context, const SyntaxNode& section,
   if (!names.insert(nodes[1].word).second)
     context.error(nodes[1], "there are two actions " + in_quotes(nodes[1].word),
                   "rename one of the two");
-  std::array<std::pair<std::string_view, const SyntaxNode*>, 3> parts{
-    {{":parameters", nullptr}, {":precondition", nullptr}, {":effect", nullptr}}};
+  std::array<std::pair<std::string_view, const SyntaxNode*>, 5> parts{{{":parameters", nullptr},
+                                                                       {":precondition", nullptr},
+                                                                       {":effect", nullptr},
+                                                                       {":replan", nullptr},
+                                                                       {":negcondition", nullptr}}};
   for (std::size_t i = 2; i < nodes.size(); i += 2) {
     const auto part =
       std::ranges::find(parts, nodes[i].word, [](const auto& x) { return x.first; });
@@ -238,6 +250,17 @@ void read_action(ReadingContext& context, const SyntaxNode& section,
   else
     context.warning(nodes[1], "the action " + in_quotes(nodes[1].word) + " has no effect",
                     "add :effect, or remove the action");
+  if (section.head() == ":sensor")
+    action.kind = ActionKind::sensor;
+  if (parts[3].second) {
+    action.kind = ActionKind::assertion;
+    action.replan = read_formula(context, *parts[3].second, scope);
+    if (mentions_derived(context.task, action.replan))
+      context.error(*parts[3].second, "a condition for replanning uses a derived predicate",
+                    "write the predicates that it is derived from");
+  }
+  if (parts[4].second)
+    action.negative_outcome = read_formula(context, *parts[4].second, scope);
   action.variables = std::move(scope.all);
   context.task.actions.push_back(std::move(action));
 }
@@ -331,7 +354,8 @@ void read_domain(ReadingContext& context, const std::vector<SyntaxNode>& top) {
      {":functions", [&](const SyntaxNode& x) { read_declarations(context, x, true); }},
      {":derived", derived},
      {":derived", [&](const SyntaxNode& x) { read_axiom(context, x); }},
-     {":action", [&](const SyntaxNode& x) { read_action(context, x, actions); }}});
+     {":action", [&](const SyntaxNode& x) { read_action(context, x, actions); }},
+     {":sensor", [&](const SyntaxNode& x) { read_action(context, x, actions); }}});
 }
 
 void check_stratification(ReadingContext& context, const SyntaxNode& domain) {

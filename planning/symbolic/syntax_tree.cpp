@@ -60,9 +60,10 @@ namespace {
 
 /// Sections of a file: each is a list directly within (define ...), so one that stands deeper shows
 /// where a parenthesis is missing.
-constexpr std::array<std::string_view, 13> section_names{
-  ":requirements", ":types", ":constants", ":predicates", ":functions", ":action", ":derived",
-  ":objects",      ":init",  ":goal",      ":metric",     ":domain",    ":sensor"};
+constexpr std::array<std::string_view, 14> section_names{
+  ":requirements", ":types",   ":constants", ":predicates",     ":functions",
+  ":action",       ":derived", ":objects",   ":init",           ":goal",
+  ":metric",       ":domain",  ":sensor",    ":state-variables"};
 
 class SyntaxParser {
 public:
