@@ -3,7 +3,7 @@
 #include "castor/planning/symbolic/reachability.hpp"
 
 #include <algorithm>
-#include <map>
+#include <span>
 #include <utility>
 
 namespace castor::planning {
@@ -120,7 +120,7 @@ private:
   const AtomTable& atoms() const { return reachability_.front().atoms(); }
 
   /// Number of the literal's atom in the table, or -1 if it is never reached.
-  int atom_of(const Literal& literal, const std::vector<int>& values) const {
+  int atom_of(const Literal& literal, std::span<const int> values) const {
     key_.assign(1, literal.predicate);
     for (const Term x : literal.arguments)
       key_.push_back(is_variable(x) ? values[index_of(x)] : ~x);
@@ -129,7 +129,9 @@ private:
 
   template <class F>
   void for_each_effect(F&& f) const {
-    for (const auto& instance : reachability_.front().instances()) {
+    for (std::size_t number = 0; number < reachability_.front().instance_count(); ++number) {
+      watch_.check();
+      const auto instance = reachability_.front().instance(number);
       const auto& meaning = meanings_[instance.rule];
       if (meaning.kind == RuleMeaning::Kind::axiom)
         continue;
@@ -164,7 +166,8 @@ private:
       if (!can_change_[predicate] || is_constant_[index_of(i)])
         continue;
       numbers_[index_of(i)] = static_cast<int>(result_.atoms.size());
-      result_.atoms.push_back(atoms()[i]);
+      const auto atom = atoms()[i];
+      result_.atoms.emplace_back(atom.begin(), atom.end());
       result_.is_derived.push_back(task_.predicates[predicate].is_derived);
     }
     for (const auto& x : lifted_.initial) {
@@ -173,11 +176,12 @@ private:
         result_.initial.push_back(number);
     }
     std::ranges::sort(result_.initial);
-    result_.initial.erase(std::unique(result_.initial.begin(), result_.initial.end()), result_.initial.end());
+    result_.initial.erase(std::unique(result_.initial.begin(), result_.initial.end()),
+                          result_.initial.end());
   }
 
   /// Adds the literals that can be true and can be false. False if they cannot all be true.
-  bool add_literals(const std::vector<Literal>& literals, const std::vector<int>& values,
+  bool add_literals(const std::vector<Literal>& literals, std::span<const int> values,
                     GroundCondition& condition) const {
     for (const auto& x : literals) {
       if (x.predicate == equality)
@@ -203,7 +207,7 @@ private:
     return both.empty();
   }
 
-  bool add_cost(const ActionSchema& schema, const std::vector<int>& values,
+  bool add_cost(const ActionSchema& schema, std::span<const int> values,
                 GroundAction& action) const {
     if (!lifted_.has_costs)
       return true;
@@ -225,7 +229,8 @@ private:
   }
 
   void make_actions() {
-    for (const auto& instance : reachability_.front().instances()) {
+    for (std::size_t number = 0; number < reachability_.front().instance_count(); ++number) {
+      const auto instance = reachability_.front().instance(number);
       watch_.check();
       const auto& meaning = meanings_[instance.rule];
       if (meaning.kind != RuleMeaning::Kind::action)
@@ -242,15 +247,15 @@ private:
       for (const auto& effect : normal.effects)
         if (is_simple(effect))
           add_effect(action, effect, instance.values);
-      auto key = instance.values;
+      std::vector<int> key(instance.values.begin(), instance.values.end());
       key.push_back(static_cast<int>(meaning.index));
-      actions_.emplace(std::move(key), result_.actions.size());
+      actions_.add(key);
       result_.actions.push_back(std::move(action));
     }
   }
 
   void add_effect(GroundAction& action, const NormalEffect& effect,
-                  const std::vector<int>& values) const {
+                  std::span<const int> values) const {
     const int atom = atom_of(effect.literal, values);
     GroundEffect result;
     if (atom < 0 || numbers_[index_of(atom)] < 0 ||
@@ -262,7 +267,8 @@ private:
   }
 
   void make_effects() {
-    for (const auto& instance : reachability_.front().instances()) {
+    for (std::size_t number = 0; number < reachability_.front().instance_count(); ++number) {
+      const auto instance = reachability_.front().instance(number);
       watch_.check();
       const auto& meaning = meanings_[instance.rule];
       if (meaning.kind != RuleMeaning::Kind::effect)
@@ -274,9 +280,10 @@ private:
       for (const int slot : normal.precondition.slots)
         key[index_of(slot)] = instance.values[index_of(slot)];
       key.push_back(static_cast<int>(meaning.index));
-      const auto found = actions_.find(key);
-      if (found != actions_.end())
-        add_effect(result_.actions[found->second], normal.effects[meaning.effect], instance.values);
+      const int found = actions_.find(key);
+      if (found >= 0)
+        add_effect(result_.actions[index_of(found)], normal.effects[meaning.effect],
+                   instance.values);
     }
   }
 
@@ -302,7 +309,9 @@ private:
   void make_axioms() {
     const auto strata = predicate_strata();
     std::vector<std::pair<int, GroundAxiom>> axioms;
-    for (const auto& instance : reachability_.front().instances()) {
+    for (std::size_t number = 0; number < reachability_.front().instance_count(); ++number) {
+      watch_.check();
+      const auto instance = reachability_.front().instance(number);
       const auto& meaning = meanings_[instance.rule];
       if (meaning.kind != RuleMeaning::Kind::axiom)
         continue;
@@ -340,8 +349,8 @@ private:
   std::vector<bool> is_constant_;
   /// In the result, by numbers of the table; -1 for atoms that do not change.
   std::vector<int> numbers_;
-  /// Values of the slots and index of the normal action, to the ground action.
-  std::map<std::vector<int>, std::size_t> actions_;
+  /// Values of the slots and index of the normal action of each ground action.
+  TupleTable actions_;
   mutable AtomKey key_;
   GroundTask result_;
 };

@@ -124,7 +124,8 @@ private:
     make_groups(candidate);
     bool is_extended = false;
     for (const auto& action : task_.actions) {
-      watch_.check();
+      // Effects are compared with each other.
+      watch_.check(1 + action.effects.size() * action.effects.size() / 64);
       work_ += 1 + action.effects.size();
       for (const auto& effect : action.effects) {
         if (!effect.is_added || group_of(effect.atom) < 0 ||

@@ -22,8 +22,6 @@ LimitWatch::LimitWatch(const PlanningLimits& limits) : limits_(limits) {
 
 void LimitWatch::look() {
   work_ = 0;
-  if (limits_.is_cancelled && limits_.is_cancelled->load(std::memory_order_relaxed))
-    throw LimitError(LimitReached::cancelled);
   if (limits_.time && Clock::now() - begin_ > *limits_.time)
     throw LimitError(LimitReached::time);
 }

@@ -38,7 +38,7 @@ private:
   LimitReached limit_;
 };
 
-/// Looks at the clock and at the flag now and then.
+/// Looks at the flag with each unit of work, and at the clock now and then.
 class LimitWatch {
 public:
   explicit LimitWatch(const PlanningLimits& limits);
@@ -48,6 +48,8 @@ public:
   /// To be called once per unit of work, which should take at most a millisecond.
   /// \throws LimitError
   void check(std::size_t work = 1) {
+    if (limits_.is_cancelled && limits_.is_cancelled->load(std::memory_order_relaxed))
+      throw LimitError(LimitReached::cancelled);
     work_ += work;
     if (work_ >= interval)
       look();

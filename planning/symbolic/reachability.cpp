@@ -5,39 +5,9 @@
 
 namespace castor::planning {
 
-namespace {
-
-std::size_t hash_of(const std::vector<int>& values, std::size_t seed) {
-  std::uint64_t result = seed + 0x9e3779b97f4a7c15U;
-  for (const int x : values) {
-    result ^= static_cast<std::uint64_t>(x) + 0x9e3779b97f4a7c15U + (result << 6) + (result >> 2);
-    result *= 0xff51afd7ed558ccdU;
-    result ^= result >> 32;
-  }
-  return result;
-}
-
-} // namespace
-
-std::size_t AtomTable::Hash::operator()(const AtomKey& x) const {
-  return hash_of(x, 0);
-}
-
 AtomTable::AtomTable(std::size_t predicates, std::size_t objects)
   : objects_(objects), of_predicate_(predicates) {
   // nop
-}
-
-int AtomTable::find(const AtomKey& atom) const {
-  const auto found = numbers_.find(atom);
-  return found == numbers_.end() ? -1 : found->second;
-}
-
-int AtomTable::add(const AtomKey& atom) {
-  const auto [place, is_new] = numbers_.try_emplace(atom, static_cast<int>(atoms_.size()));
-  if (is_new)
-    atoms_.push_back(atom);
-  return place->second;
 }
 
 namespace {
@@ -50,7 +20,7 @@ std::uint64_t argument_key(int predicate, std::size_t position, int object, std:
 } // namespace
 
 void AtomTable::list(int atom) {
-  const auto& key = (*this)[atom];
+  const auto key = (*this)[atom];
   of_predicate_[static_cast<std::size_t>(key.front())].push_back(atom);
   for (std::size_t i = 1; i < key.size(); ++i)
     of_argument_[argument_key(key.front(), i - 1, key[i], objects_)].push_back(atom);
@@ -106,7 +76,8 @@ void Reachability::run(const std::vector<AtomKey>& initial) {
 
 void Reachability::trigger(int atom) {
   // The table may grow meanwhile.
-  const AtomKey key = atoms_[atom];
+  const auto listed = atoms_[atom];
+  const AtomKey key(listed.begin(), listed.end());
   for (const auto& [rule, position] : triggers_[static_cast<std::size_t>(key.front())]) {
     watch_.check();
     values_.assign(rules_[rule].types.size(), -1);
@@ -119,8 +90,8 @@ void Reachability::trigger(int atom) {
   }
 }
 
-bool Reachability::bind(const ReachabilityRule& rule, const Literal& literal, const AtomKey& atom,
-                        std::vector<int>& bound) {
+bool Reachability::bind(const ReachabilityRule& rule, const Literal& literal,
+                        std::span<const int> atom, std::vector<int>& bound) {
   for (std::size_t i = 0; i < literal.arguments.size(); ++i) {
     const Term term = literal.arguments[i];
     const int object = atom[i + 1];
@@ -215,17 +186,12 @@ void Reachability::finish(std::size_t rule_index) {
   const auto& rule = rules_[rule_index];
   if (!std::ranges::all_of(rule.constraints, [&](const Literal& x) { return holds(x); }))
     return;
-  const auto hash = hash_of(values_, rule_index);
-  const auto [first, last] = known_.equal_range(hash);
-  for (auto i = first; i != last; ++i) {
-    const auto& known = instances_[i->second];
-    if (known.rule == rule_index && known.values == values_)
-      return;
-  }
-  if (instances_.size() >= watch_.limits().groundings)
+  std::vector<int> instance{static_cast<int>(rule_index)};
+  instance.insert(instance.end(), values_.begin(), values_.end());
+  if (!instances_.add(instance).second)
+    return;
+  if (instances_.size() > watch_.limits().groundings)
     throw LimitError(LimitReached::groundings);
-  known_.emplace(hash, instances_.size());
-  instances_.push_back({rule_index, values_});
   for (const auto& head : rule.heads) {
     AtomKey atom{head.predicate};
     for (const Term x : head.arguments)

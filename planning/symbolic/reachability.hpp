@@ -2,9 +2,11 @@
 
 #include "castor/planning/symbolic/lifted_task.hpp"
 #include "castor/planning/symbolic/limits.hpp"
+#include "castor/planning/symbolic/tuple_table.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -16,12 +18,13 @@ public:
   AtomTable(std::size_t predicates, std::size_t objects);
 
   /// Number of the atom, or -1.
-  int find(const AtomKey& atom) const;
+  int find(std::span<const int> atom) const { return atoms_.find(atom); }
   /// Number of the atom, which is added if it is new.
-  int add(const AtomKey& atom);
+  int add(std::span<const int> atom) { return atoms_.add(atom).first; }
 
   std::size_t size() const { return atoms_.size(); }
-  const AtomKey& operator[](int atom) const { return atoms_[static_cast<std::size_t>(atom)]; }
+  /// As an AtomKey; valid until an atom is added.
+  std::span<const int> operator[](int atom) const { return atoms_[static_cast<std::size_t>(atom)]; }
 
   /// From now on the atom is in the lists.
   void list(int atom);
@@ -29,13 +32,8 @@ public:
   const std::vector<int>& with_argument(int predicate, std::size_t position, int object) const;
 
 private:
-  struct Hash {
-    std::size_t operator()(const AtomKey& x) const;
-  };
-
   std::size_t objects_;
-  std::unordered_map<AtomKey, int, Hash> numbers_;
-  std::vector<AtomKey> atoms_;
+  TupleTable atoms_;
   std::vector<std::vector<int>> of_predicate_;
   std::unordered_map<std::uint64_t, std::vector<int>> of_argument_;
 };
@@ -56,7 +54,7 @@ struct ReachabilityRule {
 /// Values of a rule's slots, -1 for slots that it does not use.
 struct RuleInstance {
   std::size_t rule = 0;
-  std::vector<int> values;
+  std::span<const int> values;
 };
 
 /// Computes what is reached from the initial atoms, one new atom after the other. The literal with
@@ -71,12 +69,16 @@ public:
   void run(const std::vector<AtomKey>& initial);
 
   const AtomTable& atoms() const { return atoms_; }
-  const std::vector<RuleInstance>& instances() const { return instances_; }
+  std::size_t instance_count() const { return instances_.size(); }
+  RuleInstance instance(std::size_t number) const {
+    const auto tuple = instances_[number];
+    return {static_cast<std::size_t>(tuple.front()), tuple.subspan(1)};
+  }
 
 private:
   void trigger(int atom);
   void join(std::size_t rule);
-  bool bind(const ReachabilityRule& rule, const Literal& literal, const AtomKey& atom,
+  bool bind(const ReachabilityRule& rule, const Literal& literal, std::span<const int> atom,
             std::vector<int>& bound);
   const std::vector<int>& candidates(const Literal& literal) const;
   void bind_free(std::size_t rule, std::size_t next);
@@ -86,11 +88,6 @@ private:
   int value_of(Term term) const {
     return is_variable(term) ? values_[static_cast<std::size_t>(term)] : ~term;
   }
-
-  struct InstanceHash {
-    const std::vector<RuleInstance>* instances;
-    std::size_t operator()(std::size_t x) const;
-  };
 
   const LiftedTask& task_;
   std::vector<bool> can_change_;
@@ -103,9 +100,8 @@ private:
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> triggers_;
   std::vector<int> values_;
   std::vector<bool> is_joined_;
-  std::vector<RuleInstance> instances_;
-  /// Hash of an instance, to the instances with it.
-  std::unordered_multimap<std::size_t, std::size_t> known_;
+  /// Rule and values.
+  TupleTable instances_;
   std::size_t bytes_ = 0;
 };
 

@@ -128,8 +128,9 @@ TEST_F(PlanCommand, EndsWhenItIsInterrupted) {
   process.send_signal(SIGINT);
   const auto status = process.wait();
   EXPECT_TRUE(status == 1 || status == 128 + SIGINT) << status << process.errors();
-  if (status == 1)
+  if (status == 1) {
     EXPECT_THAT(process.output(), HasSubstr("it was cancelled"));
+  }
 }
 
 TEST_F(PlanCommand, SaysWhatIsWrongWithFiles) {
