@@ -29,6 +29,7 @@ public:
       achievers_(task.fact_count()), is_initial_(task.fact_count(), false) {
     for (const auto& op : task.operators)
       for (const auto& effect : op.effects) {
+        watch_.check();
         auto condition = op.precondition;
         condition.insert(condition.end(), effect.condition.begin(), effect.condition.end());
         add_rule(condition, effect.fact);

@@ -58,7 +58,7 @@ private:
       result_.outcome = PlanningResult::Outcome::unsolvable;
       return;
     }
-    const SuccessorGenerator successors(task);
+    const SuccessorGenerator successors(task, watch_);
     const LandmarkCount landmarks(task, find_landmarks(task, watch_));
     result_.landmarks = landmarks.size();
     search(task, successors, landmarks);
@@ -134,7 +134,7 @@ private:
 Task compile(const LiftedTask& lifted, LimitWatch& watch) {
   const auto normal = normalise(lifted);
   const auto ground_task = ground(lifted, normal, watch);
-  return make_task(lifted, normal, ground_task, find_mutex_groups(ground_task, watch));
+  return make_task(lifted, normal, ground_task, find_mutex_groups(ground_task, watch), watch);
 }
 
 OperatorSequence without_needless_actions(const Task& task, const OperatorSequence& plan) {

@@ -5,17 +5,18 @@
 
 namespace castor::planning {
 
-SuccessorGenerator::SuccessorGenerator(const Task& task) {
+SuccessorGenerator::SuccessorGenerator(const Task& task, LimitWatch& watch) {
   std::vector<int> sorted(task.operators.size());
   std::iota(sorted.begin(), sorted.end(), 0);
   std::ranges::stable_sort(sorted, {}, [&](int x) -> const std::vector<Fact>& {
     return task.operators[static_cast<std::size_t>(x)].precondition;
   });
-  build(task, sorted, 0, sorted.size(), 0);
+  build(task, sorted, 0, sorted.size(), 0, watch);
 }
 
 int SuccessorGenerator::build(const Task& task, const std::vector<int>& sorted, std::size_t begin,
-                              std::size_t end, std::size_t depth) {
+                              std::size_t end, std::size_t depth, LimitWatch& watch) {
+  watch.check();
   const auto precondition = [&](std::size_t i) -> const std::vector<Fact>& {
     return task.operators[static_cast<std::size_t>(sorted[i])].precondition;
   };
@@ -33,7 +34,8 @@ int SuccessorGenerator::build(const Task& task, const std::vector<int>& sorted, 
       auto last = begin;
       while (last < end && precondition(last)[depth] == Fact{variable, value})
         ++last;
-      children[static_cast<std::size_t>(value)] = build(task, sorted, begin, last, depth + 1);
+      children[static_cast<std::size_t>(value)] =
+        build(task, sorted, begin, last, depth + 1, watch);
       begin = last;
     }
     int others = -1;

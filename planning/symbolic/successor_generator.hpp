@@ -11,7 +11,8 @@ namespace castor::planning {
 /// applicable operators without looking at all of them.
 class SuccessorGenerator {
 public:
-  explicit SuccessorGenerator(const Task& task);
+  /// \throws LimitError
+  SuccessorGenerator(const Task& task, LimitWatch& watch);
 
   /// Appends the indices of the operators that are applicable in the state.
   void applicable(const State& state, std::vector<int>& result) const { visit(0, state, result); }
@@ -28,7 +29,7 @@ private:
   };
 
   int build(const Task& task, const std::vector<int>& sorted, std::size_t begin, std::size_t end,
-            std::size_t depth);
+            std::size_t depth, LimitWatch& watch);
   void visit(int node, const State& state, std::vector<int>& result) const;
 
   std::vector<Node> nodes_;

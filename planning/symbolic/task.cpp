@@ -10,8 +10,9 @@ namespace {
 class TaskMaker {
 public:
   TaskMaker(const LiftedTask& lifted, const NormalTask& normal, const GroundTask& ground,
-            const MutexGroups& groups)
-    : lifted_(lifted), normal_(normal), ground_(ground), facts_(ground.atoms.size(), {-1, 0}) {
+            const MutexGroups& groups, LimitWatch& watch)
+    : lifted_(lifted), normal_(normal), ground_(ground), watch_(watch),
+      facts_(ground.atoms.size(), {-1, 0}) {
     result_.is_unreachable = ground.is_unreachable;
     cover(groups);
     for (std::size_t i = 0; i < ground.atoms.size(); ++i)
@@ -27,8 +28,10 @@ public:
       result_.initial[static_cast<std::size_t>(fact(x).variable)] = fact(x).value;
     result_.goal = condition(ground_.goal);
     result_.is_unreachable |= is_contradiction(result_.goal);
-    for (const auto& x : ground_.actions)
+    for (const auto& x : ground_.actions) {
+      watch_.check(1 + x.effects.size());
       add_operator(x);
+    }
     for (std::size_t i = 0; i < ground_.axioms.size(); ++i)
       result_.axioms.push_back({condition(ground_.axioms[i].body),
                                 fact(ground_.axioms[i].atom).variable, ground_.strata[i]});
@@ -56,6 +59,7 @@ private:
     };
     mark(ground_.goal);
     for (const auto& action : ground_.actions) {
+      watch_.check();
       mark(action.precondition);
       for (const auto& x : action.effects)
         mark(x.condition);
@@ -67,6 +71,7 @@ private:
     for (auto& x : left)
       std::erase_if(x, [&](int atom) { return is_needed_false[static_cast<std::size_t>(atom)]; });
     while (true) {
+      watch_.check(1 + left.size() / 64);
       const auto largest = std::ranges::max_element(left, {}, &std::vector<int>::size);
       if (largest == left.end() || largest->size() < 2)
         return;
@@ -182,6 +187,7 @@ private:
   const LiftedTask& lifted_;
   const NormalTask& normal_;
   const GroundTask& ground_;
+  LimitWatch& watch_;
   MutexGroups groups_;
   std::vector<Fact> facts_;
   std::vector<int> none_;
@@ -191,8 +197,8 @@ private:
 } // namespace
 
 Task make_task(const LiftedTask& lifted, const NormalTask& normal, const GroundTask& ground,
-               const MutexGroups& groups) {
-  return TaskMaker(lifted, normal, ground, groups).run();
+               const MutexGroups& groups, LimitWatch& watch) {
+  return TaskMaker(lifted, normal, ground, groups, watch).run();
 }
 
 bool holds(const std::vector<Fact>& condition, const State& state) {

@@ -75,8 +75,9 @@ struct Task {
 using MutexGroups = std::vector<std::vector<int>>;
 
 /// @param groups may be empty: then each atom is a variable of its own
+/// \throws LimitError
 Task make_task(const LiftedTask& lifted, const NormalTask& normal, const GroundTask& ground,
-               const MutexGroups& groups);
+               const MutexGroups& groups, LimitWatch& watch);
 
 bool holds(const std::vector<Fact>& condition, const State& state);
 

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace castor::planning {
@@ -160,16 +161,45 @@ TEST(PlannerTest, IsCancelledWhileItSaysHowFarItIs) {
   EXPECT_LT(std::chrono::steady_clock::now() - when, std::chrono::seconds(1));
 }
 
+const std::string quadruples_domain = "(define (domain d) (:predicates (p ?a ?b ?c ?d)) (:action a "
+                                      ":parameters (?a ?b ?c ?d) :effect (p ?a ?b ?c ?d)))";
+
+/// Has the fourth power of `objects` as actions without variables.
+std::string quadruples_problem(int objects) {
+  std::string result = "(define (problem p) (:domain d) (:objects";
+  for (int i = 0; i < objects; ++i)
+    result += " o" + std::to_string(i);
+  return result + ") (:init) (:goal (p o1 o2 o3 o4)))";
+}
+
+TEST(PlannerTest, IsCancelledInTheMiddleOfGrounding) {
+  using Clock = std::chrono::steady_clock;
+  const auto read = parse_pddl("d", quadruples_domain, "p", quadruples_problem(40));
+  ASSERT_FALSE(has_errors(read.problems)) << render(read.problems);
+  for (const int delay : {0, 10, 100, 300}) {
+    std::atomic<bool> is_cancelled = false;
+    Clock::time_point when;
+    std::jthread canceller([&] {
+      const auto begin = Clock::now();
+      while (Clock::now() - begin < std::chrono::milliseconds(delay))
+        std::this_thread::yield();
+      when = Clock::now();
+      is_cancelled = true;
+    });
+    PlanningOptions options;
+    options.limits.is_cancelled = &is_cancelled;
+    const auto result = find_plan(read.task, options);
+    const auto end = Clock::now();
+    canceller.join();
+    EXPECT_EQ(result.limit, LimitReached::cancelled);
+    EXPECT_LT(end - when, std::chrono::seconds(1)) << "after " << delay << " ms";
+  }
+}
+
 TEST(PlannerTest, EndsGroundingOfTooManyActions) {
-  std::string problem = "(define (problem p) (:domain d) (:objects";
-  for (int i = 0; i < 300; ++i)
-    problem += " o" + std::to_string(i);
-  problem += ") (:init) (:goal (p o1 o2 o3 o4)))";
   PlanningOptions options;
   options.limits.groundings = 100'000;
-  const auto result = planned("(define (domain d) (:predicates (p ?a ?b ?c ?d)) (:action a "
-                              ":parameters (?a ?b ?c ?d) :effect (p ?a ?b ?c ?d)))",
-                              problem, options);
+  const auto result = planned(quadruples_domain, quadruples_problem(300), options);
   EXPECT_EQ(result.limit, LimitReached::groundings);
 }
 
