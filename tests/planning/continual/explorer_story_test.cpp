@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -82,7 +84,7 @@ class PretendedBody final : public ManagedComponent {
   }
 
   ActionResult execute(ActionInProgress& action, const PlannedAction& step) {
-    if (!action.sleep_for(1s))
+    if (!action.sleep_for(step_.get()))
       return ActionResult::cancelled("the robot stands still");
     const auto fails = fails_.get();
     const auto times = std::ranges::count(fails, step.name);
@@ -114,6 +116,7 @@ class PretendedBody final : public ManagedComponent {
   Option<std::vector<std::string>> fails_{
     this, "fails", {}, "actions that fail, as often as named"};
   Option<bool> restless_{this, "restless", false, "Ann leaves when the robot comes"};
+  Option<std::chrono::milliseconds> step_{this, "step", 1s, "how long each step takes"};
   Option<bool> silent_{this, "silent", false, "never answers what it knows"};
 
   const Address world_{"body", "world"};
@@ -140,21 +143,27 @@ class GoalOwner final : public UnmanagedComponent {
 
 CASTOR_COMPONENT(GoalOwner, "wants a goal to be reached")
 
-std::string story(const std::string& body = "", const std::string& owner = "") {
+struct StoryOptions {
+  std::string body = {};
+  std::string owner = {};
+  std::string continual = {};
+  bool is_simulated = true;
+};
+
+std::string story(const StoryOptions& options) {
   const std::string sa = "CPP WM SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n";
-  return "HOST localhost\nSUBARCHITECTURE body\n" + sa + "CPP MG body PretendedBody " + body +
-         "\nSUBARCHITECTURE planning\n" + sa + "CPP MG planner SymbolicPlanner --domain " +
-         CASTOR_DOMAINS
-         "/explorer.pddl\n"
-         "CPP MG continual ContinualPlanner --agent robby --contributors body --executor body\n"
-         "SUBARCHITECTURE owner\n" +
-         sa + "CPP UM owner GoalOwner " + owner + "\nSUPERVISE * RESTARTS 1000 IN 10s\n";
+  return "HOST localhost\nSUBARCHITECTURE body\n" + sa + "CPP MG body PretendedBody " +
+         options.body + "\nSUBARCHITECTURE planning\n" + sa +
+         "CPP MG planner SymbolicPlanner --domain " CASTOR_DOMAINS "/explorer.pddl\n"
+         "CPP MG continual ContinualPlanner --agent robby --contributors body --executor body " +
+         options.continual + "\nSUBARCHITECTURE owner\n" + sa + "CPP UM owner GoalOwner " +
+         options.owner + "\nSUPERVISE * RESTARTS 1000 IN 10s\n";
 }
 
 class ExplorerStory {
 public:
-  explicit ExplorerStory(const std::string& body = "", const std::string& owner = "")
-    : system_(story(body, owner), {.patience = 20min, .simulated_time = true}) {
+  explicit ExplorerStory(const StoryOptions& options = {})
+    : system_(story(options), {.patience = 1min, .simulated_time = options.is_simulated}) {
     // nop
   }
 
@@ -174,6 +183,11 @@ public:
 private:
   TestSystem system_;
 };
+
+/// In real time, so that components can be ended in the middle of something.
+ExplorerStory real_story() {
+  return ExplorerStory({.body = "--step 50ms", .is_simulated = false});
+}
 
 const std::vector<std::string> whole_story{
   "move robby study hall", "ask-val-asserted-position robby ann book study",
@@ -209,7 +223,7 @@ TEST(ExplorerStory, ReplacesThePromiseOnceAHumanHasSaidWhereTheBookIs) {
 }
 
 TEST(ExplorerStory, GoesOnToTellWhoAskedForIt) {
-  ExplorerStory story("", "--goal '(K ann (perceived-position book))'");
+  ExplorerStory story({.owner = "--goal \"(K ann (perceived-position book))\""});
   EXPECT_EQ(story.end().outcome, ActionOutcome::succeeded);
   auto wanted = whole_story;
   wanted.insert(wanted.end(), {"move robby hall kitchen", "move robby study hall",
@@ -219,7 +233,7 @@ TEST(ExplorerStory, GoesOnToTellWhoAskedForIt) {
 }
 
 TEST(ExplorerStory, TriesAgainWhatFailed) {
-  ExplorerStory story("--fails move,move,ask-val-asserted-position");
+  ExplorerStory story({.body = "--fails move,move,ask-val-asserted-position"});
   EXPECT_EQ(story.end().outcome, ActionOutcome::succeeded);
   EXPECT_EQ(story.world().log, whole_story);
   EXPECT_THAT(reasons_of(story.planning()),
@@ -229,7 +243,7 @@ TEST(ExplorerStory, TriesAgainWhatFailed) {
 }
 
 TEST(ExplorerStory, GivesUpWhatAlwaysFails) {
-  ExplorerStory story("--fails move,move,move,move,move,move,move,move");
+  ExplorerStory story({.body = "--fails move,move,move,move,move,move,move,move"});
   const auto end = story.end();
   EXPECT_EQ(end.outcome, ActionOutcome::failed);
   EXPECT_THAT(end.reason, HasSubstr("5 times in a row"));
@@ -238,7 +252,7 @@ TEST(ExplorerStory, GivesUpWhatAlwaysFails) {
 }
 
 TEST(ExplorerStory, FollowsTheHumanWhoHasGone) {
-  ExplorerStory story("--restless true");
+  ExplorerStory story({.body = "--restless true"});
   EXPECT_EQ(story.end().outcome, ActionOutcome::succeeded);
   const auto planning = story.planning();
   ASSERT_GE(planning.plans.size(), 2U);
@@ -248,7 +262,7 @@ TEST(ExplorerStory, FollowsTheHumanWhoHasGone) {
 }
 
 TEST(ExplorerStory, SaysThatTheBookIsNotWhereItWasSaidToBe) {
-  ExplorerStory story("--book study");
+  ExplorerStory story({.body = "--book study"});
   const auto end = story.end();
   EXPECT_EQ(end.outcome, ActionOutcome::failed);
   EXPECT_THAT(end.reason, HasSubstr("there is no plan"));
@@ -256,7 +270,7 @@ TEST(ExplorerStory, SaysThatTheBookIsNotWhereItWasSaidToBe) {
 }
 
 TEST(ExplorerStory, EndsTheStepThatRunsWhenTheGoalIsCancelled) {
-  ExplorerStory story("", "--cancel-after 1500ms");
+  ExplorerStory story({.owner = "--cancel-after 1500ms"});
   const auto end = story.end();
   EXPECT_EQ(end.outcome, ActionOutcome::cancelled);
   EXPECT_THAT(end.reason, HasSubstr("the robot stands still"));
@@ -265,31 +279,52 @@ TEST(ExplorerStory, EndsTheStepThatRunsWhenTheGoalIsCancelled) {
 }
 
 TEST(ExplorerStory, GivesUpIfAContributorNeverAnswers) {
-  ExplorerStory story("--silent true");
+  // Time limits of calls are real time.
+  ExplorerStory story(
+    {.body = "--silent true", .continual = "--patience 100ms", .is_simulated = false});
   const auto end = story.end();
   EXPECT_EQ(end.outcome, ActionOutcome::failed);
   EXPECT_THAT(end.reason, HasSubstr("body did not say what it knows"));
 }
 
-TEST(ExplorerStory, ReachesTheGoalThoughItsPartsEnd) {
-  for (const auto* name : {"planner", "body"}) {
-    ExplorerStory story;
-    story.system().expect_entry("ContinualPlanning in planning where phase == acting");
-    story.system().inject(std::string("crash ") + name);
+/// Runs of each test that ends a component; 100 for the figures of the docs.
+int runs() {
+  const auto* text = std::getenv("CASTOR_STORY_RUNS");
+  return text ? std::atoi(text) : 2;
+}
+
+const std::string while_acting = "ContinualPlanning in planning where phase == \"acting\"";
+
+void expect_goal_reached_without(const std::string& component, const std::string& when) {
+  for (int i = 0; i < runs(); ++i) {
+    auto story = real_story();
+    story.system().expect_entry(when);
+    story.system().inject("crash " + component);
     const auto end = story.end();
-    EXPECT_EQ(end.outcome, ActionOutcome::succeeded) << name << ": " << end.reason;
-    const auto log = story.world().log;
-    EXPECT_EQ(log.back(), whole_story.back());
+    EXPECT_EQ(end.outcome, ActionOutcome::succeeded) << end.reason;
+    EXPECT_EQ(story.planning().phase, PlanPhase::achieved);
+    EXPECT_EQ(story.world().log.back(), whole_story.back());
+    story.system().expect_nobody_else_down({component});
   }
 }
 
+TEST(ExplorerStory, ReachesTheGoalThoughThePlannerEnds) {
+  expect_goal_reached_without("planner", "FindPlan in planning");
+}
+
+TEST(ExplorerStory, ReachesTheGoalThoughTheExecutorEnds) {
+  expect_goal_reached_without("body", while_acting);
+}
+
 TEST(ExplorerStory, FailsInWordsIfTheExecutorOfGoalsEnds) {
-  ExplorerStory story;
-  story.system().expect_entry("ContinualPlanning in planning where phase == acting");
-  story.system().inject("crash continual");
-  const auto end = story.end();
-  EXPECT_EQ(end.outcome, ActionOutcome::failed);
-  EXPECT_THAT(end.reason, HasSubstr("continual of planning ended"));
+  for (int i = 0; i < runs(); ++i) {
+    auto story = real_story();
+    story.system().expect_entry(while_acting);
+    story.system().inject("crash continual");
+    const auto end = story.end();
+    EXPECT_EQ(end.outcome, ActionOutcome::failed);
+    EXPECT_THAT(end.reason, HasSubstr("continual of planning ended"));
+  }
 }
 
 } // namespace
