@@ -62,7 +62,10 @@ class ContinualPlanner final : public ManagedComponent {
     forget_old();
     switch (plan.phase()) {
       case PlanPhase::achieved:
-        return ActionResult::succeeded({goal.goal});
+        return {ActionOutcome::succeeded,
+                plan.status().done.empty() ? "it is so already" : "",
+                {goal.goal},
+                {}};
       case PlanPhase::cancelled:
         return ActionResult::cancelled(plan.status().why);
       default:

@@ -1,0 +1,137 @@
+#include "castor/actors/component/managed_component.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/planning/motivation/motive_schedule.hpp"
+#include "castor/planning/motivation/types.hpp"
+#include "castor/wm/entries/failure.hpp"
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace castor::planning {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Decides which motives are pursued, has their goals reached, and says why.
+class MotiveManager final : public ManagedComponent {
+  void start() override {
+    on_change(added<Motive>(), [this](const ChangeEvent& event) { look(event.address); });
+    on_change(deleted<Motive>(), [this](const ChangeEvent& event) {
+      schedule_.withdraw(event.address.id, "nobody wants it any more", now());
+    });
+    on_call<MotiveQuestion>(
+      [this](const MotiveQuestion& question) { return MotiveAnswer{schedule_.answer(question)}; });
+    // What a predecessor has not brought to an end; the oldest first.
+    auto known = read_all<Motive>();
+    for (auto x = known.rbegin(); x != known.rend(); ++x)
+      look(x->address);
+  }
+
+  void run() override {
+    do {
+      schedule_.drop_old(now());
+      end_actions();
+      follow_orders();
+      tell_changes();
+    } while (is_running() && (wait_for_changes(look_every) || is_running()));
+  }
+
+  void look(const Address& address) {
+    try {
+      const auto x = read<Motive>(address);
+      if (x->status != MotiveStatus::completed && x->status != MotiveStatus::rejected &&
+          x->status != MotiveStatus::dropped)
+        schedule_.propose(address.id, *x, now());
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  void end_actions() {
+    for (auto i = actions_.begin(); i != actions_.end();) {
+      if (!i->second.is_over()) {
+        ++i;
+        continue;
+      }
+      const auto id = i->first;
+      const auto end = i->second.state();
+      i = actions_.erase(i);
+      schedule_.ended(id, end.outcome, end.reason, now());
+    }
+  }
+
+  void follow_orders() {
+    for (const auto& order : schedule_.take_orders()) {
+      if (order.kind == MotiveOrder::Kind::begin) {
+        const AnyEntryPointer cause(here(order.motive), type_name<Motive>());
+        actions_[order.motive] =
+          perform(planner_, schedule_.motive(order.motive).goal, {.cause = cause});
+      } else if (const auto found = actions_.find(order.motive); found != actions_.end()) {
+        found->second.cancel();
+      }
+    }
+  }
+
+  void tell_changes() {
+    for (const auto& id : schedule_.take_changed()) {
+      const auto& motive = schedule_.motive(id);
+      try {
+        if (read<Motive>(here(id))->history != motive.history)
+          overwrite(here(id), motive);
+      } catch (const DoesNotExistOnWM& e) {
+        debug("{}", e.what());
+      }
+      acknowledge(id, motive);
+    }
+  }
+
+  /// Each reply once, to those who asked for it.
+  void acknowledge(const std::string& id, const Motive& motive) {
+    if (motive.asker.empty())
+      return;
+    switch (motive.status) {
+      case MotiveStatus::queued:
+      case MotiveStatus::active:
+        return reply(id, motive, MotiveReply::accepted, "I will " + motive.words + ".");
+      case MotiveStatus::completed:
+        if (motive.history.back().why.empty())
+          return reply(id, motive, MotiveReply::done, "I did " + motive.words + ".");
+        return reply(id, motive, MotiveReply::already_so, "It is so already.");
+      case MotiveStatus::rejected:
+      case MotiveStatus::dropped:
+        return reply(id, motive, MotiveReply::impossible,
+                     "I cannot " + motive.words + ", because " + motive.history.back().why + ".");
+      case MotiveStatus::proposed:
+      case MotiveStatus::preempted:
+        return;
+    }
+  }
+
+  void reply(const std::string& id, const Motive& motive, MotiveReply kind, std::string words) {
+    const auto address = here("reply " + std::to_string(static_cast<int>(kind)) + " to " + id);
+    try {
+      add(address,
+          MotiveAcknowledgement{{here(id)}, motive.asker, motive.cause, kind, std::move(words)},
+          {.time_to_live = 10min});
+    } catch (const AlreadyExistsOnWM&) {
+      trace("{} was told before", address.id);
+    }
+  }
+
+  static constexpr auto look_every = 10ms;
+
+  Option<SubarchitectureName> planner_{this, "planner", "planning",
+                                       "the subarchitecture that reaches goals"};
+
+  MotiveSchedule schedule_;
+  std::map<std::string, ActionHandle> actions_;
+};
+
+CASTOR_COMPONENT(MotiveManager, "decides which motives are pursued, and says why")
+
+} // namespace
+
+} // namespace castor::planning
