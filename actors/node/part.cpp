@@ -121,7 +121,8 @@ PartSpawn::PartSpawn()
     }),
     why_no_threads(castor::why_no_threads) {}
 
-std::vector<Diagnostic> SystemPart::apply(const PartPlan& plan) {
+std::vector<Diagnostic> SystemPart::apply(const PartPlan& plan,
+                                          std::chrono::steady_clock::time_point arrived) {
   std::vector<Diagnostic> problems;
   std::map<std::string, std::uint64_t> wanted;
   std::vector<const ComponentDescription*> missing;
@@ -150,7 +151,7 @@ std::vector<Diagnostic> SystemPart::apply(const PartPlan& plan) {
   check_threads(missing, problems);
   if (!problems.empty())
     return problems;
-  begin(plan);
+  begin(plan, arrived);
   end_others(wanted);
   for (auto* x : missing)
     if (x->kind == ComponentKind::working_memory)
@@ -211,7 +212,7 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
   spawn_keeper();
 }
 
-void SystemPart::begin(const PartPlan& plan) {
+void SystemPart::begin(const PartPlan& plan, std::chrono::steady_clock::time_point arrived) {
   architecture_ = plan.architecture;
   temporary_ = plan.temporary;
   open_access_ = plan.open_access;
@@ -227,7 +228,7 @@ void SystemPart::begin(const PartPlan& plan) {
     services_->run = new_incarnation() >> 32;
   if (!services_->working_memories.empty())
     return;
-  services_->epoch = system_.clock().now() - plan.age;
+  services_->epoch = arrived - plan.age;
   services_->broadcast = plan.broadcast;
   if (!plan.operations.empty())
     services_->operations = std::make_unique<OperationLog>(plan.operations);

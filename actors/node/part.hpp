@@ -54,7 +54,10 @@ public:
   /// Makes the actors that the plan places in this process and that do not exist yet, and ends
   /// those that it does not place here any more. Returns the problems; if there are any, nothing is
   /// made or ended.
-  std::vector<Diagnostic> apply(const PartPlan& plan);
+  /// @param arrived when the plan did: classes are loaded before the part begins, which may take
+  /// long, and the clocks of all parts have to show the same
+  std::vector<Diagnostic> apply(const PartPlan& plan,
+                                std::chrono::steady_clock::time_point arrived);
 
   /// Makes a component anew that the last plan placed in this process; its predecessor is ended, if
   /// it has not ended. The new one knows its neighbours.
@@ -109,7 +112,7 @@ private:
     std::uint64_t incarnation = 1;
   };
 
-  void begin(const PartPlan& plan);
+  void begin(const PartPlan& plan, std::chrono::steady_clock::time_point arrived);
   /// Ends the actors that are not `wanted`, or are wanted in another incarnation.
   void end_others(const std::map<std::string, std::uint64_t>& wanted);
   void spawn_working_memory(const PartPlan& plan, const ComponentDescription& x,

@@ -45,13 +45,14 @@ std::shared_ptr<SimulatedClock> take_up_clock(Self self, const PartPlan& plan) {
 
 PartMade make(Self self, const PartPlan& plan) {
   auto& state = self->state;
+  const auto arrived = self->clock().now();
   if (state.parts.connect)
     state.parts.connect(plan);
   if (!state.part)
     state.part = std::make_unique<SystemPart>(self->system(), state.parts.self, state.parts.spawn,
                                               take_up_clock(self, plan));
   state.supervisor = plan.supervisor;
-  auto problems = state.part->apply(plan);
+  auto problems = state.part->apply(plan, arrived);
   watch(self);
   return {std::move(problems), state.part->actors()};
 }
