@@ -74,7 +74,15 @@ double SimulatedBody::clearance_at(const Pose2& pose, double limit) const {
   return clearance(*surroundings_.obstacles, people_.discs(), {pose.x, pose.y}, limit);
 }
 
+void SimulatedBody::command(const Twist2& velocity, std::chrono::microseconds holds) {
+  drive_.command(velocity);
+  const auto longest = std::chrono::microseconds::max() - time();
+  commanded_until_ = time() + std::min(holds, longest);
+}
+
 void SimulatedBody::step() {
+  if (time() >= commanded_until_)
+    drive_.command({});
   const double dt = seconds(options_.step);
   people_.step(dt, {{pose_.x, pose_.y}, options_.radius});
   const auto step = drive_.step(dt);

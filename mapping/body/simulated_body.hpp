@@ -67,8 +67,10 @@ public:
   /// through something within a step, or if the options of the laser are wrong.
   SimulatedBody(BodySurroundings surroundings, const BodyOptions& options);
 
-  /// Holds until the next command; without one, the robot stands.
-  void command(const Twist2& velocity) { drive_.command(velocity); }
+  /// Holds until the next command, at most for so long, as by the watchdog of a motor; without one,
+  /// the robot stands.
+  void command(const Twist2& velocity,
+               std::chrono::microseconds holds = std::chrono::microseconds::max());
 
   /// One step.
   void step();
@@ -108,6 +110,8 @@ private:
   LaserModel laser_;
   WalkingPeople people_;
   std::int64_t steps_ = 0;
+  /// Time until which the command holds.
+  std::chrono::microseconds commanded_until_ = std::chrono::microseconds::max();
   Pose2 pose_;
   Pose2 odometry_;
   Twist2 velocity_;

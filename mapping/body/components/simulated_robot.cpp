@@ -2,6 +2,7 @@
 #include "castor/base/named_file.hpp"
 #include "castor/base/text_file.hpp"
 #include "castor/mapping/body/body_state_text.hpp"
+#include "castor/mapping/body/kept_bodies.hpp"
 #include "castor/mapping/body/map_surroundings.hpp"
 #include "castor/mapping/body/scene_camera.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
@@ -122,8 +123,7 @@ class SimulatedRobot final : public StandaloneComponent {
 
   void start() override {
     begun_ = now();
-    if (!state_file_->empty())
-      restore();
+    restore();
     provide<Odometry>([this] { return odometry(); });
     provide<LaserScan>([this] { return newest_scan(); });
     provide<BodyStatus>([this] { return status(); });
@@ -134,11 +134,33 @@ class SimulatedRobot final : public StandaloneComponent {
     terms.lease = address_of(lease_);
     if (!commander_->empty())
       terms.commander = commander_.get();
-    on_command<DriveCommand>([this](const DriveCommand& x) { body_->command(x.velocity); },
-                             [this] { body_->command({}); }, terms);
-    every(step_ * std::min(odometry_steps_, scan_steps_), [this] { advance(); });
+    on_command<DriveCommand>([this](const DriveCommand& x) { obey(x.velocity); },
+                             [this] { take_safe_state(); }, terms);
+    every(period(), [this] { advance(); });
     if (camera_)
       look();
+  }
+
+  /// Motors have a watchdog of their own, for a process that is stopped or hangs.
+  void obey(const Twist2& velocity) {
+    catch_up();
+    const auto behind = now() - begun_ - body_->time();
+    body_->command(velocity, valid_for_.get() + behind);
+  }
+
+  void take_safe_state() {
+    catch_up();
+    body_->command({});
+  }
+
+  /// What the robot did while its process was stopped comes before what it is told now.
+  void catch_up() {
+    if (now() - begun_ - body_->time() > 2 * period())
+      advance();
+  }
+
+  std::chrono::microseconds period() const {
+    return step_ * std::min(odometry_steps_, scan_steps_);
   }
 
   /// Steps up to now, with what is to be pushed in between.
@@ -158,11 +180,14 @@ class SimulatedRobot final : public StandaloneComponent {
         look();
     }
     report_collisions();
-    if (!state_file_->empty() && now() - saved_ >= save_period)
+    if (state_file_->empty())
+      KeptBodies::instance().keep(component_name(), {now().count(), body_->state()});
+    else if (now() - saved_ >= save_period)
       save();
   }
 
-  /// The robot does not go back to its start if the program that simulates it fails.
+  /// The robot does not go back to its start if the component that simulates it fails, nor, with a
+  /// state file, if its process does.
   void restore() {
     const auto saved = saved_body();
     // Of a run before this one.
@@ -174,6 +199,8 @@ class SimulatedRobot final : public StandaloneComponent {
   }
 
   std::optional<SavedBody> saved_body() {
+    if (state_file_->empty())
+      return KeptBodies::instance().find(component_name());
     try {
       return parse_body_state(load_text(state_file_.get()));
     } catch (const TextFileError&) {
@@ -325,7 +352,7 @@ class SimulatedRobot final : public StandaloneComponent {
     this, "odometry-start", OdometryStart::start,
     "where odometry begins: at the start in the building, or at zero"};
   Option<std::string> state_file_{
-    this, "state", "", "file that keeps where the robot is, for when this component is restarted"};
+    this, "state", "", "file that keeps where the robot is, for when its process is restarted"};
   Option<std::chrono::milliseconds> laser_stops_after_{
     this, "laser-stops-after", 0ms, "fault: no scan comes any more from then on; 0: never"};
   Option<std::chrono::milliseconds> laser_freezes_after_{

@@ -8,6 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -52,6 +53,25 @@ TEST(SimulatedBody, StandsUntilItIsCommanded) {
   EXPECT_EQ(status.time, 1'000'000);
   EXPECT_EQ(status.driven, 0);
   EXPECT_EQ(x.odometry().pose, Pose2{});
+}
+
+TEST(SimulatedBody, StopsWhenItsCommandHoldsNoLonger) {
+  auto options = exact_body();
+  auto x = body_in(building_with("start 2 2\n"), options);
+  using namespace std::chrono_literals;
+  x.command({0.4, 0}, 600ms);
+  for (int i = 0; i < 60; ++i)
+    x.step();
+  EXPECT_NEAR(x.status().velocity.forward, 0.4, 1e-9);
+  x.step();
+  EXPECT_LT(x.status().velocity.forward, 0.395);
+  for (int i = 0; i < 50; ++i)
+    x.step();
+  EXPECT_EQ(x.status().velocity.forward, 0);
+  // A new command holds again.
+  x.command({0.4, 0}, 600ms);
+  x.step();
+  EXPECT_GT(x.status().velocity.forward, 0);
 }
 
 TEST(SimulatedBody, OdometryIsInItsOwnFrame) {
