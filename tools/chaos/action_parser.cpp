@@ -103,16 +103,22 @@ public:
     return result;
   }
 
-  Timestamp expectation() {
-    constexpr std::string_view remedy = "write expect answer within 10s";
-    expect("answer", remedy);
+  Expectation expectation() {
+    constexpr std::string_view remedy =
+      "write expect answer within 10s, or expect rest within 10min";
+    Expectation result;
+    if (accept("rest"))
+      result.kind = Expectation::Kind::rest;
+    else
+      expect("answer", remedy);
     expect("within", remedy);
-    auto word = next("how soon an answer has to come is missing", time_remedy);
-    auto result = word.quoted ? std::nullopt : parse_time(word.text);
-    if (!result || result->count() == 0)
+    auto word = next("how soon that is expected is missing", time_remedy);
+    auto time = word.quoted ? std::nullopt : parse_time(word.text);
+    if (!time || time->count() == 0)
       fail(in_quotes(word.text) + " is not a time above zero", time_remedy);
     expect_end(remedy);
-    return *result;
+    result.within = *time;
+    return result;
   }
 
 private:
@@ -337,7 +343,7 @@ SameEntries parse_same(std::string_view text) {
   return ActionParser{text}.same();
 }
 
-Timestamp parse_expectation(std::string_view text) {
+Expectation parse_expectation(std::string_view text) {
   return ActionParser{text}.expectation();
 }
 

@@ -7,6 +7,15 @@
 
 namespace castor::faults {
 
+/// `expect answer within TIME` or `expect rest within TIME`.
+struct Expectation {
+  enum class Kind { answer, rest };
+
+  Kind kind = Kind::answer;
+  /// Above 0.
+  Timestamp within{0};
+};
+
 /// Parses the part of a workload statement after its trigger: an action, or several with `or`
 /// between them. Throws StatementError.
 std::vector<Action> parse_actions(std::string_view text);
@@ -14,7 +23,7 @@ std::vector<Action> parse_actions(std::string_view text);
 /// Parses `same TYPE, ... [but for FIELD, ...]` after its first word. Throws StatementError.
 SameEntries parse_same(std::string_view text);
 
-/// Parses `expect answer within TIME` after its first word. Throws StatementError.
-Timestamp parse_expectation(std::string_view text);
+/// Parses an expectation after its first word. Throws StatementError.
+Expectation parse_expectation(std::string_view text);
 
 } // namespace castor::faults

@@ -80,6 +80,8 @@ std::string to_string(const Workload& x) {
     result += to_string(statement) + "\n";
   if (x.answer_within)
     result += "expect answer within " + to_text(*x.answer_within) + "\n";
+  if (x.rest_within)
+    result += "expect rest within " + to_text(*x.rest_within) + "\n";
   if (x.same)
     result += to_string(*x.same) + "\n";
   for (auto& forbidden : x.never)

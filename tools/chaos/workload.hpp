@@ -107,12 +107,14 @@ struct Workload {
   std::vector<WorkloadStatement> statements;
   /// Longest time to the answer to, or apology for, a sentence.
   std::optional<Timestamp> answer_within;
+  /// Longest time from the last fault until nothing changes any more; nothing for a minute.
+  std::optional<Timestamp> rest_within;
   std::optional<SameEntries> same;
   std::vector<ForbiddenChange> never;
 
   friend bool operator==(const Workload& a, const Workload& b) {
     return a.seed == b.seed && a.statements == b.statements && a.answer_within == b.answer_within &&
-           a.same == b.same && a.never == b.never;
+           a.rest_within == b.rest_within && a.same == b.same && a.never == b.never;
   }
 };
 

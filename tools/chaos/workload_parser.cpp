@@ -39,8 +39,12 @@ private:
     auto word = take_word(behind);
     if (auto seed = parse_seed(line.text))
       return set(workload_.seed, *seed);
-    if (word == "expect")
-      return set(workload_.answer_within, parse_expectation(behind));
+    if (word == "expect") {
+      const auto x = parse_expectation(behind);
+      return set(x.kind == Expectation::Kind::rest ? workload_.rest_within
+                                                   : workload_.answer_within,
+                 x.within);
+    }
     if (word == "same") {
       auto same = parse_same(behind);
       same.where = line.where();
@@ -56,7 +60,7 @@ private:
         in_quotes(word) + " is not the beginning of a statement",
         remedy_for(word, {"at", "every", "rate", "expect", "same", "never", "seed"},
                    "write at TIME, every TIME or rate NUMBER/s before an action, expect answer "
-                   "within TIME, same TYPE, or never FILTER"));
+                   "within TIME, expect rest within TIME, same TYPE, or never FILTER"));
     WorkloadStatement statement;
     auto rest = line.text;
     statement.trigger = parse_trigger(rest);

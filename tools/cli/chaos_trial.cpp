@@ -39,7 +39,7 @@ using Clock = std::chrono::steady_clock;
 /// The longest run without faults, if only what components do is wanted.
 constexpr std::chrono::seconds rehearsal{10};
 
-/// How long a system may take to come to rest.
+/// How long a system may take to come to rest, unless its workload says otherwise.
 constexpr std::chrono::seconds rest_limit{60};
 
 /// What has been noticed of components, by one thread while another looks.
@@ -109,7 +109,8 @@ public:
       if (work)
         work->finish_actions();
       result.activity = meter.by_component();
-      result.state = come_to_rest(system, [] { return false; });
+      if (needs_rest())
+        result.state = come_to_rest(system, [] { return false; });
       if (work)
         look_at_work(*work, " without faults");
       look_at_forbidden(forbidden, " without faults");
@@ -265,19 +266,31 @@ private:
   /// What takes its time now, nobody knows how much.
   void show_step(const std::string& what) { progress_.update(0, {}, what); }
 
+  /// Whether a run without faults is judged by what it comes to.
+  bool needs_rest() const {
+    return !setup_.compared.types.empty() ||
+           (setup_.workload && setup_.workload->workload.answer_within);
+  }
+
+  std::chrono::milliseconds longest_rest() const {
+    if (!setup_.workload || !setup_.workload->workload.rest_within)
+      return rest_limit;
+    return std::chrono::ceil<std::chrono::milliseconds>(*setup_.workload->workload.rest_within);
+  }
+
   /// Lets the system come to rest, and takes its state.
   std::vector<std::string> come_to_rest(System& system, const std::function<bool()>& is_any_down) {
     show_step("waiting until nothing changes any more");
     // What is down for longer than the bound is found to be so; nobody needs to wait for it.
-    auto at_first = std::min<std::chrono::milliseconds>(setup_.bound + setup_.settle, rest_limit);
+    const auto limit = longest_rest();
+    auto at_first = std::min<std::chrono::milliseconds>(setup_.bound + setup_.settle, limit);
     auto reason = system.wait({at_first, setup_.settle});
     if (reason == EndReason::time_over && !is_any_down())
-      reason = system.wait({rest_limit - at_first, setup_.settle});
+      reason = system.wait({limit - at_first, setup_.settle});
     if (reason == EndReason::time_over)
-      violation("rest",
-                is_any_down()
-                  ? "the system did not come to rest, since not everything is back"
-                  : "the system did not come to rest within " + faults::rounded(rest_limit));
+      violation("rest", is_any_down()
+                          ? "the system did not come to rest, since not everything is back"
+                          : "the system did not come to rest within " + faults::rounded(limit));
     return state_of(system, setup_.compared);
   }
 

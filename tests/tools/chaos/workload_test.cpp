@@ -30,6 +30,7 @@ constexpr const char* whole_language =
   "rate 2/s write Note {\"text\": \"a } b\", \"list\": [1, {}]} to memory or say \"or\"\n"
   "every 1s write Note {\"text\":\"\\\"\"} to memory/note one\n"
   "expect answer within 10s\n"
+  "expect rest within 5min\n"
   "same SceneObject, ROI but for time, object_id\n"
   "never overwritten Oven in kitchen where state == \"on # fire\"  # of the cook\n"
   "never Alarm\n";
@@ -81,6 +82,7 @@ TEST(Workload, SaysWhatIsDoneAndWhen) {
   EXPECT_THAT(x.statements[4].actions,
               ElementsAre(Action{WriteEntry{"Note", R"({"text":"\""})", "memory", "note one"}}));
   EXPECT_EQ(x.answer_within, 10s);
+  EXPECT_EQ(x.rest_within, 5min);
   ASSERT_TRUE(x.same);
   EXPECT_THAT(x.same->types, ElementsAre("SceneObject", "ROI"));
   EXPECT_THAT(x.same->but_for, ElementsAre("time", "object_id"));
@@ -126,6 +128,10 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
   EXPECT_THAT(flaws_of("at 1s add red ball"), HasSubstr("'at' is missing"));
   EXPECT_THAT(flaws_of("at 1s remove"), HasSubstr("which thing is missing"));
   EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));
+  EXPECT_THAT(flaws_of("expect rest within"), HasSubstr("how soon that is expected is missing"));
+  EXPECT_THAT(flaws_of("expect joy within 1s"), HasSubstr("expect rest within 10min"));
+  EXPECT_THAT(flaws_of("expect rest within 1s\nexpect rest within 2s"),
+              AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
   EXPECT_THAT(flaws_of("expect answer within 1s\nexpect answer within 2s"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
   EXPECT_THAT(flaws_of("never  # anything"), HasSubstr("the change filter is missing"));
