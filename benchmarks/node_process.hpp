@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace castor::benchmark {
 
 /// Links that are lost after that much time without a connection.
@@ -22,6 +24,8 @@ public:
 
   const std::string& name() const { return name_; }
   Endpoint endpoint() const { return {"127.0.0.1", port_}; }
+
+  pid_t id() const { return process_->id(); }
 
   /// Sends a signal; thread-safe.
   void signal(int number) const { process_->signal(number); }

@@ -20,6 +20,8 @@ public:
 
   const std::string& first_line() const { return first_line_; }
 
+  pid_t id() const { return child_->id(); }
+
   /// Sends a signal; thread-safe.
   void signal(int number) const;
   void kill() const;
