@@ -1,16 +1,15 @@
 // How well people are tracked in the scans of a simulated robot, which knows the truth.
 //
-//   people_benchmark [SECONDS [SEEDS]]
+//   people_benchmark [SCENE|all [SEED [RUNS [SECONDS [legs|discs [BEAMS]]]]]]
 //
-// SECONDS (300) of simulated time for each of SEEDS (5) in: a hall where eight people cross before
-// a robot that stands; the office with a robot that stands in the corridor; and the office with a
-// robot that drives its path. Laser of 180 degrees, a beam per degree or two, 10 Hz. A person is
-// visible if the middle of the body is, within 8 m of the laser and its field of view.
-#include "castor/base/text_file.hpp"
+// RUNS (10) of SECONDS (60) of simulated time in each scene (scenes.hpp), with the seeds from SEED
+// (1) on: they determine routes, speeds and noise. A laser of 180 degrees, BEAMS (2) a degree,
+// 10 Hz, sees people's legs, or discs. A person is visible if the middle of the body is, within 8 m
+// of the laser and its field of view.
+#include "castor/benchmarks/people/scenes.hpp"
 #include "castor/benchmarks/people/tracking_score.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
-#include "castor/mapping/building/building_file.hpp"
 #include "castor/mapping/building/solid_obstacles.hpp"
 #include "castor/mapping/building/solids.hpp"
 #include "castor/mapping/people/person_detector.hpp"
@@ -22,8 +21,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,38 +36,6 @@ namespace {
 using namespace mapping;
 
 constexpr double seen_up_to = 8; // metres
-
-const char* const hall = "wall 0 0 to 12 0 to 12 8 to 0 8 close\n"
-                         "furniture table at 6 1 box 1.2 0.8 0.7 legs\n"
-                         "furniture shelf at 11.5 4 box 0.5 2 2\n"
-                         "person a route 2 2 to 9 6.5 speed 0.9\n"
-                         "person b route 2 6 to 9 1.8 speed 0.8\n"
-                         "person c route 4 1.5 to 4 7 speed 1.1\n"
-                         "person d route 7 7 to 7 2 speed 0.7\n"
-                         "person e route 3 4.2 to 10 4.2 speed 0.6\n"
-                         "person f route 10 3.8 to 3 3.8 speed 1\n"
-                         "person g route 5.5 2 to 5.5 7 to 8.5 7 to 8.5 2 loop speed 1.2\n"
-                         "person h route 9 5 to 4 5 speed 0.5\n"
-                         "start 1 4\n";
-
-struct Place {
-  std::string name;
-  Building building;
-  /// Where the robot drives; it stands if empty.
-  Path path;
-};
-
-std::vector<Place> places() {
-  const std::string configs = CASTOR_CONFIGS;
-  std::vector<Place> result;
-  result.push_back({"hall, 8 people, robot stands", parse_building(hall, "hall").building, {}});
-  auto office = load_building(configs + "/buildings/office.building").building;
-  result.push_back({"office, 2 people, robot stands", office, {}});
-  const auto path = configs + "/buildings/office.path";
-  result.push_back(
-    {"office, 2 people, robot drives", office, parse_path(load_text(path), path).path});
-  return result;
-}
 
 /// Rounds along the path, if there is one.
 class Driver {
@@ -104,7 +73,7 @@ struct Run {
   std::int64_t scans = 0;
 };
 
-void run(const Place& place, const BodyOptions& options, double seconds, Run& result) {
+void run(const Scene& place, const BodyOptions& options, double seconds, Run& result) {
   SimulatedBody body{surroundings_in(place.building, options), options};
   const SolidObstacles fixed{
     between_heights(solids_of(place.building), options.laser_height, options.laser_height)};
@@ -152,26 +121,58 @@ void run(const Place& place, const BodyOptions& options, double seconds, Run& re
   result.collisions += body.status().collisions;
 }
 
-void measure(const Place& place, bool legs, int beams, double seconds, int seeds) {
+struct Settings {
+  std::uint64_t seed = 1;
+  int runs = 10;
+  double seconds = 60;
+  bool legs = true;
+  int beams = 2;
+};
+
+void measure(const std::string& name, const Settings& settings) {
   Run result;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int i = 0; i < settings.runs; ++i) {
     BodyOptions options;
     options.people = true;
-    options.legs = legs;
-    options.laser.beams_per_degree = beams;
-    options.seed = static_cast<std::uint64_t>(seed);
-    run(place, options, seconds, result);
+    options.legs = settings.legs;
+    options.laser.beams_per_degree = settings.beams;
+    options.seed = settings.seed + static_cast<std::uint64_t>(i);
+    run(scene(name, options.seed), options, settings.seconds, result);
   }
   const auto& x = result.score;
-  const double minutes = seconds * seeds / 60;
-  fmt::print("{:<32}{:<6}{:>6}{:>11}{:>7}{:>10.1f}{:>14.2f}{:>15.2f}{:>9.2f}{:>9.2f}{:>11}\n",
-             place.name, legs ? "legs" : "discs", beams, x.crossings, x.kept,
-             100.0 * static_cast<double>(x.missed) /
-               static_cast<double>(std::max<std::int64_t>(1, x.visible)),
+  const double minutes = settings.seconds * settings.runs / 60;
+  const auto percent = [](auto part, auto all) {
+    return 100.0 * static_cast<double>(part) / std::max(1.0, static_cast<double>(all));
+  };
+  fmt::print("{:<10}{:>10}{:>8.1f}{:>10.1f}{:>14.2f}{:>11.2f}{:>9.3f}{:>9.2f}{:>11}\n", name,
+             x.crossings, percent(x.kept, x.crossings), percent(x.missed, x.visible),
              x.switches / minutes, x.false_tracks / minutes,
-             x.error / static_cast<double>(std::max<std::int64_t>(1, x.matches)),
+             x.error / std::max(1.0, static_cast<double>(x.matches)),
              1000 * result.seconds_of_work / static_cast<double>(result.scans), result.collisions);
   std::fflush(stdout);
+}
+
+int run_all(int argc, char** argv) {
+  const std::string which = argc > 1 ? argv[1] : "all";
+  Settings settings;
+  if (argc > 2)
+    settings.seed = static_cast<std::uint64_t>(std::max(0LL, std::atoll(argv[2])));
+  if (argc > 3)
+    settings.runs = std::max(1, std::atoi(argv[3]));
+  if (argc > 4)
+    settings.seconds = std::max(1.0, std::atof(argv[4]));
+  if (argc > 5)
+    settings.legs = std::string{argv[5]} != "discs";
+  if (argc > 6)
+    settings.beams = std::max(1, std::atoi(argv[6]));
+  if (which != "all")
+    scene(which, settings.seed); // refuses unknown names
+  fmt::print("{:<10}{:>10}{:>8}{:>10}{:>14}{:>11}{:>9}{:>9}{:>11}\n", "", "crossings", "kept %",
+             "missed %", "switches/min", "false/min", "error m", "ms/scan", "collisions");
+  for (const auto& name : scene_names())
+    if (which == "all" || which == name)
+      measure(name, settings);
+  return 0;
 }
 
 } // namespace
@@ -179,14 +180,10 @@ void measure(const Place& place, bool legs, int beams, double seconds, int seeds
 } // namespace castor::benchmark
 
 int main(int argc, char** argv) {
-  using namespace castor::benchmark;
-  const double seconds = argc > 1 ? std::max(1.0, std::atof(argv[1])) : 300;
-  const int seeds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
-  fmt::print("{:<32}{:<6}{:>6}{:>11}{:>7}{:>10}{:>14}{:>15}{:>9}{:>9}{:>11}\n", "", "seen", "beams",
-             "crossings", "kept", "missed %", "switches/min", "false/min", "error m", "ms/scan",
-             "collisions");
-  for (const auto& place : places())
-    for (const bool legs : {false, true})
-      for (const int beams : {1, 2})
-        measure(place, legs, beams, seconds, seeds);
+  try {
+    return castor::benchmark::run_all(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "people_benchmark: {}\n", e.what());
+    return 1;
+  }
 }

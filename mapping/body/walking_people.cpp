@@ -25,6 +25,10 @@ WalkingPeople::WalkingPeople(std::vector<Walker> people) {
 void WalkingPeople::step(double dt, const Disc& robot) {
   for (std::size_t i = 0; i < walks_.size(); ++i) {
     auto& walk = walks_[i];
+    if (walk.pause > 0) {
+      walk.pause -= dt;
+      continue;
+    }
     const double at = walk.at + walk.direction * walk.person.speed * dt;
     const auto place = place_on_route(walk.person, at);
     const double now = distance(discs_[i].centre, robot.centre);
@@ -38,6 +42,8 @@ void WalkingPeople::step(double dt, const Disc& robot) {
       continue;
     }
     walk.waited = 0;
+    if (points_reached(walk.person, at) != points_reached(walk.person, walk.at))
+      walk.pause = walk.person.pause;
     walk.at = at;
     discs_[i].centre = place;
   }

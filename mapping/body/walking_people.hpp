@@ -30,8 +30,10 @@ private:
     double at = 0;
     /// 1 or, after turning back, -1.
     double direction = 1;
-    /// Seconds.
+    /// For the robot, seconds.
     double waited = 0;
+    /// What is left of the pause at a point of the route, seconds.
+    double pause = 0;
   };
 
   std::vector<Walk> walks_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -123,6 +124,30 @@ Point2 place_on_route(const Walker& x, double walked) {
     left -= way;
   }
   return x.route.front();
+}
+
+std::int64_t points_reached(const Walker& x, double walked) {
+  const double round = round_length(x);
+  if (!(round > 0))
+    return 0;
+  // Ways between the points of a round.
+  std::vector<double> ways;
+  for (std::size_t i = 0; i + 1 < x.route.size(); ++i)
+    ways.push_back(distance(x.route[i], x.route[i + 1]));
+  if (x.is_loop)
+    ways.push_back(distance(x.route.back(), x.route.front()));
+  else
+    ways.insert(ways.end(), ways.rbegin(), ways.rend());
+  const double rounds = std::floor(walked / round);
+  auto result = static_cast<std::int64_t>(rounds) * static_cast<std::int64_t>(ways.size());
+  double left = walked - rounds * round;
+  for (const double way : ways) {
+    left -= way;
+    if (left < 0)
+      break;
+    ++result;
+  }
+  return result;
 }
 
 } // namespace castor::mapping

@@ -101,6 +101,8 @@ struct Walker {
   bool is_loop = false;
   /// Metres per second.
   double speed = 0.8;
+  /// Stands that long at each point of the route, seconds.
+  double pause = 0;
   double radius = 0.25;
   int line = 0;
 };
@@ -135,5 +137,9 @@ Point2 place_on_route(const Walker& x, double walked);
 
 /// Length of the route until it begins again, metres.
 double round_length(const Walker& x);
+
+/// Number of points of the route that the person has come to after walking that far, those of all
+/// rounds; less than 0 for one who walked backwards.
+std::int64_t points_reached(const Walker& x, double walked);
 
 } // namespace castor::mapping

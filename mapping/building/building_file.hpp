@@ -28,9 +28,10 @@
 ///     furniture table at 6 3  disc 0.9 0.72  legs        # diameter, height
 ///     object mug at 6 3 on 0.72 size 0.08 0.1 colour red # diameter, height
 ///
-/// People walk along a route and back, or in a loop; the robot begins at the start:
+/// People walk along a route and back, or in a loop, and pause at its points for some seconds if
+/// they do; the robot begins at the start:
 ///
-///     person ann route 1 2.5 to 7 2.5 speed 0.8
+///     person ann route 1 2.5 to 7 2.5 speed 0.8 pause 2
 ///     start 2.5 2.5 heading 90
 namespace castor::mapping {
 

@@ -226,8 +226,10 @@ Walker read_walker(StatementWords& words) {
       person.is_loop = true;
     else if (words.accept("speed"))
       person.speed = words.number("the speed in m/s", 0.01, 5);
+    else if (words.accept("pause"))
+      person.pause = words.number("the pause in seconds", 0, 3600);
     else
-      refuse_clause(words, "a person", {"to", "loop", "speed"});
+      refuse_clause(words, "a person", {"to", "loop", "speed", "pause"});
   }
   return person;
 }

@@ -94,7 +94,10 @@ std::string building_text(const Building& x) {
     for (std::size_t i = 1; i < person.route.size(); ++i)
       result += " to " + point(person.route[i]);
     result +=
-      fmt::format("{} speed {}\n", person.is_loop ? " loop" : "", number(person.speed, 1e-4));
+      fmt::format("{} speed {}", person.is_loop ? " loop" : "", number(person.speed, 1e-4));
+    if (person.pause > 0)
+      result += " pause " + number(person.pause, 1e-4);
+    result += '\n';
   }
   return result + fmt::format("start {} heading {}\n", point({x.start.x, x.start.y}),
                               degrees(x.start.heading));

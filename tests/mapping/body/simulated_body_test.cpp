@@ -178,6 +178,17 @@ TEST(SimulatedBody, PeopleWalkAndWaitForTheRobot) {
   EXPECT_EQ(x.status().collisions, 1) << "the robot runs into her, backwards";
 }
 
+TEST(SimulatedBody, PeoplePauseAtThePointsOfTheirRoutes) {
+  auto options = exact_body();
+  options.people = true;
+  auto x =
+    body_in(building_with("start 6 1\nperson ann route 1 2.5 to 3 2.5 speed 1 pause 2\n"), options);
+  run(x, {}, 3.9);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 3, 0.02);
+  run(x, {}, 1.1);
+  EXPECT_NEAR(x.people().discs()[0].centre.x, 2, 0.05);
+}
+
 TEST(SimulatedBody, PeopleTurnBackBeforeARobotThatStands) {
   auto options = exact_body();
   options.people = true;

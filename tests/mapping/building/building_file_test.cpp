@@ -68,7 +68,7 @@ TEST(BuildingFile, ReadsFurnitureObjectsAndPeople) {
     parse_building(with("furniture desk at 1 1 box 1.6 80cm 0.75 turned 90 colour #0a0B0c\n"
                         "furniture desk at 1 4 box 1 0.5 0.7 legs\n"
                         "object mug at 1 1 on 0.75 size 0.08 0.1 colour red name=red-mug\n"
-                        "person ann route 1 2.5 to 7 2.5 loop speed 0.5\n"),
+                        "person ann route 1 2.5 to 7 2.5 loop speed 0.5 pause 3\n"),
                    "hut.building");
   EXPECT_THAT(read.problems, IsEmpty()) << render(read.problems);
   auto& x = read.building;
@@ -85,6 +85,22 @@ TEST(BuildingFile, ReadsFurnitureObjectsAndPeople) {
   ASSERT_THAT(x.people, SizeIs(1));
   EXPECT_TRUE(x.people[0].is_loop);
   EXPECT_DOUBLE_EQ(round_length(x.people[0]), 12);
+  EXPECT_DOUBLE_EQ(x.people[0].pause, 3);
+}
+
+TEST(Walkers, ReachThePointsOfTheirRouteAgainAndAgain) {
+  Walker x;
+  x.route = {{0, 0}, {2, 0}, {2, 1}};
+  EXPECT_EQ(points_reached(x, 1.9), 0);
+  EXPECT_EQ(points_reached(x, 2.1), 1);
+  EXPECT_EQ(points_reached(x, 3.1), 2);
+  EXPECT_EQ(points_reached(x, 4.1), 3) << "on the way back";
+  EXPECT_EQ(points_reached(x, 6.1), 4) << "where it began";
+  EXPECT_EQ(points_reached(x, 8.1), 5);
+  EXPECT_EQ(points_reached(x, -0.1), -1);
+  x.is_loop = true;
+  EXPECT_EQ(points_reached(x, 3.1), 2);
+  EXPECT_EQ(points_reached(x, round_length(x) + 0.1), 3);
 }
 
 TEST(BuildingFile, NamesAnOpenWall) {
