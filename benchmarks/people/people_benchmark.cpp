@@ -95,7 +95,7 @@ void run(const Scene& place, const BodyOptions& options, double seconds, Run& re
     rules.add(scan, now);
     const auto wheels = body.odometry().pose;
     const auto begin = std::chrono::steady_clock::now();
-    tracks.add(detector.detect(scan, wheels, tracks.expected(now)), now);
+    tracks.add(detector.detect(scan, wheels, tracks.expected(now)), ScanView{scan, wheels}, now);
     result.seconds_of_work +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     ++result.scans;

@@ -167,7 +167,7 @@ Scene crowd(const char* room, Random& random, int people, double pause) {
   return result;
 }
 
-/// The two who are in its file, and two more around the corridor, with other speeds.
+/// The two who are in its file, and four more around the corridor, in both directions.
 Scene office(Random& random, bool drives) {
   const std::string folder = std::string{CASTOR_CONFIGS} + "/buildings/";
   Scene result{load_building(folder + "office.building").building, {}};
@@ -176,10 +176,10 @@ Scene office(Random& random, bool drives) {
     x.speed = random.between(0.6, 1.1);
   const std::vector<Point2> round{{0.9, 5.1},  {9, 5.1}, {16.9, 5.1},
                                   {16.9, 9.9}, {9, 9.9}, {0.9, 9.9}};
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 4; ++i) {
     auto route = round;
-    std::rotate(route.begin(), route.begin() + 2 + 2 * i, route.end());
-    if (random.coin())
+    std::rotate(route.begin(), route.begin() + i + 1, route.end());
+    if (i % 2 == 0)
       std::reverse(route.begin(), route.end());
     const double aside = random.between(-0.25, 0.25);
     for (auto& p : route)

@@ -23,7 +23,7 @@ struct Scene {
 /// hall: seven people;
 /// standing: five people who stand for some seconds again and again;
 /// furniture: four people among tables with legs, chairs and a shelf;
-/// office: the default building, four people, the robot stands in the corridor;
+/// office: the default building, six people, the robot stands in the corridor;
 /// driving: the same, the robot drives its path.
 const std::vector<std::string>& scene_names();
 

@@ -15,7 +15,8 @@ constexpr double settling = 1.5;
 constexpr double patience = 3;
 /// Two people meet if they are so close, and have parted at that distance, metres.
 constexpr double close = 0.8;
-constexpr double parted = 1.5;
+constexpr double parted = 1;
+constexpr double hidden_at_most = 1.5; // seconds
 /// Scans without a person after which a track is a false one.
 constexpr int false_scans = 5;
 
@@ -68,26 +69,30 @@ void TrackingScore::add(std::span<const Truth> people,
     if (++of_nobody_[tracks[j].id] == false_scans)
       ++false_tracks;
   }
-  watch_meetings(people);
+  watch_meetings(people, time);
+  time_ = time;
 }
 
-void TrackingScore::watch_meetings(std::span<const Truth> people) {
+void TrackingScore::watch_meetings(std::span<const Truth> people, double time) {
   for (std::size_t a = 0; a < people.size(); ++a)
     for (std::size_t b = a + 1; b < people.size(); ++b) {
       const double apart = distance(people[a].place, people[b].place);
       const auto meeting = meetings_.find({a, b});
       const bool in_sight = people[a].is_visible || people[b].is_visible;
       if (meeting == meetings_.end()) {
-        if (apart < close && in_sight && known_[a].id != 0 && known_[b].id != 0)
-          meetings_[{a, b}] = {known_[a].id, known_[b].id};
+        const auto is_known = [&](const Known& x) {
+          return x.id != 0 && time - x.tracked <= hidden_at_most;
+        };
+        if (apart < close && is_known(known_[a]) && is_known(known_[b]))
+          meetings_[{a, b}] = {known_[a].id, known_[b].id, 0};
         continue;
       }
       auto& x = meeting->second;
-      // One of them may be behind the other.
-      x.in_sight = x.in_sight && in_sight;
+      if (!in_sight)
+        x.hidden += time - time_;
       if (apart < parted)
         continue;
-      if (x.in_sight && people[a].is_visible && people[b].is_visible) {
+      if (x.hidden <= hidden_at_most && people[a].is_visible && people[b].is_visible) {
         ++crossings;
         kept += known_[a].id == x.first && known_[b].id == x.second ? 1 : 0;
       }

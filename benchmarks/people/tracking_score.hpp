@@ -34,6 +34,7 @@ public:
   double error = 0;
   std::int64_t matches = 0;
   /// People who were close to one another and parted in sight, and those who both kept their ids.
+  /// Both may be hidden meanwhile, for `hidden_at_most`.
   int crossings = 0;
   int kept = 0;
   /// A visible person has another id than before.
@@ -52,12 +53,14 @@ private:
   struct Meeting {
     std::int64_t first = 0;
     std::int64_t second = 0;
-    bool in_sight = true;
+    /// Time when both were out of sight, seconds.
+    double hidden = 0;
   };
 
-  void watch_meetings(std::span<const Truth> people);
+  void watch_meetings(std::span<const Truth> people, double time);
 
   std::vector<Known> known_;
+  double time_ = 0;
   std::map<std::pair<std::size_t, std::size_t>, Meeting> meetings_;
   /// Scans in which the track was of nobody.
   std::map<std::int64_t, int> of_nobody_;

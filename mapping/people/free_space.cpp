@@ -16,78 +16,101 @@ constexpr int is_free = -4;
 constexpr int is_occupied = 3;
 constexpr int passing = -2;
 
-/// Cells are forgotten if there are more than of some 60 m x 60 m.
-constexpr std::size_t most_cells = 400'000;
+/// Tiles are forgotten if there are more than of some 60 m x 60 m.
+constexpr std::size_t most_tiles = 400;
 
-std::uint64_t part(double x, double size) {
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x / size)));
+std::uint64_t key_of(std::int32_t tile_column, std::int32_t tile_row) {
+  return std::uint64_t{static_cast<std::uint32_t>(tile_column)} << 32U |
+         static_cast<std::uint32_t>(tile_row);
 }
 
-void make_unique(std::vector<std::uint64_t>& x) {
-  std::ranges::sort(x);
-  x.erase(std::unique(x.begin(), x.end()), x.end());
+/// Rounded down, also below zero.
+std::int32_t tile_of(std::int32_t cell, int side) {
+  return cell >= 0 ? cell / side : -((side - 1 - cell) / side);
 }
 
 } // namespace
 
-FreeSpace::Key FreeSpace::key(const Point2& p) const {
-  return part(p.x, options_.cell_size) << 32U | part(p.y, options_.cell_size);
+FreeSpace::CellIndex FreeSpace::index(const Point2& p) const {
+  return {static_cast<std::int32_t>(std::floor(p.x / options_.cell_size)),
+          static_cast<std::int32_t>(std::floor(p.y / options_.cell_size))};
 }
 
-int FreeSpace::count(Key x) const {
-  const auto i = cells_.find(x);
-  return i == cells_.end() ? 0 : i->second;
+int FreeSpace::count(CellIndex x) const {
+  const auto column = tile_of(x.column, tile_side);
+  const auto row = tile_of(x.row, tile_side);
+  const auto i = tiles_.find(key_of(column, row));
+  if (i == tiles_.end())
+    return 0;
+  const auto position = (x.row - row * tile_side) * tile_side + x.column - column * tile_side;
+  return i->second[static_cast<std::size_t>(position)].count;
+}
+
+FreeSpace::Cell& FreeSpace::cell(CellIndex x) {
+  const auto column = tile_of(x.column, tile_side);
+  const auto row = tile_of(x.row, tile_side);
+  const auto key = key_of(column, row);
+  if (!last_tile_ || key != last_key_) {
+    last_tile_ = &tiles_[key];
+    last_key_ = key;
+  }
+  const auto position = (x.row - row * tile_side) * tile_side + x.column - column * tile_side;
+  return (*last_tile_)[static_cast<std::size_t>(position)];
 }
 
 bool FreeSpace::was_free(const Point2& p) const {
-  if (count(key(p)) > is_free)
+  const auto middle = index(p);
+  if (count(middle) > is_free)
     return false;
-  for (const double dx : {-1, 0, 1})
-    for (const double dy : {-1, 0, 1})
-      if (count(key({p.x + dx * options_.cell_size, p.y + dy * options_.cell_size})) >= is_occupied)
+  for (const std::int32_t column : {-1, 0, 1})
+    for (const std::int32_t row : {-1, 0, 1})
+      if (count({middle.column + column, middle.row + row}) >= is_occupied)
         return false;
   return true;
 }
 
 void FreeSpace::add(const Point2& scanner, std::span<const Point2> ends,
                     std::span<const Point2> movers) {
-  passed_.clear();
-  hit_.clear();
+  ++scan_;
   for (const auto& end : ends) {
-    const double range = distance(scanner, end);
-    const Point2 direction{(end.x - scanner.x) / range, (end.y - scanner.y) / range};
-    const double until = std::min(range - options_.end, options_.range);
-    for (double way = 0; way < until; way += options_.cell_size)
-      passed_.push_back(key({scanner.x + way * direction.x, scanner.y + way * direction.y}));
     constexpr double reach = 0.5; // metres
     const auto is_mover = [&](const Point2& x) { return distance(x, end) < reach; };
-    if (std::ranges::none_of(movers, is_mover))
-      hit_.push_back(key(end));
-  }
-  make_unique(passed_);
-  make_unique(hit_);
-  for (const auto x : passed_) {
-    if (std::ranges::binary_search(hit_, x))
+    if (std::ranges::any_of(movers, is_mover))
       continue;
-    auto& cell = cells_[x];
-    cell = static_cast<std::int16_t>(std::max(most_free, cell + passing));
+    auto& hit = cell(index(end));
+    if (hit.hit != scan_)
+      hit.count = static_cast<std::int16_t>(std::min(most_occupied, hit.count + 1));
+    hit.hit = scan_;
   }
-  for (const auto x : hit_) {
-    auto& cell = cells_[x];
-    cell = static_cast<std::int16_t>(std::min(most_occupied, cell + 1));
-  }
-  if (cells_.size() > most_cells)
+  for (const auto& end : ends)
+    pass(scanner, end);
+  if (tiles_.size() > most_tiles)
     forget_far(scanner);
 }
 
+void FreeSpace::pass(const Point2& scanner, const Point2& end) {
+  const double range = distance(scanner, end);
+  const Point2 direction{(end.x - scanner.x) / range, (end.y - scanner.y) / range};
+  const double until = std::min(range - options_.end, options_.range);
+  for (double way = 0; way < until; way += options_.cell_size) {
+    auto& x = cell(index({scanner.x + way * direction.x, scanner.y + way * direction.y}));
+    if (x.passed == scan_ || x.hit == scan_)
+      continue;
+    x.passed = scan_;
+    x.count = static_cast<std::int16_t>(std::max(most_free, x.count + passing));
+  }
+}
+
 void FreeSpace::forget_far(const Point2& scanner) {
-  const auto coordinate = [&](std::uint64_t x) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(x)) * options_.cell_size;
+  const double side = tile_side * options_.cell_size;
+  const auto middle = [&](std::uint64_t x) {
+    return (static_cast<double>(static_cast<std::int32_t>(static_cast<std::uint32_t>(x))) + 0.5) *
+           side;
   };
-  std::erase_if(cells_, [&](const auto& x) {
-    const Point2 place{coordinate(x.first >> 32U), coordinate(x.first)};
-    return distance(place, scanner) > 2 * options_.range;
+  std::erase_if(tiles_, [&](const auto& x) {
+    return distance({middle(x.first >> 32U), middle(x.first)}, scanner) > 2 * options_.range;
   });
+  last_tile_ = nullptr;
 }
 
 } // namespace castor::mapping

@@ -2,7 +2,7 @@
 
 #include "castor/mapping/planar/poses.hpp"
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -34,17 +34,33 @@ public:
   void add(const Point2& scanner, std::span<const Point2> ends, std::span<const Point2> movers);
 
 private:
-  using Key = std::uint64_t;
+  struct Cell {
+    /// Positive: something stands there; negative: it was free.
+    std::int16_t count = 0;
+    /// Numbers of the last scans that hit it, and that passed it.
+    std::uint32_t hit = 0;
+    std::uint32_t passed = 0;
+  };
+  static constexpr int tile_side = 32; // cells
+  using Tile = std::array<Cell, tile_side * tile_side>;
 
-  Key key(const Point2& p) const;
-  int count(Key x) const;
+  struct CellIndex {
+    std::int32_t column = 0;
+    std::int32_t row = 0;
+  };
+
+  CellIndex index(const Point2& p) const;
+  int count(CellIndex x) const;
+  Cell& cell(CellIndex x);
+  void pass(const Point2& scanner, const Point2& end);
   void forget_far(const Point2& scanner);
 
   FreeSpaceOptions options_;
-  /// Positive: something stands there; negative: it was free.
-  std::unordered_map<Key, std::int16_t> cells_;
-  std::vector<Key> passed_;
-  std::vector<Key> hit_;
+  std::unordered_map<std::uint64_t, Tile> tiles_;
+  /// The last one that was asked for.
+  std::uint64_t last_key_ = 0;
+  Tile* last_tile_ = nullptr;
+  std::uint32_t scan_ = 0;
 };
 
 } // namespace castor::mapping

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/mapping/people/body_part.hpp"
 #include "castor/mapping/people/free_space.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/planar/types.hpp"
@@ -16,32 +17,38 @@ struct DetectorOptions {
   double range = 8;
   /// Neighbouring beams that end closer together, metres, are of the same leg or body.
   double part_gap = 0.12;
-  /// Parts whose middles are closer together, metres, are of the same person.
-  double person_size = 0.5;
   /// What is wider is no part of a person, metres.
   double widest_part = 0.75;
+  /// Beams beside a part that end so much farther away pass it, metres.
+  double passing = 0.2;
+  /// Where it was not free before, parts count within that distance of a known person, metres.
+  double known_reach = 0.5;
 };
 
-/// Finds people in scans: legs or bodies where it was free before. Somebody who has not moved since
-/// the robot came is not found, as little as one who stands at a wall.
+/// Finds legs and bodies in scans: what is where it was free before, and near known people what
+/// stands alone. Some of it may be things, so that only what walks is a person (PersonTracks).
 class PersonDetector {
 public:
   explicit PersonDetector(const DetectorOptions& options)
     : options_(options), free_space_(options.free_space) {}
 
-  /// Where people may be; some of them may be things, so that only those who walk count
-  /// (PersonTracks).
   /// @param robot its pose, without jumps (in the odometry frame), when it was scanned
   /// @param known where known people are expected, in that frame
-  std::vector<Point2> detect(const LaserScan& scan, const Pose2& robot,
-                             std::span<const Point2> known);
+  std::vector<BodyPart> detect(const LaserScan& scan, const Pose2& robot,
+                               std::span<const Point2> known);
 
 private:
-  /// Whether the beams beside these end elsewhere, so that they are no piece of a wall.
-  bool stands_alone(const LaserScan& scan, std::size_t first, std::size_t last) const;
+  /// Beams that end close together, from the first to the last with a return.
+  struct Cluster {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    bool is_new = false;
+    std::vector<Point2> ends;
+  };
 
-  /// Parts of the same person as one place each.
-  std::vector<Point2> group(std::vector<Point2> parts) const;
+  std::vector<Cluster> clusters(const LaserScan& scan, const Pose2& scanner) const;
+  /// Whether the beams on both sides pass it.
+  bool stands_out(const LaserScan& scan, const Cluster& x) const;
 
   DetectorOptions options_;
   FreeSpace free_space_;

@@ -1,11 +1,11 @@
 #include "castor/mapping/people/person_tracks.hpp"
 
-#include "castor/mapping/people/assignment.hpp"
+#include "castor/mapping/people/joint_assignment.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <utility>
 
 namespace castor::mapping {
 
@@ -17,8 +17,15 @@ constexpr double first_speed = 0.8;
 constexpr double walking = 0.2;
 /// Each scan's share in the visibility.
 constexpr double visibility_share = 0.1;
-/// Somebody out of sight slows down, 1/s: nobody walks on for ever.
-constexpr double slowing = 0.3;
+/// Somebody out of sight for so long, seconds, slows down, 1/s: nobody walks on for ever.
+constexpr double walks_on = 1.5;
+constexpr double slowing = 1;
+/// Of the variance of a measurement, for the steady motion: errors of legs last for half a step.
+constexpr double steady_noise = 2;
+/// Known people come before those who may be things: cost of each part of the latter.
+constexpr double doubt = 1.5;
+/// Nobody is there if so many beams pass.
+constexpr double absent_share = 0.8;
 
 double seconds(std::int64_t microseconds) {
   return static_cast<double>(microseconds) * 1e-6;
@@ -26,96 +33,118 @@ double seconds(std::int64_t microseconds) {
 
 } // namespace
 
-void PersonTracks::predict(Followed& x, double dt) const {
+void PersonTracks::take(Followed& x, std::span<const BodyPart> parts,
+                        const Explanation& explanation) {
+  const auto measured = measured_place(parts, explanation, options_.likelihood);
+  x.motion.correct(measured.place, measured.variance);
+  x.steady.correct(measured.place, steady_noise * measured.variance);
+  if (distance(x.steady.place(), x.motion.place()) > options_.swerving)
+    x.steady = x.motion;
   auto& track = x.track;
-  track.place.x += track.velocity.x * dt;
-  track.place.y += track.velocity.y * dt;
-  // White noise of the acceleration (Bar-Shalom et al. 2001, section 6.2.2).
-  const double q = options_.acceleration * options_.acceleration;
-  x.place_variance += 2 * dt * x.covariance + dt * dt * x.velocity_variance + q * dt * dt * dt / 3;
-  x.covariance += dt * x.velocity_variance + q * dt * dt / 2;
-  x.velocity_variance += q * dt;
-}
-
-void PersonTracks::correct(Followed& x, const Point2& detection) {
-  auto& track = x.track;
-  const double sum = x.place_variance + options_.noise * options_.noise;
-  const double gain = x.place_variance / sum;
-  const double velocity_gain = x.covariance / sum;
-  const Point2 off{detection.x - track.place.x, detection.y - track.place.y};
-  track.place.x += gain * off.x;
-  track.place.y += gain * off.y;
-  track.velocity.x += velocity_gain * off.x;
-  track.velocity.y += velocity_gain * off.y;
-  x.velocity_variance -= velocity_gain * x.covariance;
-  x.covariance *= 1 - gain;
-  x.place_variance *= 1 - gain;
+  track.visibility += visibility_share * (1 - track.visibility);
   ++x.detections;
-  x.unseen = 0;
+  const auto is_new = [&](std::size_t part) { return parts[part].is_new; };
+  if (std::ranges::all_of(explanation.all_parts(), is_new))
+    ++x.new_detections;
+  x.unseen = x.absent = 0;
+  track.velocity = x.steady.velocity();
   if (track.speed() > walking)
     track.heading = std::atan2(track.velocity.y, track.velocity.x);
   if (!track.is_person && x.detections >= options_.confirming &&
-      distance(x.first_place, track.place) >= options_.confirming_way &&
+      x.new_detections >= options_.confirming_new * x.detections &&
+      distance(x.first_place, x.motion.place()) >= options_.confirming_way &&
       track.speed() >= options_.confirming_speed) {
     track.is_person = true;
     track.id = next_id_++;
   }
 }
 
-void PersonTracks::begin(const Point2& detection) {
-  Followed x;
-  x.track.place = x.first_place = detection;
+void PersonTracks::miss(Followed& x, const ScanView& view, double dt) const {
+  if (x.unseen == 0)
+    x.motion = x.steady;
+  x.track.visibility -= visibility_share * x.track.visibility;
+  x.unseen += dt;
+  if (view.towards(x.motion.place(), options_.likelihood.body_radius).passed > absent_share)
+    x.absent += dt;
+  if (x.unseen > walks_on)
+    x.motion.slow_down(std::exp(-slowing * dt));
+}
+
+void PersonTracks::begin_at(const Point2& place, double variance) {
+  const PersonMotion motion{place, variance, first_speed};
+  Followed x{{}, motion, motion, place};
   x.track.visibility = 0.5;
-  x.place_variance = options_.noise * options_.noise;
-  x.velocity_variance = first_speed * first_speed;
   followed_.push_back(x);
 }
 
-void PersonTracks::add(std::span<const Point2> detections, std::int64_t time) {
+void PersonTracks::begin(std::span<const BodyPart> parts, std::vector<bool> used) {
+  const auto known = followed_.size();
+  const auto is_somebody = [&](const BodyPart& part) {
+    return std::any_of(followed_.begin(), followed_.begin() + static_cast<std::ptrdiff_t>(known),
+                       [&](const Followed& x) {
+                         return x.unseen == 0 &&
+                                distance(x.motion.place(), part.place) < options_.apart;
+                       });
+  };
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!used[i] && parts[i].is_new && parts[i].stands_out && !is_somebody(parts[i]))
+      left.push_back(i);
+  // Legs of one person: the nearest to one another first.
+  const auto& likelihood = options_.likelihood;
+  std::vector<std::pair<double, Explanation>> pairs;
+  for (const auto i : left)
+    for (const auto j : left)
+      if (const double apart = distance(parts[i].place, parts[j].place);
+          i < j && apart < likelihood.longest_step && parts[i].width <= likelihood.widest_leg &&
+          parts[j].width <= likelihood.widest_leg)
+        pairs.push_back({apart, {0, {i, j}, 2}});
+  std::ranges::sort(pairs, {}, [](auto& x) { return x.first; });
+  for (const auto& [apart, pair] : pairs)
+    if (!used[pair.parts[0]] && !used[pair.parts[1]]) {
+      used[pair.parts[0]] = used[pair.parts[1]] = true;
+      const auto measured = measured_place(parts, pair, likelihood);
+      begin_at(measured.place, measured.variance);
+    }
+  for (const auto i : left)
+    if (!used[i]) {
+      const auto measured = measured_place(parts, {0, {i, 0}, 1}, likelihood);
+      begin_at(measured.place, measured.variance);
+    }
+}
+
+void PersonTracks::add(std::span<const BodyPart> parts, const ScanView& view, std::int64_t time) {
   const double dt = std::max(0.0, seconds(time - time_));
   time_ = time;
-  CostMatrix costs;
+  std::vector<std::vector<Explanation>> explanations;
   for (auto& x : followed_) {
-    predict(x, dt);
-    auto& row = costs.emplace_back();
-    const double deviation = std::sqrt(x.place_variance + options_.noise * options_.noise);
-    for (const auto& detection : detections) {
-      const double off = distance(x.track.place, detection);
-      constexpr double never = std::numeric_limits<double>::infinity();
-      // Known people come before those who may be things.
-      const double doubt = x.track.is_person ? 0 : 1;
-      // The negative logarithm of the likelihood, up to what all have in common.
-      const double cost =
-        off * off / (2 * deviation * deviation) + 2 * std::log1p(deviation) + doubt;
-      row.push_back(off > options_.farthest || off > options_.gate * deviation ? never : cost);
-    }
+    x.motion.predict(dt, x.unseen > 0 ? options_.hidden_acceleration : options_.acceleration);
+    x.steady.predict(dt, options_.steady_acceleration);
+    auto& all =
+      explanations.emplace_back(explanations_of(x.motion, parts, view, options_.likelihood));
+    if (!x.track.is_person)
+      for (auto& explanation : all)
+        explanation.cost += doubt * static_cast<double>(explanation.number_of_parts);
   }
-  const auto assigned = assign(costs);
-  std::vector<bool> used(detections.size());
+  const auto chosen = explain_jointly(explanations);
+  std::vector<bool> used(parts.size());
   for (std::size_t i = 0; i < followed_.size(); ++i) {
     auto& x = followed_[i];
-    const double seen = assigned[i] ? 1 : 0;
-    x.track.visibility += visibility_share * (seen - x.track.visibility);
-    if (assigned[i]) {
-      used[*assigned[i]] = true;
-      correct(x, detections[*assigned[i]]);
-    } else {
-      x.unseen += dt;
-      x.track.velocity.x *= std::exp(-slowing * dt);
-      x.track.velocity.y *= std::exp(-slowing * dt);
-    }
+    const auto& explanation = explanations[i][chosen[i]];
+    for (const auto part : explanation.all_parts())
+      used[part] = true;
+    if (explanation.number_of_parts > 0)
+      take(x, parts, explanation);
+    else
+      miss(x, view, dt);
+    x.track.place = x.motion.place();
+    if (x.unseen > 0)
+      x.track.velocity = x.motion.velocity();
   }
-  const auto known = followed_.size();
-  for (std::size_t i = 0; i < detections.size(); ++i) {
-    const auto is_near = [&](const Followed& x) {
-      return x.unseen == 0 && distance(x.track.place, detections[i]) < options_.apart;
-    };
-    if (!used[i] && std::none_of(followed_.begin(),
-                                 followed_.begin() + static_cast<std::ptrdiff_t>(known), is_near))
-      begin(detections[i]);
-  }
+  begin(parts, std::move(used));
   std::erase_if(followed_, [&](const Followed& x) {
-    return x.unseen > (x.track.is_person ? options_.patience : options_.early_patience);
+    return x.unseen > (x.track.is_person ? options_.patience : options_.early_patience) ||
+           x.absent > options_.absence;
   });
 }
 

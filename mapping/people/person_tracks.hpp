@@ -1,5 +1,8 @@
 #pragma once
 
+#include "castor/mapping/people/part_likelihood.hpp"
+#include "castor/mapping/people/person_motion.hpp"
+#include "castor/mapping/people/scan_view.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <cstdint>
@@ -9,29 +12,35 @@
 namespace castor::mapping {
 
 struct TrackOptions {
-  /// Standard deviation of a detection, metres.
-  double noise = 0.08;
+  LikelihoodOptions likelihood;
   /// How much people change their velocity: root of the spectral density of their acceleration,
   /// m/s^1.5.
-  double acceleration = 0.5;
-  /// A detection belongs to a person within so many standard deviations, and within so many metres
-  /// of where the person is expected.
-  double gate = 3.5;
-  double farthest = 1.2;
-  /// Somebody is a person after so many detections, such a way and at such a speed.
-  int confirming = 6;
+  double acceleration = 0.8;
+  /// The same for how somebody who is hidden goes on, and for the motion before, as which that one
+  /// goes on.
+  double hidden_acceleration = 0.5;
+  double steady_acceleration = 0.35;
+  /// Steady motion begins anew if it is off by so much, metres.
+  double swerving = 0.35;
+  /// Somebody is a person after so many detections, such a way and at such a speed, and if so large
+  /// a share of what was seen is where it was free before.
+  int confirming = 7;
   double confirming_way = 0.4;
-  double confirming_speed = 0.2;
-  /// Seconds after which somebody out of sight is given up, and before it is known as a person.
+  double confirming_speed = 0.25;
+  double confirming_new = 0.8;
+  /// Seconds after which somebody out of sight is given up, before it is known as a person, and
+  /// where beams show that nobody is there.
   double patience = 3;
   double early_patience = 0.35;
-  /// A detection so near to another person's is no new person, metres.
-  double apart = 0.5;
+  double absence = 0.8;
+  /// Parts so near to somebody who is seen are nobody new, metres.
+  double apart = 0.35;
 };
 
-/// Follows several people by where they were detected: a Kalman filter of constant velocity for
-/// each, and the assignment of detections to people that is the most likely one altogether. So they
-/// keep their ids where they cross, and behind one another.
+/// Follows several people by their legs and bodies: a Kalman filter of constant velocity for each,
+/// and the assignment of all parts to all people that is the most likely altogether. Each person
+/// takes one part or two legs, or is hidden. So they keep their ids where they cross, and behind
+/// one another.
 class PersonTracks {
 public:
   struct Track {
@@ -53,9 +62,9 @@ public:
   explicit PersonTracks(const TrackOptions& options, std::int64_t first_id = 1)
     : options_(options), next_id_(first_id) {}
 
-  /// Next detections, not before the last ones.
+  /// What the next scan shows, which is not before the last one.
   /// @param time microseconds
-  void add(std::span<const Point2> detections, std::int64_t time);
+  void add(std::span<const BodyPart> parts, const ScanView& view, std::int64_t time);
 
   /// Where known people are expected at that time.
   std::vector<Point2> expected(std::int64_t time) const;
@@ -66,19 +75,22 @@ public:
 private:
   struct Followed {
     Track track;
+    PersonMotion motion;
+    /// The same with less change of velocity, which tells better where somebody goes who is hidden.
+    PersonMotion steady;
     Point2 first_place;
-    /// Variances of place and velocity and their covariance, the same on both axes.
-    double place_variance = 0;
-    double covariance = 0;
-    double velocity_variance = 0;
     int detections = 1;
-    /// Time since the last detection, seconds.
+    /// Of them, those where it was free before.
+    int new_detections = 1;
+    /// Time since the last detection, and that of it in which beams passed; seconds.
     double unseen = 0;
+    double absent = 0;
   };
 
-  void predict(Followed& x, double dt) const;
-  void correct(Followed& x, const Point2& detection);
-  void begin(const Point2& detection);
+  void take(Followed& x, std::span<const BodyPart> parts, const Explanation& explanation);
+  void miss(Followed& x, const ScanView& view, double dt) const;
+  void begin(std::span<const BodyPart> parts, std::vector<bool> used);
+  void begin_at(const Point2& place, double variance);
 
   TrackOptions options_;
   std::vector<Followed> followed_;

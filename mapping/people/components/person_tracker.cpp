@@ -72,8 +72,8 @@ class PersonTracker final : public UnmanagedComponent {
     if (!newest)
       return;
     const auto robot = corrected_.odometry().pose_at(scan.time).value_or(newest->pose);
-    const auto detections = detector_->detect(scan, robot, tracks_->expected(scan.time));
-    tracks_->add(detections, scan.time);
+    const auto parts = detector_->detect(scan, robot, tracks_->expected(scan.time));
+    tracks_->add(parts, ScanView{scan, robot}, scan.time);
     if (corrected_.odometry_frame() && now() - told_ >= period_.get())
       tell(scan.time);
   }

@@ -2,6 +2,8 @@
 
 #include "castor/mapping/people/person_tracks.hpp"
 
+#include "castor/tests/mapping/people/uniform_scan.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,10 +20,12 @@ namespace {
 
 constexpr std::int64_t scan_period = 100'000; // microseconds
 
-/// Feeds scans until that time, seconds; each person is a function of time.
+/// Feeds scans until that time, seconds; each person is a function of time, and seen as a body.
 class Scene {
 public:
-  explicit Scene(std::uint64_t seed) : random_(seed) {}
+  /// @param range of all beams: who is not seen is hidden, if it is short
+  explicit Scene(std::uint64_t seed, float range = 0.1F)
+    : random_(seed), scan_(uniform_scan(360, range)) {}
 
   using Walk = std::function<Point2(double)>;
 
@@ -29,18 +33,20 @@ public:
            const std::function<bool(std::size_t, double)>& is_seen = {}) {
     std::normal_distribution<double> noise{0, 0.03};
     for (; time_ <= until; time_ += 0.1) {
-      std::vector<Point2> detections;
+      std::vector<BodyPart> parts;
       for (std::size_t i = 0; i < people.size(); ++i) {
         const auto x = people[i](time_);
         if (!is_seen || is_seen(i, time_))
-          detections.push_back({x.x + noise(random_), x.y + noise(random_)});
+          parts.push_back({{x.x + noise(random_), x.y + noise(random_)}, 0.4, true, true});
       }
-      tracks.add(detections, static_cast<std::int64_t>(std::round(time_ * 10)) * scan_period);
+      tracks.add(parts, ScanView{scan_, {8, 8, 0}},
+                 static_cast<std::int64_t>(std::round(time_ * 10)) * scan_period);
     }
   }
 
 private:
   std::mt19937_64 random_;
+  LaserScan scan_;
   double time_ = 0;
 };
 
@@ -98,6 +104,41 @@ TEST(PersonTracks, GivesUpWhoIsGone) {
   EXPECT_EQ(tracks.people().size(), 1u) << "still expected";
   EXPECT_LT(tracks.people()[0].visibility, 0.2);
   scene.run(tracks, {from_left}, 6.5, leaves);
+  EXPECT_TRUE(tracks.people().empty());
+}
+
+TEST(PersonTracks, GivesUpAtOnceWhereBeamsPass) {
+  PersonTracks tracks{{}};
+  Scene scene{1, 0.F}; // nothing comes back
+  scene.run(tracks, {from_left}, 5, [](std::size_t, double t) { return t < 3; });
+  EXPECT_TRUE(tracks.people().empty());
+}
+
+TEST(PersonTracks, TwoLegsAreOnePerson) {
+  PersonTracks tracks{{}};
+  const auto scan = uniform_scan(360, 0.1F);
+  for (int i = 0; i < 40; ++i) {
+    const double t = i * 0.1;
+    const auto at = from_left(t);
+    const double swing = 0.22 * std::sin(2 * std::numbers::pi * t * 0.8 / 1.3);
+    std::vector<BodyPart> legs{{{at.x + swing, at.y + 0.11}, 0.12, true, true},
+                               {{at.x - swing, at.y - 0.11}, 0.12, true, true}};
+    if (i % 5 == 4)
+      legs.pop_back(); // hidden behind the other
+    tracks.add(legs, ScanView{scan, {8, 8, 0}}, i * scan_period);
+  }
+  ASSERT_EQ(tracks.people().size(), 1u);
+  EXPECT_NEAR(distance(tracks.people()[0].place, from_left(3.9)), 0, 0.15);
+  EXPECT_NEAR(tracks.people()[0].speed(), 0.8, 0.2);
+}
+
+TEST(PersonTracks, WhatIsWhereThingsStoodIsNobodyNew) {
+  PersonTracks tracks{{}};
+  const auto scan = uniform_scan(360, 0.1F);
+  for (int i = 0; i < 40; ++i) {
+    const std::vector<BodyPart> parts{{from_left(i * 0.1), 0.4, false, true}};
+    tracks.add(parts, ScanView{scan, {8, 8, 0}}, i * scan_period);
+  }
   EXPECT_TRUE(tracks.people().empty());
 }
 
