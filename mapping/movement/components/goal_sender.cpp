@@ -5,15 +5,16 @@
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"
+#include "castor/mapping/movement/goal_tally.hpp"
 #include "castor/mapping/movement/path_planner.hpp"
+#include "castor/mapping/movement/planning_map.hpp"
 #include "castor/mapping/movement/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -30,13 +31,10 @@ using namespace std::chrono_literals;
 enum class AfterGoals { stay, end };
 CASTOR_REFLECT_ENUM(AfterGoals, stay, end)
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty())
-    return 0;
-  std::ranges::sort(values);
-  const auto last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(share * last))];
-}
+/// Of which cells of the map goals are drawn: where the robot fits with its margin, or of any that
+/// is free, or --count of each.
+enum class GoalCells { fitting, free, both };
+CASTOR_REFLECT_ENUM(GoalCells, fitting, free, both)
 
 /// Asks a Navigator for goals, one after the other, and says how it went.
 class GoalSender final : public UnmanagedComponent {
@@ -47,28 +45,45 @@ class GoalSender final : public UnmanagedComponent {
         throw TextFileError(read.problems);
       goals_ = std::move(read.path);
     }
+    options_.radius = radius_;
+    options_.margin = margin_;
     if (!map_file_->empty())
-      map_ = read_map_server(file_named(map_file_, base_.get()));
+      map_.update(read_map_server(file_named(map_file_, base_.get())), 0);
     if (goals_.empty())
       draw_goals();
+    else
+      kinds_.assign(goals_.size(), GoalCells::free);
   }
 
-  /// Centres of free cells of the map, whether the robot fits there or not.
+  bool has_map() const { return map_.version().has_value(); }
+
   void draw_goals() {
-    if (!map_)
+    if (!has_map())
       throw std::invalid_argument("there is no goal: name some with --goals \"X Y, X Y\", or a map "
                                   "with --map, of which --count are drawn");
-    PlanOptions options;
-    const ClearanceMap clearance(*map_, options.cells);
-    std::vector<std::size_t> free;
-    for (std::size_t i = 0; i < map_->cells.size(); ++i)
-      if (map_->cells[i] >= 0 && map_->cells[i] < options.cells.occupied_from)
-        free.push_back(i);
-    if (free.empty())
-      throw std::invalid_argument("--map: no cell of it is free");
     std::mt19937_64 random(static_cast<std::uint64_t>(seed_.get()));
-    for (int i = 0; i < count_; ++i)
-      goals_.push_back(clearance.centre(free[random() % free.size()]));
+    for (const auto kind : {GoalCells::fitting, GoalCells::free})
+      if (cells_ == kind || cells_ == GoalCells::both)
+        draw_goals(kind, random);
+  }
+
+  /// Centres of cells.
+  void draw_goals(GoalCells kind, std::mt19937_64& random) {
+    const auto& cells = map_.cells().cells;
+    std::vector<std::size_t> choice;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i] >= 0 && cells[i] < options_.cells.occupied_from &&
+          (kind == GoalCells::free || map_.clearance().at(i) >= options_.radius + options_.margin))
+        choice.push_back(i);
+    if (choice.empty())
+      throw std::invalid_argument(
+        kind == GoalCells::free ? "--map: no cell of it is free; choose another map"
+                                : "--map: the robot fits nowhere in it; choose another map, or a "
+                                  "smaller --radius");
+    for (int i = 0; i < count_; ++i) {
+      goals_.push_back(map_.clearance().centre(choice[random() % choice.size()]));
+      kinds_.push_back(kind);
+    }
   }
 
   void start() override {
@@ -77,7 +92,7 @@ class GoalSender final : public UnmanagedComponent {
       try {
         const auto x = read<Movement>(event.address);
         if (x->plans > 0 && x->plans != plans_)
-          planning_times_.push_back(x->planning_time);
+          tallies_[kind_].add_plan(x->planning_time);
         plans_ = x->plans;
         movement_ = *x;
       } catch (const DoesNotExistOnWM&) {
@@ -93,13 +108,8 @@ class GoalSender final : public UnmanagedComponent {
       ask(i);
     if (!is_running())
       return;
-    info("{} goals: {} reached, {} not; {:.1f} m driven, {:.3f} of the shortest (median; p95 "
-         "{:.3f}); stood {:.1f} s; {} recoveries; {} collisions; a plan took {:.1f} ms (p50), "
-         "{:.1f} ms (p95) of {}",
-         goals_.size(), reached_, goals_.size() - reached_, status_->driven, quantile(ratios_, 0.5),
-         quantile(ratios_, 0.95), waited_, recoveries_, status_->collisions,
-         1000 * quantile(planning_times_, 0.5), 1000 * quantile(planning_times_, 0.95),
-         planning_times_.size());
+    for (const auto& [kind, tally] : tallies_)
+      info("{}{}", kind == GoalCells::fitting ? "where the robot fits: " : "", tally.text());
     if (after_ == AfterGoals::end)
       end_system(0, "all goals were asked for");
   }
@@ -107,40 +117,44 @@ class GoalSender final : public UnmanagedComponent {
   void ask(std::size_t number) {
     const auto& goal = goals_[number];
     const auto begin = *status_;
-    const auto shortest = shortest_to(goal);
+    const Point2 start{begin.pose.x, begin.pose.y};
+    GoalOutcome x;
+    if (has_map()) {
+      x.shortest = shortest(start, goal);
+      x.reachability =
+        ReachabilityCheck(map_.cells(), start, options_.radius + options_.margin).of(goal);
+    }
+    kind_ = kinds_[number];
     // Each action counts its plans anew.
     plans_ = 0;
+    movement_ = {};
     GoToPlace what;
     what.x = goal.x;
     what.y = goal.y;
     const auto over = perform(navigation_.get(), what).wait();
+    // The last Movement entry and BodyStatus arrive meanwhile.
     sleep_for(200ms);
-    const double driven = status_->driven - begin.driven;
-    waited_ += movement_.waited;
-    recoveries_ += movement_.recoveries;
-    const double away = distance(Point2{status_->pose.x, status_->pose.y}, goal);
-    if (over.outcome == ActionOutcome::succeeded) {
-      ++reached_;
-      if (shortest && *shortest > 1)
-        ratios_.push_back(driven / *shortest);
+    x.is_reached = over.outcome == ActionOutcome::succeeded;
+    x.driven = status_->driven - begin.driven;
+    x.waited = movement_.waited;
+    x.recoveries = movement_.recoveries;
+    x.collisions = status_->collisions - begin.collisions;
+    tallies_[kind_].add(x);
+    if (x.is_reached)
       info("goal {} at {:.2f} {:.2f}: reached, {:.2f} m from it, {:.1f} m driven in {:.1f} s",
-           number + 1, goal.x, goal.y, away, driven,
-           static_cast<double>(status_->time - begin.time) / 1e6);
-    } else {
-      const bool is_honest = !map_ || !shortest;
+           number + 1, goal.x, goal.y, distance(Point2{status_->pose.x, status_->pose.y}, goal),
+           x.driven, static_cast<double>(status_->time - begin.time) / 1e6);
+    else
       info("goal {} at {:.2f} {:.2f}: {}{}", number + 1, goal.x, goal.y, over.reason,
-           is_honest ? "" : "; yet the map has a way");
-    }
+           x.reachability == Reachability::reachable ? "; yet the map has a way" : "");
   }
 
   /// Length of the shortest way with the robot's clearance, if there is one on the map.
-  std::optional<double> shortest_to(const Point2& goal) const {
-    if (!map_)
-      return std::nullopt;
-    PlanOptions options;
+  std::optional<double> shortest(const Point2& start, const Point2& goal) const {
+    auto options = options_;
     options.narrowness = 0;
-    const auto plan = plan_path(*map_, ClearanceMap(*map_, options.cells),
-                                {status_->pose.x, status_->pose.y}, goal, options);
+    options.explains = false;
+    const auto plan = plan_path(map_.cells(), map_.clearance(), start, goal, options);
     return plan.points.empty() ? std::nullopt : std::optional{plan.length};
   }
 
@@ -149,7 +163,11 @@ class GoalSender final : public UnmanagedComponent {
   Option<std::string> map_file_{
     this, "map", "", "a .yaml of map_server, for drawing goals and for the shortest ways"};
   Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
-  Option<int> count_{this, "count", 50, "how many goals are drawn"};
+  Option<int> count_{this, "count", 50, "how many goals are drawn, of each kind of cells"};
+  Option<GoalCells> cells_{this, "cells", GoalCells::both,
+                           "of which cells: fitting (the robot fits there), free, or both"};
+  Option<double> radius_{this, "radius", PlanOptions{}.radius, "as of the Navigator, metres"};
+  Option<double> margin_{this, "margin", PlanOptions{}.margin, "as of the Navigator, metres"};
   Option<std::int64_t> seed_{this, "seed", 1, "of the goals that are drawn"};
   Option<SubarchitectureName> navigation_{this, "navigation", "navigation",
                                           "subarchitecture of the Navigator"};
@@ -157,16 +175,16 @@ class GoalSender final : public UnmanagedComponent {
   Option<AfterGoals> after_{this, "after", AfterGoals::end,
                             "what it does then: stay, or end the system"};
 
+  PlanOptions options_;
+  PlanningMap map_;
   Path goals_;
-  std::optional<CellMap> map_;
+  /// Of each goal.
+  std::vector<GoalCells> kinds_;
+  GoalCells kind_ = GoalCells::free;
+  std::map<GoalCells, GoalTally> tallies_;
   std::optional<BodyStatus> status_;
   Movement movement_;
   std::int64_t plans_ = 0;
-  std::size_t reached_ = 0;
-  double waited_ = 0;
-  std::int64_t recoveries_ = 0;
-  std::vector<double> ratios_;
-  std::vector<double> planning_times_;
 };
 
 CASTOR_COMPONENT(GoalSender, "asks a Navigator for goals, and says how it went")
