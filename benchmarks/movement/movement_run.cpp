@@ -1,6 +1,7 @@
 #include "castor/benchmarks/movement/movement_run.hpp"
 
 #include "castor/benchmarks/movement/crowd.hpp"
+#include "castor/mapping/movement/mover_watch.hpp"
 #include "castor/mapping/movement/seen_obstacles.hpp"
 
 #include <fmt/format.h>
@@ -100,8 +101,10 @@ private:
     GoalPursuit::Step last;
     while (last.status != MovementStatus::arrived && last.status != MovementStatus::failed) {
       body_.step();
+      if (body_.steps() % odometry_steps == 0)
+        watch_.add(body_.odometry());
       if (body_.steps() % scan_steps == 0)
-        seen_.add(body_.scan(), body_.status().pose);
+        look();
       if (body_.steps() % command_steps != 0)
         continue;
       note_collision(last);
@@ -115,10 +118,19 @@ private:
     return last;
   }
 
+  void look() {
+    const auto scan = body_.scan();
+    seen_.add(scan, body_.status().pose);
+    watch_.add(scan);
+  }
+
   GoalPursuit::Step step(GoalPursuit& pursuit) {
     const int plans = pursuit.plans();
     const auto begun = std::chrono::steady_clock::now();
-    auto result = pursuit.step(body_.time().count(), body_.status().pose, map_, seen_.points());
+    const auto robot = body_.status().pose;
+    const auto seen = seen_.points();
+    const auto movers = watch_.movers(robot);
+    const auto result = pursuit.step(body_.time().count(), robot, {map_, seen, movers});
     if (pursuit.plans() != plans)
       result_.tally.add_plan(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
@@ -143,6 +155,7 @@ private:
     return x == MovementStatus::recovering ? "recovering" : "moving";
   }
 
+  static constexpr int odometry_steps = 2;
   static constexpr int scan_steps = 10;
   static constexpr int command_steps = 5;
 
@@ -150,6 +163,7 @@ private:
   PlanningMap map_;
   SimulatedBody body_;
   SeenObstacles seen_;
+  MoverWatch watch_;
   MovementRun result_;
   std::int64_t collisions_ = 0;
 };

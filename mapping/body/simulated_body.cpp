@@ -84,7 +84,7 @@ void SimulatedBody::step() {
   if (time() >= commanded_until_)
     drive_.command({});
   const double dt = seconds(options_.step);
-  people_.step(dt, {{pose_.x, pose_.y}, options_.radius});
+  people_.step(dt, {{pose_.x, pose_.y}, options_.radius}, *surroundings_.obstacles);
   const auto step = drive_.step(dt);
   auto next = compose(pose_, step.motion);
   const double reach = options_.radius + far_enough;

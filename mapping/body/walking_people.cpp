@@ -1,6 +1,7 @@
 #include "castor/mapping/body/walking_people.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -8,19 +9,15 @@ namespace castor::mapping {
 
 namespace {
 
-/// People keep that far away from a robot, metres.
+/// People stop so far before a robot, and walk around it at least so far from it; metres.
 constexpr double politeness = 0.2;
-/// They walk back after waiting for a robot that long, seconds.
-constexpr double patience = 3;
-
-} // namespace
-
-WalkingPeople::WalkingPeople(std::vector<Walker> people) {
-  for (auto& person : people) {
-    discs_.push_back({place_on_route(person, 0), person.radius});
-    walks_.push_back({std::move(person)});
-  }
-}
+constexpr double passing = 0.1;
+/// They walk around it after waiting that long, seconds, to so far on, metres.
+constexpr double before_detour = 1;
+constexpr double detour_way = 1.4;
+/// They walk back if they have not got around it after so long, seconds; so far first, metres.
+constexpr double longest_detour = 6;
+constexpr double way_back = 0.8;
 
 void WalkingPeople::step(double dt, const Disc& robot) {
   for (std::size_t i = 0; i < walks_.size(); ++i) {
@@ -49,6 +46,88 @@ void WalkingPeople::step(double dt, const Disc& robot) {
   }
 }
 
+/// Whether the robot is in the way from one place to another.
+bool is_in_way(const Disc& robot, const Walker& person, const Point2& here, const Point2& next,
+               double gap) {
+  const double then = distance(next, robot.centre);
+  return then < distance(here, robot.centre) && then < robot.radius + person.radius + gap;
+}
+
+} // namespace
+
+WalkingPeople::WalkingPeople(std::vector<Walker> people) {
+  for (auto& person : people) {
+    discs_.push_back({place_on_route(person, 0), person.radius});
+    walks_.emplace_back().person = std::move(person);
+  }
+}
+
+void WalkingPeople::walk_on(Walk& walk, Point2& here, double dt, const Disc& robot) const {
+  if (walk.pause > 0) {
+    walk.pause -= dt;
+    return;
+  }
+  const double at = walk.at + walk.direction * walk.person.speed * dt;
+  const auto next = place_on_route(walk.person, at);
+  if (!is_in_way(robot, walk.person, here, next, politeness)) {
+    walk.waited = 0;
+    if (points_reached(walk.person, at) != points_reached(walk.person, walk.at))
+      walk.pause = walk.person.pause;
+    walk.at = at;
+    here = next;
+    return;
+  }
+  walk.waited += dt;
+  if (walk.waited < before_detour)
+    return;
+  walk.waited = 0;
+  walk.detour = Detour{walk.at + walk.direction * detour_way, 0, 0, 0};
+}
+
+void WalkingPeople::walk_around(Walk& walk, Point2& here, double dt, const Disc& robot,
+                                const Obstacles& fixed) const {
+  auto& detour = *walk.detour;
+  detour.time += dt;
+  if (detour.time > longest_detour) {
+    walk.direction = -walk.direction;
+    detour = Detour{walk.at + walk.direction * way_back, 0, 0, 0};
+  }
+  const double way = walk.person.speed * dt;
+  const auto goal = place_on_route(walk.person, detour.to);
+  const double straight = std::atan2(goal.y - here.y, goal.x - here.x);
+  constexpr int most = 8;
+  constexpr double turn = std::numbers::pi / 12;
+  const auto go = [&](double side, int turns) {
+    const double heading = straight + side * turns * turn;
+    const auto next = transform({here.x, here.y, heading}, {way, 0});
+    const double room = fixed.clearance(next, 1);
+    if (is_in_way(robot, walk.person, here, next, passing) ||
+        (room < walk.person.radius && room < fixed.clearance(here, 1)))
+      return false;
+    here = next;
+    detour.heading = heading;
+    detour.side = turns == 0 ? 0 : side;
+    return true;
+  };
+  bool has_gone = false;
+  for (int turns = 0; turns <= most && !has_gone; ++turns)
+    has_gone = (detour.side >= 0 && go(1, turns)) || (detour.side <= 0 && go(-1, turns));
+  if (distance(here, goal) > way)
+    return;
+  walk.at = detour.to;
+  here = goal;
+  walk.detour.reset();
+}
+
+void WalkingPeople::step(double dt, const Disc& robot, const Obstacles& fixed) {
+  for (std::size_t i = 0; i < walks_.size(); ++i) {
+    if (walks_[i].detour)
+      walk_around(walks_[i], discs_[i].centre, dt, robot, fixed);
+    else
+      walk_on(walks_[i], discs_[i].centre, dt, robot);
+  }
+}
+
 std::vector<Disc> WalkingPeople::legs() const {
   constexpr double leg_radius = 0.07; // metres
   // From the middle of the body to each leg, and how far a leg swings; a step takes half a stride.
@@ -61,8 +140,10 @@ std::vector<Disc> WalkingPeople::legs() const {
     const auto& at = discs_[i].centre;
     constexpr double little = 0.05; // metres
     const auto next = place_on_route(walk.person, walk.at + walk.direction * little);
-    const double heading = std::atan2(next.y - at.y, next.x - at.x);
-    const double ahead = swing * std::sin(2 * std::numbers::pi * walk.at / stride);
+    const double heading =
+      walk.detour ? walk.detour->heading : std::atan2(next.y - at.y, next.x - at.x);
+    const double walked = walk.at + (walk.detour ? walk.detour->time * walk.person.speed : 0);
+    const double ahead = swing * std::sin(2 * std::numbers::pi * walked / stride);
     for (const double side : {-1, 1})
       result.push_back(
         {transform({at.x, at.y, heading}, {side * ahead, side * aside}), leg_radius});

@@ -37,13 +37,13 @@ ClearanceMap::ClearanceMap(const CellMap& map, const ClearanceOptions& options)
     x = clearance_of(x, cell_size_);
 }
 
-void ClearanceMap::add_obstacle(const Point2& point, double reach) {
+void ClearanceMap::add_obstacle(const Point2& point, double reach, double around) {
   const auto cell = cell_at(point);
   if (!cell)
     return;
   const int middle_column = static_cast<int>(*cell) % columns_;
   const int middle_row = static_cast<int>(*cell) / columns_;
-  const int most = static_cast<int>(std::ceil(reach / cell_size_ + 0.5));
+  const int most = static_cast<int>(std::ceil((reach + around) / cell_size_ + 0.5));
   for (int row = std::max(0, middle_row - most); row <= std::min(rows_ - 1, middle_row + most);
        ++row)
     for (int column = std::max(0, middle_column - most);
@@ -52,7 +52,8 @@ void ClearanceMap::add_obstacle(const Point2& point, double reach) {
                                    static_cast<float>(row - middle_row));
       auto& known = clearance_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                                static_cast<std::size_t>(column)];
-      known = std::min(known, clearance_of(away, cell_size_));
+      known =
+        std::min(known, clearance_of(away - static_cast<float>(around / cell_size_), cell_size_));
     }
 }
 

@@ -24,9 +24,9 @@ public:
   /// \pre the rows of the map are parallel to the x axis.
   explicit ClearanceMap(const CellMap& map, const ClearanceOptions& options = {});
 
-  /// One more obstacle, of a cell's size. Clearances up to `reach` are exact afterwards, metres;
-  /// larger ones may be too large. One outside the map is ignored.
-  void add_obstacle(const Point2& point, double reach);
+  /// One more obstacle, of a cell's size and `around` on all sides. Clearances up to `reach` are
+  /// exact afterwards, metres; larger ones may be too large. One outside the map is ignored.
+  void add_obstacle(const Point2& point, double reach, double around = 0);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

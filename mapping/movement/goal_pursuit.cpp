@@ -26,27 +26,29 @@ double distance_from_piece(const Point2& p, const Point2& a, const Point2& b) {
 
 GoalPursuit::GoalPursuit(const Point2& goal, std::optional<double> heading,
                          const PursuitOptions& options)
-  : goal_(goal), heading_(heading), options_(options) {}
+  : goal_(goal), heading_(heading), options_(options), recovery_(options.stall) {
+  options_.movers.robot_radius = options_.plan.radius;
+}
 
-GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot, const PlanningMap& map,
-                                    std::span<const Point2> seen) {
-  const auto since_last = step_time_ ? time - *step_time_ : 0;
+GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
+                                    const PursuitSurroundings& around) {
+  if (stands_ && step_time_)
+    waited_ += time - *step_time_;
   step_time_ = time_ = time;
-  if (stands_since_ || is_blocked_)
-    waited_ += since_last;
-  if (backs_off_from_)
-    return recover(robot, map, seen);
+  stands_ = false;
+  if (recovery_.is_active())
+    return recover(robot, around);
   if (follower_ && follower_->has_arrived())
     return turn_at_goal(robot);
   const bool may_plan = !planned_ || time - *planned_ >= options_.replan_period;
-  const auto obstacles = unexpected(map, seen);
-  if (may_plan && (!follower_ || is_blocked_ || !is_path_free(robot, map, obstacles)))
-    plan(robot, map, obstacles);
+  const auto in_the_way = obstacles(around);
+  if (may_plan && (!follower_ || is_blocked_ || !is_path_free(robot, around.map, in_the_way)))
+    plan(robot, around.map, in_the_way);
   if (!problem_.empty())
     return fail(problem_);
   if (!is_blocked_) {
     blocked_since_.reset();
-    return drive(robot, map, seen);
+    return drive(robot, around);
   }
   if (!blocked_since_)
     blocked_since_ = time;
@@ -56,11 +58,20 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot, const
   return stand(MovementStatus::waiting, "a free way");
 }
 
-std::vector<Point2> GoalPursuit::unexpected(const PlanningMap& map,
-                                            std::span<const Point2> seen) const {
+bool GoalPursuit::is_expected(const PlanningMap& map, const Point2& seen) const {
+  return map.clearance_of_occupied().at(seen) <= options_.unexpected_from;
+}
+
+std::vector<Point2> GoalPursuit::obstacles(const PursuitSurroundings& around) const {
+  constexpr double body = 0.45; // metres
+  const auto walks = [&](const Point2& x) {
+    return std::ranges::any_of(around.movers, [&](const Mover& mover) {
+      return mover.speed() >= options_.movers.least_speed && distance(mover.place, x) < body;
+    });
+  };
   std::vector<Point2> result;
-  for (auto& x : seen)
-    if (map.clearance_of_occupied().at(x) > options_.unexpected_from)
+  for (auto& x : around.seen)
+    if (!is_expected(around.map, x) && !walks(x))
       result.push_back(x);
   return result;
 }
@@ -94,20 +105,30 @@ bool GoalPursuit::is_path_free(const Pose2& robot, const PlanningMap& map,
   return true;
 }
 
+PlannedPath GoalPursuit::plan_around(const Point2& start, const PlanningMap& map,
+                                     std::span<const Point2> obstacles) const {
+  auto options = options_.plan;
+  options.explains = false;
+  auto clearance = map.clearance();
+  for (auto& x : obstacles)
+    clearance.add_obstacle(x, options.preferred_clearance, options_.unexpected_margin);
+  return plan_path(map.cells(), clearance, start, goal_, options);
+}
+
+bool GoalPursuit::is_worth_waiting(const PlannedPath& around) const {
+  if (!follower_ || (blocked_since_ && time_ - *blocked_since_ >= options_.detour_patience))
+    return false;
+  return around.length > follower_->length() - follower_->done() + options_.detour;
+}
+
 void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
                        std::span<const Point2> obstacles) {
   planned_ = time_;
   ++plans_;
   const Point2 start{robot.x, robot.y};
   PlannedPath planned;
-  if (!obstacles.empty()) {
-    auto options = options_.plan;
-    options.explains = false;
-    auto clearance = map.clearance();
-    for (auto& x : obstacles)
-      clearance.add_obstacle(x, options.preferred_clearance);
-    planned = plan_path(map.cells(), clearance, start, goal_, options);
-  }
+  if (!obstacles.empty())
+    planned = plan_around(start, map, obstacles);
   is_blocked_ = false;
   if (planned.points.empty()) {
     planned = plan_path(map.cells(), map.clearance(), start, goal_, options_.plan);
@@ -116,6 +137,8 @@ void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
       return;
     }
     is_blocked_ = !obstacles.empty();
+  } else {
+    is_blocked_ = is_worth_waiting(planned);
   }
   if (is_blocked_)
     return;
@@ -124,62 +147,79 @@ void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
 }
 
 GoalPursuit::Step GoalPursuit::stand(MovementStatus status, const std::string& waits_for) {
+  stands_ = true;
   return {{}, status, waits_for, {}};
 }
 
-GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PlanningMap& map,
-                                     std::span<const Point2> seen) {
-  auto velocity = follower_->velocity_at(robot);
+double GoalPursuit::speed_before(const Pose2& robot, const Twist2& wanted,
+                                 const PursuitSurroundings& around) const {
+  const double fast = std::abs(wanted.forward);
+  const double reach = fast * fast / (2 * options_.braking) + fast * options_.reaction + 0.1;
+  std::vector<Point2> expected;
+  std::vector<Point2> unexpected;
+  for (auto& x : around.seen)
+    if (distance(x, {robot.x, robot.y}) < reach + 2 * options_.plan.radius)
+      (is_expected(around.map, x) ? expected : unexpected).push_back(x);
+  const auto way = [&](const std::vector<Point2>& points, double gap) {
+    return free_arc(robot, wanted, points, options_.plan.radius, gap, reach);
+  };
+  const double left =
+    std::min(way(expected, options_.gap), way(unexpected, options_.unexpected_gap));
+  return left < reach ? speed_to_stop_within(left, options_.reaction, options_.braking) : fast;
+}
+
+Twist2 GoalPursuit::limited(const Pose2& robot, const Twist2& wanted,
+                            const PursuitSurroundings& around) const {
+  const Point2 here{robot.x, robot.y};
+  double fastest = wanted.forward;
+  if (!(fastest > 0))
+    return wanted;
+  const bool is_in_door = std::ranges::any_of(
+    around.gateways, [&](auto& x) { return distance(x, here) < options_.gateway_reach; });
+  if (is_in_door || around.map.clearance_of_occupied().at(here) < options_.narrow_clearance)
+    fastest = std::min(fastest, options_.narrow_speed);
+  fastest = std::min(fastest, speed_before(robot, wanted, around));
+  auto result = wanted;
+  result.turn *= fastest / wanted.forward;
+  result.forward = fastest;
+  const double share = share_among_movers(robot, result, around.movers, options_.movers);
+  result.turn *= share;
+  result.forward *= share;
+  return result;
+}
+
+GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PursuitSurroundings& around) {
+  const auto wanted = follower_->velocity_at(robot);
   if (follower_->has_arrived())
     return turn_at_goal(robot);
-  auto slow_to = [&](double fastest) {
-    if (velocity.forward > fastest) {
-      velocity.turn *= fastest / velocity.forward;
-      velocity.forward = fastest;
-    }
-  };
-  if (map.clearance_of_occupied().at(Point2{robot.x, robot.y}) < options_.narrow_clearance)
-    slow_to(options_.narrow_speed);
-  if (velocity.forward > 0) {
-    const double fast = velocity.forward;
-    const double reach = fast * fast / (2 * options_.braking) + fast * options_.reaction + 0.1;
-    const double left = free_arc(robot, velocity, seen, options_.plan.radius, options_.gap, reach);
-    if (left < reach) {
-      const double fastest = speed_to_stop_within(left, options_.reaction, options_.braking);
-      constexpr double slowest = 0.03; // m/s
-      if (fastest < slowest) {
-        if (!stands_since_)
-          stands_since_ = time_;
-        if (time_ - *stands_since_ >= options_.stall_time) {
-          stands_since_.reset();
-          if (++recoveries_ > options_.recoveries)
-            return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help",
-                                    robot.x, robot.y, options_.recoveries));
-          backs_off_from_ = robot;
-          return recover(robot, map, seen);
-        }
-        return stand(MovementStatus::waiting, "a free way");
-      }
-      slow_to(fastest);
-    }
+  auto velocity = limited(robot, wanted, around);
+  constexpr double slowest = 0.03; // m/s
+  const bool stops = wanted.forward > 0 && velocity.forward < slowest;
+  const bool waits_for_mover =
+    stops && speed_before(robot, wanted, around) >= slowest && !around.movers.empty();
+  if (recovery_.has_stalled(time_, robot, !waits_for_mover)) {
+    if (++recoveries_ > options_.recoveries)
+      return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help", robot.x,
+                              robot.y, options_.recoveries));
+    if (recovery_.begin(time_, robot))
+      return recover(robot, around);
+    planned_.reset();
+    follower_.reset();
+    return stand(MovementStatus::recovering, {});
   }
-  stands_since_.reset();
+  if (waits_for_mover)
+    return stand(MovementStatus::waiting, "somebody to pass");
+  constexpr double aside = 0.1; // rad/s
+  if (stops && std::abs(wanted.turn) > aside)
+    return {{0, wanted.turn}, MovementStatus::moving, {}, {}};
+  if (stops)
+    return stand(MovementStatus::waiting, "a free way");
   return {velocity, MovementStatus::moving, {}, {}};
 }
 
-GoalPursuit::Step GoalPursuit::recover(const Pose2& robot, const PlanningMap& map,
-                                       std::span<const Point2> seen) {
-  const Twist2 back{-options_.back_off_speed, 0};
-  const double step = 0.05; // metres
-  const auto behind = transform(robot, Point2{-step, 0});
-  const bool is_map_free =
-    map.clearance().at(behind) >=
-    std::min(options_.plan.radius + options_.gap, map.clearance().at(Point2{robot.x, robot.y}));
-  const bool is_free =
-    free_arc(robot, back, seen, options_.plan.radius, options_.gap, step) >= step - 1e-9;
-  if (distance(robot, *backs_off_from_) < options_.back_off && is_map_free && is_free)
-    return {back, MovementStatus::recovering, {}, {}};
-  backs_off_from_.reset();
+GoalPursuit::Step GoalPursuit::recover(const Pose2& robot, const PursuitSurroundings& around) {
+  if (const auto back = recovery_.velocity(time_, robot))
+    return {limited(robot, *back, around), MovementStatus::recovering, {}, {}};
   follower_.reset();
   planned_.reset();
   return stand(MovementStatus::recovering, {});

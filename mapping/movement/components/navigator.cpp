@@ -2,10 +2,11 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/base/named_file.hpp"
 #include "castor/mapping/body/components/drives_by_pose.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/map_components/follows_grid.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/goal_pursuit.hpp"
-#include "castor/mapping/body/seen_obstacles.hpp"
+#include "castor/mapping/movement/mover_watch.hpp"
 #include "castor/mapping/movement/types.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,9 @@ private:
 
   void start() override {
     follow_pose();
+    on_push<Odometry>(sensors(), [this](auto& x) { watch_.add(*x); });
     on_push<LaserScan>(sensors(), [this](auto& x) {
+      watch_.add(*x);
       if (pose())
         seen_.add(*x, *pose());
     });
@@ -158,7 +161,9 @@ private:
         tell(MovementStatus::waiting, missing);
       } else {
         const auto begun = std::chrono::steady_clock::now();
-        const auto step = pursuit.step(now().count(), *pose(), planning_map(), seen_.points());
+        const auto seen = seen_.points();
+        const auto movers = watch_.movers(*pose());
+        const auto step = pursuit.step(now().count(), *pose(), {planning_map(), seen, movers});
         if (pursuit.plans() != told_plans)
           movement_.planning_time =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -329,6 +334,7 @@ private:
   PlanningMap planning_map_;
   Timestamp map_updated_{0};
   SeenObstacles seen_;
+  MoverWatch watch_;
   bool has_seat_ = false;
   /// Actions that were asked for and have not begun, and those of them that are not to begin.
   std::deque<Address> arrived_;

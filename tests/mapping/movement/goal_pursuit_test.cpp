@@ -1,8 +1,9 @@
 #include "castor/mapping/movement/goal_pursuit.hpp"
 
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/building/grid_obstacles.hpp"
-#include "castor/mapping/body/seen_obstacles.hpp"
+#include "castor/mapping/movement/mover_watch.hpp"
 #include "castor/tests/mapping/movement/drawn_map.hpp"
 
 #include <gmock/gmock.h>
@@ -48,15 +49,23 @@ Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const 
   PlanningMap planning_map(options.plan.cells);
   planning_map.update(map, 1);
   SeenObstacles seen;
+  MoverWatch watch;
   Drive result;
   while (body.time().count() < static_cast<std::int64_t>(seconds * 1e6)) {
     body.step();
-    if (body.steps() % 10 == 0)
-      seen.add(body.scan(), body.status().pose);
+    if (body.steps() % 2 == 0)
+      watch.add(body.odometry());
+    if (body.steps() % 10 == 0) {
+      const auto scan = body.scan();
+      seen.add(scan, body.status().pose);
+      watch.add(scan);
+    }
     if (body.steps() % 5 != 0)
       continue;
-    result.last =
-      pursuit.step(body.time().count(), body.status().pose, planning_map, seen.points());
+    const auto robot = body.status().pose;
+    const auto points = seen.points();
+    const auto movers = watch.movers(robot);
+    result.last = pursuit.step(body.time().count(), robot, {planning_map, points, movers});
     body.command(result.last.velocity);
     if (result.last.status == MovementStatus::arrived ||
         result.last.status == MovementStatus::failed)

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "castor/mapping/planar/poses.hpp"
+
+#include <span>
+
+namespace castor::mapping {
+
+/// Somebody who walks, or something else that moves: a disc.
+struct Mover {
+  Point2 place;
+  /// m/s.
+  Point2 velocity;
+
+  double speed() const { return distance(Point2{}, velocity); }
+};
+
+struct MoverOptions {
+  /// Footprints of the robot and of those who walk, metres.
+  double robot_radius = 0.25;
+  double mover_radius = 0.3;
+  /// What is slower stands, m/s: it is an obstacle like others.
+  double least_speed = 0.15;
+  /// To be kept between the two, metres.
+  double gap = 0.2;
+  /// How far it looks ahead, seconds.
+  double horizon = 2.5;
+  /// Within that distance from somebody, edge to edge, the robot drives at most so fast; metres,
+  /// m/s.
+  double near = 1;
+  double near_speed = 0.3;
+};
+
+/// How fast a robot may drive among those who walk, as a share of `wanted`, 0 to 1: so that nobody
+/// who goes on as he walks comes nearer than the gap, unless he would if the robot stood, and not
+/// sooner because it drives.
+/// @param robot in the frame of the movers
+double share_among_movers(const Pose2& robot, const Twist2& wanted, std::span<const Mover> movers,
+                          const MoverOptions& options);
+
+} // namespace castor::mapping
