@@ -1,8 +1,8 @@
 #include "castor/benchmarks/movement/movement_run.hpp"
 
 #include "castor/benchmarks/movement/crowd.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
-#include "castor/mapping/movement/seen_obstacles.hpp"
 
 #include <fmt/format.h>
 

@@ -19,33 +19,6 @@ constexpr double detour_way = 1.4;
 constexpr double longest_detour = 6;
 constexpr double way_back = 0.8;
 
-void WalkingPeople::step(double dt, const Disc& robot) {
-  for (std::size_t i = 0; i < walks_.size(); ++i) {
-    auto& walk = walks_[i];
-    if (walk.pause > 0) {
-      walk.pause -= dt;
-      continue;
-    }
-    const double at = walk.at + walk.direction * walk.person.speed * dt;
-    const auto place = place_on_route(walk.person, at);
-    const double now = distance(discs_[i].centre, robot.centre);
-    const double then = distance(place, robot.centre);
-    if (then < now && then < robot.radius + walk.person.radius + politeness) {
-      walk.waited += dt;
-      if (walk.waited < patience)
-        continue;
-      walk.waited = 0;
-      walk.direction = -walk.direction;
-      continue;
-    }
-    walk.waited = 0;
-    if (points_reached(walk.person, at) != points_reached(walk.person, walk.at))
-      walk.pause = walk.person.pause;
-    walk.at = at;
-    discs_[i].centre = place;
-  }
-}
-
 /// Whether the robot is in the way from one place to another.
 bool is_in_way(const Disc& robot, const Walker& person, const Point2& here, const Point2& next,
                double gap) {

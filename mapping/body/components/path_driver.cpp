@@ -5,10 +5,12 @@
 #include "castor/mapping/body/free_way.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
+#include "castor/mapping/body/stall_recovery.hpp"
 #include "castor/mapping/planar/braking.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -26,8 +28,9 @@ enum class AfterArrival { stay, end };
 CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
 
 /// Drives a robot along a given path. Where something reaches into its way, it steers aside a
-/// little, by --aside at most; otherwise it waits, and says after --patience that somebody has to
-/// clear the way.
+/// little, by --aside at most; otherwise it waits. After --back-off it goes back a little the way
+/// it came, so that a localisation that was wrong gets other scans, and comes again; after
+/// --patience it says that somebody has to clear the way.
 class PathDriver final : public DrivesByPose {
 public:
   PathDriver() : DrivesByPose(PoseSource::odometry) {
@@ -46,6 +49,10 @@ private:
     if (has_errors(read.problems))
       throw TextFileError(read.problems);
     way_ = std::move(read.path);
+    StallOptions stall;
+    stall.patience = std::chrono::duration_cast<Timestamp>(back_off_.get()).count();
+    stall.way_back = back_off_way_;
+    recovery_ = StallRecovery(stall);
     begin_round();
   }
 
@@ -93,11 +100,23 @@ private:
       tell({});
       return;
     }
-    if (is_lost())
+    if (is_lost()) {
       wait("localisation");
-    else if (!is_slowed_to_way(velocity))
+      return;
+    }
+    if (recovery_.is_active()) {
+      go_back();
+      return;
+    }
+    const bool is_free = is_slowed_to_way(velocity);
+    if (recovery_.has_stalled(now().count(), *pose(), backs_off()) &&
+        recovery_.begin(now().count(), *pose())) {
+      ++recoveries_;
+      info("goes back a little: it does not come further at {:.2f} {:.2f}", pose()->x, pose()->y);
+      go_back();
+    } else if (!is_free) {
       wait_for_way();
-    else {
+    } else {
       way_ended_.reset();
       drive(velocity);
       if (!waits_for_.empty() || now() - told_ >= 1s)
@@ -111,6 +130,32 @@ private:
       return 0;
     constexpr double way = 1.2; // metres
     return follower_->free_shift(seen_.points(), half_width_, way, aside_).value_or(0);
+  }
+
+  /// Whether it may go back from where it is stuck: so often at most since it came further.
+  bool backs_off() {
+    constexpr double further = 1; // metres
+    if (follower_->done() > recovered_at_ + further) {
+      recovered_at_ = follower_->done();
+      recoveries_ = 0;
+    }
+    return back_off_.get() > 0s && recoveries_ < most_recoveries_;
+  }
+
+  void go_back() {
+    auto velocity = recovery_.velocity(now().count(), *pose());
+    if (!velocity) {
+      drive({});
+      // Where the path is now nearest.
+      follower_->resume(std::max(0.0, follower_->done() - 2 * back_off_way_));
+      tell({});
+      return;
+    }
+    if (!is_slowed_to_way(*velocity))
+      velocity = Twist2{};
+    drive(*velocity);
+    if (waits_for_ != "another way to the place")
+      tell("another way to the place");
   }
 
   /// Slows down so that the robot can stop before what is in its way; false if it has to stand.
@@ -148,6 +193,8 @@ private:
   }
 
   void begin_round() {
+    recovered_at_ = 0;
+    recoveries_ = 0;
     FollowOptions options;
     options.speed = speed_;
     options.look_ahead = look_ahead_;
@@ -195,6 +242,11 @@ private:
                              "how far aside that something may be, metres"};
   Option<std::chrono::milliseconds> patience_{
     this, "patience", 30000ms, "it asks people to clear the way after so long; 0: never"};
+  Option<std::chrono::milliseconds> back_off_{
+    this, "back-off", 6000ms,
+    "it goes back a little if it has not come further for so long; 0: never"};
+  Option<double> back_off_way_{this, "back-off-way", 0.5, "how far it goes back, metres"};
+  Option<int> most_recoveries_{this, "recoveries", 3, "how often it does so at one place"};
   Option<std::int64_t> rounds_to_drive_{this, "rounds", 1, "how often it drives the path"};
   Option<std::chrono::milliseconds> period_{this, "period", 50ms, "time between commands"};
   Option<AfterArrival> after_arrival_{this, "after", AfterArrival::stay,
@@ -202,6 +254,10 @@ private:
 
   Path way_;
   std::unique_ptr<PathFollower> follower_;
+  StallRecovery recovery_;
+  /// How often it went back since it was so far along the path.
+  int recoveries_ = 0;
+  double recovered_at_ = 0;
   double free_way_ = 1e9;
   SeenObstacles seen_;
   /// When it began to stand because of what is in its way.

@@ -97,6 +97,39 @@ class ShiftedLocalisation final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(ShiftedLocalisation, "says where the robot is")
 
+/// Is off by more than a robot has room in a door, until the robot has stood before it and has gone
+/// elsewhere.
+class WrongLocalisation final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [this](auto& x) {
+      const Point2 place{x->pose.x, x->pose.y};
+      if (distance(place, stood_at_) > 0.03) {
+        stood_at_ = place;
+        stands_since_ = x->time;
+      }
+      if (x->time - stands_since_ > 2'000'000 && x->pose.x > 4)
+        stuck_at_ = place;
+      if (stuck_at_ && distance(place, *stuck_at_) > 0.3)
+        error_ = 0;
+      if (x->time % 200'000 != 0)
+        return;
+      RobotPose pose;
+      pose.time = x->time;
+      pose.frame = "map";
+      pose.pose = x->pose;
+      pose.pose.y += error_;
+      pose.state = LocalisationState::tracking;
+      put(here("pose"), pose);
+    });
+  }
+
+  double error_ = 0.25;
+  Point2 stood_at_;
+  std::int64_t stands_since_ = 0;
+  std::optional<Point2> stuck_at_;
+};
+CASTOR_COMPONENT(WrongLocalisation, "says wrongly where the robot is, until it is stuck")
+
 class DriveSystem : public testing::Test {
 protected:
   void SetUp() override {
@@ -197,7 +230,8 @@ TEST_F(DriveSystem, PathLeadsThroughADoor) {
 }
 
 TEST_F(DriveSystem, DriverWaitsForAFreeWay) {
-  auto system = run("--shut d", "CPP UM driver PathDriver --path \"2 2.5, 7 2.5\"\n", 15s);
+  auto system =
+    run("--shut d", "CPP UM driver PathDriver --back-off 0s --path \"2 2.5, 7 2.5\"\n", 15s);
   ASSERT_EQ(progress(*system).size(), 1u);
   EXPECT_FALSE(progress(*system)[0].arrived);
   EXPECT_EQ(progress(*system)[0].waits_for, "a free way");
@@ -224,9 +258,27 @@ TEST_F(DriveSystem, DriverSteersAsideOfADoorPostThatReachesIntoItsWay) {
 
 TEST_F(DriveSystem, DriverAsksForAFreeWayAfterItsPatience) {
   auto system =
-    run("--shut d", "CPP UM driver PathDriver --patience 5s --path \"2 2.5, 7 2.5\"\n", 20s);
+    run("--shut d",
+        "CPP UM driver PathDriver --back-off 0s --patience 5s --path \"2 2.5, 7 2.5\"\n", 20s);
   ASSERT_EQ(progress(*system).size(), 1u);
   EXPECT_EQ(progress(*system)[0].waits_for, "a free way, for more than 5 s: clear it");
+  EXPECT_EQ(seen().statuses.back().collisions, 0);
+}
+
+TEST_F(DriveSystem, DriverGoesBackFromADoorPostAndComesAgain) {
+  const std::string driver = "CPP UM localisation WrongLocalisation\n"
+                             "CPP UM driver PathDriver --path \"2 2.5, 7 2.5\" --pose "
+                             "localisation --localisation navigation";
+  const auto stuck = progress(*run("", driver + " --back-off 0s\n", 60s));
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_FALSE(stuck[0].arrived);
+  EXPECT_EQ(seen().statuses.back().collisions, 0);
+  seen() = {};
+  const auto freed = progress(*run("", driver + "\n", 60s));
+  ASSERT_EQ(freed.size(), 1u);
+  EXPECT_TRUE(freed[0].arrived) << freed[0].waits_for;
+  EXPECT_NEAR(seen().statuses.back().pose.x, 7, 0.2);
+  EXPECT_NEAR(seen().statuses.back().pose.y, 2.5, 0.2);
   EXPECT_EQ(seen().statuses.back().collisions, 0);
 }
 
@@ -235,16 +287,16 @@ TEST_F(DriveSystem, DriverThatFailsTakesThePoseOfARobotThatStands) {
   TestSystemOptions options;
   options.simulated_time = true;
   options.patience = 60s;
-  TestSystem system{"COMPONENT CPP robot SimulatedRobot --shut d --building hut.building --base " +
-                      folder +
-                      "\n"
-                      "SUBARCHITECTURE navigation\n"
-                      "CPP WM SubarchitectureWorkingMemory\n"
-                      "CPP TM AlwaysPositiveTaskManager\n"
-                      "CPP UM shifted ShiftedLocalisation\n"
-                      "CPP UM driver PathDriver --patience 0s --path \"102 2.5, 107 2.5\" "
-                      "--pose localisation --localisation navigation\n",
-                    options};
+  TestSystem system{
+    "COMPONENT CPP robot SimulatedRobot --shut d --building hut.building --base " + folder +
+      "\n"
+      "SUBARCHITECTURE navigation\n"
+      "CPP WM SubarchitectureWorkingMemory\n"
+      "CPP TM AlwaysPositiveTaskManager\n"
+      "CPP UM shifted ShiftedLocalisation\n"
+      "CPP UM driver PathDriver --back-off 0s --patience 0s --path \"102 2.5, 107 2.5\" "
+      "--pose localisation --localisation navigation\n",
+    options};
   system.expect_entry("PathProgress in navigation where waits_for == \"a free way\"");
   system.advance(2s);
   const auto crashed = system.system().now();
