@@ -1,5 +1,7 @@
 #include "castor/mapping/movement/mover_watch.hpp"
 
+#include "castor/mapping/people/scan_view.hpp"
+
 namespace castor::mapping {
 
 namespace {
@@ -24,7 +26,8 @@ void MoverWatch::add(const LaserScan& scan) {
   if (!newest)
     return;
   const auto robot = odometry_.pose_at(scan.time).value_or(newest->pose);
-  tracks_.add(detector_.detect(scan, robot, tracks_.expected(scan.time)), scan.time);
+  const auto parts = detector_.detect(scan, robot, tracks_.expected(scan.time));
+  tracks_.add(parts, ScanView{scan, robot}, scan.time);
 }
 
 std::vector<Mover> MoverWatch::movers(const Pose2& robot) const {
