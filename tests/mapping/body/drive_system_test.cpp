@@ -252,7 +252,8 @@ TEST_F(DriveSystem, DriverSteersAsideOfADoorPostThatReachesIntoItsWay) {
   }
   seen() = {};
   auto system =
-    run("", "CPP UM driver PathDriver --aside 0 --path \"2 2.5, 2.6 2.24, 7 2.24\"\n", 40s);
+    run("", "CPP UM driver PathDriver --aside 0 --back-off 0s --path \"2 2.5, 2.6 2.24, 7 2.24\"\n",
+        40s);
   EXPECT_EQ(progress(*system)[0].waits_for, "a free way, for more than 30 s: clear it");
 }
 
@@ -267,7 +268,7 @@ TEST_F(DriveSystem, DriverAsksForAFreeWayAfterItsPatience) {
 
 TEST_F(DriveSystem, DriverGoesBackFromADoorPostAndComesAgain) {
   const std::string driver = "CPP UM localisation WrongLocalisation\n"
-                             "CPP UM driver PathDriver --path \"2 2.5, 7 2.5\" --pose "
+                             "CPP UM driver PathDriver --aside 0 --path \"2 2.5, 7 2.5\" --pose "
                              "localisation --localisation navigation";
   const auto stuck = progress(*run("", driver + " --back-off 0s\n", 60s));
   ASSERT_EQ(stuck.size(), 1u);
