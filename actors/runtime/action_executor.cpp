@@ -11,10 +11,25 @@
 #include "castor/base/plain_words.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace castor {
+
+namespace {
+
+constexpr std::string_view priority_field = "priority";
+
+bool has_priorities(const TypeDescriptor& type) {
+  try {
+    return is_single(find_field(type, priority_field).type->kind);
+  } catch (const FieldError&) {
+    return false;
+  }
+}
+
+} // namespace
 
 const std::string& ActionExecutor::name() const {
   return parts_.context.identity().name;
@@ -34,12 +49,12 @@ void ActionExecutor::offer(const TypeDescriptor& type, ActionOffer offer,
     ActionRegistration{name(), type_name, offer.preconditions, offer.can_pause, offer.can_cancel},
     EntryLife{.ephemeral = true});
   actions_.offer(type_name, offer.alongside);
-  offered_[type_name] = {std::move(offer), std::move(handler)};
+  offered_[type_name] = {std::move(offer), std::move(handler), has_priorities(type)};
   parts_.operations.add_listener(
     added<Action>().anywhere().where(field(&Action::subarchitecture) == subarchitecture() &&
                                      field(&Action::what, &AnyEntryPointer::type) == type_name),
     [this, type_name](const ChangeEvent& event) {
-      actions_.propose(event.address, type_name);
+      propose(event.address, type_name);
       work_later();
     });
   auto deletions = changes_by(Operation::remove).anywhere();
@@ -122,7 +137,7 @@ void ActionExecutor::scan(const std::string& where, const std::set<std::string>&
 
 void ActionExecutor::take_up(const Address& address, const Action& action) {
   if (action.status == ActionStatus::proposed)
-    actions_.propose(address, action.what.type);
+    propose(address, action.what.type);
   else if (action.executor == name() && !actions_.is_under_way(address) &&
            pending_results_.count(address) == 0)
     write_result(address, failed_by_end(action));
@@ -165,11 +180,44 @@ void ActionExecutor::write_result(const Address& address, const Action& result) 
 
 // -- execution
 
+void ActionExecutor::propose(const Address& address, const std::string& type) {
+  actions_.propose(address, type);
+  if (offered_.at(type).has_priorities)
+    unranked_.push_back(address);
+}
+
+void ActionExecutor::prefer_high_priorities() {
+  for (auto& address : std::exchange(unranked_, {}))
+    if (has_high_priority(address))
+      actions_.prefer(address);
+}
+
+bool ActionExecutor::has_high_priority(const Address& address) {
+  try {
+    auto action = component_.read<Action>(address);
+    auto what = component_.read_entry(action->what.address)->value;
+    auto place = find_field(what.type(), priority_field);
+    return what.field(place.path) == FieldValue{"high"};
+  } catch (const DoesNotExistOnWM&) {
+    // Cancelled meanwhile.
+  } catch (const FieldError&) {
+    // The requester declares the type differently: the action will fail.
+  } catch (const WorkingMemoryException& e) {
+    if (e.address().subarchitecture == subarchitecture())
+      throw;
+    log_runtime(LogLevel::info, parts_.context.identity().full_name(), e.what());
+  }
+  return false;
+}
+
 void ActionExecutor::execute_next() {
   write_pending_results();
   resolve_doubtful();
-  while (auto candidate = actions_.begin_next())
+  prefer_high_priorities();
+  while (auto candidate = actions_.begin_next()) {
     execute(*candidate);
+    prefer_high_priorities();
+  }
 }
 
 void ActionExecutor::execute(const ExecutedActions::Candidate& candidate) {

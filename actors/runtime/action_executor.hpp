@@ -30,6 +30,8 @@ private:
   struct Offered {
     ActionOffer offer;
     Actions::Handler handler;
+    /// Whether its actions have a field `priority`.
+    bool has_priorities = false;
   };
 
   void listen();
@@ -49,6 +51,12 @@ private:
   void write_pending_results();
   void write_result(const Address& address, const Action& result);
 
+  void propose(const Address& address, const std::string& type);
+  /// Prefers those of the new actions whose specific entries have a field `priority` that is
+  /// `high`.
+  void prefer_high_priorities();
+  bool has_high_priority(const Address& address);
+
   void execute_next();
   void execute(const ExecutedActions::Candidate& candidate);
   /// The action, accepted; nothing if it is gone, or another component's.
@@ -64,6 +72,8 @@ private:
   ActionParts parts_;
   ExecutedActions actions_;
   std::map<std::string, Offered> offered_;
+  /// Actions whose types have priorities, which have not been looked at.
+  std::vector<Address> unranked_;
   bool listens_ = false;
   /// Results that could not be written, since the working memory of the requester was lost.
   std::map<Address, Action> pending_results_;

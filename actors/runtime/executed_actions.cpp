@@ -16,6 +16,16 @@ void ExecutedActions::propose(const Address& action, const std::string& type) {
     waiting_.push_back({action, type});
 }
 
+void ExecutedActions::prefer(const Address& action) {
+  auto x = std::find_if(waiting_.begin(), waiting_.end(),
+                        [&](auto& waiting) { return waiting.action == action; });
+  if (x == waiting_.end() || !preferred_.insert(action).second)
+    return;
+  auto first = std::find_if(waiting_.begin(), x,
+                            [&](auto& waiting) { return preferred_.count(waiting.action) == 0; });
+  std::rotate(first, x, x + 1);
+}
+
 std::optional<ExecutedActions::Candidate> ExecutedActions::begin_next() {
   auto next = std::find_if(waiting_.begin(), waiting_.end(),
                            [&](auto& x) { return under_way_.empty() || offers_.at(x.type); });
@@ -23,6 +33,7 @@ std::optional<ExecutedActions::Candidate> ExecutedActions::begin_next() {
     return std::nullopt;
   auto result = std::move(*next);
   waiting_.erase(next);
+  preferred_.erase(result.action);
   under_way_[result.action];
   return result;
 }
@@ -40,6 +51,7 @@ bool ExecutedActions::changed(const Address& action) {
 
 bool ExecutedActions::deleted(const Address& entry) {
   std::erase_if(waiting_, [&](auto& x) { return x.action == entry; });
+  preferred_.erase(entry);
   auto result = changed(entry);
   for (auto& [action, x] : under_way_)
     if (x.what == entry)
@@ -49,6 +61,7 @@ bool ExecutedActions::deleted(const Address& entry) {
 
 bool ExecutedActions::memory_lost(const std::string& subarchitecture) {
   std::erase_if(waiting_, [&](auto& x) { return x.action.subarchitecture == subarchitecture; });
+  std::erase_if(preferred_, [&](auto& x) { return x.subarchitecture == subarchitecture; });
   auto result = false;
   for (auto& [action, x] : under_way_)
     if (action.subarchitecture == subarchitecture)

@@ -27,8 +27,11 @@ public:
   /// An action was proposed. Ignored if it waits or is under way already.
   void propose(const Address& action, const std::string& type);
 
-  /// The action that is next, if one may begin now; the oldest first. It is under way until
-  /// `finish`.
+  /// A proposed action that has not begun goes before those that wait and are not preferred.
+  void prefer(const Address& action);
+
+  /// The action that is next, if one may begin now; of those that are preferred, or else of all,
+  /// the oldest. It is under way until `finish`.
   std::optional<Candidate> begin_next();
 
   /// The specific entry of an action under way; what happens to it is noticed from then on.
@@ -65,7 +68,9 @@ private:
 
   /// By type, whether it may run alongside others.
   std::map<std::string, bool> offers_;
+  /// Those that are preferred first.
   std::deque<Candidate> waiting_;
+  std::set<Address> preferred_;
   std::map<Address, UnderWay> under_way_;
 };
 

@@ -197,16 +197,8 @@ GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PursuitSurroundin
   const bool stops = wanted.forward > 0 && velocity.forward < slowest;
   const bool waits_for_mover =
     stops && speed_before(robot, wanted, around) >= slowest && !around.movers.empty();
-  if (recovery_.has_stalled(time_, robot, !waits_for_mover)) {
-    if (++recoveries_ > options_.recoveries)
-      return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help", robot.x,
-                              robot.y, options_.recoveries));
-    if (recovery_.begin(time_, robot))
-      return recover(robot, around);
-    planned_.reset();
-    follower_.reset();
-    return stand(MovementStatus::recovering, {});
-  }
+  if (recovery_.has_stalled(time_, robot, !waits_for_mover))
+    return begin_recovery(robot, around);
   if (waits_for_mover)
     return stand(MovementStatus::waiting, "somebody to pass");
   constexpr double aside = 0.1; // rad/s
@@ -215,6 +207,23 @@ GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PursuitSurroundin
   if (stops)
     return stand(MovementStatus::waiting, "a free way");
   return {velocity, MovementStatus::moving, {}, {}};
+}
+
+GoalPursuit::Step GoalPursuit::begin_recovery(const Pose2& robot,
+                                              const PursuitSurroundings& around) {
+  const Point2 here{robot.x, robot.y};
+  if (distance(here, stalled_at_) > options_.one_place)
+    recoveries_there_ = 0;
+  stalled_at_ = here;
+  ++recoveries_;
+  if (++recoveries_there_ > options_.recoveries)
+    return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help", robot.x,
+                            robot.y, options_.recoveries));
+  if (recovery_.begin(time_, robot))
+    return recover(robot, around);
+  planned_.reset();
+  follower_.reset();
+  return stand(MovementStatus::recovering, {});
 }
 
 GoalPursuit::Step GoalPursuit::recover(const Pose2& robot, const PursuitSurroundings& around) {

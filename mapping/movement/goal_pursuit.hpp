@@ -48,8 +48,9 @@ struct PursuitOptions {
   std::int64_t detour_patience = 6'000'000;
   double detour = 3;
   StallOptions stall;
-  /// It gives up after so many recoveries.
+  /// It gives up after so many recoveries at one place: within that distance, metres.
   int recoveries = 5;
+  double one_place = 1.5;
 };
 
 /// What is around a robot, in the map frame.
@@ -106,6 +107,7 @@ private:
   bool is_worth_waiting(const PlannedPath& around) const;
   Step stand(MovementStatus status, const std::string& waits_for);
   Step drive(const Pose2& robot, const PursuitSurroundings& around);
+  Step begin_recovery(const Pose2& robot, const PursuitSurroundings& around);
   Step recover(const Pose2& robot, const PursuitSurroundings& around);
   /// The velocity as far as the surroundings permit it, along the same arc.
   Twist2 limited(const Pose2& robot, const Twist2& wanted, const PursuitSurroundings& around) const;
@@ -131,6 +133,9 @@ private:
   std::int64_t waited_ = 0;
   int plans_ = 0;
   int recoveries_ = 0;
+  /// Where it began to recover last, and how often near there.
+  Point2 stalled_at_;
+  int recoveries_there_ = 0;
 };
 
 } // namespace castor::mapping

@@ -14,6 +14,8 @@ namespace castor::mapping {
 enum class MovementPriority {
   /// After those that wait.
   normal,
+  /// Before those that wait and are `normal`, after the one that runs.
+  high,
   /// At once: the one that runs and those that wait are cancelled.
   urgent
 };
@@ -25,6 +27,27 @@ struct GoToPlace {
   /// Direction to face there, if `has_heading`.
   double heading = 0;
   bool has_heading = false;
+  /// Whether it goes from node to node of the navigation graph, as far as that leads.
+  bool along_graph = false;
+  MovementPriority priority = MovementPriority::normal;
+};
+
+/// Action: go to a node of the navigation graph.
+struct GoToNode {
+  /// `GraphNode::id`.
+  std::int64_t node = 0;
+  /// As of GoToPlace.
+  bool along_graph = false;
+  MovementPriority priority = MovementPriority::normal;
+};
+
+/// Action: go into an area of the navigation graph, such as a room: to its place that is nearest to
+/// its middle. An area that was merged into another one stands for that.
+struct GoToArea {
+  /// `Area::id`.
+  std::int64_t area = 0;
+  /// As of GoToPlace.
+  bool along_graph = false;
   MovementPriority priority = MovementPriority::normal;
 };
 
@@ -93,8 +116,10 @@ struct Movement {
   friend bool operator==(const Movement&, const Movement&) = default;
 };
 
-CASTOR_REFLECT_ENUM(MovementPriority, normal, urgent)
-CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, priority)
+CASTOR_REFLECT_ENUM(MovementPriority, normal, high, urgent)
+CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, along_graph, priority)
+CASTOR_REFLECT(GoToNode, node, along_graph, priority)
+CASTOR_REFLECT(GoToArea, area, along_graph, priority)
 CASTOR_REFLECT(GoToObject, x, y, distance, priority)
 CASTOR_REFLECT(TurnBy, angle, priority)
 CASTOR_REFLECT(TurnTo, heading, priority)

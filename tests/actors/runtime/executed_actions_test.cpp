@@ -35,6 +35,25 @@ TEST_F(ExecutedActionsTest, BeginOneAfterTheOtherInTheOrderOfTheirProposal) {
   EXPECT_EQ(begin(), "2");
 }
 
+TEST_F(ExecutedActionsTest, PreferredOnesBeginBeforeThoseThatWait) {
+  actions.propose(first, "Grasp");
+  actions.propose(second, "Grasp");
+  actions.propose(other, "Grasp");
+  const Address last{"a", "4"};
+  actions.propose(last, "Grasp");
+  actions.prefer(second);
+  actions.prefer(last);
+  actions.prefer(last);
+  actions.prefer({"a", "9"});
+  for (const std::string id : {"2", "4", "1"}) {
+    const auto next = actions.begin_next();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->action.id, id);
+    actions.finish(next->action);
+  }
+  EXPECT_EQ(begin(), "1");
+}
+
 TEST_F(ExecutedActionsTest, BeginAlongsideOthersIfTheirTypeMay) {
   actions.propose(first, "Grasp");
   actions.propose(second, "Grasp");

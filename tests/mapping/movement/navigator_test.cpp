@@ -4,6 +4,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/mapping/body/types.hpp"
+#include "castor/mapping/graph/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"
 #include "castor/mapping/movement/types.hpp"
 #include "castor/mapping/slam/types.hpp"
@@ -14,8 +15,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +35,9 @@ struct Told {
   Action third;
   BodyStatus body;
   Timestamp asked_at{0};
+  /// Greatest y of the robot so far, and when its first action was over.
+  double highest = 0;
+  double passed = 0;
 };
 
 Told& told() {
@@ -85,6 +91,77 @@ class MovementStopper final : public UnmanagedComponent {
   }
 };
 CASTOR_COMPONENT(MovementStopper, "stops the robot")
+
+/// A graph of three nodes beside the straight way: goes along it to a node, and into an area.
+class GraphAsker final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [](auto& x) {
+      told().body = *x;
+      told().highest = std::max(told().highest, x->pose.y);
+    });
+    const auto add_node = [this](std::int64_t id, NodeKind kind, const Pose2& pose) {
+      GraphNode node;
+      node.id = id;
+      node.kind = kind;
+      node.pose = pose;
+      node.area = kind == NodeKind::gateway ? -1 : pose.x < 3 ? 1 : 2;
+      add(here("node-" + std::to_string(id)), node);
+    };
+    add_node(0, NodeKind::place, {1, 1.2, 0});
+    add_node(1, NodeKind::place, {1.5, 3.3, 0});
+    add_node(2, NodeKind::gateway, {3, 2, 0});
+    add_node(3, NodeKind::place, {5, 1, 0});
+    for (const std::int64_t a : {0, 1, 2})
+      add(here("edge-" + std::to_string(a)), GraphEdge{a, a + 1, 1});
+    for (const std::int64_t id : {1, 2}) {
+      Area area;
+      area.id = id;
+      area.x = id == 1 ? 1 : 5;
+      area.y = 1;
+      add(here("area-" + std::to_string(id)), area);
+    }
+  }
+
+  void run() override {
+    GoToNode node;
+    node.node = 3;
+    node.along_graph = true;
+    const auto first = perform("navigation", node);
+    // Pushes are delivered meanwhile.
+    while (is_running() && !first.is_over())
+      sleep_for(50ms);
+    told().first = first.state();
+    told().passed = told().highest;
+    GoToArea area;
+    area.area = 1;
+    told().second = perform("navigation", area).wait(90s);
+    node.node = 9;
+    told().third = perform("navigation", node).wait(20s);
+    add(Movement{});
+  }
+};
+CASTOR_COMPONENT(GraphAsker, "asks for movements along a graph")
+
+/// One that runs, two that wait, and one with a high priority.
+class HurriedAsker final : public UnmanagedComponent {
+  void run() override {
+    TurnBy turn;
+    turn.angle = 1;
+    auto first = perform("navigation", turn);
+    auto second = perform("navigation", turn);
+    auto third = perform("navigation", turn);
+    while (is_running() && first.status() != ActionStatus::running)
+      sleep_for(50ms);
+    turn.priority = MovementPriority::high;
+    auto high = perform("navigation", turn);
+    told().third = high.wait(30s);
+    told().first = first.state();
+    told().second = second.state();
+    third.wait(30s);
+    add(Movement{});
+  }
+};
+CASTOR_COMPONENT(HurriedAsker, "asks for movements, one of them before the others")
 
 std::atomic<bool> navigator_is_back = false;
 
@@ -190,6 +267,26 @@ TEST_F(NavigatorSystem, StopsAtOnceAndClearsTheQueue) {
   EXPECT_GT(told().body.time, told().asked_at.count() - 100'000);
   EXPECT_EQ(told().body.velocity.forward, 0);
   EXPECT_LT(told().body.driven, 1);
+}
+
+TEST_F(NavigatorSystem, GoesAlongTheGraphToNodesAndAreas) {
+  const auto system = system_with("GraphAsker", "--pose truth --graph asking");
+  system->expect_entry("Movement in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  EXPECT_GT(told().passed, 2.8) << "not past node 1";
+  EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
+  EXPECT_NEAR(told().body.pose.x, 1, 0.15);
+  EXPECT_NEAR(told().body.pose.y, 1.2, 0.15);
+  EXPECT_EQ(told().third.outcome, ActionOutcome::failed);
+  EXPECT_THAT(told().third.reason, testing::HasSubstr("no node 9; it has 4 nodes"));
+  EXPECT_EQ(told().body.collisions, 0);
+}
+
+TEST_F(NavigatorSystem, AHighPriorityGoesBeforeThoseThatWait) {
+  run("HurriedAsker");
+  EXPECT_EQ(told().third.outcome, ActionOutcome::succeeded) << told().third.reason;
+  EXPECT_EQ(told().first.status, ActionStatus::over);
+  EXPECT_NE(told().second.status, ActionStatus::over);
 }
 
 TEST_F(NavigatorSystem, GoesOnAfterAFailureWhileTheRobotStands) {
