@@ -11,6 +11,11 @@ namespace {
 /// Of two legs, those that are seen one by one.
 constexpr double pair_share = 0.6;
 
+/// Of a normal distribution in two dimensions.
+double density(double off, double variance) {
+  return std::exp(-off * off / (2 * variance)) / (2 * std::numbers::pi * variance);
+}
+
 /// Negative logarithm of the probability that a part which nobody takes is there.
 double cost_of_nobody(const BodyPart& x, const LikelihoodOptions& options) {
   return -std::log(x.is_new ? options.new_density : options.old_density);
@@ -26,12 +31,13 @@ public:
   void add(Explanation x, double prior, std::vector<Explanation>& result) const {
     const auto measured = measured_place(parts_, x, options_);
     const double variance = person_.variance() + measured.variance;
+    const double turned = variance + options_.turned_off * options_.turned_off;
     const double off = distance(person_.place(), measured.place);
-    if (off > options_.farthest || off > options_.gate * std::sqrt(variance))
+    if (off > options_.farthest || off > options_.gate * std::sqrt(turned))
       return;
-    // In two dimensions.
-    x.cost = off * off / (2 * variance) + std::log(2 * std::numbers::pi * variance) -
-             std::log(options_.seen * prior);
+    x.cost = -std::log(
+      options_.seen * prior *
+      ((1 - options_.turning) * density(off, variance) + options_.turning * density(off, turned)));
     for (const auto part : x.all_parts())
       x.cost -= cost_of_nobody(parts_[part], options_);
     result.push_back(x);
@@ -55,6 +61,14 @@ MeasuredPlace measured_place(std::span<const BodyPart> parts, const Explanation&
   }
   const double noise = first.width > options.widest_leg ? options.body_noise : options.leg_noise;
   return {first.place, noise * noise};
+}
+
+bool has_turned(const PersonMotion& person, const MeasuredPlace& measured,
+                const LikelihoodOptions& options) {
+  const double variance = person.variance() + measured.variance;
+  const double off = distance(person.place(), measured.place);
+  return options.turning * density(off, variance + options.turned_off * options.turned_off) >
+         (1 - options.turning) * density(off, variance);
 }
 
 std::vector<Explanation> explanations_of(const PersonMotion& person,

@@ -24,6 +24,9 @@ struct LikelihoodOptions {
   /// where the person is expected.
   double gate = 3.5;
   double farthest = 1.2;
+  /// Probability that somebody has turned since the last scans, and how far off that is, metres.
+  double turning = 0.05;
+  double turned_off = 0.3;
   /// Probability that somebody who is not hidden is seen.
   double seen = 0.95;
   /// Parts of nobody known, for each square metre: where it was free before, and elsewhere, which
@@ -42,6 +45,10 @@ struct MeasuredPlace {
 };
 MeasuredPlace measured_place(std::span<const BodyPart> parts, const Explanation& explanation,
                              const LikelihoodOptions& options);
+
+/// Whether that place is rather of somebody who has turned than of one who goes on.
+bool has_turned(const PersonMotion& person, const MeasuredPlace& measured,
+                const LikelihoodOptions& options);
 
 /// All explanations of what is seen of a person: nothing, a part, or two legs.
 std::vector<Explanation> explanations_of(const PersonMotion& person,

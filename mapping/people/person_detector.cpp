@@ -75,8 +75,8 @@ std::vector<BodyPart> PersonDetector::detect(const LaserScan& scan, const Pose2&
     const auto is_near = [&](const Point2& person) {
       return distance(person, part.place) < options_.known_reach;
     };
-    if (part.is_new ? part.stands_out || std::ranges::any_of(known, is_near)
-                    : part.stands_out && std::ranges::any_of(known, is_near))
+    const bool is_alone = part.is_new && part.stands_out;
+    if (is_alone || ((part.is_new || part.stands_out) && std::ranges::any_of(known, is_near)))
       result.push_back(part);
   }
   free_space_.add(scanner, ends, known);

@@ -21,8 +21,9 @@ struct DetectorOptions {
   double widest_part = 0.75;
   /// Beams beside a part that end so much farther away pass it, metres.
   double passing = 0.2;
-  /// Where it was not free before, parts count within that distance of a known person, metres.
-  double known_reach = 0.5;
+  /// What is only new, or only stands out, is a part within that distance of where a known person
+  /// is expected, metres.
+  double known_reach = 0.6;
 };
 
 /// Finds legs and bodies in scans: what is where it was free before, and near known people what

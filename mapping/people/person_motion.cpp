@@ -26,6 +26,13 @@ void PersonMotion::correct(const Point2& measured, double variance) {
   place_variance_ *= 1 - gain;
 }
 
+void PersonMotion::turn_away(double off, double speed) {
+  place_variance_ += off * off;
+  velocity_ = {};
+  covariance_ = 0;
+  velocity_variance_ = speed * speed;
+}
+
 void PersonMotion::slow_down(double factor) {
   velocity_.x *= factor;
   velocity_.y *= factor;

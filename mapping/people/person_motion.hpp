@@ -20,6 +20,11 @@ public:
   /// @param variance of the measured place, m^2
   void correct(const Point2& measured, double variance);
 
+  /// The person has turned somewhere else: the velocity is not known any more.
+  /// @param off how far off the place may be, metres
+  /// @param speed standard deviation of the velocity, m/s
+  void turn_away(double off, double speed);
+
   /// Slows down by that factor: nobody walks on unseen for ever.
   void slow_down(double factor);
 

@@ -36,6 +36,8 @@ double seconds(std::int64_t microseconds) {
 void PersonTracks::take(Followed& x, std::span<const BodyPart> parts,
                         const Explanation& explanation) {
   const auto measured = measured_place(parts, explanation, options_.likelihood);
+  if (has_turned(x.motion, measured, options_.likelihood))
+    x.motion.turn_away(options_.likelihood.turned_off, first_speed);
   x.motion.correct(measured.place, measured.variance);
   x.steady.correct(measured.place, steady_noise * measured.variance);
   if (distance(x.steady.place(), x.motion.place()) > options_.swerving)
