@@ -14,9 +14,9 @@ namespace castor::planning {
 namespace {
 
 /// Each object and each fact on a line of its own, so that findings name it.
-std::string problem_text(const std::string& domain, const FindPlan& request) {
+std::string problem_text(const std::string& domain, bool has_agent, const FindPlan& request) {
   std::string result = "(define (problem continual) (:domain " + domain + ")";
-  if (!request.agent.empty())
+  if (has_agent)
     result += " (:agent " + request.agent + ")";
   result += "\n(:objects\n";
   for (const auto& x : request.objects)
@@ -37,6 +37,11 @@ std::string name_of(const std::string& domain_text) {
   std::string name;
   std::getline(words, name, ')');
   return std::string(trim(name));
+}
+
+/// Only problems of MAPL say who plans.
+bool is_mapl(const std::string& domain_text) {
+  return lower_case(domain_text).find(":mapl") != std::string::npos;
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -135,7 +140,7 @@ public:
         return std::move(result_);
       }
     auto read = parse_pddl(domain_.file, domain_.text, "the state and the goal",
-                           problem_text(name_of(domain_.text), request_));
+                           problem_text(name_of(domain_.text), is_mapl(domain_.text), request_));
     if (has_errors(read.problems)) {
       result_.outcome = PlanOutcome::refused;
       result_.explanation = render(read.problems);

@@ -177,7 +177,12 @@ void MotiveSchedule::forget_old() {
       over.emplace_back(x.number, id);
   std::ranges::sort(over);
   for (std::size_t i = 0; i + most_over_ < over.size(); ++i)
-    motives_.erase(over[i].second);
+    if (motives_.erase(over[i].second) > 0)
+      forgotten_.push_back(over[i].second);
+}
+
+std::vector<std::string> MotiveSchedule::take_forgotten() {
+  return std::exchange(forgotten_, {});
 }
 
 std::vector<MotiveOrder> MotiveSchedule::take_orders() {

@@ -46,6 +46,9 @@ public:
   /// Ids of motives whose status has changed since the last call.
   std::set<std::string> take_changed();
 
+  /// Ids of motives that were over, and are not remembered any more since the last call.
+  std::vector<std::string> take_forgotten();
+
   bool knows(const std::string& id) const { return motives_.contains(id); }
   const Motive& motive(const std::string& id) const { return motives_.at(id).motive; }
 
@@ -83,6 +86,7 @@ private:
   std::uint64_t proposed_ = 0;
   std::vector<MotiveOrder> orders_;
   std::set<std::string> changed_;
+  std::vector<std::string> forgotten_;
 };
 
 /// "ann asked to 'find the book'", or the cause of a motive of the robot's own.

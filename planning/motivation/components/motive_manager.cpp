@@ -5,6 +5,8 @@
 #include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,6 +19,8 @@ using namespace std::chrono_literals;
 
 /// Decides which motives are pursued, has their goals reached, and says why.
 class MotiveManager final : public ManagedComponent {
+  void configure() override { schedule_ = MotiveSchedule(static_cast<std::size_t>(keep_.get())); }
+
   void start() override {
     on_change(added<Motive>(), [this](const ChangeEvent& event) { look(event.address); });
     on_change(deleted<Motive>(), [this](const ChangeEvent& event) {
@@ -31,12 +35,14 @@ class MotiveManager final : public ManagedComponent {
   }
 
   void run() override {
-    do {
+    while (is_running()) {
       schedule_.drop_old(now());
       end_actions();
       follow_orders();
       tell_changes();
-    } while (is_running() && (wait_for_changes(look_every) || is_running()));
+      forget_old();
+      wait_for_changes(look_every);
+    }
   }
 
   void look(const Address& address) {
@@ -88,6 +94,12 @@ class MotiveManager final : public ManagedComponent {
     }
   }
 
+  void forget_old() {
+    for (const auto& id : schedule_.take_forgotten())
+      if (exists(here(id)))
+        delete_entry(here(id));
+  }
+
   /// Each reply once, to those who asked for it.
   void acknowledge(const std::string& id, const Motive& motive) {
     if (motive.asker.empty())
@@ -98,7 +110,7 @@ class MotiveManager final : public ManagedComponent {
         return reply(id, motive, MotiveReply::accepted, "I will " + motive.words + ".");
       case MotiveStatus::completed:
         if (motive.history.back().why.empty())
-          return reply(id, motive, MotiveReply::done, "I did " + motive.words + ".");
+          return reply(id, motive, MotiveReply::done, "It is done: " + motive.words + ".");
         return reply(id, motive, MotiveReply::already_so, "It is so already.");
       case MotiveStatus::rejected:
       case MotiveStatus::dropped:
@@ -123,6 +135,7 @@ class MotiveManager final : public ManagedComponent {
 
   static constexpr auto look_every = 10ms;
 
+  Option<std::int64_t> keep_{this, "keep", 100, "motives that are over whose entries it keeps"};
   Option<SubarchitectureName> planner_{this, "planner", "planning",
                                        "the subarchitecture that reaches goals"};
 

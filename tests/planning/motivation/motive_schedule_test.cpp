@@ -213,6 +213,7 @@ TEST_F(MotiveScheduleTest, ForgetsOldMotivesThatAreOver) {
     small.take_changed();
   }
   small.propose("last", motive("last", 1, {}), 0s);
+  EXPECT_THAT(small.take_forgotten(), testing::Contains("0"));
   EXPECT_FALSE(small.knows("0"));
   EXPECT_TRUE(small.knows("9"));
 }
