@@ -5,8 +5,13 @@
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/types.hpp"
+#include "castor/planning/motivation/types.hpp"
 
+#include <chrono>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +26,31 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     on_change(added<MoveReferents>(), [this](const ChangeEvent& event) { look(event.address); });
     for (auto& x : read_all<MoveReferents>())
       look(x.address);
+    if (motivation_->empty())
+      return;
+    on_change(added<planning::MotiveAcknowledgement>().in(motivation_),
+              [this](const ChangeEvent& event) { tell(event.address); });
+    for (auto& x : read_all_in<planning::MotiveAcknowledgement>(motivation_))
+      tell(x.address);
+  }
+
+  /// What becomes of a request, as who decides on that says.
+  void tell(const Address& address) {
+    try {
+      const auto told = read<planning::MotiveAcknowledgement>(address);
+      if (!told->cause.points_to<DialogueMove>())
+        return;
+      const auto move = told->cause.as<DialogueMove>();
+      const auto relation = told->reply == planning::MotiveReply::accepted
+                              ? RhetoricalRelation::acceptance
+                              : RhetoricalRelation::answer;
+      add(here("words of " + address.id),
+          SpokenOutputItem{told->words, move, follow(move)->utterance, relation});
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    } catch (const AlreadyExistsOnWM& e) {
+      debug("{}", e.what());
+    }
   }
 
   void look(const Address& address) {
@@ -47,6 +77,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       return respond(meant.move, meant.antecedents, scene);
     });
     questions_->note(meant, response);
+    if (const auto text = about_motives(move))
+      response = {RhetoricalRelation::answer, {}, *text, {}};
     WriteBatch batch;
     for (auto& text : {said_back(move), response.text})
       if (!text.empty())
@@ -59,6 +91,30 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     write(batch);
   }
 
+  /// What the robot does and why, and nothing for a request, which is replied to by `tell`. None if
+  /// the move is about something else, or nobody answers.
+  std::optional<std::string> about_motives(const DialogueMove& move) {
+    if (motivation_->empty() || !move.problem.empty())
+      return std::nullopt;
+    if (move.type == DialogueMoveType::action_directive)
+      return std::string{};
+    using Kind = planning::MotiveQuestionKind;
+    static const std::map<std::string, Kind, std::less<>> kinds{
+      {"doing", Kind::doing}, {"next", Kind::next}, {"why", Kind::why}, {"why-not", Kind::why_not}};
+    const auto* root = find_nominal(move.content, move.content.root);
+    const auto kind = root == nullptr ? kinds.end() : kinds.find(root->proposition);
+    if (move.type != DialogueMoveType::small_talk || kind == kinds.end())
+      return std::nullopt;
+    try {
+      return call<planning::MotiveQuestion, planning::MotiveAnswer>(
+               motivation_, {kind->second, {}}, {.timeout = std::chrono::seconds{3}})
+        .words;
+    } catch (const WorkingMemoryException& e) {
+      warning("motivation does not answer: {}", e.what());
+      return std::nullopt;
+    }
+  }
+
   /// Follows from the move, so that no move is replied to twice.
   Address reply_id(const EntryPointer<DialogueMove>& move, std::size_t sentence) const {
     return here("reply to " + move.address.id +
@@ -66,6 +122,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   }
 
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
+  Option<SubarchitectureName> motivation_{this, "motivation", "",
+                                          "the subarchitecture of motives; empty if there is none"};
 
   std::optional<QuestionContext> questions_;
 };

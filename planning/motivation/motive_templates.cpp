@@ -18,6 +18,10 @@ namespace {
 constexpr std::array<std::string_view, 10> parts{
   "when", "on", "goal", "words", "because", "about", "priority", "cost", "resources", "patience"};
 
+/// What requests say (request_values.hpp).
+constexpr std::array<std::string_view, 7> request_parts{
+  "text", "speaker", "patient", "patient-proxy", "destination", "destination-proxy", "relation"};
+
 /// Names in braces.
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> result;
@@ -191,8 +195,13 @@ private:
     if (x.when.empty() && !x.idle && x.on.empty())
       problem(begun_, "nothing occasions the motive " + in_quotes(x.name),
               "add: when (PREDICATE ?x ...), when idle 30s, or: on ACTION");
-    // Of requests, the utterance decides.
-    if (x.on.empty()) {
+    if (!x.on.empty()) {
+      for (const auto& name : x.names())
+        if (std::ranges::find(request_parts, name) == request_parts.end())
+          problem(begun_,
+                  "the motive " + in_quotes(x.name) + " uses {" + name + "}, which no request has",
+                  "use: " + list_of(request_parts, request_parts.size()));
+    } else {
       std::set<std::string> bound;
       for (const auto& fact : x.when)
         for (const auto& token : tokens_of(fact))

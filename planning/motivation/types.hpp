@@ -95,6 +95,13 @@ struct MotiveAnswer {
   std::string words;
 };
 
+/// How far a generator of motives has got with what people say.
+struct RequestsHeard {
+  /// The last one.
+  std::int32_t turn = -1;
+};
+
+CASTOR_REFLECT(RequestsHeard, turn)
 CASTOR_REFLECT(MotiveEvent, time, status, why)
 CASTOR_REFLECT(Motive, kind, goal, words, because, asker, cause, about, priority, cost, resources,
                patience, status, history)

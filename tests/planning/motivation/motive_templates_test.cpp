@@ -83,6 +83,8 @@ TEST(MotiveTemplates, SayWhatIsWrong) {
     {good + "  when (a (b ?x)\n", "parentheses of the fact", "(PREDICATE OBJECT ...)", 5},
     {good + good, "there are two motives 'm'", "rename", 5},
     {good + "  about {y}\n", "uses {y}, which is in none of its facts", "write ?y", 1},
+    {"motive m\n  on Find\n  goal (a {it})\n  words do it\n", "{it}, which no request has",
+     "patient", 1},
     {"motive m\n  when (a)\n  words do it\n", "has no goal", "add: goal", 1},
     {"motive m\n  goal (a)\n  words do it\n", "nothing occasions the motive", "add: when", 1}};
   for (const auto& x : mistakes) {
