@@ -9,9 +9,11 @@ namespace castor::mapping {
 
 namespace {
 
-/// People stop so far before a robot, and walk around it at least so far from it; metres.
+/// People stop so far before a robot, metres, and walk around it at least so far from it; before
+/// one that moves, as far as it comes in so many seconds more.
 constexpr double politeness = 0.2;
 constexpr double passing = 0.1;
+constexpr double foresight = 0.3;
 /// They walk around it after waiting that long, seconds, to so far on, metres.
 constexpr double before_detour = 1;
 constexpr double detour_way = 1.4;
@@ -35,14 +37,15 @@ WalkingPeople::WalkingPeople(std::vector<Walker> people) {
   }
 }
 
-void WalkingPeople::walk_on(Walk& walk, Point2& here, double dt, const Disc& robot) const {
+void WalkingPeople::walk_on(Walk& walk, Point2& here, double dt, const Disc& robot,
+                            double gap) const {
   if (walk.pause > 0) {
     walk.pause -= dt;
     return;
   }
   const double at = walk.at + walk.direction * walk.person.speed * dt;
   const auto next = place_on_route(walk.person, at);
-  if (!is_in_way(robot, walk.person, here, next, politeness)) {
+  if (!is_in_way(robot, walk.person, here, next, gap)) {
     walk.waited = 0;
     if (points_reached(walk.person, at) != points_reached(walk.person, walk.at))
       walk.pause = walk.person.pause;
@@ -57,7 +60,7 @@ void WalkingPeople::walk_on(Walk& walk, Point2& here, double dt, const Disc& rob
   walk.detour = Detour{walk.at + walk.direction * detour_way, 0, 0, 0};
 }
 
-void WalkingPeople::walk_around(Walk& walk, Point2& here, double dt, const Disc& robot,
+void WalkingPeople::walk_around(Walk& walk, Point2& here, double dt, const Disc& robot, double gap,
                                 const Obstacles& fixed) const {
   auto& detour = *walk.detour;
   detour.time += dt;
@@ -74,7 +77,7 @@ void WalkingPeople::walk_around(Walk& walk, Point2& here, double dt, const Disc&
     const double heading = straight + side * turns * turn;
     const auto next = transform({here.x, here.y, heading}, {way, 0});
     const double room = fixed.clearance(next, 1);
-    if (is_in_way(robot, walk.person, here, next, passing) ||
+    if (is_in_way(robot, walk.person, here, next, gap) ||
         (room < walk.person.radius && room < fixed.clearance(here, 1)))
       return false;
     here = next;
@@ -93,11 +96,14 @@ void WalkingPeople::walk_around(Walk& walk, Point2& here, double dt, const Disc&
 }
 
 void WalkingPeople::step(double dt, const Disc& robot, const Obstacles& fixed) {
+  const double moved = robot_before_ ? distance(*robot_before_, robot.centre) : 0;
+  robot_before_ = robot.centre;
+  const double ahead = foresight * moved / dt;
   for (std::size_t i = 0; i < walks_.size(); ++i) {
     if (walks_[i].detour)
-      walk_around(walks_[i], discs_[i].centre, dt, robot, fixed);
+      walk_around(walks_[i], discs_[i].centre, dt, robot, passing + ahead, fixed);
     else
-      walk_on(walks_[i], discs_[i].centre, dt, robot);
+      walk_on(walks_[i], discs_[i].centre, dt, robot, politeness + ahead);
   }
 }
 

@@ -52,12 +52,15 @@ private:
     std::optional<Detour> detour;
   };
 
-  void walk_on(Walk& walk, Point2& here, double dt, const Disc& robot) const;
-  void walk_around(Walk& walk, Point2& here, double dt, const Disc& robot,
+  /// @param gap that is kept from the robot, metres
+  void walk_on(Walk& walk, Point2& here, double dt, const Disc& robot, double gap) const;
+  void walk_around(Walk& walk, Point2& here, double dt, const Disc& robot, double gap,
                    const Obstacles& fixed) const;
 
   std::vector<Walk> walks_;
   std::vector<Disc> discs_;
+  /// Where the robot was at the last step.
+  std::optional<Point2> robot_before_;
 };
 
 } // namespace castor::mapping

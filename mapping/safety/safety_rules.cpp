@@ -22,6 +22,8 @@ constexpr double fastest_approach = 2.5;
 constexpr std::size_t compared = 2;
 /// Slower robots are taken to drive the commanded arc already, m/s.
 constexpr double slow = 0.05;
+/// What was seen at the edge of the field of view may be beside it now: the wheels slip. Radians.
+constexpr double edge = 0.1;
 
 std::vector<Point2> points_of(const LaserScan& x) {
   std::vector<Point2> result;
@@ -78,12 +80,13 @@ SafetyReason SafetyRules::failure(std::int64_t now) const {
   return SafetyReason::none;
 }
 
-bool SafetyRules::sees(const LaserScan& scan, double direction) {
+bool SafetyRules::sees(const LaserScan& scan, double direction, double inset) {
   using std::numbers::pi;
   const double seen = scan.angle_step * static_cast<double>(scan.ranges.size());
   if (seen > 2 * pi - scan.angle_step / 2)
     return true;
-  return normalised(direction - scan.mount.heading - scan.first_angle - pi) + pi < seen;
+  const double from_first = normalised(direction - scan.mount.heading - scan.first_angle - pi) + pi;
+  return from_first >= inset && from_first < seen - inset;
 }
 
 void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
@@ -97,7 +100,7 @@ void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
     const auto on_robot = transform(robot, x.point);
     return next.time - x.time > options_.memory.count() ||
            std::hypot(on_robot.x, on_robot.y) > options_.memory_range ||
-           sees(next, std::atan2(seen.y, seen.x) + next.mount.heading);
+           sees(next, std::atan2(seen.y, seen.x) + next.mount.heading, edge);
   });
 }
 

@@ -70,8 +70,9 @@ public:
 
 private:
   SafetyReason failure(std::int64_t now) const;
-  /// Whether the laser looks there, from where it is mounted.
-  static bool sees(const LaserScan& scan, double direction);
+  /// Whether the laser looks there, from where it is mounted, and so far within its field of view,
+  /// radians.
+  static bool sees(const LaserScan& scan, double direction, double inset = 0);
   /// Remembers what the laser saw and no longer looks at.
   void remember(const LaserScan& next, const Pose2& pose);
   /// Way until the robot touches something.

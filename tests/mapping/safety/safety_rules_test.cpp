@@ -202,6 +202,18 @@ TEST_F(SafetyRulesTest, RemembersWhatIsNowBesideTheRobot) {
   EXPECT_EQ(rules_.verdict(Twist2{0.5, 0}, later).reason, Reason::none);
 }
 
+TEST_F(SafetyRulesTest, RemembersWhatItSawAtTheEdgeOfItsFieldOfView) {
+  auto scan = scan_at(0, 5);
+  // A post to the left, 2 degrees within.
+  scan.ranges[178] = 0.28F;
+  sense(0, scan);
+  EXPECT_LE(rules_.verdict(Twist2{0.5, 0}, 0).velocity.forward, options_.creeping);
+  // The wheels have slipped, and do not tell that the post is outside now.
+  const auto now = 100 * millisecond;
+  sense(now, scan_at(now, 5));
+  EXPECT_LE(rules_.verdict(Twist2{0.5, 0}, now).velocity.forward, options_.creeping);
+}
+
 TEST_F(SafetyRulesTest, DrivesSlowlyWhereItDoesNotSee) {
   sense(0, scan_at(0, 5));
   const auto x = rules_.verdict(Twist2{-0.5, 0}, 0);
