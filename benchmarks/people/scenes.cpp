@@ -167,13 +167,8 @@ Scene crowd(const char* room, Random& random, int people, double pause) {
   return result;
 }
 
-/// The two who are in its file, and four more around the corridor, in both directions.
-Scene office(Random& random, bool drives) {
-  const std::string folder = std::string{CASTOR_CONFIGS} + "/buildings/";
-  Scene result{load_building(folder + "office.building").building, {}};
-  auto& people = result.building.people;
-  for (auto& x : people)
-    x.speed = random.between(0.6, 1.1);
+/// Four people around the corridor of the default building, in both directions.
+void add_corridor_walkers(Building& x, Random& random) {
   const std::vector<Point2> round{{0.9, 5.1},  {9, 5.1}, {16.9, 5.1},
                                   {16.9, 9.9}, {9, 9.9}, {0.9, 9.9}};
   for (int i = 0; i < 4; ++i) {
@@ -186,10 +181,22 @@ Scene office(Random& random, bool drives) {
       p.y += aside;
     auto person = walker(std::move(route), random.between(0.6, 1.1));
     person.is_loop = true;
-    people.push_back(std::move(person));
+    x.people.push_back(std::move(person));
   }
+}
+
+std::string buildings() {
+  return std::string{CASTOR_CONFIGS} + "/buildings/";
+}
+
+/// The two who are in its file, and four more around the corridor, in both directions.
+Scene office(Random& random, bool drives) {
+  Scene result{load_building(buildings() + "office.building").building, {}};
+  for (auto& x : result.building.people)
+    x.speed = random.between(0.6, 1.1);
+  add_corridor_walkers(result.building, random);
   if (drives)
-    result.path = parse_path(load_text(folder + "office.path"), "office.path").path;
+    result.path = parse_path(load_text(buildings() + "office.path"), "office.path").path;
   return result;
 }
 
@@ -220,6 +227,32 @@ Scene scene(const std::string& name, std::uint64_t seed) {
   throw std::invalid_argument("there is no scene '" + name +
                               "': write crossing, occlusion, together, hall, standing, furniture, "
                               "office, driving or all");
+}
+
+Building walk_to_follow(const std::string& name, std::uint64_t seed) {
+  Random random{seed};
+  auto result = load_building(buildings() + "office.building").building;
+  auto person = walker({{4, 5.1},
+                        {16.8, 5.1},
+                        {16.8, 9.9},
+                        {15, 9.9},
+                        {15, 12.2},
+                        {13, 12.4},
+                        {12, 12},
+                        {10.5, 12},
+                        {8, 12},
+                        {8, 9.9},
+                        {0.9, 9.9},
+                        {0.9, 5.1}},
+                       random.between(0.45, 0.75));
+  person.is_loop = true;
+  if (name == "pauses")
+    person.pause = random.between(1, 5);
+  result.people = {std::move(person)};
+  if (name == "others")
+    add_corridor_walkers(result, random);
+  result.start = {2.5, 5.1, 0};
+  return result;
 }
 
 } // namespace castor::benchmark

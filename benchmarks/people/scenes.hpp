@@ -30,4 +30,9 @@ const std::vector<std::string>& scene_names();
 /// \throws std::invalid_argument if there is no scene of that name.
 Scene scene(const std::string& name, std::uint64_t seed);
 
+/// The default building and somebody, the first of its people, who walks a loop along the corridor
+/// and through lounge and laboratory; the robot begins behind. Alone; with "pauses" at the corners;
+/// or with "others", four people around the corridor.
+mapping::Building walk_to_follow(const std::string& name, std::uint64_t seed);
+
 } // namespace castor::benchmark

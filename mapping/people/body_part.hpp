@@ -14,6 +14,8 @@ struct BodyPart {
   bool is_new = false;
   /// The beams on both sides pass it, so that it is no piece of something larger.
   bool stands_out = false;
+  /// Something has been there for about a second.
+  bool is_settled = false;
 };
 
 } // namespace castor::mapping

@@ -15,6 +15,8 @@ constexpr int most_occupied = 50;
 constexpr int is_free = -4;
 constexpr int is_occupied = 3;
 constexpr int passing = -2;
+/// Somebody who walks is in a cell for less.
+constexpr int settled = 10;
 
 /// Tiles are forgotten if there are more than of some 60 m x 60 m.
 constexpr std::size_t most_tiles = 400;
@@ -60,13 +62,19 @@ FreeSpace::Cell& FreeSpace::cell(CellIndex x) {
 
 bool FreeSpace::was_free(const Point2& p) const {
   const auto middle = index(p);
-  if (count(middle) > is_free)
-    return false;
+  return count(middle) <= is_free && !is_any_hit(middle, is_occupied);
+}
+
+bool FreeSpace::is_settled(const Point2& p) const {
+  return is_any_hit(index(p), settled);
+}
+
+bool FreeSpace::is_any_hit(CellIndex middle, int times) const {
   for (const std::int32_t column : {-1, 0, 1})
     for (const std::int32_t row : {-1, 0, 1})
-      if (count({middle.column + column, middle.row + row}) >= is_occupied)
-        return false;
-  return true;
+      if (count({middle.column + column, middle.row + row}) >= times)
+        return true;
+  return false;
 }
 
 void FreeSpace::add(const Point2& scanner, std::span<const Point2> ends,

@@ -28,6 +28,9 @@ public:
   /// Whether the place was free, and is not beside something that stands.
   bool was_free(const Point2& p) const;
 
+  /// Whether something has been there, or beside, for about a second.
+  bool is_settled(const Point2& p) const;
+
   /// One scan.
   /// @param ends where beams ended; those without a return are left out
   /// @param movers places of those who move: what is seen there does not stand
@@ -51,6 +54,8 @@ private:
 
   CellIndex index(const Point2& p) const;
   int count(CellIndex x) const;
+  /// Whether one of the nine cells around was hit at least that often more than passed.
+  bool is_any_hit(CellIndex middle, int times) const;
   Cell& cell(CellIndex x);
   void pass(const Point2& scanner, const Point2& end);
   void forget_far(const Point2& scanner);

@@ -18,7 +18,7 @@ double density(double off, double variance) {
 
 /// Negative logarithm of the probability that a part which nobody takes is there.
 double cost_of_nobody(const BodyPart& x, const LikelihoodOptions& options) {
-  return -std::log(x.is_new ? options.new_density : options.old_density);
+  return -std::log(x.is_new || !x.is_settled ? options.new_density : options.old_density);
 }
 
 /// Explanations by the parts within the gate.

@@ -29,8 +29,8 @@ struct LikelihoodOptions {
   double turned_off = 0.3;
   /// Probability that somebody who is not hidden is seen.
   double seen = 0.95;
-  /// Parts of nobody known, for each square metre: where it was free before, and elsewhere, which
-  /// is furniture for the most part.
+  /// Parts of nobody known, for each square metre: where it was free before or which have just
+  /// appeared, and elsewhere, which is furniture for the most part.
   double new_density = 0.05;
   double old_density = 2;
   /// Radius of a body, metres, of which the view decides whether somebody is hidden.

@@ -71,12 +71,17 @@ std::vector<BodyPart> PersonDetector::detect(const LaserScan& scan, const Pose2&
     const double width = distance(x.ends.front(), x.ends.back());
     if (width > options_.widest_part || scan.ranges[x.first] > options_.range)
       continue;
-    const BodyPart part{middle_of(x.ends, width, scanner), width, x.is_new, stands_out(scan, x)};
+    const BodyPart part{middle_of(x.ends, width, scanner), width, x.is_new, stands_out(scan, x),
+                        free_space_.is_settled(x.ends[x.ends.size() / 2])};
     const auto is_near = [&](const Point2& person) {
       return distance(person, part.place) < options_.known_reach;
     };
-    const bool is_alone = part.is_new && part.stands_out;
-    if (is_alone || ((part.is_new || part.stands_out) && std::ranges::any_of(known, is_near)))
+    const bool may_begin =
+      part.is_new || (!part.is_settled && scan.ranges[x.first] < options_.near_range);
+    const bool is_alone = may_begin && part.stands_out;
+    // Walls at a small angle are single beams.
+    const bool is_hidden_part = part.is_new && width > options_.least_part;
+    if (is_alone || ((is_hidden_part || part.stands_out) && std::ranges::any_of(known, is_near)))
       result.push_back(part);
   }
   free_space_.add(scanner, ends, known);

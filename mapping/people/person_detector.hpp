@@ -15,19 +15,24 @@ struct DetectorOptions {
   FreeSpaceOptions free_space;
   /// People are looked for up to there, metres from the scanner.
   double range = 8;
+  /// Where nothing was seen before, as ahead of somebody who walks away, up to there.
+  double near_range = 4;
   /// Neighbouring beams that end closer together, metres, are of the same leg or body.
   double part_gap = 0.12;
   /// What is wider is no part of a person, metres.
   double widest_part = 0.75;
   /// Beams beside a part that end so much farther away pass it, metres.
   double passing = 0.2;
+  /// What does not stand out is a part if it is wider, metres.
+  double least_part = 0.03;
   /// What is only new, or only stands out, is a part within that distance of where a known person
   /// is expected, metres.
-  double known_reach = 0.6;
+  double known_reach = 0.75;
 };
 
-/// Finds legs and bodies in scans: what is where it was free before, and near known people what
-/// stands alone. Some of it may be things, so that only what walks is a person (PersonTracks).
+/// Finds legs and bodies in scans: what is where it was free before, or has just appeared and
+/// stands alone, and near known people what stands alone. Some of it may be things, so that only
+/// what walks is a person (PersonTracks).
 class PersonDetector {
 public:
   explicit PersonDetector(const DetectorOptions& options)

@@ -52,13 +52,16 @@ void PersonTracks::take(Followed& x, std::span<const BodyPart> parts,
   track.velocity = x.steady.velocity();
   if (track.speed() > walking)
     track.heading = std::atan2(track.velocity.y, track.velocity.x);
-  if (!track.is_person && x.detections >= options_.confirming &&
-      x.new_detections >= options_.confirming_new * x.detections &&
-      distance(x.first_place, x.motion.place()) >= options_.confirming_way &&
-      track.speed() >= options_.confirming_speed) {
-    track.is_person = true;
-    track.id = next_id_++;
-  }
+}
+
+bool PersonTracks::walks(const Followed& x, const ScanView& view) const {
+  if (x.detections < options_.confirming || x.track.speed() < options_.confirming_speed)
+    return false;
+  const double way = distance(x.first_place, x.motion.place());
+  if (x.new_detections >= options_.confirming_new * x.detections)
+    return way >= options_.confirming_way;
+  constexpr double leg = 0.1; // radius, metres
+  return way >= options_.vacating_way && view.towards(x.first_place, leg).passed > absent_share;
 }
 
 void PersonTracks::miss(Followed& x, const ScanView& view, double dt) const {
@@ -90,7 +93,8 @@ void PersonTracks::begin(std::span<const BodyPart> parts, std::vector<bool> used
   };
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!used[i] && parts[i].is_new && parts[i].stands_out && !is_somebody(parts[i]))
+    if (!used[i] && parts[i].stands_out && (parts[i].is_new || !parts[i].is_settled) &&
+        !is_somebody(parts[i]))
       left.push_back(i);
   // Legs of one person: the nearest to one another first.
   const auto& likelihood = options_.likelihood;
@@ -142,6 +146,10 @@ void PersonTracks::add(std::span<const BodyPart> parts, const ScanView& view, st
     x.track.place = x.motion.place();
     if (x.unseen > 0)
       x.track.velocity = x.motion.velocity();
+    if (!x.track.is_person && x.unseen == 0 && walks(x, view)) {
+      x.track.is_person = true;
+      x.track.id = next_id_++;
+    }
   }
   begin(parts, std::move(used));
   std::erase_if(followed_, [&](const Followed& x) {

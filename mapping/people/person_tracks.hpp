@@ -28,6 +28,8 @@ struct TrackOptions {
   double confirming_way = 0.4;
   double confirming_speed = 0.25;
   double confirming_new = 0.8;
+  /// Who was not is a person after so long a way, if the place of the beginning is free now.
+  double vacating_way = 0.6;
   /// Seconds after which somebody out of sight is given up, before it is known as a person, and
   /// where beams show that nobody is there.
   double patience = 3;
@@ -88,6 +90,7 @@ private:
   };
 
   void take(Followed& x, std::span<const BodyPart> parts, const Explanation& explanation);
+  bool walks(const Followed& x, const ScanView& view) const;
   void miss(Followed& x, const ScanView& view, double dt) const;
   void begin(std::span<const BodyPart> parts, std::vector<bool> used);
   void begin_at(const Point2& place, double variance);

@@ -136,7 +136,7 @@ TEST(PersonTracks, WhatIsWhereThingsStoodIsNobodyNew) {
   PersonTracks tracks{{}};
   const auto scan = uniform_scan(360, 0.1F);
   for (int i = 0; i < 40; ++i) {
-    const std::vector<BodyPart> parts{{from_left(i * 0.1), 0.4, false, true}};
+    const std::vector<BodyPart> parts{{from_left(i * 0.1), 0.4, false, true, true}};
     tracks.add(parts, ScanView{scan, {8, 8, 0}}, i * scan_period);
   }
   EXPECT_TRUE(tracks.people().empty());

@@ -1,0 +1,155 @@
+// A robot follows a person, whom it knows of by a tracker that sees as the test says.
+
+#include "castor/mapping/movement/person_follower.hpp"
+
+#include "castor/mapping/planar/poses.hpp"
+#include "castor/tests/mapping/movement/drawn_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace castor::mapping {
+
+namespace {
+
+using testing::HasSubstr;
+
+using Walk = std::function<std::optional<SeenPerson>(double)>;
+
+struct Followed {
+  PersonFollower::Step last;
+  Pose2 robot;
+  double seconds = 0;
+  double nearest = 100;
+  double fastest_change = 0;
+};
+
+/// Follows until that time, seconds, or until it fails, without inertia.
+Followed follow(PersonFollower& follower, Pose2 robot, const Walk& person, double until,
+                const CellMap& cells = {}) {
+  const ClearanceMap map = cells.columns > 0 ? ClearanceMap{cells} : ClearanceMap{};
+  constexpr double dt = 0.05;
+  Followed result;
+  double speed = 0;
+  for (int i = 0; i * dt < until; ++i) {
+    const double time = i * dt;
+    std::vector<SeenPerson> people;
+    if (const auto x = person(time)) {
+      people.push_back(*x);
+      result.nearest = std::min(result.nearest, distance(x->place, {robot.x, robot.y}));
+    }
+    result.last = follower.step(static_cast<std::int64_t>(time * 1e6), robot, people, map, {});
+    result.seconds = time;
+    if (result.last.status == MovementStatus::failed)
+      break;
+    const auto& velocity = result.last.velocity;
+    result.fastest_change = std::max(result.fastest_change, velocity.forward - speed);
+    speed = velocity.forward;
+    robot = moved(robot, velocity, dt);
+  }
+  result.robot = robot;
+  return result;
+}
+
+SeenPerson walks_along_x(double time, double speed = 0.6) {
+  return {7, {2 + speed * time, 0}, 0, speed};
+}
+
+} // namespace
+
+TEST(PersonFollower, KeepsItsDistanceAndDrivesSmoothly) {
+  PersonFollower follower{7, {}};
+  const auto x = follow(
+    follower, {}, [](double t) { return walks_along_x(t); }, 20);
+  EXPECT_EQ(x.last.status, MovementStatus::moving);
+  EXPECT_NEAR(distance(walks_along_x(x.seconds).place, {x.robot.x, x.robot.y}), 1.2, 0.15);
+  EXPECT_LE(x.fastest_change, 0.6 * 0.05 + 1e-9) << "accelerates as its options say";
+}
+
+TEST(PersonFollower, StandsBehindSomebodyWhoStands) {
+  PersonFollower follower{7, {}};
+  const auto stops = [](double t) {
+    auto x = walks_along_x(std::min(t, 5.0));
+    x.speed = t < 5 ? x.speed : 0;
+    return x;
+  };
+  const auto x = follow(follower, {}, stops, 20);
+  EXPECT_EQ(x.last.status, MovementStatus::waiting);
+  EXPECT_EQ(x.last.velocity, (Twist2{}));
+  EXPECT_NEAR(distance(stops(20).place, {x.robot.x, x.robot.y}), 1.2, 0.25);
+  EXPECT_GT(x.nearest, 0.8);
+}
+
+TEST(PersonFollower, FacesAPersonWhoComesNear) {
+  PersonFollower follower{7, {}};
+  const auto stands = [](double) { return SeenPerson{7, {0, 0.7}, 0, 0}; };
+  const auto x = follow(follower, {}, stands, 5);
+  EXPECT_NEAR(x.robot.heading, 1.57, 0.15);
+  EXPECT_NEAR(distance(Point2{}, {x.robot.x, x.robot.y}), 0, 0.01);
+}
+
+TEST(PersonFollower, FollowsAroundACornerOnThePersonsWay) {
+  // A wall from (3, 1) on to the right, around whose end the person walks.
+  auto cells = test::empty_room(10, 8);
+  test::fill(cells, 3, 2.5, 10, 2.8);
+  const auto walks = [](double t) -> std::optional<SeenPerson> {
+    const double way = 0.5 * t;
+    if (way < 3)
+      return SeenPerson{7, {5 - way, 1.5}, 3.14, 0.5};
+    if (way < 5.5)
+      return SeenPerson{7, {2, 1.5 + way - 3}, 1.57, 0.5};
+    return SeenPerson{7, {2 + std::min(way - 5.5, 4.0), 4}, 0, way < 9.5 ? 0.5 : 0};
+  };
+  PersonFollower follower{7, {}};
+  const auto x = follow(follower, {6.3, 1.5, 3.14}, walks, 25, cells);
+  EXPECT_NEAR(distance(walks(25)->place, {x.robot.x, x.robot.y}), 1.2, 0.25);
+  EXPECT_NEAR(x.robot.y, 4, 0.2) << "on the other side of the wall";
+}
+
+TEST(PersonFollower, GoesToWhereSomebodyWasLastSeenAndGivesUpWithAReason) {
+  PersonFollower follower{7, {}};
+  const auto vanishes = [](double t) {
+    return t < 5 ? std::optional{walks_along_x(t)} : std::nullopt;
+  };
+  const auto x = follow(follower, {}, vanishes, 60);
+  EXPECT_EQ(x.last.status, MovementStatus::failed);
+  EXPECT_THAT(x.last.reason, HasSubstr("out of sight for 15 s, last seen at 4.97 0.00"));
+  EXPECT_NEAR(x.seconds, 20, 0.5);
+  EXPECT_GT(x.robot.x, 4.5);
+  EXPECT_NEAR(x.robot.y, 0, 0.2);
+}
+
+TEST(PersonFollower, GivesUpWhoNeverCame) {
+  PersonFollower follower{7, {}};
+  const auto x = follow(
+    follower, {}, [](double) { return std::nullopt; }, 60);
+  EXPECT_EQ(x.last.status, MovementStatus::failed);
+  EXPECT_THAT(x.last.reason, HasSubstr("person 7 was not in sight for 15 s"));
+}
+
+TEST(FollowedPerson, SomebodyNewWhereThePersonHasToBeIsThePerson) {
+  FollowedPerson followed{7, {}};
+  const std::vector<SeenPerson> before{{7, {2, 0}, 0, 0.5}, {8, {2.5, 0}, 0, 0}};
+  EXPECT_EQ(followed.find(before, 0)->id, 7);
+  const std::vector<SeenPerson> after{{8, {2.5, 0}, 0, 0}, {9, {3, 0.4}, 0, 0.5}};
+  EXPECT_EQ(followed.find(after, 2'000'000)->id, 9) << "8 was there before, beside 7";
+  EXPECT_EQ(followed.id(), 9);
+}
+
+TEST(FollowedPerson, SomebodyNewElsewhereIsSomebodyElse) {
+  FollowedPerson followed{7, {}};
+  const std::vector<SeenPerson> before{{7, {2, 0}, 0, 0.5}};
+  EXPECT_EQ(followed.find(before, 0)->id, 7);
+  const std::vector<SeenPerson> after{{9, {8, 3}, 0, 0.5}};
+  EXPECT_FALSE(followed.find(after, 2'000'000));
+  EXPECT_EQ(followed.id(), 7);
+}
+
+} // namespace castor::mapping
