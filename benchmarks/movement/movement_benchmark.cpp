@@ -5,21 +5,38 @@
 //
 // WORLD is the file of a building (the office by default), the .yaml of a map, or generated, which
 // is another building for each seed. Variables: seeds (10), first (1), goals (50), people (10),
-// laser (180, degrees), legs (0), fitting (1; 0: goals are any free cells).
+// laser (180, degrees), legs (0), fitting (1; 0: goals are any free cells). With write=FILE it
+// writes the building with the people of the first seed, for `castor run`, and does nothing else.
 
+#include "castor/benchmarks/movement/crowd.hpp"
 #include "castor/benchmarks/movement/movement_run.hpp"
+#include "castor/mapping/building/building_text.hpp"
 
 #include <fmt/core.h>
 
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace castor::benchmark {
 
 namespace {
+
+void write_building(const std::string& name, const std::map<std::string, double>& variables,
+                    const std::string& file) {
+  const auto seed = static_cast<std::uint64_t>(variables.at("first"));
+  const MovementWorld world(name, seed);
+  if (!world.building())
+    throw std::invalid_argument("a map has no people to write: name a building");
+  auto building = *world.building();
+  building.people = crowd(world.map(), {world.start().x, world.start().y},
+                          static_cast<int>(variables.at("people")), seed);
+  std::ofstream{file} << mapping::building_text(building);
+}
 
 void run(const std::string& name, const std::map<std::string, double>& variables) {
   const auto number = [&](const std::string& variable) {
@@ -55,16 +72,22 @@ int main(int argc, char** argv) {
   std::map<std::string, double> variables{{"seeds", 10},  {"first", 1},   {"goals", 50},
                                           {"people", 10}, {"laser", 180}, {"legs", 0},
                                           {"fitting", 1}};
+  std::string file;
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string word = argv[i];
       const auto equals = word.find('=');
       if (equals == word.npos)
         world = word;
+      else if (word.starts_with("write="))
+        file = word.substr(equals + 1);
       else
         variables.at(word.substr(0, equals)) = std::stod(word.substr(equals + 1));
     }
-    castor::benchmark::run(world, variables);
+    if (file.empty())
+      castor::benchmark::run(world, variables);
+    else
+      castor::benchmark::write_building(world, variables, file);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 1;

@@ -58,14 +58,24 @@ public:
     const auto goal_cell = clearance_.cell_at(goal);
     if (auto reason = goal_problem(goal_cell); !reason.empty())
       return {{}, 0, reason};
-    const auto start_cell = nearest_fit(start);
+    start_ = start;
+    auto start_cell = nearest_fit(start);
+    std::vector<std::uint32_t> cells;
+    if (start_cell)
+      cells = search(*start_cell, static_cast<std::uint32_t>(*goal_cell));
+    if (cells.empty() && options_.escape > 0) {
+      escapes_ = true;
+      if (const auto tight = nearest_fit(start)) {
+        start_cell = tight;
+        cells = search(*tight, static_cast<std::uint32_t>(*goal_cell));
+      }
+    }
     if (!start_cell)
       return {{},
               0,
               fmt::format("the robot is too near to obstacles: within {:.2f} m of {:.2f} {:.2f} no "
                           "place has {:.2f} m around it",
                           options_.start_tolerance, start.x, start.y, needed_)};
-    const auto cells = search(*start_cell, static_cast<std::uint32_t>(*goal_cell));
     if (cells.empty())
       return {{},
               0,
@@ -102,7 +112,7 @@ private:
       for (int column = -reach; column <= reach; ++column) {
         const auto cell = clearance_.cell_at(
           {start.x + column * clearance_.cell_size(), start.y + row * clearance_.cell_size()});
-        if (!cell || clearance_.at(*cell) < needed_)
+        if (!cell || !fits(clearance_.centre(*cell)))
           continue;
         const double away = distance(clearance_.centre(*cell), start);
         if (away <= least) {
@@ -113,10 +123,25 @@ private:
     return best;
   }
 
-  /// Cost of a metre at a place with that clearance; infinite without enough.
+  /// Whether there is enough clearance at a place.
+  bool fits(const Point2& place) const {
+    const double clearance = clearance_.at(place);
+    return clearance >= needed_ ||
+           (escapes_ && clearance >= options_.radius + options_.tight_margin &&
+            distance(place, start_) < options_.escape);
+  }
+
+  bool fits(std::size_t cell) const {
+    return clearance_.at(cell) >= needed_ || (escapes_ && fits(clearance_.centre(cell)));
+  }
+
+  /// Cost of a metre at a place; infinite without enough clearance.
+  double rate(const Point2& place) const {
+    return fits(place) ? rate(clearance_.at(place)) : infinite;
+  }
+
+  /// The same for a clearance that is enough.
   double rate(double clearance) const {
-    if (clearance < needed_)
-      return infinite;
     if (clearance >= options_.preferred_clearance)
       return 1;
     const double share =
@@ -129,7 +154,7 @@ private:
     const auto columns = static_cast<std::uint32_t>(clearance_.columns());
     const auto first = from / columns * columns + to % columns;
     const auto second = to / columns * columns + from % columns;
-    return clearance_.at(first) < needed_ || clearance_.at(second) < needed_;
+    return !fits(first) || !fits(second);
   }
 
   std::vector<std::uint32_t> search(std::uint32_t start, std::uint32_t goal) const {
@@ -159,7 +184,7 @@ private:
       if (cell == goal)
         break;
       for_neighbours(clearance_, cell, [&](std::uint32_t next, float length) {
-        if (is_closed[next] || clearance_.at(next) < needed_ || cuts_corner(cell, next))
+        if (is_closed[next] || !fits(next) || cuts_corner(cell, next))
           return;
         const float reached = cost[cell] + length * static_cast<float>(rate(clearance_.at(next)));
         if (reached < cost[next]) {
@@ -194,7 +219,7 @@ private:
     double result = 0;
     for (int i = 0; i <= steps; ++i) {
       const double share = static_cast<double>(i) / steps;
-      result += rate(clearance_.at(Point2{std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share)}));
+      result += rate(Point2{std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share)});
     }
     return result / (steps + 1) * length;
   }
@@ -208,7 +233,7 @@ private:
     }
     std::vector<Point2> result{path.front()};
     std::size_t i = 0;
-    if (clearance_.at(path[0]) < needed_)
+    if (!fits(path[0]))
       result.push_back(path[i = 1]);
     while (i + 1 < path.size()) {
       std::size_t best = i + 1;
@@ -265,6 +290,9 @@ private:
   const ClearanceMap& clearance_;
   const PlanOptions& options_;
   double needed_;
+  Point2 start_;
+  /// Whether less clearance is enough around the start.
+  bool escapes_ = false;
 };
 
 } // namespace

@@ -18,6 +18,11 @@ struct PlanOptions {
   /// A start without enough clearance is left for the nearest place with it, at most so far away,
   /// metres.
   double start_tolerance = 0.4;
+  /// Where there is no way with the margin, one may do that keeps only `tight_margin` so far around
+  /// the start: out of a narrow place into which the robot has come, before the map showed that it
+  /// is narrower than it seemed. Metres; 0: never.
+  double escape = 1.5;
+  double tight_margin = 0.02;
   ClearanceOptions cells;
   /// Whether it says what blocks the way where there is none. To find that takes longer than to
   /// plan.

@@ -42,7 +42,8 @@ RC_GTEST_PROP(ReachabilityCheck, AgreesWithThePlanner, ()) {
   }
   const Point2 start{0.85, 0.85};
   const Point2 goal{*rc::gen::inRange(0, 50) * 0.1 + 0.05, *rc::gen::inRange(0, 50) * 0.1 + 0.05};
-  const PlanOptions options;
+  PlanOptions options;
+  options.escape = 0;
   const double needed = options.radius + options.margin;
   const ClearanceMap clearance(map, options.cells);
   const auto plan = plan_path(map, clearance, start, goal, options);

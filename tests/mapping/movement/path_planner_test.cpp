@@ -81,6 +81,20 @@ TEST(PathPlanner, LeavesAStartThatIsTooNearToAWall) {
   EXPECT_EQ(path.points.back(), (Point2{5, 2}));
 }
 
+TEST(PathPlanner, LeavesANarrowPlaceThatItHasComeInto) {
+  // Two halves of a room, with a passage of 0.55 to 0.6 m between them.
+  auto map = test::empty_room(8, 4);
+  test::fill(map, 3.95, 0, 4.05, 1.7);
+  test::fill(map, 3.95, 2.3, 4.05, 4);
+  const auto near = plan(map, {3, 2}, {7, 2});
+  EXPECT_FALSE(near.points.empty()) << near.reason;
+  const auto far = plan(map, {1, 2}, {7, 2});
+  EXPECT_TRUE(far.points.empty()) << "too narrow to go there";
+  test::fill(map, 3.95, 0, 4.05, 1.8);
+  test::fill(map, 3.95, 2.2, 4.05, 4);
+  EXPECT_TRUE(plan(map, {3, 2}, {7, 2}).points.empty()) << "narrower than the robot";
+}
+
 RC_GTEST_PROP(PathPlanner, KeepsTheClearanceEverywhere, ()) {
   auto map = test::empty_room(5, 4);
   for (int i = *rc::gen::inRange(0, 8); i > 0; --i) {
@@ -92,7 +106,9 @@ RC_GTEST_PROP(PathPlanner, KeepsTheClearanceEverywhere, ()) {
   const Point2 a{*rc::gen::inRange(0, 100) * 0.05, *rc::gen::inRange(0, 80) * 0.05};
   const Point2 b{*rc::gen::inRange(0, 100) * 0.05, *rc::gen::inRange(0, 80) * 0.05};
   RC_PRE(clearance.at(a) > 0.31);
-  const auto path = plan(map, a, b);
+  PlanOptions options;
+  options.escape = 0;
+  const auto path = plan(map, a, b, options);
   RC_ASSERT(path.points.empty() != path.reason.empty());
   for (std::size_t i = 1; i < path.points.size(); ++i)
     RC_ASSERT(is_clear(clearance, path.points[i - 1], path.points[i], 0.3));
