@@ -116,8 +116,9 @@ TEST_F(Requests, AreAcceptedAndFulfilled) {
 
 TEST_F(Requests, AreExplained) {
   TestSystem system{
-    dialogue("Look for the book. What are you doing? Why are you doing that? What will you do next?",
-             motives()),
+    dialogue(
+      "Look for the book. What are you doing? Why are you doing that? What will you do next?",
+      motives()),
     {.patience = 10s}};
   expect_said(system, "I will find the book.");
   expect_said(system, "I am about to find the book, because you said 'Look for the book'.");
