@@ -33,8 +33,14 @@ protected:
 
   void leave_seat() { lease_.reset(); }
 
-  /// Does not wait for the robot. A refusal is logged, once until the next success.
+  /// Does not wait for the robot. Takes the seat again if it was lost: who hangs for a while loses
+  /// it. A refusal is logged, once until the next success.
   void drive(const Twist2& velocity) {
+    if (lease_ && !lease_->held()) {
+      warning("has lost the seat, and takes it again");
+      leave_seat();
+      take_seat();
+    }
     try {
       stream_command(robot_.get(), DriveCommand{velocity});
       is_refused_ = false;
