@@ -199,8 +199,9 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
   }
   if (speed < wanted) {
     result.velocity.forward = side * speed;
+    // Turns obey sooner than wheels brake: the robot would leave the arc, straight on.
     if (speed > 0)
-      result.velocity.turn *= speed / wanted;
+      result.velocity.turn *= std::clamp(side * velocity.forward, speed, wanted) / wanted;
   }
   return result;
 }
