@@ -49,11 +49,18 @@ class Explorer final : public FollowsGrid<UnmanagedComponent> {
   void run() override {
     if (!begins_)
       return;
-    // As an action, so that everybody sees it, and can cancel it.
-    const auto action = perform(subarchitecture(), Explore{});
-    while (!action.is_over())
-      if (!sleep_for(period_.get()))
-        return;
+    // As an action, so that everybody sees it, and can cancel it. It fails with a component.
+    for (auto outcome = ActionOutcome::failed; outcome == ActionOutcome::failed;) {
+      const auto action = perform(subarchitecture(), Explore{});
+      do
+        if (!sleep_for(period_.get()))
+          return;
+      while (!action.is_over());
+      const auto end = action.state();
+      outcome = end.outcome;
+      if (outcome == ActionOutcome::failed)
+        warning("the exploration failed: {}; it begins again", end.reason);
+    }
     if (after_ == AfterExploration::end)
       end_system(0, "the building is explored");
   }
