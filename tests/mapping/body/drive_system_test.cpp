@@ -376,6 +376,22 @@ TEST_F(DriveSystem, RobotAndDriverGoOnAfterAFailure) {
   EXPECT_NEAR(statuses.back().pose.x, 4.5, 0.2);
 }
 
+TEST_F(DriveSystem, DriverThatHasLostItsSeatTakesItAgain) {
+  const auto folder = folder_.path().string();
+  TestSystem system{"COMPONENT CPP robot SimulatedRobot --building hut.building --base " + folder +
+                    " --lease navigation/seat\n"
+                    "SUBARCHITECTURE navigation\n"
+                    "CPP WM SubarchitectureWorkingMemory\n"
+                    "CPP TM AlwaysPositiveTaskManager\n"
+                    "CPP UM watcher DriveWatcher\n"
+                    "CPP UM driver PathDriver --path \"2 2.5, 4.5 2.5\" --speed 0.8 --seat seat\n"};
+  system.expect_entry("PathProgress in navigation where done > 0.5");
+  // All leases have expired.
+  system.advance(1h);
+  system.expect_entry("PathProgress in navigation where arrived == true");
+  system.expect_nobody_else_down({});
+}
+
 TEST_F(DriveSystem, IsTheSameForTheSameSeed) {
   const std::string driver = "CPP UM driver PathDriver --path \"2 2.5, 4 2.5, 4 1\"\n";
   auto drive = [&](const std::string& options) {
