@@ -13,7 +13,7 @@
 #include "castor/mapping/building/solids.hpp"
 #include "castor/mapping/movement/person_follower.hpp"
 #include "castor/mapping/movement/planning_map.hpp"
-#include "castor/mapping/movement/seen_obstacles.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/people/person_detector.hpp"
 #include "castor/mapping/people/person_tracks.hpp"
 
