@@ -25,6 +25,7 @@ public:
   PlanPhase phase() const { return status_.phase; }
   bool is_over() const;
   const ContinualPlanning& status() const { return status_; }
+  const AchieveGoal& goal() const { return goal_; }
 
   /// Another goal from now on.
   void change_goal(AchieveGoal goal);

@@ -33,13 +33,16 @@ struct StateReply {
   std::vector<std::string> facts;
 };
 
-/// Action: reach the goal, whatever happens meanwhile.
+/// Action: reach the goal, whatever happens meanwhile. If it is overwritten with another one, that
+/// is reached instead, from the end of the step that runs.
 struct AchieveGoal {
   /// "(K ann (perceived-position book))".
   std::string goal;
   /// Known for this goal alone, beside what contributors say.
   std::vector<StateObject> objects = {};
   std::vector<std::string> facts = {};
+
+  friend bool operator==(const AchieveGoal&, const AchieveGoal&) = default;
 };
 
 /// Action: one step of a plan, for the executor of such steps. It ends when its effects can be

@@ -46,6 +46,7 @@ class ContinualPlanner final : public ManagedComponent {
     ContinualPlan plan(goal, agent_, options);
     status_ = here(action.address().id + " goal");
     state_ = here(action.address().id + " state");
+    goal_ = read<Action>(action.address())->what.address;
     while (!plan.is_over()) {
       tell(plan);
       // Paused between steps.
@@ -64,7 +65,7 @@ class ContinualPlanner final : public ManagedComponent {
       case PlanPhase::achieved:
         return {ActionOutcome::succeeded,
                 plan.status().done.empty() ? "it is so already" : "",
-                {goal.goal},
+                {plan.goal().goal},
                 {}};
       case PlanPhase::cancelled:
         return ActionResult::cancelled(plan.status().why);
@@ -73,7 +74,20 @@ class ContinualPlanner final : public ManagedComponent {
     }
   }
 
+  /// The requester may have overwritten it.
+  void follow_goal(ContinualPlan& plan) {
+    try {
+      const auto goal = read<AchieveGoal>(goal_);
+      if (!(*goal == plan.goal()))
+        plan.change_goal(*goal);
+    } catch (const WorkingMemoryException& e) {
+      // The action will be cancelled, or goes on without its requester.
+      debug("{}", e.what());
+    }
+  }
+
   void observe(ContinualPlan& plan) {
+    follow_goal(plan);
     std::vector<StateReply> replies;
     for (const auto& name : contributors_.get()) {
       try {
@@ -184,6 +198,8 @@ class ContinualPlanner final : public ManagedComponent {
                                               "how long it waits for a cancelled step to end"};
 
   Executors executors_;
+  /// Of the AchieveGoal that is being executed, its status and its state.
+  Address goal_;
   Address status_;
   Address state_;
   std::deque<Address> over_;

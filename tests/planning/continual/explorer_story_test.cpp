@@ -129,6 +129,10 @@ CASTOR_COMPONENT(PretendedBody, "moves in three rooms, asks and searches")
 class GoalOwner final : public UnmanagedComponent {
   void run() override {
     auto action = perform("planning", AchieveGoal{goal_});
+    if (!then_->empty()) {
+      sleep_for(500ms);
+      overwrite(action.state().what.address, AchieveGoal{then_});
+    }
     if (cancel_after_.get() > 0ms) {
       sleep_for(cancel_after_.get());
       action.cancel();
@@ -138,6 +142,7 @@ class GoalOwner final : public UnmanagedComponent {
   }
 
   Option<std::string> goal_{this, "goal", "(K robby (perceived-position book))", "the goal"};
+  Option<std::string> then_{this, "then", "", "another goal, after half a second; empty for none"};
   Option<std::chrono::milliseconds> cancel_after_{this, "cancel-after", 0ms, "0 for never"};
 };
 
@@ -276,6 +281,16 @@ TEST(ExplorerStory, EndsTheStepThatRunsWhenTheGoalIsCancelled) {
   EXPECT_THAT(end.reason, HasSubstr("the robot stands still"));
   EXPECT_THAT(story.world().log, ElementsAre(whole_story.front()));
   EXPECT_EQ(story.planning().phase, PlanPhase::cancelled);
+}
+
+TEST(ExplorerStory, FollowsAGoalThatIsChangedDuringAStep) {
+  ExplorerStory story({.owner = "--then \"(= (is-in robby) kitchen)\""});
+  EXPECT_EQ(story.end().outcome, ActionOutcome::succeeded);
+  EXPECT_THAT(story.world().log, ElementsAre("move robby study hall", "move robby hall study",
+                                             "move robby kitchen hall"));
+  EXPECT_THAT(reasons_of(story.planning()),
+              ElementsAre(PlanReason::no_plan_yet, PlanReason::goal_changed));
+  EXPECT_EQ(story.planning().goal, "(= (is-in robby) kitchen)");
 }
 
 TEST(ExplorerStory, GivesUpIfAContributorNeverAnswers) {
