@@ -199,9 +199,8 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
   }
   if (speed < wanted) {
     result.velocity.forward = side * speed;
-    // Turns obey sooner than wheels brake: the robot would leave the arc, straight on.
     if (speed > 0)
-      result.velocity.turn *= std::clamp(side * velocity.forward, speed, wanted) / wanted;
+      result.velocity.turn *= speed / wanted;
   }
   return result;
 }
