@@ -9,8 +9,8 @@ packages=(
   libssl-dev libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev zlib1g-dev
   # Maps of robots.
   libmrpt-maps-dev libmrpt-slam-dev liboctomap-dev
-  # Descriptions of arms of others.
-  libtinyxml2-dev
+  # Motions of arms; OMPL needs those of Boost without saying so. Descriptions of arms of others.
+  libfcl-dev libompl-dev libboost-filesystem-dev libboost-serialization-dev libboost-system-dev libtinyxml2-dev
   # The font of timelines.
   fonts-liberation2
   # For the tests of what `castor new` makes.

@@ -12,6 +12,11 @@ inline ArmModel katana() {
   return load_arm(std::string(CASTOR_CONFIGS) + "/arms/katana.arm").arm;
 }
 
+/// A thing that stands as it is in the arm's frame.
+inline NamedSolid thing(const std::string& name, const Solid& solid, double x, double y, double z) {
+  return {name, solid, {{x, y, z}, {}, arm_frame}};
+}
+
 /// A configuration within the limits.
 inline Configuration random_configuration(const ArmModel& arm, std::mt19937& random) {
   Configuration result;

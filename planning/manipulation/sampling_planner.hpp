@@ -1,0 +1,18 @@
+#pragma once
+
+#include "castor/planning/manipulation/motion_planner.hpp"
+
+#include <optional>
+
+namespace castor::manipulation {
+
+/// Planning by OMPL between free configurations, for motion_planner.hpp; OMPL's headers are
+/// included by its source file only.
+/// @param time_limit seconds
+/// Returns nothing if no way was found in time.
+std::optional<JointPath> sample_path(const ArmModel& arm, CollisionChecker& checker,
+                                     const Configuration& start,
+                                     const std::vector<Configuration>& goals,
+                                     const MotionPlannerOptions& options, double time_limit);
+
+} // namespace castor::manipulation
