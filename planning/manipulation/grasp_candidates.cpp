@@ -1,0 +1,157 @@
+#include "castor/planning/manipulation/grasp_candidates.hpp"
+
+#include "castor/planning/manipulation/kinematic_chain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace castor::manipulation {
+
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+// Surfaces are parallel to the fingers if they are by less than this, the sine of 10 degrees.
+constexpr double nearly_right_angle = 0.17;
+// Fingers that reach less deep below the top of a thing slip off, metres.
+constexpr double least_overlap = 0.005;
+
+/// Half of the thing's extent along a direction.
+double half_extent(const NamedSolid& thing, const Vector3d& direction) {
+  // The rotation that brings the direction up.
+  const auto up = Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ());
+  return half_height(thing.solid,
+                     geometry::to_rotation(up * geometry::to_eigen(thing.pose.rotation)));
+}
+
+struct Closing {
+  Vector3d direction;
+  double width;
+};
+
+/// Directions at right angles to the approach, evenly over half a turn.
+std::vector<Closing> all_around(const Vector3d& approach, double width, int count) {
+  const Vector3d first = approach.unitOrthogonal();
+  std::vector<Closing> result;
+  for (int i = 0; i < count; ++i)
+    result.push_back({Eigen::AngleAxisd(pi * i / count, approach) * first, width});
+  return result;
+}
+
+/// The part of an axis that is at right angles to the approach, if most of it is.
+std::optional<Vector3d> across(const Vector3d& axis, const Vector3d& approach) {
+  if (std::abs(axis.dot(approach)) > nearly_right_angle)
+    return {};
+  return (axis - axis.dot(approach) * approach).normalized();
+}
+
+/// Directions in which fingers can close on the thing.
+std::vector<Closing> closings(const NamedSolid& thing, const Vector3d& approach, int turns) {
+  const auto& size = thing.solid.size;
+  const Eigen::Matrix3d axes = geometry::to_eigen(thing.pose.rotation).toRotationMatrix();
+  std::vector<Closing> result;
+  if (thing.solid.kind == SolidKind::sphere)
+    return all_around(approach, size.x, turns);
+  if (thing.solid.kind == SolidKind::box) {
+    const std::array<double, 3> sizes{size.x, size.y, size.z};
+    for (int i = 0; i < 3; ++i)
+      if (const auto direction = across(axes.col(i), approach))
+        result.push_back({*direction, sizes[static_cast<std::size_t>(i)]});
+    return result;
+  }
+  const Vector3d axis = axes.col(2);
+  if (axis.cross(approach).norm() < nearly_right_angle)
+    return all_around(approach, size.x, turns);
+  result.push_back({axis.cross(approach).normalized(), size.x});
+  if (const auto along = across(axis, approach))
+    result.push_back({*along, size.z});
+  return result;
+}
+
+class Candidates {
+public:
+  Candidates(const ArmModel& arm, const NamedSolid& thing, const GraspOptions& options)
+    : gripper_(*arm.gripper), thing_(thing), options_(options),
+      position_(geometry::to_eigen(thing.pose.position)) {
+    // nop
+  }
+
+  std::vector<GraspCandidate> all(bool follows_turret) {
+    const double turret = std::atan2(position_.y(), position_.x());
+    for (double tilt : options_.tilts) {
+      const bool is_from_above = std::abs(std::sin(tilt)) < 1e-9;
+      const int azimuths = follows_turret || is_from_above ? 1 : options_.azimuths;
+      for (int i = 0; i < azimuths; ++i)
+        add_from(tilt, turret + 2 * pi * i / azimuths);
+    }
+    return std::move(result_);
+  }
+
+private:
+  void add_from(double tilt, double azimuth) {
+    const double across = std::abs(std::sin(tilt)) < 1e-9 ? 0 : std::sin(tilt);
+    const Vector3d approach(across * std::cos(azimuth), across * std::sin(azimuth),
+                            across == 0 ? -1 : std::cos(tilt));
+    for (const auto& [direction, width] : closings(thing_, approach, options_.turns)) {
+      if (width + options_.spare > gripper_.widest || width < gripper_.narrowest)
+        continue;
+      const auto at = position_for(approach, direction);
+      // Fingers are alike: half a turn of the hand is another way to the same grasp.
+      for (const double sign : {1.0, -1.0})
+        if (at)
+          add(*at, approach, sign * direction, tilt, width);
+    }
+  }
+
+  /// Where the tool's origin is: in the thing's middle, if the fingers reach so deep, and what it
+  /// stands on is not in their way.
+  std::optional<Vector3d> position_for(const Vector3d& approach, const Vector3d& closing) const {
+    const double depth = gripper_.finger.z - gripper_.beyond - options_.gap;
+    const double extent = half_extent(thing_, approach);
+    Vector3d result = position_ - std::max(0.0, extent - depth) * approach;
+    const double half = half_extent(thing_, Vector3d::UnitZ());
+    const Vector3d side = closing.cross(approach);
+    const double below = std::abs(approach.z()) * gripper_.beyond +
+                         std::abs(side.z()) * gripper_.finger.x / 2 +
+                         std::abs(closing.z()) * (gripper_.widest / 2 + gripper_.finger.y);
+    const double least = position_.z() - half + options_.gap + below;
+    result.z() = std::max(result.z(), least);
+    if (result.z() - below > position_.z() + half - least_overlap)
+      return {};
+    return result;
+  }
+
+  void add(const Vector3d& at, const Vector3d& approach, const Vector3d& closing, double tilt,
+           double width) {
+    Eigen::Matrix3d axes;
+    axes << closing.cross(approach), closing, approach;
+    result_.push_back(
+      {{geometry::to_point(at), geometry::to_rotation(Eigen::Quaterniond(axes)), thing_.pose.frame},
+       tilt,
+       width});
+  }
+
+  const Gripper& gripper_;
+  const NamedSolid& thing_;
+  const GraspOptions& options_;
+  Vector3d position_;
+  std::vector<GraspCandidate> result_;
+};
+
+} // namespace
+
+double least_width(const Solid& solid) {
+  return std::min({solid.size.x, solid.size.y, solid.size.z});
+}
+
+std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,
+                                             bool follows_turret, const GraspOptions& options) {
+  if (!arm.gripper)
+    return {};
+  return Candidates(arm, thing, options).all(follows_turret);
+}
+
+} // namespace castor::manipulation

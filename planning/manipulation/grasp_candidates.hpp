@@ -1,0 +1,57 @@
+#pragma once
+
+#include "castor/planning/manipulation/arm_model.hpp"
+#include "castor/planning/manipulation/scene.hpp"
+
+#include <numbers>
+#include <vector>
+
+/// Ways to grasp a thing by its shape alone.
+namespace castor::manipulation {
+
+struct GraspOptions {
+  /// Angles of the tool's z axis from straight up: pi is a grasp from above, pi / 2 one from the
+  /// side.
+  std::vector<double> tilts{std::numbers::pi,         std::numbers::pi * 11 / 12,
+                            std::numbers::pi * 5 / 6, std::numbers::pi * 3 / 4,
+                            std::numbers::pi * 2 / 3, std::numbers::pi * 7 / 12,
+                            std::numbers::pi / 2};
+  /// How many ways to turn the fingers around what is round.
+  int turns = 6;
+  /// How many directions to come from, for arms that can choose it.
+  int azimuths = 8;
+  /// Metres that the open fingers have to spare on both sides together.
+  double spare = 0.012;
+  /// Metres between palm and thing, and between fingers and what it stands on.
+  double gap = 0.007;
+  /// Metres from where the tool begins to approach.
+  double approach = 0.05;
+  /// Shares of clearance, of the distance of joints from their limits, and of steepness in the
+  /// score.
+  double clearance_share = 0.5;
+  double limits_share = 0.3;
+  double steepness_share = 0.2;
+  /// Clearance that is as good as any, metres.
+  double enough_clearance = 0.1;
+};
+
+/// Where to close the fingers.
+struct GraspCandidate {
+  Pose tool;
+  double tilt = 0;
+  /// Distance of the surfaces that the fingers close on, metres.
+  double width = 0;
+};
+
+/// Grasps of a thing that stands on something, in the arm's frame: fingers close on parallel
+/// surfaces of boxes and across what is round, around the middle or as deep as fingers are long.
+/// Empty without a gripper, or if nothing is narrow enough for it.
+/// @param follows_turret the arm comes from its own direction only, as those with
+/// ClosedFormKinematics do
+std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,
+                                             bool follows_turret, const GraspOptions& options = {});
+
+/// The least distance between surfaces that fingers could close on, metres.
+double least_width(const Solid& solid);
+
+} // namespace castor::manipulation
