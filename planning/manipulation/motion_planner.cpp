@@ -4,17 +4,11 @@
 #include "castor/planning/manipulation/sampling_planner.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace castor::manipulation {
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, PlanningAlgorithm>, 3> algorithms{
-  {{"rrt_connect", PlanningAlgorithm::rrt_connect},
-   {"rrt_star", PlanningAlgorithm::rrt_star},
-   {"bit_star", PlanningAlgorithm::bit_star}}};
 
 void check_limits(const ArmModel& arm, const Configuration& configuration,
                   const std::string& what) {
@@ -90,24 +84,6 @@ private:
 };
 
 } // namespace
-
-PlanningAlgorithm planning_algorithm(std::string_view name) {
-  std::vector<std::string> names;
-  for (const auto& [known, algorithm] : algorithms) {
-    if (known == name)
-      return algorithm;
-    names.emplace_back(known);
-  }
-  throw std::invalid_argument("\"" + std::string(name) + "\" is no planning algorithm; they are " +
-                              listed(names));
-}
-
-double path_length(const std::vector<Configuration>& waypoints) {
-  double result = 0;
-  for (std::size_t i = 1; i < waypoints.size(); ++i)
-    result += distance(waypoints[i - 1], waypoints[i]);
-  return result;
-}
 
 MotionResult plan_motion(const ArmModel& arm, const Scene& scene, const Configuration& start,
                          const std::vector<Configuration>& goals, const std::string& destination,

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "castor/planning/manipulation/motion_planner.hpp"
+#include "castor/planning/manipulation/joint_path.hpp"
+#include "castor/planning/manipulation/motion_options.hpp"
 
 #include <optional>
 
 namespace castor::manipulation {
 
-/// Planning by OMPL between free configurations, for motion_planner.hpp; OMPL's headers are
+/// Planning by OMPL between free configurations, for plan_motion; OMPL's headers are
 /// included by its source file only.
 /// @param time_limit seconds
 /// Returns nothing if no way was found in time.

@@ -65,7 +65,7 @@ TEST(MotionPlanner, GoesOverAWall) {
     SCOPED_TRACE(algorithm);
     MotionPlannerOptions options;
     options.algorithm = planning_algorithm(algorithm);
-    options.time_limit = options.algorithm == PlanningAlgorithm::rrt_connect ? 5 : 1;
+    options.time_limit = options.algorithm == PlanningAlgorithm::rrt_connect ? 10 : 4;
     const auto result = plan_motion(arm, scene, right, {left}, "the left", options);
     ASSERT_TRUE(std::holds_alternative<JointPath>(result)) << std::get<MotionFailure>(result).text;
     const auto& path = std::get<JointPath>(result);
