@@ -105,6 +105,12 @@ bool look_for_nearest(Object* a, Object* b, void* data, double& nearest) {
 
 } // namespace
 
+bool overlap(const NamedSolid& a, const NamedSolid& b) {
+  Object first(geometry_of(a.solid, 0), to_isometry(a.pose));
+  Object second(geometry_of(b.solid, 0), to_isometry(b.pose));
+  return touch(first, second);
+}
+
 struct CollisionChecker::World {
   World(const ArmModel& arm, const Scene& scene, const CollisionOptions& options)
     : chain(arm), margin(std::max(options.margin, least_margin)) {

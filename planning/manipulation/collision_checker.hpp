@@ -31,6 +31,10 @@ struct Contact {
   bool is_of_arm = false;
 };
 
+/// Whether two things of one frame touch.
+/// \throws std::invalid_argument if a length is not more than 0.
+bool overlap(const NamedSolid& a, const NamedSolid& b);
+
 /// Collision checks of an arm in a scene, by FCL. Links that one joint joins touch always and are
 /// not checked against each other, nor are those that touch in the home configuration; the base,
 /// which does not move, is not checked against the scene. Not for several threads at once.
