@@ -10,7 +10,7 @@ namespace castor::manipulation {
 enum class PlanningAlgorithm {
   /// The first way that is found, in milliseconds.
   rrt_connect,
-  // Shorter ways, which use the whole time limit.
+  // Shorter ways, which use the whole time limit; if they find none, RRTConnect has as much again.
   rrt_star,
   bit_star
 };

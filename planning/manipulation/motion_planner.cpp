@@ -66,7 +66,13 @@ private:
       result.found_length = distance(start_, goals.front());
       return result;
     }
-    return sample_path(arm_, checker, start_, goals, options_, time_limit);
+    auto result = sample_path(arm_, checker, start_, goals, options_, time_limit);
+    if (result || options_.algorithm == PlanningAlgorithm::rrt_connect)
+      return result;
+    // What looks for short ways may run out of time where there is any.
+    auto options = options_;
+    options.algorithm = PlanningAlgorithm::rrt_connect;
+    return sample_path(arm_, checker, start_, goals, options, time_limit);
   }
 
   bool has_way_without(const std::vector<std::string>& names) {
