@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Common parts of the parsers of line-oriented text files (scenes, camera calibrations): lines,
@@ -32,6 +33,16 @@ std::string load_text(const std::filesystem::path& path);
 /// Writes a text file atomically.
 /// \throws TextFileError if it cannot be written.
 void save_text(const std::filesystem::path& path, std::string_view text);
+
+/// What a parser makes of a text file: `parse(text, name of the file)` has `problems`.
+/// \throws TextFileError as load_text(), and with all problems if there are errors among them.
+template <class Parse>
+auto load_parsed(const std::filesystem::path& path, Parse parse) {
+  auto result = parse(load_text(path), path.string());
+  if (has_errors(result.problems))
+    throw TextFileError(std::move(result.problems));
+  return result;
+}
 
 struct TextLine;
 

@@ -168,10 +168,7 @@ BuildingText parse_building(std::string_view text, const std::string& file_name)
 }
 
 BuildingText load_building(const std::filesystem::path& path) {
-  auto result = parse_building(load_text(path), path.string());
-  if (has_errors(result.problems))
-    throw TextFileError(std::move(result.problems));
-  return result;
+  return load_parsed(path, parse_building);
 }
 
 } // namespace castor::mapping

@@ -162,10 +162,7 @@ ArmText parse_arm(std::string_view text, const std::string& file_name) {
 }
 
 ArmText load_arm(const std::filesystem::path& path) {
-  auto result = parse_arm(load_text(path), path.string());
-  if (has_errors(result.problems))
-    throw TextFileError(std::move(result.problems));
-  return result;
+  return load_parsed(path, parse_arm);
 }
 
 } // namespace castor::manipulation

@@ -193,10 +193,9 @@ ArmText parse_urdf(const std::string& text, const std::string& file_name,
 }
 
 ArmText load_urdf(const std::filesystem::path& path, const UrdfOptions& options) {
-  auto result = parse_urdf(load_text(path), path.string(), options);
-  if (has_errors(result.problems))
-    throw TextFileError(std::move(result.problems));
-  return result;
+  return load_parsed(path, [&](std::string_view text, const std::string& name) {
+    return parse_urdf(text, name, options);
+  });
 }
 
 } // namespace castor::manipulation

@@ -190,10 +190,7 @@ TabletopSceneText parse_tabletop_scene(std::string_view text, const std::string&
 }
 
 TabletopSceneText load_tabletop_scene(const std::filesystem::path& path) {
-  auto result = parse_tabletop_scene(load_text(path), path.string());
-  if (has_errors(result.problems))
-    throw TextFileError(std::move(result.problems));
-  return result;
+  return load_parsed(path, parse_tabletop_scene);
 }
 
 } // namespace castor::vision
