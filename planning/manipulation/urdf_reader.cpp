@@ -193,7 +193,7 @@ ArmText parse_urdf(const std::string& text, const std::string& file_name,
 }
 
 ArmText load_urdf(const std::filesystem::path& path, const UrdfOptions& options) {
-  return load_parsed(path, [&](std::string_view text, const std::string& name) {
+  return load_parsed(path, [&](const std::string& text, const std::string& name) {
     return parse_urdf(text, name, options);
   });
 }
