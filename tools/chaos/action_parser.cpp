@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <map>
 
 namespace castor::faults {
@@ -105,8 +108,10 @@ public:
 
   Expectation expectation() {
     constexpr std::string_view remedy =
-      "write expect answer within 10s, or expect rest within 10min";
+      "write expect answer within 10s, expect rest within 10min, or expect growth within 100MB";
     Expectation result;
+    if (accept("growth"))
+      return growth(remedy);
     if (accept("rest"))
       result.kind = Expectation::Kind::rest;
     else
@@ -122,6 +127,25 @@ public:
   }
 
 private:
+  Expectation growth(std::string_view remedy) {
+    constexpr std::string_view size_remedy = "write whole megabytes, such as 100MB";
+    constexpr int most_digits = 6;
+    expect("within", remedy);
+    const auto word = next("how much more memory is expected is missing", size_remedy);
+    const std::string_view text = word.text;
+    const auto digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    std::uint64_t megabytes = 0;
+    if (!word.quoted && digits <= most_digits && text.substr(digits) == "MB")
+      std::from_chars(text.data(), text.data() + digits, megabytes);
+    if (megabytes == 0)
+      fail(in_quotes(word.text) + " is no size above zero", size_remedy);
+    expect_end(remedy);
+    Expectation result;
+    result.kind = Expectation::Kind::growth;
+    result.bytes = megabytes * 1'000'000;
+    return result;
+  }
+
   using Reader = void (ActionParser::*)(std::vector<Action>&);
 
   static const std::map<std::string_view, Reader>& readers() {

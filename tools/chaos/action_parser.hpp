@@ -2,6 +2,7 @@
 
 #include "castor/tools/chaos/workload.hpp"
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -9,11 +10,13 @@ namespace castor::faults {
 
 /// `expect answer within TIME` or `expect rest within TIME`.
 struct Expectation {
-  enum class Kind { answer, rest };
+  enum class Kind { answer, rest, growth };
 
   Kind kind = Kind::answer;
-  /// Above 0.
+  /// Above 0; of an answer and of rest.
   Timestamp within{0};
+  /// Above 0; of growth.
+  std::uint64_t bytes = 0;
 };
 
 /// Parses the part of a workload statement after its trigger: an action, or several with `or`

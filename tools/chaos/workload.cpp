@@ -82,6 +82,8 @@ std::string to_string(const Workload& x) {
     result += "expect answer within " + to_text(*x.answer_within) + "\n";
   if (x.rest_within)
     result += "expect rest within " + to_text(*x.rest_within) + "\n";
+  if (x.growth_within)
+    result += "expect growth within " + std::to_string(*x.growth_within / 1'000'000) + "MB\n";
   if (x.same)
     result += to_string(*x.same) + "\n";
   for (auto& forbidden : x.never)

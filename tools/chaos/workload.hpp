@@ -109,12 +109,16 @@ struct Workload {
   std::optional<Timestamp> answer_within;
   /// Longest time from the last fault until nothing changes any more; nothing for a minute.
   std::optional<Timestamp> rest_within;
+  /// Memory that a process may come to have in addition, bytes; nothing for what does not count as
+  /// a leak (ResourceTolerance).
+  std::optional<std::uint64_t> growth_within;
   std::optional<SameEntries> same;
   std::vector<ForbiddenChange> never;
 
   friend bool operator==(const Workload& a, const Workload& b) {
     return a.seed == b.seed && a.statements == b.statements && a.answer_within == b.answer_within &&
-           a.rest_within == b.rest_within && a.same == b.same && a.never == b.never;
+           a.rest_within == b.rest_within && a.growth_within == b.growth_within &&
+           a.same == b.same && a.never == b.never;
   }
 };
 

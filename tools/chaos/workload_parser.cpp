@@ -41,6 +41,8 @@ private:
       return set(workload_.seed, *seed);
     if (word == "expect") {
       const auto x = parse_expectation(behind);
+      if (x.kind == Expectation::Kind::growth)
+        return set(workload_.growth_within, x.bytes);
       return set(x.kind == Expectation::Kind::rest ? workload_.rest_within
                                                    : workload_.answer_within,
                  x.within);
@@ -60,7 +62,8 @@ private:
         in_quotes(word) + " is not the beginning of a statement",
         remedy_for(word, {"at", "every", "rate", "expect", "same", "never", "seed"},
                    "write at TIME, every TIME or rate NUMBER/s before an action, expect answer "
-                   "within TIME, expect rest within TIME, same TYPE, or never FILTER"));
+                   "within TIME, expect rest within TIME, expect growth within SIZE, same TYPE, or "
+                   "never FILTER"));
     WorkloadStatement statement;
     auto rest = line.text;
     statement.trigger = parse_trigger(rest);

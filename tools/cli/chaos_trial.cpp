@@ -5,6 +5,7 @@
 #include "castor/base/text.hpp"
 #include "castor/tools/chaos/injector.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
+#include "castor/tools/chaos/journal_snapshot.hpp"
 #include "castor/tools/chaos/outages.hpp"
 #include "castor/tools/chaos/resource_growth.hpp"
 #include "castor/tools/chaos/rounded.hpp"
@@ -89,6 +90,7 @@ public:
     TimeLimit destruction;
     auto options = this->options();
     auto architecture = setup_.architecture;
+    const faults::JournalSnapshot snapshot{faults::journals_of(architecture)};
     auto work = prepare_work(architecture);
     auto nodes = start_local_nodes(architecture, true, setup_.plugins, {}, options);
     if (work)
@@ -441,9 +443,12 @@ private:
 
   void look_at_resources(std::vector<faults::ProcessResources> resources) {
     run_.resources = std::move(resources);
+    faults::ResourceTolerance tolerance;
+    if (setup_.workload && setup_.workload->workload.growth_within)
+      tolerance.memory = static_cast<double>(*setup_.workload->workload.growth_within);
     bool good = true;
     for (auto& process : run_.resources)
-      for (auto& leak : faults::leaks(process)) {
+      for (auto& leak : faults::leaks(process, tolerance)) {
         violation("memory, files and threads", leak);
         good = false;
       }

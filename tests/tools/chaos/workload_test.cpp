@@ -31,6 +31,7 @@ constexpr const char* whole_language =
   "every 1s write Note {\"text\":\"\\\"\"} to memory/note one\n"
   "expect answer within 10s\n"
   "expect rest within 5min\n"
+  "expect growth within 120MB\n"
   "same SceneObject, ROI but for time, object_id\n"
   "never overwritten Oven in kitchen where state == \"on # fire\"  # of the cook\n"
   "never Alarm\n";
@@ -83,6 +84,7 @@ TEST(Workload, SaysWhatIsDoneAndWhen) {
               ElementsAre(Action{WriteEntry{"Note", R"({"text":"\""})", "memory", "note one"}}));
   EXPECT_EQ(x.answer_within, 10s);
   EXPECT_EQ(x.rest_within, 5min);
+  EXPECT_EQ(x.growth_within, 120'000'000U);
   ASSERT_TRUE(x.same);
   EXPECT_THAT(x.same->types, ElementsAre("SceneObject", "ROI"));
   EXPECT_THAT(x.same->but_for, ElementsAre("time", "object_id"));
@@ -129,6 +131,13 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
   EXPECT_THAT(flaws_of("at 1s remove"), HasSubstr("which thing is missing"));
   EXPECT_THAT(flaws_of("expect answer within 0s"), HasSubstr("not a time above zero"));
   EXPECT_THAT(flaws_of("expect rest within"), HasSubstr("how soon that is expected is missing"));
+  for (auto* size : {"0MB", "-1MB", "12", "12GB", "1e3MB", "1234567MB", "\"12MB\""})
+    EXPECT_THAT(flaws_of("expect growth within " + std::string{size}),
+                HasSubstr("no size above zero"))
+      << size;
+  EXPECT_THAT(flaws_of("expect growth within"), HasSubstr("how much more memory"));
+  EXPECT_THAT(flaws_of("expect growth within 1MB\nexpect growth within 2MB"),
+              HasSubstr("given twice"));
   EXPECT_THAT(flaws_of("expect joy within 1s"), HasSubstr("expect rest within 10min"));
   EXPECT_THAT(flaws_of("expect rest within 1s\nexpect rest within 2s"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
