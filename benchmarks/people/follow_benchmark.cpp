@@ -8,12 +8,12 @@
 // again after it has given up. It knows its pose. Distances are those of the true middles, from the
 // tenth second on.
 #include "castor/benchmarks/people/scenes.hpp"
+#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/building/solid_obstacles.hpp"
 #include "castor/mapping/building/solids.hpp"
 #include "castor/mapping/movement/person_follower.hpp"
 #include "castor/mapping/movement/planning_map.hpp"
-#include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/people/person_detector.hpp"
 #include "castor/mapping/people/person_tracks.hpp"
 
@@ -89,8 +89,12 @@ private:
     tracks_.add(detector_.detect(scan, wheels, tracks_.expected(now)), ScanView{scan, wheels}, now);
     seen_.add(scan, body_.status().pose);
     people_.clear();
+    movers_.clear();
     const auto frame = compose(body_.status().pose, inverse(wheels));
     for (const auto& x : tracks_.people()) {
+      const auto tip = transform(frame, Point2{x.place.x + x.velocity.x, x.place.y + x.velocity.y});
+      const auto here = transform(frame, x.place);
+      movers_.push_back({here, {tip.x - here.x, tip.y - here.y}});
       constexpr double in_sight = 0.5;
       if (x.visibility < in_sight)
         continue;
@@ -106,8 +110,8 @@ private:
       follower_.emplace(people_.front().id, FollowPersonOptions{});
     Twist2 velocity;
     if (follower_) {
-      const auto step =
-        follower_->step(now, robot, people_, map_.clearance_of_occupied(), seen_.points());
+      const auto seen = seen_.points();
+      const auto step = follower_->step(now, robot, people_, {map_, seen, movers_});
       velocity = step.velocity;
       if (step.status == MovementStatus::failed) {
         ++result.given_up;
@@ -127,6 +131,7 @@ private:
   PlanningMap map_;
   SeenObstacles seen_;
   std::vector<SeenPerson> people_;
+  std::vector<Mover> movers_;
   std::optional<PersonFollower> follower_;
 };
 

@@ -38,11 +38,12 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
   stands_ = false;
   if (recovery_.is_active())
     return recover(robot, around);
-  if (follower_ && follower_->has_arrived())
-    return turn_at_goal(robot);
   const bool may_plan = !planned_ || time - *planned_ >= options_.replan_period;
+  if (follower_ && follower_->has_arrived() && !(is_goal_new_ && may_plan))
+    return turn_at_goal(robot);
   const auto in_the_way = obstacles(around);
-  if (may_plan && (!follower_ || is_blocked_ || !is_path_free(robot, around.map, in_the_way)))
+  if (may_plan &&
+      (!follower_ || is_blocked_ || is_goal_new_ || !is_path_free(robot, around.map, in_the_way)))
     plan(robot, around.map, in_the_way);
   if (!problem_.empty())
     return fail(problem_);
@@ -56,6 +57,20 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
     return fail(fmt::format("something that is not on the map blocks every way, for {} s by now",
                             options_.patience / 1'000'000));
   return stand(MovementStatus::waiting, "a free way");
+}
+
+void GoalPursuit::change_goal(const Point2& goal) {
+  if (goal == goal_)
+    return;
+  goal_ = goal;
+  is_goal_new_ = true;
+}
+
+void GoalPursuit::hold(std::int64_t time, const Pose2& robot) {
+  time_ = time;
+  step_time_.reset();
+  blocked_since_.reset();
+  recovery_.has_stalled(time, robot, false);
 }
 
 bool GoalPursuit::is_expected(const PlanningMap& map, const Point2& seen) const {
@@ -125,6 +140,9 @@ void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
                        std::span<const Point2> obstacles) {
   planned_ = time_;
   ++plans_;
+  // The length of a way to another goal is no reason to wait for that one.
+  if (std::exchange(is_goal_new_, false))
+    follower_.reset();
   const Point2 start{robot.x, robot.y};
   PlannedPath planned;
   if (!obstacles.empty())

@@ -85,6 +85,13 @@ public:
   /// @param time microseconds
   Step step(std::int64_t time, const Pose2& robot, const PursuitSurroundings& around);
 
+  /// Changes the goal. The next plan leads there; until then it follows the path that it has.
+  void change_goal(const Point2& goal);
+
+  /// To be called in place of `step` while the robot stands for another reason, so that it does not
+  /// count as stalled.
+  void hold(std::int64_t time, const Pose2& robot);
+
   const Path& path() const { return path_; }
   double done() const { return follower_ ? follower_->done() : 0; }
   double length() const { return follower_ ? follower_->length() : 0; }
@@ -125,6 +132,8 @@ private:
   StallRecovery recovery_;
   std::string problem_;
   bool is_blocked_ = false;
+  /// The path leads to a goal of before.
+  bool is_goal_new_ = false;
   bool stands_ = false;
   std::int64_t time_ = 0;
   std::optional<std::int64_t> step_time_;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "castor/mapping/movement/clearance_map.hpp"
 #include "castor/mapping/movement/followed_person.hpp"
-#include "castor/mapping/movement/types.hpp"
+#include "castor/mapping/movement/goal_pursuit.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <cstdint>
@@ -10,64 +9,46 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace castor::mapping {
 
 struct FollowPersonOptions {
-  /// Way to keep between the middles of robot and person, and the least of it; metres.
+  /// Way to keep between the middles of robot and person, and the least distance; metres.
   double distance = 1.2;
   double nearest = 0.8;
-  /// m/s and rad/s.
+  /// At most, m/s.
   double speed = 0.8;
-  double max_turn = 1.2;
-  /// How hard it gains speed, and how hard it counts on braking; m/s^2.
-  double acceleration = 0.6;
-  double braking = 0.5;
-  /// Time until a command has an effect, seconds.
-  double reaction = 0.2;
   /// How fast it makes up for a distance that is too large, 1/s.
   double gain = 1;
-  /// How far ahead on the trail it aims, metres.
-  double look_ahead = 0.5;
-  /// Of the footprint; what it keeps from obstacles on shortcuts, and from what the laser sees;
-  /// metres.
-  double radius = 0.25;
-  double margin = 0.06;
-  double gap = 0.03;
-  /// It goes on so far beyond where the person was seen last, in the direction of walking, metres.
+  /// It looks so far beyond where the person was seen last, in the direction of walking, metres.
   double beyond = 0.8;
-  /// Times in microseconds. It gives up when the person has been out of sight for so long, or
-  /// something has been in the way.
+  /// It gives up when the person has been out of sight for so long, or cannot be reached for so
+  /// long; microseconds.
   std::int64_t patience = 15'000'000;
   FollowedPersonOptions person;
+  /// How it goes there. Its speed is the one above.
+  PursuitOptions pursuit;
 };
 
-/// Drives a robot behind a person: along the way that the person walked, or straight where that is
-/// free, at a distance. It stands when it is near, and faces the person. Of a person out of sight,
-/// as behind a corner, it goes on to where the person was last, and looks around there; it gives up
-/// with a reason.
+/// Leads a robot behind a person: chooses the place to go to, which a GoalPursuit does, and the
+/// speed that keeps the distance. Near the person it stands, and faces the person. Of a person out
+/// of sight, as behind a corner, it goes on to where the person was last, and looks around there;
+/// it gives up with a reason.
 ///
 /// Its only time is that of its arguments. Everything is in the map frame.
 class PersonFollower {
 public:
-  PersonFollower(std::int64_t person, const FollowPersonOptions& options)
-    : options_(options), person_(person, options.person) {}
+  PersonFollower(std::int64_t person, const FollowPersonOptions& options);
 
-  struct Step {
-    Twist2 velocity;
-    /// moving, waiting (behind somebody who stands, or before something), recovering (it looks for
-    /// the person), or failed, which is the end.
-    MovementStatus status = MovementStatus::moving;
-    std::string waits_for;
-    std::string reason;
-  };
+  /// Its status is moving, waiting (behind somebody who stands, or before something), recovering
+  /// (from a stall, or it looks for the person), or failed, which is the end.
+  using Step = GoalPursuit::Step;
 
   /// @param time microseconds
   /// @param people whom a tracker sees now
-  /// @param map clearance from what is on the map; without columns if there is none
-  /// @param seen what the laser has seen lately
   Step step(std::int64_t time, const Pose2& robot, std::span<const SeenPerson> people,
-            const ClearanceMap& map, std::span<const Point2> seen);
+            const PursuitSurroundings& around);
 
   /// Whom it follows now: a person who was lost for a while may have got another id.
   std::int64_t person() const { return person_.id(); }
@@ -75,35 +56,40 @@ public:
   double way() const { return way_; }
 
 private:
+  struct Failure {
+    std::int64_t time = 0;
+    Point2 place;
+  };
+
   void note(const SeenPerson& x);
-  void pass_trail(const Pose2& robot);
-  Step follow(const Pose2& robot, const ClearanceMap& map, std::span<const Point2> seen);
-  Step search(const Pose2& robot, const ClearanceMap& map, std::span<const Point2> seen);
-  /// The farthest point of the trail that is straight ahead of the robot without an obstacle, and
-  /// not nearer than the look-ahead.
-  std::size_t aim(const Pose2& robot, const ClearanceMap& map, std::span<const Point2> seen) const;
-  bool is_free(const Point2& a, const Point2& b, const ClearanceMap& map,
-               std::span<const Point2> seen) const;
-  Point2 carrot(const Pose2& robot, std::size_t aimed) const;
-  Step drive_to(const Pose2& robot, const Point2& goal, double speed, std::span<const Point2> seen);
-  double way_along(const Pose2& robot, std::size_t from) const;
-  Step turn_to(double aside, MovementStatus status, const std::string& waits_for);
-  Step fail(const std::string& reason);
+  Step follow(const Pose2& robot, const PursuitSurroundings& around);
+  Step search(const Pose2& robot, const PursuitSurroundings& around);
+  /// The newest place of the trail where the robot fits.
+  std::optional<Point2> goal_on_trail(const PlanningMap& map) const;
+  bool fits(const Point2& place, const PlanningMap& map) const;
+  Step pursue(const Pose2& robot, const Point2& goal, const PursuitSurroundings& around);
+  /// The pursuit found no way: it waits, and gives up if that lasts.
+  Step wait_for_way(const Pose2& robot, const std::string& reason);
+  /// Speed that keeps the distance, m/s.
+  double speed_behind(const Pose2& robot, const PlanningMap& map);
+  Step turn_towards(const Pose2& robot, const Point2& place, const std::string& waits_for);
+  Step fail(const std::string& reason) const;
 
   FollowPersonOptions options_;
   FollowedPerson person_;
-  /// Where the person walked, from about where the robot is; the last is the newest place.
+  /// Where the person walked; the last is the newest place.
   std::deque<Point2> trail_;
   std::optional<SeenPerson> last_;
+  std::optional<GoalPursuit> pursuit_;
   std::int64_t time_ = 0;
-  std::int64_t begun_ = -1;
+  std::optional<std::int64_t> begun_;
   std::int64_t seen_time_ = 0;
-  double dt_ = 0;
-  double speed_ = 0;
   double way_ = 0;
-  bool is_turning_ = false;
+  /// What it looks at beyond the last place, once.
   bool has_looked_beyond_ = false;
-  std::optional<std::int64_t> blocked_since_;
+  /// The first of the failures near one place.
+  std::optional<Failure> failure_;
+  std::int64_t failed_last_ = 0;
 };
 
 } // namespace castor::mapping

@@ -97,6 +97,38 @@ TEST(GoalPursuit, GoesAroundWhatTheMapDoesNotHave) {
   EXPECT_EQ(x.body.collisions, 0);
 }
 
+TEST(GoalPursuit, GoesToAGoalThatChanges) {
+  const auto map = test::empty_room(8, 6);
+  PlanningMap planning_map;
+  planning_map.update(map, 1);
+  GoalPursuit pursuit({6, 1}, std::nullopt, {});
+  Pose2 robot{1, 1, 0};
+  GoalPursuit::Step step;
+  for (int i = 0; i < 1200 && step.status != MovementStatus::arrived; ++i) {
+    constexpr std::int64_t period = 50'000;
+    step = pursuit.step(i * period, robot, {planning_map, {}});
+    robot = moved(robot, step.velocity, 0.05);
+    if (robot.x > 3)
+      pursuit.change_goal({2, 5});
+  }
+  EXPECT_EQ(step.status, MovementStatus::arrived);
+  EXPECT_NEAR(distance(Point2{2, 5}, {robot.x, robot.y}), 0, 0.15);
+}
+
+TEST(GoalPursuit, ARobotThatIsHeldIsNotStalled) {
+  const auto map = test::empty_room(8, 6);
+  PlanningMap planning_map;
+  planning_map.update(map, 1);
+  GoalPursuit pursuit({6, 1}, std::nullopt, {});
+  const Pose2 robot{1, 1, 0};
+  constexpr std::int64_t second = 1'000'000;
+  pursuit.step(0, robot, {planning_map, {}});
+  for (int i = 1; i < 10; ++i)
+    pursuit.hold(i * second, robot);
+  EXPECT_EQ(pursuit.step(10 * second, robot, {planning_map, {}}).status, MovementStatus::moving);
+  EXPECT_EQ(pursuit.recoveries(), 0);
+}
+
 TEST(GoalPursuit, GivesUpWhereADoorIsShutThatTheMapHasOpen) {
   auto map = test::empty_room(6, 4);
   test::fill(map, 2.95, 0, 3.05, 4);
