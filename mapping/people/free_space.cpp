@@ -77,21 +77,18 @@ bool FreeSpace::is_any_hit(CellIndex middle, int times) const {
   return false;
 }
 
-void FreeSpace::add(const Point2& scanner, std::span<const Point2> ends,
-                    std::span<const Point2> movers) {
+void FreeSpace::add(const Point2& scanner, std::span<const Point2> standing,
+                    std::span<const Point2> moving) {
   ++scan_;
-  for (const auto& end : ends) {
-    constexpr double reach = 0.5; // metres
-    const auto is_mover = [&](const Point2& x) { return distance(x, end) < reach; };
-    if (std::ranges::any_of(movers, is_mover))
-      continue;
+  for (const auto& end : standing) {
     auto& hit = cell(index(end));
     if (hit.hit != scan_)
       hit.count = static_cast<std::int16_t>(std::min(most_occupied, hit.count + 1));
     hit.hit = scan_;
   }
-  for (const auto& end : ends)
-    pass(scanner, end);
+  for (const auto ends : {standing, moving})
+    for (const auto& end : ends)
+      pass(scanner, end);
   if (tiles_.size() > most_tiles)
     forget_far(scanner);
 }

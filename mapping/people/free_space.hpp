@@ -31,10 +31,10 @@ public:
   /// Whether something has been there, or beside, for about a second.
   bool is_settled(const Point2& p) const;
 
-  /// One scan.
-  /// @param ends where beams ended; those without a return are left out
-  /// @param movers places of those who move: what is seen there does not stand
-  void add(const Point2& scanner, std::span<const Point2> ends, std::span<const Point2> movers);
+  /// One scan. Beams without a return are left out.
+  /// @param standing where beams ended at what may stand
+  /// @param moving where they ended at those who move, which says only where it is free before them
+  void add(const Point2& scanner, std::span<const Point2> standing, std::span<const Point2> moving);
 
 private:
   struct Cell {

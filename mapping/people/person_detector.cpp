@@ -58,6 +58,10 @@ std::optional<double> range_beside(const LaserScan& scan, std::size_t edge, int 
   return range > nearest ? range : scan.max_range;
 }
 
+bool is_near_any(std::span<const Point2> places, const Point2& x, double reach) {
+  return std::ranges::any_of(places, [&](const Point2& y) { return distance(x, y) < reach; });
+}
+
 } // namespace
 
 std::vector<BodyPart> PersonDetector::detect(const LaserScan& scan, const Pose2& robot,
@@ -65,26 +69,30 @@ std::vector<BodyPart> PersonDetector::detect(const LaserScan& scan, const Pose2&
   const auto scanner_pose = compose(robot, scan.mount);
   const Point2 scanner{scanner_pose.x, scanner_pose.y};
   std::vector<BodyPart> result;
-  std::vector<Point2> ends;
-  for (const auto& x : clusters(scan, scanner_pose)) {
-    ends.insert(ends.end(), x.ends.begin(), x.ends.end());
+  std::vector<Point2> standing;
+  std::vector<Point2> moving;
+  const auto all = clusters(scan, scanner_pose);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& x = all[i];
+    const bool is_apart = is_separate(scan, x);
+    for (const auto& end : x.ends)
+      (is_apart && is_near_any(known, end, options_.moving_reach) ? moving : standing)
+        .push_back(end);
     const double width = distance(x.ends.front(), x.ends.back());
     if (width > options_.widest_part || scan.ranges[x.first] > options_.range)
       continue;
     const BodyPart part{middle_of(x.ends, width, scanner), width, x.is_new, stands_out(scan, x),
                         free_space_.is_settled(x.ends[x.ends.size() / 2])};
-    const auto is_near = [&](const Point2& person) {
-      return distance(person, part.place) < options_.known_reach;
-    };
     const bool may_begin =
       part.is_new || (!part.is_settled && scan.ranges[x.first] < options_.near_range);
     const bool is_alone = may_begin && part.stands_out;
     // Walls at a small angle are single beams.
-    const bool is_hidden_part = part.is_new && width > options_.least_part;
-    if (is_alone || ((is_hidden_part || part.stands_out) && std::ranges::any_of(known, is_near)))
+    const bool is_hidden_part = part.is_new && !is_joined(all, i) && width > options_.least_part;
+    if (is_alone || ((is_hidden_part || part.stands_out) &&
+                     is_near_any(known, part.place, options_.known_reach)))
       result.push_back(part);
   }
-  free_space_.add(scanner, ends, known);
+  free_space_.add(scanner, standing, moving);
   return result;
 }
 
@@ -110,11 +118,30 @@ std::vector<PersonDetector::Cluster> PersonDetector::clusters(const LaserScan& s
 }
 
 bool PersonDetector::stands_out(const LaserScan& scan, const Cluster& x) const {
-  const auto passes = [&](std::size_t edge, int side) {
+  return passes(scan, x.first, -1) && passes(scan, x.last, 1);
+}
+
+bool PersonDetector::passes(const LaserScan& scan, std::size_t edge, int side) const {
+  const auto range = range_beside(scan, edge, side);
+  return range && *range > scan.ranges[edge] + options_.passing;
+}
+
+bool PersonDetector::is_separate(const LaserScan& scan, const Cluster& x) const {
+  const auto is_hidden = [&](std::size_t edge, int side) {
     const auto range = range_beside(scan, edge, side);
-    return range && *range > scan.ranges[edge] + options_.passing;
+    return range && *range < scan.ranges[edge] - options_.passing;
   };
-  return passes(x.first, -1) && passes(x.last, 1);
+  const bool left = passes(scan, x.first, -1);
+  const bool right = passes(scan, x.last, 1);
+  return (left && (right || is_hidden(x.last, 1))) || (right && is_hidden(x.first, -1));
+}
+
+bool PersonDetector::is_joined(std::span<const Cluster> all, std::size_t i) const {
+  const auto joins = [&](const Cluster& before, const Cluster& after) {
+    return before.last + 1 == after.first && !(before.is_new && after.is_new) &&
+           distance(before.ends.back(), after.ends.front()) < options_.joint;
+  };
+  return (i > 0 && joins(all[i - 1], all[i])) || (i + 1 < all.size() && joins(all[i], all[i + 1]));
 }
 
 } // namespace castor::mapping

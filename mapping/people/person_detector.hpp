@@ -28,6 +28,12 @@ struct DetectorOptions {
   /// What is only new, or only stands out, is a part within that distance of where a known person
   /// is expected, metres.
   double known_reach = 0.75;
+  /// What is new, and does not stand out, is a part unless something that was there before is
+  /// beside it within that distance, metres.
+  double joint = 0.3;
+  /// What ends there on both sides is of that person and moves, within that distance, metres. A
+  /// wall that somebody passes stands as before.
+  double moving_reach = 0.5;
 };
 
 /// Finds legs and bodies in scans: what is where it was free before, or has just appeared and
@@ -55,6 +61,14 @@ private:
   std::vector<Cluster> clusters(const LaserScan& scan, const Pose2& scanner) const;
   /// Whether the beams on both sides pass it.
   bool stands_out(const LaserScan& scan, const Cluster& x) const;
+  /// Whether the beam beside that edge passes it, on the side -1 or 1.
+  bool passes(const LaserScan& scan, std::size_t edge, int side) const;
+  /// Whether the next beam on a side ends near it, where it was not free before: it is a piece of
+  /// something that stands, as of a wall at a small angle.
+  bool is_joined(std::span<const Cluster> all, std::size_t i) const;
+  /// Whether the beams on both sides pass it, or on one side, and something before it hides the
+  /// other.
+  bool is_separate(const LaserScan& scan, const Cluster& x) const;
 
   DetectorOptions options_;
   FreeSpace free_space_;
