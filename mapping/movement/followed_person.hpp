@@ -25,10 +25,19 @@ struct FollowedPersonOptions {
   /// The same for each second out of sight, m/s, up to so far.
   double growth = 0.5;
   double farthest = 2.5;
+  /// Slower people do not walk, m/s.
+  double walking = 0.3;
+  /// Somebody who was lost does not come back the other way within that time; microseconds.
+  std::int64_t turns_after = 5'000'000;
+  /// A track that slows down to half its speed at once, or turns by more than that, may have been
+  /// lost to something else: for so long, somebody new who walks on where it would be is the
+  /// person. Radians, microseconds.
+  double turn = 1;
+  std::int64_t doubt = 3'000'000;
 };
 
 /// Decides who of those in sight is the person to follow: the one with the same id, or, when that
-/// id is gone, somebody new where the person has to be.
+/// id is gone or its track stops at once, somebody new where the person has to be.
 class FollowedPerson {
 public:
   FollowedPerson(std::int64_t id, const FollowedPersonOptions& options)
@@ -41,10 +50,24 @@ public:
   std::int64_t id() const { return id_; }
 
 private:
+  using People = std::span<const SeenPerson>;
+
+  bool is_steady(const SeenPerson& x) const;
+  /// Where somebody who was there then is by now.
+  Point2 expected(const SeenPerson& x, std::int64_t then) const;
+  /// Somebody new who walks on as the person did, while the track of the person does not.
+  People::iterator find_successor(People people) const;
+  /// Somebody new who may be the person who was lost.
+  People::iterator find_lost(People people) const;
+
   std::int64_t id_;
   FollowedPersonOptions options_;
   std::optional<SeenPerson> last_;
   std::int64_t last_time_ = 0;
+  /// The last time that the person walked on as before.
+  std::optional<SeenPerson> steady_;
+  std::int64_t steady_time_ = 0;
+  std::int64_t time_ = 0;
   /// Who was in sight together with the person, and so is somebody else.
   std::set<std::int64_t> others_;
 };

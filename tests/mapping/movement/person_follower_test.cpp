@@ -174,4 +174,35 @@ TEST(FollowedPerson, SomebodyNewElsewhereIsSomebodyElse) {
   EXPECT_EQ(followed.id(), 7);
 }
 
+TEST(FollowedPerson, SomebodyNewWhoWalksOnWhereTheTrackStopsIsThePerson) {
+  FollowedPerson followed{7, {}};
+  const auto at = [](std::int64_t id, double x, double y, double speed) {
+    return SeenPerson{id, {x, y}, 0, speed};
+  };
+  EXPECT_EQ(followed.find(std::vector{at(7, 2, 0, 0.6)}, 0)->id, 7);
+  // The track stays at a wall beside the way.
+  EXPECT_EQ(followed.find(std::vector{at(7, 2, 0.4, 0.1)}, 500'000)->id, 7);
+  const std::vector<SeenPerson> after{at(7, 2, 0.4, 0), at(8, 0.5, 0, 0.6), at(9, 2.9, 0, 0.6)};
+  EXPECT_EQ(followed.find(after, 1'500'000)->id, 9);
+}
+
+TEST(FollowedPerson, WhoStopsIsStillThePersonWhenSomebodyWalksBy) {
+  FollowedPerson followed{7, {}};
+  const SeenPerson before{7, {2, 0}, 0, 0.6};
+  const SeenPerson stands{7, {2.2, 0}, 0, 0};
+  EXPECT_EQ(followed.find(std::vector{before}, 0)->id, 7);
+  EXPECT_EQ(followed.find(std::vector{stands}, 500'000)->id, 7);
+  const SeenPerson comes{9, {2.9, 0}, 3, 0.6};
+  EXPECT_EQ(followed.find(std::vector{stands, comes}, 1'500'000)->id, 7) << "the other way";
+  const SeenPerson passes{10, {4, 0}, 0, 0.6};
+  EXPECT_EQ(followed.find(std::vector{stands, passes}, 5'000'000)->id, 7) << "much later";
+}
+
+TEST(FollowedPerson, WhoComesTheOtherWayIsSomebodyElse) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{9, {2.5, 0}, 3, 0.6}}, 2'000'000));
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{10, {3, 0}, 0.2, 0.6}}, 2'000'000)->id, 10);
+}
+
 } // namespace castor::mapping
