@@ -61,6 +61,16 @@ struct GoToObject {
   MovementPriority priority = MovementPriority::normal;
 };
 
+/// Action: follow a person at a distance until it is cancelled. It fails if the person is lost or
+/// cannot be reached.
+struct FollowPerson {
+  /// `Person::id`; 0: the one who is nearest to the robot.
+  std::int64_t person = 0;
+  /// Between the middles of robot and person, metres.
+  double distance = 1.2;
+  MovementPriority priority = MovementPriority::normal;
+};
+
 /// Action: turn on the spot, by more than a full turn too.
 struct TurnBy {
   double angle = 0;
@@ -121,6 +131,7 @@ CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, along_graph, priority)
 CASTOR_REFLECT(GoToNode, node, along_graph, priority)
 CASTOR_REFLECT(GoToArea, area, along_graph, priority)
 CASTOR_REFLECT(GoToObject, x, y, distance, priority)
+CASTOR_REFLECT(FollowPerson, person, distance, priority)
 CASTOR_REFLECT(TurnBy, angle, priority)
 CASTOR_REFLECT(TurnTo, heading, priority)
 CASTOR_REFLECT(StopMoving, priority)

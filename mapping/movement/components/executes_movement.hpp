@@ -9,6 +9,7 @@
 #include "castor/mapping/movement/goal_pursuit.hpp"
 #include "castor/mapping/movement/movement_queue.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
+#include "castor/mapping/movement/person_follower.hpp"
 #include "castor/mapping/movement/types.hpp"
 
 #include <algorithm>
@@ -188,6 +189,35 @@ protected:
     });
   }
 
+  /// Follows a person until it is cancelled, or the person is lost.
+  /// @param people in sight now, as a function
+  template <class F>
+  ActionResult follow(ActionInProgress& action, const FollowPerson& what, F people) {
+    std::optional<PersonFollower> follower;
+    return execute_steps(action, "follow a person", [&]() -> std::optional<ActionResult> {
+      const std::vector<SeenPerson> in_sight = people();
+      if (!follower) {
+        const auto id = what.person != 0 ? what.person : nearest_of(in_sight, *pose());
+        if (id == 0) {
+          drive({});
+          tell(MovementStatus::waiting, "somebody to follow");
+          return std::nullopt;
+        }
+        follower.emplace(id, follow_options(what.distance));
+      }
+      const auto seen = seen_.points();
+      const auto movers = watch_.movers(*pose());
+      const auto step =
+        follower->step(now().count(), *pose(), in_sight, {planning_map(), seen, movers, gateways_});
+      movement_.task = "follow person " + std::to_string(follower->person());
+      drive(step.velocity);
+      if (step.status == MovementStatus::failed)
+        return ActionResult::failed(step.reason);
+      tell(step.status, step.waits_for);
+      return std::nullopt;
+    });
+  }
+
   // -- what it knows
 
   const PursuitOptions& pursuit_options() const { return options_; }
@@ -209,6 +239,23 @@ protected:
   std::vector<Point2> gateways_;
 
 private:
+  /// Id of the person nearest to the robot; 0 if there is nobody.
+  static std::int64_t nearest_of(const std::vector<SeenPerson>& people, const Pose2& robot) {
+    const auto nearest = std::ranges::min_element(people, {}, [&](const SeenPerson& x) {
+      return distance(x.place, {robot.x, robot.y});
+    });
+    return nearest == people.end() ? 0 : nearest->id;
+  }
+
+  FollowPersonOptions follow_options(double distance) const {
+    FollowPersonOptions result;
+    result.distance = distance;
+    result.nearest = std::min(result.nearest, distance);
+    result.speed = follow_speed_;
+    result.pursuit = options_;
+    return result;
+  }
+
   /// An urgent action clears the queue when it arrives, not when its turn comes.
   void note_action(const Address& address) {
     try {
@@ -308,6 +355,7 @@ private:
                                  "to keep from what the laser sees and the map does not have, "
                                  "metres"};
   Option<double> speed_{this, "speed", 0.5, "m/s"};
+  Option<double> follow_speed_{this, "follow-speed", 0.8, "at most, behind a person; m/s"};
   Option<double> narrow_speed_{this, "narrow-speed", 0.35, "in doors and narrow places, m/s"};
   Option<double> people_near_{this, "people-near", 1,
                               "nearer than that, somebody who walks slows it down; metres"};

@@ -2,6 +2,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/mapping/movement/components/executes_movement.hpp"
 #include "castor/mapping/movement/graph_routes.hpp"
+#include "castor/mapping/people/types.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,12 @@ class Navigator final : public ExecutesMovement {
       return go(action, fmt::format("go near {:.2f} {:.2f}", x.x, x.y),
                 [&] { return route_near(x); });
     });
+    execute<FollowPerson>([this](ActionInProgress& action, const FollowPerson& x) {
+      if (people_->empty())
+        return ActionResult::failed("the Navigator does not know where people are: name the "
+                                    "subarchitecture of a PersonTracker by --people");
+      return follow(action, x, [this] { return people_in_sight(); });
+    });
     execute<TurnBy>([this](ActionInProgress& action, const TurnBy& x) {
       return turn(action, x.angle, fmt::format("turn by {:.2f} rad", x.angle));
     });
@@ -59,6 +66,16 @@ class Navigator final : public ExecutesMovement {
     });
   }
 
+  /// Those whom a tracker sees; one who is only expected somewhere is not in sight.
+  std::vector<SeenPerson> people_in_sight() {
+    std::vector<SeenPerson> result;
+    constexpr double in_sight = 0.5;
+    for (const auto& x : entries_in<Person>(people_.get()))
+      if (x.visibility >= in_sight)
+        result.push_back({x.id, {x.x, x.y}, x.heading, x.speed});
+    return result;
+  }
+
   // -- the navigation graph
 
   /// The graph of now; without one, it has no nodes.
@@ -70,8 +87,13 @@ class Navigator final : public ExecutesMovement {
 
   template <class T>
   std::vector<T> entries() {
+    return entries_in<T>(graph_.get());
+  }
+
+  template <class T>
+  std::vector<T> entries_in(const std::string& subarchitecture) {
     std::vector<T> result;
-    for (auto& x : read_all_in<T>(graph_.get()))
+    for (auto& x : read_all_in<T>(subarchitecture))
       result.push_back(*x);
     return result;
   }
@@ -137,13 +159,15 @@ class Navigator final : public ExecutesMovement {
     return best;
   }
 
+  Option<std::string> people_{this, "people", "",
+                              "subarchitecture of a PersonTracker; empty: none"};
   Option<std::string> graph_{this, "graph", "",
                              "subarchitecture of the navigation graph; empty: none"};
 
   bool are_gateways_old_ = true;
 };
 
-CASTOR_COMPONENT(Navigator, "moves the robot: goes to places, turns, stops")
+CASTOR_COMPONENT(Navigator, "moves the robot: goes to places, follows people, turns, stops")
 
 } // namespace
 

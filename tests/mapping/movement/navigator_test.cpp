@@ -19,6 +19,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -188,6 +189,23 @@ class PatientAsker final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(PatientAsker, "asks for movements before and after a failure")
 
+/// Follows somebody for a while.
+class FollowAsker final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [](auto& x) { told().body = *x; });
+  }
+
+  void run() override {
+    auto action = perform("navigation", FollowPerson{});
+    while (is_running() && !action.is_over() && told().body.pose.x < 5)
+      sleep_for(50ms);
+    action.cancel();
+    told().first = action.wait(10s);
+    add(Movement{});
+  }
+};
+CASTOR_COMPONENT(FollowAsker, "follows somebody")
+
 /// Tells of the true pose; nothing while the robot stands.
 class QuietLocalisation final : public UnmanagedComponent {
   void start() override {
@@ -242,6 +260,39 @@ protected:
       TestSystemOptions{.patience = 120s, .simulated_time = true});
   }
 
+  /// A hall in which somebody walks away from the robot.
+  std::unique_ptr<TestSystem> hall_with(const std::string& asker, const std::string& navigator) {
+    told() = {};
+    const auto stem = folder_.path() / "hall";
+    write_map_server(test::empty_room(12, 6), stem);
+    const auto building = stem.string() + ".building";
+    std::ofstream{building} << "wall 0 0 to 12 0 to 12 6 to 0 6 close\n"
+                               "person ann route 2.5 3 to 11 3 speed 0.5\n"
+                               "start 1 3\n";
+    return std::make_unique<TestSystem>(
+      "COMPONENT CPP robot SimulatedRobot --people true --legs true --beams-per-degree 2 "
+      "--lease navigation/seat --building " +
+        building +
+        "\n"
+        "SUBARCHITECTURE people\n"
+        "CPP WM SubarchitectureWorkingMemory\n"
+        "CPP TM AlwaysPositiveTaskManager\n"
+        "CPP UM tracker PersonTracker --localisation navigation\n"
+        "SUBARCHITECTURE navigation\n"
+        "CPP WM SubarchitectureWorkingMemory\n"
+        "CPP TM AlwaysPositiveTaskManager\n"
+        "CPP UM localisation QuietLocalisation\n"
+        "CPP UM navigator Navigator --map " +
+        stem.string() + ".yaml --seat seat --localisation navigation " + navigator +
+        "\n"
+        "SUBARCHITECTURE asking\n"
+        "CPP WM SubarchitectureWorkingMemory\n"
+        "CPP TM AlwaysPositiveTaskManager\n"
+        "CPP UM asker " +
+        asker + "\nSUPERVISE * RESTARTS 10 IN 10s\n",
+      TestSystemOptions{.patience = 120s, .simulated_time = true});
+  }
+
   castor::test::TemporaryFolder folder_;
 };
 
@@ -287,6 +338,22 @@ TEST_F(NavigatorSystem, AHighPriorityGoesBeforeThoseThatWait) {
   EXPECT_EQ(told().third.outcome, ActionOutcome::succeeded) << told().third.reason;
   EXPECT_EQ(told().first.status, ActionStatus::over);
   EXPECT_NE(told().second.status, ActionStatus::over);
+}
+
+TEST_F(NavigatorSystem, FollowsAPersonUntilItIsCancelled) {
+  const auto system = hall_with("FollowAsker", "--people people");
+  system->expect_entry("Movement in asking");
+  system->expect_entry("Movement in navigation where task == \"follow person 1\"");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::cancelled) << told().first.reason;
+  EXPECT_GE(told().body.pose.x, 5);
+  EXPECT_EQ(told().body.collisions, 0);
+}
+
+TEST_F(NavigatorSystem, SaysThatItDoesNotKnowOfPeople) {
+  const auto system = hall_with("FollowAsker", "");
+  system->expect_entry("Movement in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::failed);
+  EXPECT_THAT(told().first.reason, testing::HasSubstr("--people"));
 }
 
 TEST_F(NavigatorSystem, GoesOnAfterAFailureWhileTheRobotStands) {
