@@ -5,42 +5,43 @@
 
 namespace castor::mapping {
 
-bool FollowedPerson::is_steady(const SeenPerson& x) const {
-  if (x.speed < options_.walking)
-    return false;
-  return !steady_ || (x.speed > steady_->speed / 2 &&
-                      std::abs(normalised(x.heading - steady_->heading)) < options_.turn);
+bool FollowedPerson::goes_on(const SeenPerson& x) const {
+  const auto& before = steady_.front().person;
+  return before.speed < options_.walking ||
+         (x.speed > before.speed / 2 &&
+          std::abs(normalised(x.heading - before.heading)) < options_.turn);
 }
 
-Point2 FollowedPerson::expected(const SeenPerson& x, std::int64_t then) const {
+Point2 FollowedPerson::expected(const Sight& x) const {
   // Nobody walks on for ever.
   constexpr double longest = 3; // seconds
-  const double way = x.speed * std::min(static_cast<double>(time_ - then) * 1e-6, longest);
-  return {x.place.x + way * std::cos(x.heading), x.place.y + way * std::sin(x.heading)};
+  const double way = x.person.speed * std::min(static_cast<double>(time_ - x.time) * 1e-6, longest);
+  return {x.person.place.x + way * std::cos(x.person.heading),
+          x.person.place.y + way * std::sin(x.person.heading)};
 }
 
 FollowedPerson::People::iterator FollowedPerson::find_successor(People people) const {
-  constexpr std::int64_t at_once = 300'000; // microseconds
-  if (!steady_ || time_ - steady_time_ < at_once)
+  if (!is_in_doubt_ || time_ - steady_.front().time > options_.doubt)
     return people.end();
-  const auto place = expected(*steady_, steady_time_);
+  const auto place = expected(steady_.front());
   return std::ranges::find_if(people, [&](const SeenPerson& x) {
-    return x.id != id_ && !others_.contains(x.id) && is_steady(x) &&
+    return x.id != id_ && !others_.contains(x.id) && goes_on(x) &&
            distance(x.place, place) < options_.reach;
   });
 }
 
 FollowedPerson::People::iterator FollowedPerson::find_lost(People people) const {
-  const double away = static_cast<double>(time_ - last_time_) * 1e-6;
-  const auto place = expected(*last_, last_time_);
+  const double away = static_cast<double>(time_ - last_->time) * 1e-6;
+  const auto& last = last_->person;
+  const auto place = expected(*last_);
   const auto off = [&](const SeenPerson& x) {
-    return std::min(distance(x.place, place), distance(x.place, last_->place));
+    return std::min(distance(x.place, place), distance(x.place, last.place));
   };
   const auto comes_back = [&](const SeenPerson& x) {
     constexpr double opposite = 2; // radians
-    return time_ - last_time_ < options_.turns_after && x.speed > options_.walking &&
-           last_->speed > options_.walking &&
-           std::abs(normalised(x.heading - last_->heading)) > opposite;
+    return time_ - last_->time < options_.turns_after && x.speed > options_.walking &&
+           last.speed > options_.walking &&
+           std::abs(normalised(x.heading - last.heading)) > opposite;
   };
   auto result = people.end();
   double nearest = std::min(options_.farthest, options_.reach + options_.growth * away);
@@ -52,10 +53,19 @@ FollowedPerson::People::iterator FollowedPerson::find_lost(People people) const 
   return result;
 }
 
+void FollowedPerson::remember(const SeenPerson& x) {
+  if (!steady_.empty() && time_ - steady_.front().time > options_.doubt)
+    steady_.clear();
+  is_in_doubt_ = !steady_.empty() && !goes_on(x);
+  if (is_in_doubt_)
+    return;
+  steady_.push_back({time_, x});
+  while (time_ - steady_.front().time > options_.window)
+    steady_.pop_front();
+}
+
 std::optional<SeenPerson> FollowedPerson::find(People people, std::int64_t time) {
   time_ = time;
-  if (steady_ && time - steady_time_ > options_.doubt)
-    steady_.reset();
   auto found = std::ranges::find(people, id_, &SeenPerson::id);
   if (const auto successor = find_successor(people); successor != people.end())
     found = successor;
@@ -64,14 +74,10 @@ std::optional<SeenPerson> FollowedPerson::find(People people, std::int64_t time)
   if (found == people.end())
     return std::nullopt;
   id_ = found->id;
-  last_ = *found;
-  last_time_ = time;
-  if (is_steady(*found)) {
-    steady_ = *found;
-    steady_time_ = time;
-  }
+  last_ = Sight{time, *found};
+  remember(*found);
   // While it is in doubt who the person is, anybody may be.
-  if (!steady_ || steady_time_ == time)
+  if (!is_in_doubt_)
     for (const auto& x : people)
       if (x.id != id_)
         others_.insert(x.id);

@@ -3,6 +3,7 @@
 #include "castor/mapping/planar/poses.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <set>
 #include <span>
@@ -29,11 +30,12 @@ struct FollowedPersonOptions {
   double walking = 0.3;
   /// Somebody who was lost does not come back the other way within that time; microseconds.
   std::int64_t turns_after = 5'000'000;
-  /// A track that slows down to half its speed at once, or turns by more than that, may have been
-  /// lost to something else: for so long, somebody new who walks on where it would be is the
-  /// person. Radians, microseconds.
-  double turn = 1;
-  std::int64_t doubt = 3'000'000;
+  /// A track that within `window` slows down to half its speed, or turns by more than that, may
+  /// have been lost to something else: for so long after the beginning of the window, somebody new
+  /// who walks on where it would be is the person. Radians, microseconds.
+  double turn = 1.2;
+  std::int64_t window = 1'000'000;
+  std::int64_t doubt = 4'000'000;
 };
 
 /// Decides who of those in sight is the person to follow: the one with the same id, or, when that
@@ -52,9 +54,16 @@ public:
 private:
   using People = std::span<const SeenPerson>;
 
-  bool is_steady(const SeenPerson& x) const;
+  struct Sight {
+    std::int64_t time = 0;
+    SeenPerson person;
+  };
+
+  /// Whether somebody goes on as at the beginning of the window.
+  bool goes_on(const SeenPerson& x) const;
+  void remember(const SeenPerson& x);
   /// Where somebody who was there then is by now.
-  Point2 expected(const SeenPerson& x, std::int64_t then) const;
+  Point2 expected(const Sight& x) const;
   /// Somebody new who walks on as the person did, while the track of the person does not.
   People::iterator find_successor(People people) const;
   /// Somebody new who may be the person who was lost.
@@ -62,11 +71,10 @@ private:
 
   std::int64_t id_;
   FollowedPersonOptions options_;
-  std::optional<SeenPerson> last_;
-  std::int64_t last_time_ = 0;
-  /// The last time that the person walked on as before.
-  std::optional<SeenPerson> steady_;
-  std::int64_t steady_time_ = 0;
+  std::optional<Sight> last_;
+  /// The window, oldest first, up to when the track went on as before.
+  std::deque<Sight> steady_;
+  bool is_in_doubt_ = false;
   std::int64_t time_ = 0;
   /// Who was in sight together with the person, and so is somebody else.
   std::set<std::int64_t> others_;

@@ -18,7 +18,7 @@ struct FollowPersonOptions {
   double distance = 1.2;
   double nearest = 0.8;
   /// At most, m/s.
-  double speed = 0.8;
+  double speed = 1;
   /// How fast it makes up for a distance that is too large, 1/s.
   double gain = 1;
   /// It looks so far beyond where the person was seen last, in the direction of walking, metres.

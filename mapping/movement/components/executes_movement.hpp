@@ -355,7 +355,7 @@ private:
                                  "to keep from what the laser sees and the map does not have, "
                                  "metres"};
   Option<double> speed_{this, "speed", 0.5, "m/s"};
-  Option<double> follow_speed_{this, "follow-speed", 0.8, "at most, behind a person; m/s"};
+  Option<double> follow_speed_{this, "follow-speed", 1, "at most, behind a person; m/s"};
   Option<double> narrow_speed_{this, "narrow-speed", 0.35, "in doors and narrow places, m/s"};
   Option<double> people_near_{this, "people-near", 1,
                               "nearer than that, somebody who walks slows it down; metres"};

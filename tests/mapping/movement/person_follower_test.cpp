@@ -117,10 +117,13 @@ TEST(PersonFollower, DrivesAroundAThingThatTheMapDoesNotHave) {
   std::vector<Point2> box;
   for (double aside = -0.3; aside < 0.31; aside += 0.05)
     box.push_back({6, 4 + aside});
-  const auto x = follow(
-    follower, {2, 4, 0}, [](double t) { return walks_along_x(t); }, 20, test::empty_room(20, 8),
-    box);
-  EXPECT_NEAR(distance(walks_along_x(x.seconds).place, {x.robot.x, x.robot.y}), 1.2, 0.25);
+  const auto stops = [](double t) {
+    auto x = walks_along_x(std::min(t, 10.0));
+    x.speed = t < 10 ? x.speed : 0;
+    return x;
+  };
+  const auto x = follow(follower, {2, 4, 0}, stops, 40, test::empty_room(20, 8), box);
+  EXPECT_NEAR(distance(stops(40).place, {x.robot.x, x.robot.y}), 1.2, 0.25);
   EXPECT_GT(x.nearest_seen, 0.25) << "the robot's radius";
 }
 
