@@ -1,6 +1,8 @@
 #include "castor/mapping/movement/person_follower.hpp"
 
+#include "castor/mapping/movement/free_arc.hpp"
 #include "castor/mapping/movement/path_planner.hpp"
+#include "castor/mapping/planar/braking.hpp"
 
 #include <fmt/format.h>
 
@@ -110,6 +112,17 @@ double PersonFollower::speed_behind(const Pose2& robot, const PlanningMap& map) 
   return std::min(options_.speed, along + options_.gain * (way_ - options_.distance));
 }
 
+double PersonFollower::speed_before(const Pose2& robot, const Twist2& wanted,
+                                    std::span<const Point2> points) const {
+  const auto& pursuit = options_.pursuit;
+  const double fast = wanted.forward;
+  if (!(fast > 0))
+    return fast;
+  const double reach = fast * fast / (2 * pursuit.braking) + fast * pursuit.reaction;
+  const double left = free_arc(robot, wanted, points, pursuit.plan.radius, pursuit.gap, reach);
+  return left < reach ? speed_to_stop_within(left, pursuit.reaction, pursuit.braking) : fast;
+}
+
 PersonFollower::Step PersonFollower::follow(const Pose2& robot, const PursuitSurroundings& around) {
   const auto here = place_of(robot);
   if (distance(here, last_->place) < options_.nearest ||
@@ -121,9 +134,9 @@ PersonFollower::Step PersonFollower::follow(const Pose2& robot, const PursuitSur
   if (!goal)
     return wait_for_way(robot, "the robot does not fit anywhere on the person's way");
   std::vector<Point2> seen;
+  std::vector<Point2> of_person;
   for (const auto& x : around.seen)
-    if (distance(x, last_->place) >= person_size)
-      seen.push_back(x);
+    (distance(x, last_->place) < person_size ? of_person : seen).push_back(x);
   std::vector<Mover> movers;
   for (const auto& x : around.movers)
     if (distance(x.place, last_->place) >= person_size)
@@ -132,7 +145,8 @@ PersonFollower::Step PersonFollower::follow(const Pose2& robot, const PursuitSur
   if (result.status == MovementStatus::arrived)
     return turn_towards(robot, last_->place, "the person to walk on");
   // The path may be new.
-  const double most = std::max(slowest, speed_behind(robot, around.map));
+  const double most = std::min(std::max(slowest, speed_behind(robot, around.map)),
+                               speed_before(robot, result.velocity, of_person));
   if (result.status == MovementStatus::moving && result.velocity.forward > most) {
     result.velocity.turn *= most / result.velocity.forward;
     result.velocity.forward = most;

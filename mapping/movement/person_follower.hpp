@@ -72,6 +72,10 @@ private:
   Step wait_for_way(const Pose2& robot, const std::string& reason);
   /// Speed that keeps the distance, m/s.
   double speed_behind(const Pose2& robot, const PlanningMap& map);
+  /// The same at which the robot stops before the points; the person may not be one of those who
+  /// are there.
+  double speed_before(const Pose2& robot, const Twist2& wanted,
+                      std::span<const Point2> points) const;
   Step turn_towards(const Pose2& robot, const Point2& place, const std::string& waits_for);
   Step fail(const std::string& reason) const;
 
