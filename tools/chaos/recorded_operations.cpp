@@ -244,9 +244,11 @@ Judgement judge_operations(const Recording& recording, const MemoryConditions& c
 
 namespace {
 
-/// Nobody deletes it.
-bool goes_of_itself(const ChangeEvent& x) {
-  return x.source == expiry_source || x.source == owner_ended_source;
+/// The working memory itself has made the change.
+bool is_made_by_memory(const ChangeEvent& x) {
+  if (x.operation == Operation::remove)
+    return x.source == expiry_source || x.source == owner_ended_source;
+  return x.operation == Operation::overwrite && x.source == last_will_source;
 }
 
 } // namespace
@@ -277,11 +279,10 @@ Judgement judge_events(const Recording& recording, const MemoryConditions& condi
     writes.push_back({operation, x.address, x.component, x.record.result.version, x.record.invoked,
                       x.record.returned});
   }
-  // Entries that go of themselves: nobody knows when, so any moment is right.
+  // Entries that go of themselves, and last wills: nobody knows when, so any moment is right.
   for (auto& event : told)
-    if (event->operation == Operation::remove && goes_of_itself(*event) &&
-        passing.contains(event->address))
-      writes.push_back({Operation::remove, event->address, event->source, 0, 0, never});
+    if (is_made_by_memory(*event) && passing.contains(event->address))
+      writes.push_back({event->operation, event->address, event->source, 0, 0, never});
   result.verdict = Kind::ok;
   result.grounds = counted(told.size(), "change", "changes");
   for (auto& fault : faults_of(told, told.empty() ? 0 : told.back()->sequence, writes)) {

@@ -309,6 +309,19 @@ TEST(JudgementOfChanges, AllowsThatEntriesGoOfThemselvesIfTheyDo) {
   EXPECT_EQ(judged(""), Kind::violation);
 }
 
+TEST(JudgementOfChanges, AllowsLastWillsOfEntriesThatHaveOne) {
+  auto judged = [](const std::string& life, const std::string& source) {
+    Script script;
+    script.end(script.begin("p", "add", R"("content": 5)" + life), R"("version": 0)");
+    const std::vector<ChangeEventPtr> all{told(1, Operation::add, 0),
+                                          told(2, Operation::overwrite, 1, false, source)};
+    return judge_events(script.recording(), {.subarchitecture = "a"}, all).verdict;
+  };
+  EXPECT_EQ(judged(R"(, "has_life": true)", last_will_source), Kind::ok);
+  EXPECT_EQ(judged(R"(, "has_life": true)", expiry_source), Kind::violation);
+  EXPECT_EQ(judged("", last_will_source), Kind::violation);
+}
+
 TEST_F(JudgementOfEvents, IsNotPassedOnMergedOnesOrAfterALoss) {
   EXPECT_EQ(judge({told(2, Operation::overwrite, 1, true)}).verdict, Kind::undecided);
   EXPECT_EQ(judge({}, empty_again).verdict, Kind::undecided);
