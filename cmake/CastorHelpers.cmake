@@ -34,6 +34,8 @@ if(CASTOR_SANITIZE)
     # overflowing ones, and objects that are too small do is found by AddressSanitizer all the same.
     -fno-sanitize=null,object-size,vptr,alignment,pointer-overflow)
   target_link_options(castor_build_options INTERFACE -fsanitize=${CASTOR_SANITIZE})
+  # Eigen allocates otherwise under sanitizers, but Debian's libraries free what our code has allocated.
+  target_compile_definitions(castor_build_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # What sanitizers insert confuses GCC's analysis of what is initialised, and how large it is.
     target_compile_options(castor_build_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
