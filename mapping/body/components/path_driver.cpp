@@ -129,7 +129,13 @@ private:
     if (!(aside_ > 0) || !(stop_before_ > 0))
       return 0;
     constexpr double way = 1.2; // metres
-    return follower_->free_shift(seen_.points(), half_width_, way, aside_).value_or(0);
+    // More than what it stops for: on a shifted path that leaves just that, it would stand.
+    constexpr double room = 0.05; // metres
+    const auto seen = seen_.points();
+    for (const double more : {room, 0.0})
+      if (const auto x = follower_->free_shift(seen, half_width_ + more, way, aside_))
+        return *x;
+    return 0;
   }
 
   /// Whether it may go back from where it is stuck: so often at most since it came further.
