@@ -1,7 +1,10 @@
 #pragma once
 
+#include "castor/tools/chaos/temporary_folder.hpp"
+
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace castor::faults {
@@ -22,7 +25,7 @@ public:
 
 private:
   /// Where the copies are.
-  std::filesystem::path folder_;
+  std::optional<TemporaryFolder> folder_;
   /// Copies by the files; those that did not exist have none.
   std::map<std::filesystem::path, std::filesystem::path> files_;
 };

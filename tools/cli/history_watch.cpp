@@ -4,35 +4,18 @@
 #include "castor/tools/chaos/recorded_commands.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <memory>
-#include <stdexcept>
-#include <system_error>
 
 namespace castor::cli {
 
 HistoryWatch::HistoryWatch(const ArchitectureDescription& architecture, bool clocks_jump)
   : architecture_(architecture), clocks_jump_(clocks_jump) {
-  std::error_code error;
-  auto temporary = std::filesystem::temp_directory_path(error);
-  auto name =
-    ((error ? std::filesystem::path{"/tmp"} : temporary) / "castor-operations-XXXXXX").string();
-  if (!mkdtemp(name.data()))
-    throw std::runtime_error("cannot make the folder " + name + ": " + std::strerror(errno) +
-                             "; give the variable TMPDIR a folder that you may write to");
-  folder_ = name;
-}
-
-HistoryWatch::~HistoryWatch() {
-  std::error_code error;
-  std::filesystem::remove_all(folder_, error);
+  // nop
 }
 
 void HistoryWatch::watch(SystemOptions& options) {
-  options.operations = folder_;
+  options.operations = folder_.path();
   options.on_change = [this](const ChangeEvent& x) {
     std::lock_guard guard{mutex_};
     told_[x.address.subarchitecture].push_back(std::make_shared<const ChangeEvent>(x));
@@ -85,7 +68,7 @@ HistoryWatch::judge(const std::function<void(const std::string& name)>& begin) c
     begin(name);
     result.emplace_back(name, judgement());
   };
-  const auto recording = faults::read_operations(folder_);
+  const auto recording = faults::read_operations(folder_.path());
   std::lock_guard guard{mutex_};
   for (auto& x : architecture_.subarchitectures) {
     auto conditions = conditions_of(x);
@@ -98,7 +81,7 @@ HistoryWatch::judge(const std::function<void(const std::string& name)>& begin) c
                                   told == told_.end() ? nothing : told->second);
     });
   }
-  const auto commands = faults::read_commands(folder_);
+  const auto commands = faults::read_commands(folder_.path());
   if (!commands.empty())
     add("commands with valid tokens", [&] { return faults::judge_commands(commands, recording); });
   return result;

@@ -4,8 +4,8 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/tools/chaos/chaos_run.hpp"
 #include "castor/tools/chaos/recorded_operations.hpp"
+#include "castor/tools/chaos/temporary_folder.hpp"
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -24,9 +24,6 @@ public:
   /// @param clocks_jump whether clocks of working memories may jump, so that leases may end at any
   ///   time
   HistoryWatch(const ArchitectureDescription& architecture, bool clocks_jump);
-  HistoryWatch(const HistoryWatch&) = delete;
-  HistoryWatch& operator=(const HistoryWatch&) = delete;
-  ~HistoryWatch();
 
   /// To be called before the system is made, after all other handlers of `on_down` are set.
   void watch(SystemOptions& options);
@@ -48,7 +45,7 @@ private:
 
   const ArchitectureDescription architecture_;
   const bool clocks_jump_;
-  std::filesystem::path folder_;
+  const faults::TemporaryFolder folder_{"operations"};
   mutable std::mutex mutex_;
   std::map<std::string, std::vector<ChangeEventPtr>> told_;
   std::set<faults::Life> ended_;
