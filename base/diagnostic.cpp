@@ -3,6 +3,7 @@
 #include "castor/base/text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace castor {
 
@@ -39,7 +40,10 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void sort_by_line(std::vector<Diagnostic>& diagnostics) {
-  std::ranges::stable_sort(diagnostics, {}, [](auto& x) { return x.where.order(); });
+  // Of files without includes, lines have no order but their numbers.
+  std::ranges::stable_sort(diagnostics, {}, [](auto& x) {
+    return std::pair{x.where.order(), x.where.line()};
+  });
 }
 
 std::string render(const Diagnostic& diagnostic, bool coloured) {

@@ -41,7 +41,7 @@ public:
     // Without a wall, rooms would be open and doors in no wall.
     if (!walls_may_be_missing_)
       check();
-    std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });
+    sort_by_line(problems_);
     return {std::move(building_), std::move(problems_)};
   }
 

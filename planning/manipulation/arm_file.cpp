@@ -29,7 +29,7 @@ public:
       }
     }
     check();
-    std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });
+    sort_by_line(problems_);
     return {std::move(arm_), std::move(problems_)};
   }
 

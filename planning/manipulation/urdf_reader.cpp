@@ -32,7 +32,7 @@ public:
     else
       report(Severity::error, 0, "there is no <robot>",
              "A file of URDF begins with <robot name=\"...\">.");
-    std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });
+    sort_by_line(problems_);
     return {std::move(arm_), std::move(problems_)};
   }
 

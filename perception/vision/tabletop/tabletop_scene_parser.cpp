@@ -41,7 +41,7 @@ public:
                             image_.height, table_frame);
     play();
     check();
-    std::ranges::stable_sort(problems_, {}, [](auto& x) { return x.where.line(); });
+    sort_by_line(problems_);
     return {std::move(scene_), std::move(problems_)};
   }
 
