@@ -1,5 +1,7 @@
 #include "castor/mapping/body/seen_obstacles.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
+
 #include <cmath>
 
 namespace castor::mapping {
@@ -11,8 +13,7 @@ void SeenObstacles::add(const LaserScan& scan, const Pose2& robot) {
     const double range = scan.ranges[i];
     if (!(range > 0) || range > options_.reach)
       continue;
-    const double angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    const auto point = transform(scanner, Point2{range * std::cos(angle), range * std::sin(angle)});
+    const auto point = transform(scanner, end_of_beam(scan, i));
     seen_[cell_of(point, options_.cell_size)] = {point, scan.time};
   }
 }

@@ -1,6 +1,7 @@
 #include "castor/mapping/graph/moving_beams.hpp"
 
 #include "castor/mapping/graph/beam_towards.hpp"
+#include "castor/mapping/planar/beams.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -39,8 +40,7 @@ std::vector<bool> MovingBeams::add(const ScanPtr& scan, const Pose2& robot) {
     const double range = scan->ranges[i];
     if (!(range > 0) || range >= scan->max_range)
       continue;
-    const auto angle = scan->first_angle + static_cast<double>(i) * scan->angle_step;
-    const Point2 end{range * std::cos(angle), range * std::sin(angle)};
+    const auto end = end_of_beam(*scan, i);
     int free = 0;
     for (std::size_t k = 0; k < seen_.size() && free < options_.scans; ++k)
       free += was_free(*seen_[k].scan, transform(scanner_there[k], end), options_.behind) ? 1 : 0;

@@ -1,5 +1,7 @@
 #include "castor/mapping/graph/scan_clearance.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,8 +31,7 @@ void ScanClearance::add(std::int64_t keyframe, const Pose2& robot, const LaserSc
     if (!(range > 0) || range > longest_beam || range >= scan.max_range ||
         (!ignored.empty() && ignored[i]))
       continue;
-    const auto angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    x.points.push_back(transform(scan.mount, {range * std::cos(angle), range * std::sin(angle)}));
+    x.points.push_back(transform(scan.mount, end_of_beam(scan, i)));
   }
   seen_.insert_or_assign(keyframe, std::move(x));
 }

@@ -1,5 +1,7 @@
 #include "castor/mapping/localisation/map_alignment.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -14,8 +16,7 @@ std::vector<Point2> ends_of_beams(const LaserScan& scan, std::size_t beams) {
     auto range = static_cast<double>(scan.ranges[i]);
     if (!(range > 0) || range >= scan.max_range)
       continue;
-    auto angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    result.push_back(transform(scan.mount, {range * std::cos(angle), range * std::sin(angle)}));
+    result.push_back(transform(scan.mount, end_of_beam(scan, i)));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/mapping/geometry/poses.hpp"
+#include "castor/mapping/planar/beams.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <cmath>
@@ -17,8 +18,7 @@ PointCloud cloud_of(const LaserScan& scan, const Pose2& robot, double scanner_he
     auto range = static_cast<double>(scan.ranges[i]);
     if (!std::isfinite(range) || range <= 0)
       continue;
-    auto angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    auto end = transform(scanner, Point2{range * std::cos(angle), range * std::sin(angle)});
+    auto end = transform(scanner, end_of_beam(scan, i));
     result.points.push_back({end.x, end.y, scanner_height});
   }
   return result;

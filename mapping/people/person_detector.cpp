@@ -1,5 +1,7 @@
 #include "castor/mapping/people/person_detector.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -103,8 +105,7 @@ std::vector<PersonDetector::Cluster> PersonDetector::clusters(const LaserScan& s
     const double range = scan.ranges[i];
     if (!(range > nearest))
       continue;
-    const double angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    const auto end = transform(scanner, {range * std::cos(angle), range * std::sin(angle)});
+    const auto end = transform(scanner, end_of_beam(scan, i));
     const bool is_new = range < options_.range && free_space_.was_free(end);
     // Beams fan out.
     const double gap = std::max(options_.part_gap, 2 * range * scan.angle_step);

@@ -1,5 +1,6 @@
 #include "castor/mapping/safety/safety_rules.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
 #include "castor/mapping/planar/braking.hpp"
 #include "castor/mapping/safety/way_to_contact.hpp"
 
@@ -28,13 +29,9 @@ constexpr double edge = 0.1;
 std::vector<Point2> points_of(const LaserScan& x) {
   std::vector<Point2> result;
   result.reserve(x.ranges.size());
-  for (std::size_t i = 0; i < x.ranges.size(); ++i) {
-    const double range = x.ranges[i];
-    if (!(range > 0))
-      continue;
-    const double angle = x.first_angle + static_cast<double>(i) * x.angle_step;
-    result.push_back(transform(x.mount, {range * std::cos(angle), range * std::sin(angle)}));
-  }
+  for (std::size_t i = 0; i < x.ranges.size(); ++i)
+    if (x.ranges[i] > 0)
+      result.push_back(transform(x.mount, end_of_beam(x, i)));
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "castor/mapping/slam/surface_points.hpp"
 
+#include "castor/mapping/planar/beams.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -55,8 +57,7 @@ SurfacePoints surface_points(const LaserScan& scan, const SurfaceOptions& option
     double range = scan.ranges[i];
     if (!(range >= options.min_range && range <= options.max_range))
       continue;
-    auto angle = scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    ends[i] = {transform(scan.mount, {range * std::cos(angle), range * std::sin(angle)}), range};
+    ends[i] = {transform(scan.mount, end_of_beam(scan, i)), range};
   }
   SurfacePoints result;
   Point2 laser{scan.mount.x, scan.mount.y};
