@@ -329,7 +329,8 @@ void MaplTranslation::add_predicates(SyntaxNode& define) const {
   }
   auto& declared = section->children;
   for (const auto& [name, x] : variables_) {
-    const auto offset = x.type.offset;
+    const auto& type = x.type;
+    const auto offset = type.offset;
     std::vector<SyntaxNode> parameters;
     for (const auto& parameter : x.parameters)
       parameters.insert(parameters.end(), {parameter.name, word_node("-", offset), parameter.type});
@@ -337,7 +338,7 @@ void MaplTranslation::add_predicates(SyntaxNode& define) const {
       auto node = list_node({word_node(predicate, offset)}, offset);
       node.children.insert(node.children.end(), parameters.begin(), parameters.end());
       node.children.insert(node.children.end(),
-                           {word_node("?value", offset), word_node("-", offset), x.type});
+                           {word_node("?value", offset), word_node("-", offset), type});
       return node;
     };
     declared.insert(declared.end(),
