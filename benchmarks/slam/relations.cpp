@@ -219,28 +219,8 @@ TrajectoryErrors trajectory_errors(const std::vector<TimedPose>& path,
   result.poses = pairs.size();
   if (pairs.empty())
     return result;
-  auto n = static_cast<double>(pairs.size());
-  mapping::Point2 middle;
-  mapping::Point2 true_middle;
-  for (const auto& [x, y] : pairs) {
-    middle.x += x.x / n;
-    middle.y += x.y / n;
-    true_middle.x += y.x / n;
-    true_middle.y += y.y / n;
-  }
-  double along = 0;
-  double across = 0;
-  for (const auto& [x, y] : pairs) {
-    auto ax = x.x - middle.x;
-    auto ay = x.y - middle.y;
-    auto bx = y.x - true_middle.x;
-    auto by = y.y - true_middle.y;
-    along += ax * bx + ay * by;
-    across += ax * by - ay * bx;
-  }
-  auto turn = std::atan2(across, along);
-  auto turned = mapping::transform(mapping::Pose2{0, 0, turn}, middle);
-  mapping::Pose2 alignment{true_middle.x - turned.x, true_middle.y - turned.y, turn};
+  const auto n = static_cast<double>(pairs.size());
+  const auto alignment = mapping::best_alignment(pairs);
   std::vector<double> errors;
   for (const auto& [x, y] : pairs) {
     auto aligned = compose(alignment, x);

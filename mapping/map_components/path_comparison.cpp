@@ -15,8 +15,20 @@ void PathComparison::add_truth(std::int64_t time, const Pose2& pose) {
     look_up(keyframe);
 }
 
+void PathComparison::add_truths(const TruePath& known) {
+  for (std::size_t i = 0; i < std::min(known.times.size(), known.poses.size()); ++i)
+    former_truths_.insert_or_assign(known.times[i], known.poses[i]);
+  for (auto& [keyframe, x] : places_)
+    if (!x.truth)
+      look_up(keyframe);
+}
+
 void PathComparison::look_up(const std::string& keyframe) {
   auto& x = places_.at(keyframe);
+  if (auto former = former_truths_.find(x.time); former != former_truths_.end()) {
+    x.truth = former->second;
+    return;
+  }
   x.truth = truths_.pose_at(x.time);
   auto newest = truths_.newest();
   if (!newest || newest->time < x.time)
@@ -37,21 +49,28 @@ void PathComparison::remove(const std::string& keyframe) {
 }
 
 PathError PathComparison::error() const {
+  std::vector<std::pair<Pose2, Pose2>> pairs;
+  for (auto& [keyframe, x] : places_)
+    if (x.truth)
+      pairs.emplace_back(x.pose, *x.truth);
   PathError result;
-  std::vector<double> distances;
-  std::vector<double> turns;
-  for (auto& [keyframe, x] : places_) {
-    if (!x.truth)
-      continue;
-    distances.push_back(distance(x.pose, *x.truth));
-    turns.push_back(std::abs(normalised(x.pose.heading - x.truth->heading)));
-  }
-  if (distances.empty())
+  if (pairs.empty())
     return result;
-  result.keyframes = static_cast<std::int64_t>(distances.size());
+  const auto alignment = best_alignment(pairs);
+  std::vector<double> distances;
+  std::vector<double> aligned;
+  std::vector<double> turns;
+  for (auto& [pose, truth] : pairs) {
+    distances.push_back(distance(pose, truth));
+    aligned.push_back(distance(compose(alignment, pose), truth));
+    turns.push_back(std::abs(normalised(pose.heading - truth.heading)));
+  }
+  result.keyframes = static_cast<std::int64_t>(pairs.size());
   result.most = *std::ranges::max_element(distances);
+  result.aligned_most = *std::ranges::max_element(aligned);
   result.heading_most = *std::ranges::max_element(turns);
   result.median = median_of(distances);
+  result.aligned_median = median_of(aligned);
   result.heading_median = median_of(turns);
   return result;
 }
@@ -62,8 +81,10 @@ TruePath PathComparison::truth() const {
     if (x.truth)
       by_time.emplace(x.time, *x.truth);
   TruePath result;
-  for (auto& [time, pose] : by_time)
+  for (auto& [time, pose] : by_time) {
+    result.times.push_back(time);
     result.poses.push_back(pose);
+  }
   return result;
 }
 

@@ -14,11 +14,14 @@
 namespace castor::mapping {
 
 /// The poses of keyframes beside the true ones, which only a simulator knows. Both are in one
-/// frame: nothing is aligned.
+/// frame.
 class PathComparison {
 public:
   /// Where the robot truly was, in the order of time.
   void add_truth(std::int64_t time, const Pose2& pose);
+
+  /// True poses that an evaluator before this one knew, for keyframes of these times.
+  void add_truths(const TruePath& known);
 
   /// A keyframe is new, or its pose has been corrected.
   /// @param time of its scan; its true pose is looked up once there are truths of before and after
@@ -43,6 +46,8 @@ private:
   void look_up(const std::string& keyframe);
 
   OdometryHistory truths_;
+  /// Those of an evaluator before this one, by the time of the keyframe.
+  std::map<std::int64_t, Pose2> former_truths_;
   std::map<std::string, Place> places_;
   /// Keyframes that are newer than all truths.
   std::set<std::string> waiting_;

@@ -17,6 +17,8 @@ using namespace std::chrono_literals;
 /// Says how far the path of SLAM is from the true one, which a simulated robot tells.
 class PathEvaluator final : public FollowsKeyframes<UnmanagedComponent> {
   void start() override {
+    for (auto& x : read_all_in<TruePath>(subarchitecture()))
+      comparison_.add_truths(*x);
     on_push<BodyStatus>(robot_.get(), [this](const std::shared_ptr<const BodyStatus>& x) {
       comparison_.add_truth(x->time, x->pose);
       status_ = *x;
@@ -60,10 +62,11 @@ class PathEvaluator final : public FollowsKeyframes<UnmanagedComponent> {
     if (x.keyframes == 0)
       return info("no keyframe to compare with the true path of {}", robot_.get());
     constexpr double degree = std::numbers::pi / 180;
-    info("{} keyframes on {:.1f} m are off by {:.3f} m (median), {:.3f} m at most, and {:.2f} "
-         "degrees, {:.2f} at most; {} collisions, clearance at least {:.2f} m",
-         x.keyframes, x.driven, x.median, x.most, x.heading_median / degree,
-         x.heading_most / degree, x.collisions, x.least_clearance);
+    info("{} keyframes on {:.1f} m are off by {:.3f} m (median), {:.3f} m at most, aligned by {:.3f} "
+         "m, {:.3f} m at most, and {:.2f} degrees, {:.2f} at most; {} collisions, clearance at "
+         "least {:.2f} m",
+         x.keyframes, x.driven, x.median, x.most, x.aligned_median, x.aligned_most,
+         x.heading_median / degree, x.heading_most / degree, x.collisions, x.least_clearance);
   }
 
   Option<StandaloneName> robot_{this, "robot", "robot", "the simulated robot that tells the truth"};

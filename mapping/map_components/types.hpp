@@ -32,9 +32,14 @@ struct PathError {
   std::int64_t time = 0;
   /// How many keyframes were compared.
   std::int64_t keyframes = 0;
-  /// Distances from the true positions, metres.
+  /// Distances from the true positions, metres, in the frame of the map, which has the heading of
+  /// the first scans and so turns the whole map by what they are off.
   double median = 0;
   double most = 0;
+  /// The same after the alignment that fits best (the absolute trajectory error of Sturm et al.
+  /// 2012): how much the map is bent.
+  double aligned_median = 0;
+  double aligned_most = 0;
   /// Differences from the true headings, radians.
   double heading_median = 0;
   double heading_most = 0;
@@ -50,6 +55,8 @@ struct PathError {
 
 /// Entry: true poses of the keyframes, in the order of time. There is one, which is overwritten.
 struct TruePath {
+  /// Of the scans of the keyframes, microseconds since the system began; as many as `poses`.
+  std::vector<std::int64_t> times;
   std::vector<Pose2> poses;
 
   friend bool operator==(const TruePath&, const TruePath&) = default;
@@ -80,9 +87,9 @@ struct PoseError {
 
 CASTOR_REFLECT(ExportMap, folder)
 CASTOR_REFLECT(ExportedMap, files, left_out)
-CASTOR_REFLECT(PathError, time, keyframes, median, most, heading_median, heading_most, collisions,
-               least_clearance, driven)
-CASTOR_REFLECT(TruePath, poses)
+CASTOR_REFLECT(PathError, time, keyframes, median, most, aligned_median, aligned_most,
+               heading_median, heading_most, collisions, least_clearance, driven)
+CASTOR_REFLECT(TruePath, times, poses)
 CASTOR_REFLECT(PoseError, time, poses, tracking, median, most, heading_median, heading_most, lost,
                last_lost, last_found)
 

@@ -54,4 +54,27 @@ Pose2 moved(const Pose2& body, const Twist2& velocity, double seconds) {
   return compose(body, {way * along, way * aside, angle});
 }
 
+Pose2 best_alignment(const std::vector<std::pair<Pose2, Pose2>>& pairs) {
+  const auto n = static_cast<double>(pairs.size());
+  Point2 middle;
+  Point2 other_middle;
+  for (const auto& [a, b] : pairs) {
+    middle.x += a.x / n;
+    middle.y += a.y / n;
+    other_middle.x += b.x / n;
+    other_middle.y += b.y / n;
+  }
+  double along = 0;
+  double across = 0;
+  for (const auto& [a, b] : pairs) {
+    const Point2 from{a.x - middle.x, a.y - middle.y};
+    const Point2 to{b.x - other_middle.x, b.y - other_middle.y};
+    along += from.x * to.x + from.y * to.y;
+    across += from.x * to.y - from.y * to.x;
+  }
+  const auto turn = std::atan2(across, along);
+  const auto turned = transform(Pose2{0, 0, turn}, middle);
+  return {other_middle.x - turned.x, other_middle.y - turned.y, turn};
+}
+
 } // namespace castor::mapping

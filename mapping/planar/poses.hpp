@@ -2,6 +2,9 @@
 
 #include "castor/mapping/planar/types.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace castor::mapping {
 
 /// A point of the floor.
@@ -36,5 +39,10 @@ Pose2 interpolate(const Pose2& from, const Pose2& to, double share);
 
 /// The pose after `seconds` at a constant velocity, along an arc.
 Pose2 moved(const Pose2& body, const Twist2& velocity, double seconds);
+
+/// The motion of the plane after which the first of each pair are nearest to the second, by the
+/// squares of distances (Horn 1987); headings do not count. compose() applies it. No motion without
+/// pairs.
+Pose2 best_alignment(const std::vector<std::pair<Pose2, Pose2>>& pairs);
 
 } // namespace castor::mapping

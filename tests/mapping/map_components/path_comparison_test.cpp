@@ -1,8 +1,12 @@
 // The poses of keyframes beside the true ones.
 
 #include "castor/mapping/map_components/path_comparison.hpp"
+#include "castor/mapping/planar/poses.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 namespace castor::mapping::test {
 
@@ -36,6 +40,23 @@ TEST(PathComparison, AKeyframeMayComeBeforeTheTruthOfItsTime) {
   EXPECT_EQ(comparison.error().keyframes, 1);
 }
 
+TEST(PathComparison, TruthsOfTheEvaluatorBeforeAreTaken) {
+  PathComparison before;
+  before.add_truth(0, {0, 0, 0});
+  before.add_truth(20, {2, 0, 0});
+  before.place("a", 10, {1, 0.3, 0});
+  PathComparison comparison;
+  comparison.place("a", 10, {1, 0.3, 0});
+  comparison.add_truths(before.truth());
+  comparison.add_truth(100, {10, 0, 0});
+  comparison.add_truth(120, {12, 0, 0});
+  comparison.place("b", 50, {5, 0, 0});
+  comparison.place("c", 110, {11, 0.1, 0});
+  EXPECT_EQ(comparison.error().keyframes, 2) << "nobody knows the truth of b";
+  EXPECT_NEAR(comparison.error().most, 0.3, 1e-9);
+  EXPECT_EQ(comparison.truth().times, (std::vector<std::int64_t>{10, 110}));
+}
+
 TEST(PathComparison, CorrectedPosesReplaceTheFormerOnes) {
   PathComparison comparison;
   comparison.add_truth(0, {0, 0, 0});
@@ -50,6 +71,21 @@ TEST(PathComparison, CorrectedPosesReplaceTheFormerOnes) {
   EXPECT_NEAR(comparison.error().heading_most, 0.2, 1e-9);
   comparison.remove("a");
   EXPECT_EQ(comparison.error().keyframes, 2);
+}
+
+TEST(PathComparison, AMapThatIsTurnedIsRightAfterAlignment) {
+  PathComparison comparison;
+  for (int i = 0; i <= 20; ++i) {
+    const Pose2 truth{0.5 * i, i < 10 ? 0.0 : 0.3 * (i - 10), 0.1};
+    comparison.add_truth(i, truth);
+    auto told = compose({0, 0, 0.01}, truth);
+    told.x += i == 15 ? 0.05 : 0;
+    comparison.place(std::to_string(i), i, told);
+  }
+  const auto error = comparison.error();
+  EXPECT_GT(error.median, 0.03);
+  EXPECT_LT(error.aligned_median, 0.005);
+  EXPECT_NEAR(error.aligned_most, 0.05, 0.005);
 }
 
 TEST(PathComparison, HeadingsAreComparedTheShorterWayRound) {
