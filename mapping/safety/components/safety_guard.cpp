@@ -35,9 +35,11 @@ class SafetyGuard final : public StandaloneComponent {
   void start() override {
     on_push<Odometry>(sensors(odometry_), [this](auto& x) { rules_->add(*x, now().count()); });
     on_push<LaserScan>(sensors(laser_), [this](auto& x) {
+      has_seen_ = true;
       rules_->add(*x, now().count());
       guard();
     });
+    started_ = now();
     CommandTerms terms;
     terms.valid_for = valid_for_.get();
     terms.lease = address_of(lease_);
@@ -52,7 +54,10 @@ class SafetyGuard final : public StandaloneComponent {
       },
       terms);
     provide<SafetyState>([this] { return state_; });
-    every(period_.get(), [this] { guard(); });
+    every(period_.get(), [this] {
+      guard();
+      miss_first_scan();
+    });
   }
 
   /// Tells the base what is safe, once more if that has not changed: what it was told holds for a
@@ -68,11 +73,20 @@ class SafetyGuard final : public StandaloneComponent {
       tell(has_changed);
   }
 
+  /// While a system starts, scans may take a moment to come.
+  void miss_first_scan() {
+    if (has_seen_ || is_missed_ || now() - started_ < 2s)
+      return;
+    is_missed_ = true;
+    warning("still waits for the first scan of {}; until then, nobody may move the robot",
+            sensors(laser_));
+  }
+
   void tell(bool has_changed) {
     pushed_ = now();
     push(state_);
     const auto reason = state_.reason;
-    if (has_changed &&
+    if (has_changed && has_seen_ &&
         (reason == SafetyReason::laser_silent || reason == SafetyReason::laser_frozen ||
          reason == SafetyReason::odometry_silent))
       warning("stops the robot: {}", name_of(reason));
@@ -137,6 +151,9 @@ class SafetyGuard final : public StandaloneComponent {
   std::optional<Twist2> commanded_;
   SafetyState state_;
   Timestamp pushed_{0};
+  Timestamp started_{0};
+  bool has_seen_ = false;
+  bool is_missed_ = false;
   bool is_refused_ = false;
 };
 
