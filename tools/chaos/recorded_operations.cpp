@@ -44,8 +44,10 @@ void take_end(RecordedOperation& x, const nlohmann::json& line) {
     // Whoever was not answered does not know; nor does who was refused for other reasons care.
     if (!status || *status == Status::timed_out)
       record.returned = never;
+    // A batch is made or refused as a whole: refused for another of its writes, this one was not
+    // made; but if the batch was not answered, all of them may have been.
     x.says_nothing =
-      line.value("another", false) ||
+      (line.value("another", false) && !record.pending()) ||
       (!status && failure != FailureKind::working_memory_lost && failure != FailureKind::deadlock);
     if (status)
       record.result.status = *status;

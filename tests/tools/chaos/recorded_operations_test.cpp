@@ -166,6 +166,17 @@ TEST(JudgementOfOperations, AWriteThatFailedWithAnotherOfItsBatchSaysNothing) {
   EXPECT_EQ(refused(R"(, "another": true)"), Kind::ok);
 }
 
+TEST(JudgementOfOperations, AllWritesOfABatchThatWasNotAnsweredMayHaveBeenMade) {
+  for (const auto why : {FailureKind::working_memory_lost, FailureKind::no_answer}) {
+    Script script;
+    script.add("p", 5);
+    script.end(script.begin("p", "overwrite", R"("content": 6, "seen": 0)"),
+               R"("failure": )" + std::to_string(static_cast<int>(why)) + R"(, "another": true)");
+    script.read("q", 6, 1);
+    EXPECT_EQ(judge(script).verdict, Kind::ok) << judge(script).report;
+  }
+}
+
 TEST(JudgementOfOperations, SeesTwoWhoHoldOneLease) {
   Script script;
   script.add("p", 5);
