@@ -41,7 +41,7 @@ constexpr int surfaces_per_object = 8;
 /// The radius of the sphere that stands for a body where it keeps light from all around off the
 /// table.
 double sky_radius(const Body& body) {
-  return std::min(body.radius(), 1.5 * body.centre().z());
+  return std::max(0.0, std::min(body.radius(), 1.5 * body.centre().z()));
 }
 
 /// Where that matters.
@@ -77,7 +77,8 @@ class Stage {
 public:
   Stage(const TabletopSnapshot& scene, const Camera& camera, const RenderOptions& options)
     : camera_(camera), options_(options),
-      slab_({0, 0, -table_thickness / 2}, {scene.table.width, scene.table.depth, table_thickness}),
+      slab_(Vector3d(0, 0, -table_thickness / 2),
+            Vector3d(scene.table.width, scene.table.depth, table_thickness)),
       inner_half_width_(scene.table.width / 2 - table_thickness),
       inner_half_depth_(scene.table.depth / 2 - table_thickness), texture_(scene.table),
       lamp_(to_eigen(scene.light)), lamp_distance_(lamp_.norm()), pixel_angle_(1 / camera.fy) {
@@ -85,6 +86,11 @@ public:
       const Body body(object);
       bodies_.push_back({body, to_linear(object.colour), window_of(body, camera),
                          shadow_patch(object, lamp_, options.lamp_radius), sky_patch(body)});
+    }
+    for (const auto& [object, pose] : scene.placed) {
+      const Body body(object, pose);
+      bodies_.push_back({body, to_linear(object.colour), window_of(body, camera),
+                         shadow_patch(body, lamp_, options.lamp_radius), sky_patch(body)});
     }
     for (const auto& lamp : options.fill_lamps)
       fill_lamps_.push_back(to_eigen(lamp));
@@ -274,7 +280,7 @@ private:
     const double distance = to_lamp.norm();
     const Vector3d direction = to_lamp / distance;
     // Only what comes near the straight line to the lamp can be in the way of any part of it.
-    const SceneBody* near[16];
+    const SceneBody* near[64];
     std::size_t count = 0;
     for (std::size_t i = 0; i < bodies_.size() && count < std::size(near); ++i) {
       if (sight.surface == table_surface && !bodies_[i].shadow.holds(point))

@@ -50,8 +50,8 @@ Image render_without_noise(const TabletopSnapshot& scene, const Camera& camera,
 void add_sensor_noise(Image& image, double sigma, std::uint64_t seed, std::uint64_t frame);
 
 /// The ground truth of render(): 1 channel, the index of the visible object plus 1, and 0 where
-/// there is none; 255 stands for all objects from the 255th on. \throws std::invalid_argument like
-/// render().
+/// there is none; placed ones follow the others, and 255 stands for all objects from the 255th on.
+/// \throws std::invalid_argument like render().
 Image render_labels(const TabletopSnapshot& scene, const Camera& camera);
 
 } // namespace castor::vision

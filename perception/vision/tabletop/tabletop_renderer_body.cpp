@@ -21,11 +21,13 @@ double bevel_of(const Vector3d& size) {
 
 } // namespace
 
-Body::Body(const TabletopObject& object)
-  : centre_(to_eigen(pose_of(object).position)), half_height_(object.size.z / 2),
-    bevel_(bevel_of(to_eigen(object.size))) {
-  const double turn = object.turned_degrees * std::numbers::pi / 180;
-  rotation_ = Eigen::AngleAxisd(turn, Vector3d::UnitZ());
+Body::Body(const TabletopObject& object) : Body(object, pose_of(object)) {
+  // nop
+}
+
+Body::Body(const TabletopObject& object, const Pose& pose)
+  : centre_(to_eigen(pose.position)), rotation_(to_eigen(pose.rotation).normalized()),
+    half_height_(object.size.z / 2), bevel_(bevel_of(to_eigen(object.size))) {
   switch (object.shape) {
     case TabletopShape::sphere:
       kind_ = Kind::sphere;

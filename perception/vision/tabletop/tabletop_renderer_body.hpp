@@ -22,10 +22,13 @@ struct BodyHit {
   int face = 0;
 };
 
-/// A convex, upright body, prepared for intersections with many rays.
+/// A convex body, prepared for intersections with many rays.
 class Body {
 public:
   explicit Body(const TabletopObject& object);
+
+  /// The object with its middle at that pose of the table's frame.
+  Body(const TabletopObject& object, const Pose& pose);
 
   /// A box along the table's axes.
   Body(const Eigen::Vector3d& centre, const Eigen::Vector3d& size);

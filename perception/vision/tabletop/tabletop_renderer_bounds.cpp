@@ -46,9 +46,9 @@ PixelWindow window_of(const Body& body, const Camera& camera) {
   return window;
 }
 
-TablePatch shadow_patch(const TabletopObject& object, const Vector3d& lamp, double lamp_radius) {
-  const auto bounds = bounding_box(object);
-  const auto object_box = box_around(to_eigen(bounds.centroid), to_eigen(bounds.size) / 2);
+namespace {
+
+TablePatch shadow_of(const AlignedBox3d& object_box, const Vector3d& lamp, double lamp_radius) {
   const auto lamp_box = box_around(lamp, Vector3d::Constant(lamp_radius));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   TablePatch patch{infinity, -infinity, infinity, -infinity};
@@ -64,6 +64,18 @@ TablePatch shadow_patch(const TabletopObject& object, const Vector3d& lamp, doub
              std::min(patch.near, shadow.y()), std::max(patch.far, shadow.y())};
   }
   return patch;
+}
+
+} // namespace
+
+TablePatch shadow_patch(const TabletopObject& object, const Vector3d& lamp, double lamp_radius) {
+  const auto bounds = bounding_box(object);
+  return shadow_of(box_around(to_eigen(bounds.centroid), to_eigen(bounds.size) / 2), lamp,
+                   lamp_radius);
+}
+
+TablePatch shadow_patch(const Body& body, const Vector3d& lamp, double lamp_radius) {
+  return shadow_of(box_around(body.centre(), Vector3d::Constant(body.radius())), lamp, lamp_radius);
 }
 
 } // namespace castor::vision

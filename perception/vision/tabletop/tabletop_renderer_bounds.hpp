@@ -37,4 +37,7 @@ PixelWindow window_of(const Body& body, const Camera& camera);
 TablePatch shadow_patch(const TabletopObject& object, const Eigen::Vector3d& lamp,
                         double lamp_radius);
 
+/// The same for a body anywhere, by the sphere around it.
+TablePatch shadow_patch(const Body& body, const Eigen::Vector3d& lamp, double lamp_radius);
+
 } // namespace castor::vision

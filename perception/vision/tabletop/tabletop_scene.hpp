@@ -66,6 +66,17 @@ std::vector<Point2> footprint(const TabletopObject& object);
 /// Whether the footprints of two objects overlap.
 bool overlap(const TabletopObject& a, const TabletopObject& b);
 
+/// An object that need not stand upright on the table: one that is carried or stands on another
+/// one, or a part of an arm.
+struct PlacedObject {
+  /// Its position and its turn mean nothing.
+  TabletopObject object;
+  /// Of its middle, at half its height.
+  Pose pose;
+
+  friend bool operator==(const PlacedObject&, const PlacedObject&) = default;
+};
+
 /// Material, size and colour of the table.
 struct TableLook {
   enum class Material { wood, cloth, plain };
@@ -89,6 +100,8 @@ struct TabletopSnapshot {
   /// Seed of the noise.
   std::uint64_t seed = 1;
   std::vector<TabletopObject> objects;
+  /// Further ones, wherever they are.
+  std::vector<PlacedObject> placed{};
 
   friend bool operator==(const TabletopSnapshot&, const TabletopSnapshot&) = default;
 };
