@@ -19,12 +19,8 @@ constexpr double nearly_right_angle = 0.17;
 // Fingers that reach less deep below the top of a thing slip off, metres.
 constexpr double least_overlap = 0.005;
 
-/// Half of the thing's extent along a direction.
 double half_extent(const NamedSolid& thing, const Vector3d& direction) {
-  // The rotation that brings the direction up.
-  const auto up = Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ());
-  return half_height(thing.solid,
-                     geometry::to_rotation(up * geometry::to_eigen(thing.pose.rotation)));
+  return manipulation::half_extent(thing, geometry::to_point(direction));
 }
 
 struct Closing {
@@ -121,6 +117,9 @@ private:
     result.z() = std::max(result.z(), least);
     if (result.z() - below > position_.z() + half - least_overlap)
       return {};
+    // Fingers that close on a raised place from above and below would run into the thing.
+    if (std::abs((result - position_).dot(closing)) > options_.spare / 4)
+      return {};
     return result;
   }
 
@@ -142,6 +141,14 @@ private:
 };
 
 } // namespace
+
+double half_extent(const NamedSolid& thing, const Point3& direction) {
+  // The rotation that brings the direction up.
+  const auto up =
+    Eigen::Quaterniond::FromTwoVectors(geometry::to_eigen(direction), Vector3d::UnitZ());
+  return half_height(thing.solid,
+                     geometry::to_rotation(up * geometry::to_eigen(thing.pose.rotation)));
+}
 
 double least_width(const Solid& solid) {
   return std::min({solid.size.x, solid.size.y, solid.size.z});

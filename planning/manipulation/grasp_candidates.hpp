@@ -51,6 +51,9 @@ struct GraspCandidate {
 std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,
                                              bool follows_turret, const GraspOptions& options = {});
 
+/// Half of the thing's extent along a direction of length 1, metres.
+double half_extent(const NamedSolid& thing, const Point3& direction);
+
 /// The least distance between surfaces that fingers could close on, metres.
 double least_width(const Solid& solid);
 

@@ -145,14 +145,50 @@ std::optional<std::string> TableWorld::close_gripper(const Gripper& gripper, con
   tool_ = tool;
   if (const auto* thing = held())
     return thing->thing.name;
-  // A thing is grasped if it is in the way of the fingers' middles.
-  const NamedSolid between{"", box(gripper.finger.x / 2, gripper.widest, 2 * gripper.beyond), tool};
-  const auto found = std::ranges::find_if(
-    things_, [&](const auto& x) { return x.support != the_floor && overlap(x.thing, between); });
-  if (found == things_.end())
+  const auto found = between(gripper, tool);
+  if (found == things_.size())
     return {};
-  found->support = the_gripper;
-  return found->thing.name;
+  things_[found].support = the_gripper;
+  return things_[found].thing.name;
+}
+
+/// Index of the thing, or the number of things.
+std::size_t TableWorld::between(const Gripper& gripper, const Pose& tool) const {
+  // A thing is grasped if it is in the way of the fingers' middles.
+  const NamedSolid gap{"", box(gripper.finger.x / 2, gripper.widest, 2 * gripper.beyond), tool};
+  const auto found = std::ranges::find_if(
+    things_, [&](const auto& x) { return x.support != the_floor && overlap(x.thing, gap); });
+  return static_cast<std::size_t>(found - things_.begin());
+}
+
+const WorldThing* TableWorld::between_fingers(const Gripper& gripper, const Pose& tool) const {
+  const auto found = between(gripper, tool);
+  return found == things_.size() ? nullptr : &things_[found];
+}
+
+bool TableWorld::push(const std::string& name, double x, double y) {
+  const auto index = index_of(name);
+  if (things_[index].support == the_gripper)
+    return false;
+  const auto pushed = stack(index);
+  for (auto i : pushed) {
+    auto moved = things_[i];
+    moved.thing.pose.position.x += x;
+    moved.thing.pose.position.y += y;
+    const auto is_in_the_way = [&](std::size_t j) {
+      return std::ranges::count(pushed, j) == 0 && things_[j].thing.name != moved.support &&
+             overlap(things_[j].thing, moved.thing);
+    };
+    for (std::size_t j = 0; j < things_.size(); ++j)
+      if (is_in_the_way(j))
+        return false;
+  }
+  for (auto i : pushed) {
+    things_[i].thing.pose.position.x += x;
+    things_[i].thing.pose.position.y += y;
+  }
+  settle(pushed);
+  return true;
 }
 
 void TableWorld::move_tool(const Pose& tool) {

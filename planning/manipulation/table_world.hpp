@@ -34,6 +34,9 @@ public:
   /// \throws std::invalid_argument if there is none of this name.
   void remove(const std::string& name);
 
+  /// The thing that is between the fingers with the tool at that pose, or null.
+  const WorldThing* between_fingers(const Gripper& gripper, const Pose& tool) const;
+
   /// Closes the gripper with the tool at that pose: it holds the thing that is between its fingers,
   /// if it holds none yet. Returns its name, or nothing if the fingers close on each other.
   std::optional<std::string> close_gripper(const Gripper& gripper, const Pose& tool);
@@ -43,6 +46,11 @@ public:
 
   /// Opens the gripper; what it held falls from where the tool was last. Returns its name.
   std::optional<std::string> open_gripper();
+
+  /// Pushes a thing, and what stands on it, along x and y; it falls if its middle comes over an
+  /// edge. False if it would touch another thing, or is held; nothing moves then.
+  /// \throws std::invalid_argument if there is none of this name.
+  bool push(const std::string& name, double x, double y);
 
   /// In the order in which they were added.
   const std::vector<WorldThing>& things() const { return things_; }
@@ -59,6 +67,7 @@ public:
 
 private:
   std::size_t index_of(const std::string& name) const;
+  std::size_t between(const Gripper& gripper, const Pose& tool) const;
   /// Indices of a thing and of what stands on it, from below.
   std::vector<std::size_t> stack(std::size_t bottom) const;
   void settle(const std::vector<std::size_t>& from_below);

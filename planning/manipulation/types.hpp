@@ -137,6 +137,14 @@ CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, reason
 
 // -- the arm
 
+/// Entry: who holds a lease of it may command the arm (`SimulatedArm --lease`).
+struct ArmSeat {
+  /// Component that sits in it.
+  std::string commander;
+
+  friend bool operator==(const ArmSeat&, const ArmSeat&) = default;
+};
+
 /// Command: go on along a motion. It has the part of the motion that comes next; an arm that gets
 /// no other command comes to rest on it.
 struct ArmCommand {
@@ -195,6 +203,7 @@ struct ArmStatus {
   double moved = 0;
 };
 
+CASTOR_REFLECT(ArmSeat, commander)
 CASTOR_REFLECT(ArmCommand, motion, begin, interval, positions, opening, pushes)
 CASTOR_REFLECT(ArmState, time, positions, speeds, opening, holds, motion, motion_time, rests, fault)
 CASTOR_REFLECT(TrueThing, name, pose, support)

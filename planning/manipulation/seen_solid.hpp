@@ -1,0 +1,32 @@
+#pragma once
+
+#include "castor/planning/manipulation/solid.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Solids by their outlines in a picture.
+namespace castor::manipulation {
+
+/// A thing that stands on the table, as a picture shows it.
+struct SeenSolid {
+  Solid solid;
+  /// Of its middle, in the frame of the camera's pose, whose plane z = 0 is the table.
+  Pose pose;
+  /// Root mean square of the distance of the outlines, pixels.
+  double error = 0;
+};
+
+/// The solid of this shape whose outline in the picture is nearest to that: position, turn and
+/// sizes are fitted by damped least squares (Levenberg and Marquardt) to the supports of the
+/// outline's convex hull. Nothing if its foot is not on the visible table.
+/// @param shape "cube", "box", "cylinder", "sphere", or a flat piece: "square", "rectangle",
+/// "circle", "disc", "triangle", which is a few millimetres thick and counts as what is round or
+/// rectangular around it. Others count as boxes.
+/// @param contour image coordinates, through the centres of the outermost pixels
+std::optional<SeenSolid> seen_solid(const std::string& shape,
+                                    const std::vector<geometry::Point2>& contour,
+                                    const geometry::Camera& camera);
+
+} // namespace castor::manipulation

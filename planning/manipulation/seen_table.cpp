@@ -1,0 +1,89 @@
+#include "castor/planning/manipulation/seen_table.hpp"
+
+#include "castor/mapping/geometry/poses.hpp"
+#include "castor/planning/manipulation/arm_model.hpp"
+#include "castor/planning/manipulation/seen_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace castor::manipulation {
+
+namespace {
+
+// Outlines that fit worse are those of other shapes, or of several things; pixels.
+constexpr double worst_fit = 6;
+// The surface that the arm stands on, metres.
+constexpr double table_length = 4;
+
+std::string description_of(const vision::SceneObject& x) {
+  const bool has_colour = x.colour.value != vision::Hypothesis{}.value;
+  const bool has_shape = x.shape.value != vision::Hypothesis{}.value;
+  return "the " + (has_colour ? x.colour.value + ' ' : std::string{}) +
+         (has_shape ? x.shape.value : "thing");
+}
+
+/// By the outline, else by the box; nothing if neither says where it is.
+std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntries& entries) {
+  for (const auto& id : x.roi_ids) {
+    const auto region = entries.regions.find(id);
+    if (region == entries.regions.end() || !entries.camera || entries.camera->is_assumed)
+      continue;
+    auto fitted = seen_solid(x.shape.value, region->second.contour, *entries.camera);
+    if (fitted && fitted->error <= worst_fit)
+      return fitted;
+  }
+  const auto& size = x.box.size;
+  if (!(size.x > 0 && size.y > 0 && size.z > 0))
+    return {};
+  return SeenSolid{box(size.x, size.y, size.z), {x.box.centroid, {}, x.box.frame}, 0};
+}
+
+} // namespace
+
+std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm) {
+  const auto to_arm = geometry::inverse(arm, arm_frame);
+  std::vector<SeenThing> result;
+  std::map<std::string, int> count;
+  for (const auto& [id, object] : entries.objects) {
+    const auto seen = solid_of(object, entries);
+    if (!seen)
+      continue;
+    auto name = description_of(object);
+    if (const int number = ++count[name]; number > 1)
+      name += ' ' + std::to_string(number);
+    auto pose = geometry::compose(to_arm, seen->pose);
+    result.push_back({id,
+                      object.colour.value,
+                      object.shape.value,
+                      {std::move(name), seen->solid, std::move(pose)}});
+  }
+  return result;
+}
+
+Scene scene_of(const std::vector<SeenThing>& things) {
+  Scene result{{table_top(table_length, table_length)}, {}};
+  for (const auto& x : things)
+    result.things.push_back(x.thing);
+  return result;
+}
+
+const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing& x,
+                           const Point3& place, double within) {
+  const SeenThing* best = nullptr;
+  const auto rank = [&](const SeenThing& y) {
+    return std::pair(y.shape != x.shape, distance_on_table(y.thing.pose.position, place));
+  };
+  for (const auto& y : things)
+    if (y.colour == x.colour && distance_on_table(y.thing.pose.position, place) <= within &&
+        (!best || rank(y) < rank(*best)))
+      best = &y;
+  return best;
+}
+
+double distance_on_table(const Point3& a, const Point3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+} // namespace castor::manipulation

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "castor/perception/vision/types.hpp"
+#include "castor/planning/manipulation/scene.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What vision says is on the table, as things for an arm.
+namespace castor::manipulation {
+
+/// A thing that vision sees.
+struct SeenThing {
+  /// Of its SceneObject.
+  std::string id;
+  /// As vision names them; "unknown" if it does not.
+  std::string colour;
+  std::string shape;
+  /// In the arm's frame. Its name is a description, "the blue sphere", which no other has.
+  NamedSolid thing;
+};
+
+/// The entries of vision.
+struct SeenEntries {
+  /// By their ids.
+  std::map<std::string, vision::SceneObject> objects;
+  std::map<std::string, vision::ROI> regions;
+  std::optional<geometry::Camera> camera;
+};
+
+/// Things by the outlines of their regions, or by their boxes where there is no calibrated camera;
+/// those whose place is not known are left out.
+/// @param arm its pose in the table's frame
+std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm);
+
+/// The table's surface and the things on it.
+Scene scene_of(const std::vector<SeenThing>& things);
+
+/// The thing that looks like `x` (the same colour, and the same shape if several have that) and is
+/// nearest to a place of the arm's frame, at most `within` metres from it; null if there is none.
+const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing& x,
+                           const Point3& place, double within);
+
+/// Horizontal distance, metres.
+double distance_on_table(const Point3& a, const Point3& b);
+
+} // namespace castor::manipulation
