@@ -1,0 +1,122 @@
+#pragma once
+
+#include "castor/planning/body/motion_reference.hpp"
+#include "castor/planning/manipulation/arm_model.hpp"
+#include "castor/planning/manipulation/collision_checker.hpp"
+#include "castor/planning/manipulation/table_world.hpp"
+#include "castor/planning/manipulation/types.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+namespace castor::manipulation {
+
+struct ArmBodyOptions {
+  /// Length of a step.
+  std::chrono::microseconds step{10'000};
+  /// Seconds from full speed to rest.
+  double stop_time = 0.8;
+  /// A joint that is further from where it ought to be does not follow: the arm stops; radians.
+  double most_lag = 0.1;
+  /// Of injected faults.
+  std::uint64_t seed = 1;
+  /// Probability that fingers slip off a thing when they close on it.
+  double missed_grasp = 0;
+  /// Probability that a thing that was grasped is lost within `dropped_within` seconds.
+  double dropped = 0;
+  double dropped_within = 4;
+};
+
+/// An arm at a table, in steps of equal length. What it does depends on the options, the commands
+/// and the steps before which they come, and on nothing else.
+///
+/// Joints keep the limits of the arm's file. A step that would take the arm into something is not
+/// done: the arm stands, and that is a collision. Fingers that close on a thing hold it, and things
+/// are pushed by the gripper if the command says so.
+class ArmBody {
+public:
+  /// \throws std::invalid_argument if `start` is no configuration within the limits, or in contact
+  ArmBody(ArmModel arm, TableWorld world, const Configuration& start,
+          const ArmBodyOptions& options = {});
+
+  /// Obeyed until the next command, at most for so long, as by the watchdog of a motor.
+  /// \throws std::invalid_argument as MotionReference::follow does.
+  void command(const ArmCommand& command,
+               std::chrono::microseconds holds = std::chrono::microseconds::max());
+
+  /// Comes to rest on its motion within the stop time.
+  void release();
+
+  /// One step.
+  void step();
+
+  /// Number of steps so far.
+  std::int64_t steps() const { return steps_; }
+  /// Simulated time since the first step began.
+  std::chrono::microseconds time() const { return steps_ * options_.step; }
+
+  // Times are those of this body.
+  ArmState state() const;
+  /// Things are in the arm's frame.
+  ArmStatus status() const;
+
+  const ArmModel& arm() const { return arm_; }
+  const TableWorld& world() const { return world_; }
+  /// Joints of now.
+  const Configuration& configuration() const { return positions_; }
+  double opening() const { return opening_; }
+  /// Number of changes of what a camera sees.
+  std::uint64_t changes() const { return changes_; }
+
+  /// Fault injection: from now on that joint, of those that move, does not move.
+  void stick(std::size_t joint) { stuck_ = joint; }
+
+private:
+  bool goes_on() const;
+  void move_joints(double seconds);
+  void move_fingers(double seconds);
+  /// Moves things that the gripper pushes there. Returns what it touches all the same.
+  std::optional<Contact> contact_at(const Configuration& positions);
+  bool push_away(const std::string& thing, const Configuration& positions);
+  void grasp(const WorldThing& thing);
+  void lose();
+  void stop_at_contact(const Contact& contact);
+  void stop(std::string fault);
+  Pose tool() const;
+  CollisionChecker& checker();
+
+  ArmModel arm_;
+  TableWorld world_;
+  ArmBodyOptions options_;
+  MotionReference reference_;
+  Configuration positions_;
+  Configuration speeds_;
+  double opening_;
+  double wanted_opening_;
+  bool pushes_ = false;
+  std::int64_t steps_ = 0;
+  /// Time until which the command holds.
+  std::chrono::microseconds commanded_until_{0};
+  std::string fault_;
+  std::int64_t motion_ = 0;
+  std::optional<std::size_t> stuck_;
+  std::mt19937_64 random_;
+  /// Thing that the fingers have slipped off; they do not touch it before they open.
+  std::string slipped_;
+  /// Step at which the thing is lost.
+  std::optional<std::int64_t> loses_at_;
+  std::int64_t collisions_ = 0;
+  std::string collision_;
+  std::int64_t missed_ = 0;
+  std::int64_t dropped_ = 0;
+  double moved_ = 0;
+  std::uint64_t changes_ = 1;
+  /// Made anew when the scene or the opening has changed.
+  std::optional<CollisionChecker> checker_;
+};
+
+} // namespace castor::manipulation
