@@ -1,0 +1,291 @@
+// "Put X at a place" on random tables through the whole PlayMate with its arm: the camera's
+// pictures, vision, the executor, the simulated arm, in simulated time.
+//
+//   table_benchmark [TABLES] [SEED] [MISSED_GRASP] [DROPPED]
+//
+// A task is solvable if there is a plan for it by the true places of things.
+
+#include "castor/actors/component/action_types.hpp"
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/mapping/geometry/poses.hpp"
+#include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
+#include "castor/perception/vision/types.hpp"
+#include "castor/planning/body/table_things.hpp"
+#include "castor/planning/manipulation/arm_file.hpp"
+#include "castor/planning/manipulation/arm_placement.hpp"
+#include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/types.hpp"
+#include "castor/tools/testing/test_system.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace castor::manipulation {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* arm_at = "0 -0.37 heading 90";
+constexpr const char* arm_rest = "90 -20 110 60 90";
+
+struct Thing {
+  std::string colour;
+  std::string shape;
+  double x = 0;
+  double y = 0;
+  double size = 0;
+  double height = 0;
+  double turned = 0;
+};
+
+struct Task {
+  std::vector<Thing> things;
+  /// Where the first of them is to be put.
+  double x = 0;
+  double y = 0;
+};
+
+std::string scene_of(const Task& task) {
+  std::string result = "table wood\ncamera 0 -0.34 0.92  looking-at 0 0.02 0  fov 38\n";
+  for (const auto& x : task.things)
+    result += fmt::format("{} {} at {:.3f} {:.3f} size {:.3f}{} turned {:.0f}\n", x.colour, x.shape,
+                          x.x, x.y, x.size,
+                          x.shape == "cylinder" ? fmt::format(" {:.3f}", x.height) : "", x.turned);
+  return result;
+}
+
+/// Things of different colours, and a free place, in the part of the table that an arm like the
+/// Katana reaches.
+Task random_task(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto any = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  std::vector<std::string> colours{"red", "green", "blue", "yellow", "purple", "orange"};
+  std::ranges::shuffle(colours, random);
+  const std::vector<std::string> shapes{"cube", "sphere", "cylinder"};
+  Task result;
+  struct Spot {
+    double x;
+    double y;
+  };
+  std::vector<Spot> spots;
+  const std::size_t count = 4 + random() % 3;
+  while (spots.size() < count) {
+    const double angle = any(-1.1, 1.1);
+    const double away = any(0.2, 0.42);
+    const Spot spot{away * std::sin(angle), -0.37 + away * std::cos(angle)};
+    const auto is_near = [&](const Spot& x) {
+      return std::hypot(x.x - spot.x, x.y - spot.y) < 0.1;
+    };
+    if (spot.y > -0.2 && std::abs(spot.x) < 0.3 && std::ranges::none_of(spots, is_near))
+      spots.push_back(spot);
+  }
+  result.x = spots.back().x;
+  result.y = spots.back().y;
+  spots.pop_back();
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    Thing thing{colours[i], shapes[random() % 3], spots[i].x, spots[i].y, any(0.04, 0.06), 0,
+                any(0, 90)};
+    thing.height = any(0.05, 0.09);
+    result.things.push_back(thing);
+  }
+  return result;
+}
+
+/// Whether there is a plan by the true places; else why there is none.
+std::string unsolvable(const std::string& scene, const std::string& arm_file, const Task& task) {
+  const auto parsed = vision::parse_tabletop_scene(scene, "scene");
+  const auto at = arm_placement(arm_at);
+  const TableThings things(parsed.scene.at(vision::SceneTime{0}), at);
+  const auto arm = load_arm(arm_file).arm;
+  PlaceGoal goal;
+  goal.bottom = geometry::transform(geometry::inverse(at, arm_frame), Point3{task.x, task.y, 0});
+  goal.radius = 0.01;
+  goal.support = "the table";
+  ManipulationOptions options;
+  options.grasps.spare = 0.024;
+  const ManipulationPlanner planner(arm, options);
+  const auto result = planner.pick_and_place(
+    things.world().scene(), "the " + task.things.front().colour + ' ' + task.things.front().shape,
+    goal, arm_posture(arm, arm_rest));
+  const auto* failure = std::get_if<MotionFailure>(&result);
+  return failure ? failure->text : std::string{};
+}
+
+struct Result {
+  bool is_over = false;
+  std::string reason;
+  bool is_reached = false;
+  double seconds = 0;
+  double error = 0;
+  Manipulation told;
+  ArmStatus truth;
+};
+
+struct Asked {
+  Task task;
+  Result result;
+  std::atomic<bool> is_over = false;
+};
+
+Asked& asked() {
+  static Asked instance;
+  return instance;
+}
+
+class TaskRequester final : public UnmanagedComponent {
+  void run() override {
+    auto& result = asked().result;
+    const auto& task = asked().task;
+    const auto& wanted = task.things.front();
+    PickAndPlace what;
+    what.to.x = task.x;
+    what.to.y = task.y;
+    // By its place: its colour may be seen wrongly.
+    const auto given_up = now() + 30s;
+    while (is_running() && what.what.address.id.empty() && now() < given_up) {
+      sleep_for(500ms);
+      double nearest = 0.05;
+      for (const auto& x : read_all_in<vision::SceneObject>("vision")) {
+        const auto& at = x->box.centroid;
+        const double away = std::hypot(at.x - wanted.x, at.y - wanted.y);
+        if (x->shape != vision::Hypothesis{} && away < nearest) {
+          nearest = away;
+          what.what = EntryPointer<vision::SceneObject>{x.address};
+        }
+      }
+    }
+    if (what.what.address.id.empty()) {
+      result.reason = "vision does not see it";
+    } else {
+      const auto begun = now();
+      const auto end = perform("manipulation", what).wait(600s);
+      result.seconds = std::chrono::duration<double>(now() - begun).count();
+      result.is_reached = end.outcome == ActionOutcome::succeeded;
+      result.reason = end.reason;
+    }
+    for (const auto& x : read_all_in<Manipulation>("manipulation"))
+      result.told = *x;
+    result.truth = *pull<ArmStatus>("arm");
+    const auto name = "the " + wanted.colour + ' ' + wanted.shape;
+    for (const auto& x : result.truth.things)
+      if (x.name == name)
+        result.error = std::hypot(x.pose.position.x - task.x, x.pose.position.y - task.y);
+    asked().is_over = true;
+  }
+};
+CASTOR_COMPONENT(TaskRequester, "has a thing put somewhere")
+
+std::string text_of_file(const std::string& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Result run(const Task& task, const std::string& scene_file, const std::string& missed,
+           const std::string& dropped, std::uint64_t seed) {
+  asked().task = task;
+  asked().result = {};
+  asked().is_over = false;
+  TestSystemOptions options;
+  options.file = CASTOR_CONFIGS "/playmate.cast";
+  options.simulated_time = true;
+  options.patience = 1000s;
+  options.variables = {{"arm", "true"},
+                       {"table", scene_file},
+                       {"arm_at", arm_at},
+                       {"arm_rest", arm_rest},
+                       {"missed_grasp", missed},
+                       {"dropped", dropped},
+                       {"arm_seed", std::to_string(seed)}};
+  TestSystem system(text_of_file(CASTOR_CONFIGS "/playmate.cast") +
+                      "SUBARCHITECTURE asking\nCPP WM SubarchitectureWorkingMemory\n"
+                      "CPP TM AlwaysPositiveTaskManager\nCPP UM asker TaskRequester\n",
+                    options);
+  system.wait_until("the task is over", [] { return asked().is_over.load(); });
+  return asked().result;
+}
+
+double median(std::vector<double> x) {
+  if (x.empty())
+    return 0;
+  std::ranges::sort(x);
+  return x[x.size() / 2];
+}
+
+int measure(int tables, std::uint64_t first, const std::string& missed,
+            const std::string& dropped) {
+  const auto scene_file =
+    std::filesystem::temp_directory_path() / fmt::format("table-{}.scene", getpid());
+  int solvable = 0;
+  int succeeded = 0;
+  std::int64_t collisions = 0;
+  std::int64_t tries = 0;
+  std::vector<double> seconds;
+  std::vector<double> errors;
+  for (int i = 0; i < tables; ++i) {
+    const auto seed = first + static_cast<std::uint64_t>(i);
+    const auto task = random_task(seed);
+    const auto scene = scene_of(task);
+    std::ofstream(scene_file) << scene;
+    const auto why_not = unsolvable(scene, CASTOR_CONFIGS "/arms/katana.arm", task);
+    const auto result = run(task, scene_file.string(), missed, dropped, seed);
+    collisions += result.truth.collisions;
+    solvable += why_not.empty();
+    if (why_not.empty()) {
+      succeeded += result.is_reached;
+      tries += result.told.tries;
+      if (result.is_reached) {
+        seconds.push_back(result.seconds);
+        errors.push_back(result.error);
+      }
+    }
+    fmt::print("{}: {} {} to {:.2f} {:.2f}: {}; {} tries, {} motions, {:.1f} s, {:.3f} m off, {} "
+               "missed, {} dropped, {} collisions{}{}\n",
+               seed, task.things.front().colour, task.things.front().shape, task.x, task.y,
+               result.is_reached ? "done" : result.reason, result.told.tries, result.told.plans,
+               result.seconds, result.error, result.truth.missed, result.truth.dropped,
+               result.truth.collisions,
+               result.truth.collisions > 0 ? " (" + result.truth.collision + ")" : "",
+               why_not.empty() ? "" : "; not solvable: " + why_not);
+    std::fflush(stdout);
+  }
+  std::filesystem::remove(scene_file);
+  fmt::print("{} tables, {} solvable, {} of these done, {} collisions, {:.2f} tries, median {:.1f} "
+             "s, {:.3f} m off at most\n",
+             tables, solvable, succeeded, collisions,
+             solvable > 0 ? static_cast<double>(tries) / solvable : 0, median(seconds),
+             errors.empty() ? 0 : std::ranges::max(errors));
+  return 0;
+}
+
+} // namespace
+
+} // namespace castor::manipulation
+
+int main(int argc, char** argv) {
+  const auto argument = [&](int index, const char* otherwise) {
+    return std::string(argc > index ? argv[index] : otherwise);
+  };
+  return castor::manipulation::measure(std::atoi(argument(1, "50").c_str()),
+                                       std::strtoull(argument(2, "1").c_str(), nullptr, 10),
+                                       argument(3, "0"), argument(4, "0"));
+}
