@@ -20,14 +20,27 @@ std::set<BlockIndex> AnchoredOctree::place(const std::string& name,
   auto known = placed_.find(name);
   if (known == placed_.end()) {
     auto result = octree_.insert(transform(robot, *cloud));
-    placed_.emplace(name, Placed{std::move(cloud), robot, robot, robot});
-    if (fresh_)
-      missing_.push_back(name);
+    blocks_.insert(result.begin(), result.end());
+    anchor(name, std::move(cloud), robot);
     return result;
   }
   known->second.robot = robot;
   outdated_ = outdated_ || is_off(known->second);
   return {};
+}
+
+void AnchoredOctree::restore(const std::map<BlockIndex, BlockVoxels>& blocks) {
+  octree_.set_blocks(blocks);
+  for (auto& [index, voxels] : blocks)
+    blocks_.insert(index);
+  outdated_ = true;
+}
+
+void AnchoredOctree::anchor(const std::string& name, std::shared_ptr<const PointCloud> cloud,
+                            const Pose2& robot) {
+  placed_.emplace(name, Placed{next_number_++, std::move(cloud), robot, robot, robot});
+  if (fresh_)
+    missing_.push_back(name);
 }
 
 bool AnchoredOctree::is_off(const Placed& x) const {
@@ -46,17 +59,20 @@ std::set<BlockIndex> AnchoredOctree::rebuild(std::size_t clouds) {
   if (!fresh_) {
     fresh_.emplace(options_);
     has_removed_ = false;
-    missing_.clear();
+    std::map<std::uint64_t, std::string> names;
     for (auto& [name, x] : placed_)
+      names[x.number] = name;
+    missing_.clear();
+    for (auto& [number, name] : names)
       missing_.push_back(name);
   }
   for (; clouds > 0 && !missing_.empty(); --clouds) {
-    if (auto known = placed_.find(missing_.back()); known != placed_.end()) {
+    if (auto known = placed_.find(missing_.front()); known != placed_.end()) {
       auto& x = known->second;
-      fresh_->insert(transform(x.robot, *x.cloud));
+      fresh_blocks_.merge(fresh_->insert(transform(x.robot, *x.cloud)));
       x.inserted_fresh = x.robot;
     }
-    missing_.pop_back();
+    missing_.pop_front();
   }
   if (!missing_.empty())
     return {};
@@ -64,12 +80,9 @@ std::set<BlockIndex> AnchoredOctree::rebuild(std::size_t clouds) {
 }
 
 std::set<BlockIndex> AnchoredOctree::complete_rebuild() {
-  std::set<BlockIndex> result;
-  auto candidates = octree_.blocks();
-  candidates.merge(fresh_->blocks());
-  for (auto& x : candidates)
-    if (octree_.block(x) != fresh_->block(x))
-      result.insert(x);
+  auto result = std::move(blocks_);
+  result.insert(fresh_blocks_.begin(), fresh_blocks_.end());
+  blocks_ = std::exchange(fresh_blocks_, {});
   octree_ = std::move(*fresh_);
   fresh_.reset();
   // What has been corrected meanwhile needs another rebuild.

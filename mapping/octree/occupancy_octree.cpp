@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::mapping {
 
@@ -105,24 +106,31 @@ std::set<BlockIndex> OccupancyOctree::insert(const PointCloud& cloud) {
   octomap::KeySet occupied;
   tree_->computeDiscreteUpdate(points, octomap_point(cloud.sensor), free, occupied,
                                options_.max_range);
-  // What OcTree::insertPointCloud does, but it does not tell which voxels it changes.
-  BlockIndex last;
-  auto update = [&](const octomap::OcTreeKey& voxel, bool hit) {
+  // What OcTree::insertPointCloud does, but it does not tell which voxels it changes, and goes
+  // through the whole octree each time.
+  std::vector<std::pair<octomap::OcTreeKey, bool>> changes;
+  auto note = [&](const octomap::OcTreeKey& voxel, bool hit) {
     auto* before = tree_->search(voxel);
-    if (before && (hit ? before->getLogOdds() >= tree_->getClampingThresMaxLog()
-                       : before->getLogOdds() <= tree_->getClampingThresMinLog()))
-      return;
-    tree_->updateNode(voxel, hit, true);
+    if (!before || (hit ? before->getLogOdds() < tree_->getClampingThresMaxLog()
+                        : before->getLogOdds() > tree_->getClampingThresMinLog()))
+      changes.emplace_back(voxel, hit);
+  };
+  for (auto& x : free)
+    note(x, false);
+  for (auto& x : occupied)
+    note(x, true);
+  // Inner nodes are updated with each voxel, or all of the octree after the last.
+  const bool are_many = changes.size() * tree_->getTreeDepth() > tree_->size();
+  BlockIndex last;
+  for (auto& [voxel, hit] : changes) {
+    tree_->updateNode(voxel, hit, are_many);
     if (auto block = block_of(voxel); result.empty() || block != last) {
       last = block;
       result.insert(block);
     }
-  };
-  for (auto& x : free)
-    update(x, false);
-  for (auto& x : occupied)
-    update(x, true);
-  tree_->updateInnerOccupancy();
+  }
+  if (are_many)
+    tree_->updateInnerOccupancy();
   return result;
 }
 

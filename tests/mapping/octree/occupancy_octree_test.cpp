@@ -301,6 +301,35 @@ TEST(AnchoredOctree, ARemovedCloudIsGoneAfterARebuild) {
   EXPECT_EQ(anchored.octree().leaves(), 0U);
 }
 
+TEST(AnchoredOctree, RestoredBlocksAnswerUntilTheRebuildIsComplete) {
+  auto cloud = std::make_shared<PointCloud>(wall());
+  AnchoredOctree before;
+  before.place("a", cloud, {});
+  std::map<BlockIndex, BlockVoxels> blocks;
+  for (auto& x : before.octree().blocks())
+    blocks[x] = before.octree().block(x);
+  AnchoredOctree anchored;
+  anchored.restore(blocks);
+  anchored.anchor("a", cloud, {0, 5, 0});
+  EXPECT_TRUE(anchored.is_outdated());
+  for (auto& x : before.octree().blocks())
+    EXPECT_EQ(anchored.octree().block(x), before.octree().block(x));
+  anchored.place("b", cloud, {0, -5, 0});
+  EXPECT_TRUE(anchored.rebuild(1).empty());
+  EXPECT_EQ(anchored.octree().at({2.025, 0.5, 0.5}).occupancy, Occupancy::occupied);
+  const auto changed = anchored.rebuild();
+  OccupancyOctree expected;
+  expected.insert(transform({0, 5, 0}, *cloud));
+  expected.insert(transform({0, -5, 0}, *cloud));
+  EXPECT_EQ(anchored.octree().blocks(), expected.blocks());
+  for (auto& [index, voxels] : blocks)
+    EXPECT_TRUE(changed.contains(index));
+  for (auto& x : expected.blocks()) {
+    EXPECT_TRUE(changed.contains(x));
+    EXPECT_EQ(anchored.octree().block(x), expected.block(x));
+  }
+}
+
 // -- clouds
 
 TEST(PointCloud, OfALaserScan) {
