@@ -33,20 +33,46 @@ void ScanClearance::add(std::int64_t keyframe, const Pose2& robot, const LaserSc
       continue;
     x.points.push_back(transform(scan.mount, end_of_beam(scan, i)));
   }
-  seen_.insert_or_assign(keyframe, std::move(x));
+  remove(keyframe);
+  squares_[square_of({robot.x, robot.y})].insert(keyframe);
+  seen_.emplace(keyframe, std::move(x));
+}
+
+void ScanClearance::remove(std::int64_t keyframe) {
+  const auto x = seen_.find(keyframe);
+  if (x == seen_.end())
+    return;
+  squares_[square_of({x->second.robot.x, x->second.robot.y})].erase(keyframe);
+  seen_.erase(x);
 }
 
 void ScanClearance::move(std::int64_t keyframe, const Pose2& robot) {
-  if (auto x = seen_.find(keyframe); x != seen_.end())
-    x->second.robot = robot;
+  const auto x = seen_.find(keyframe);
+  if (x == seen_.end())
+    return;
+  auto& known = x->second.robot;
+  squares_[square_of({known.x, known.y})].erase(keyframe);
+  squares_[square_of({robot.x, robot.y})].insert(keyframe);
+  known = robot;
+}
+
+ScanClearance::Square ScanClearance::square_of(const Point2& x) {
+  return {static_cast<std::int64_t>(std::floor(x.x)), static_cast<std::int64_t>(std::floor(x.y))};
 }
 
 std::vector<const ScanClearance::Seen*> ScanClearance::seen_near(const Line2& line) const {
   const Point2 middle{(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2};
   std::vector<std::pair<double, const Seen*>> candidates;
-  for (auto& [number, x] : seen_)
-    if (auto far = distance(middle, {x.robot.x, x.robot.y}); far < near)
-      candidates.emplace_back(far, &x);
+  const auto low = square_of({middle.x - near, middle.y - near});
+  const auto high = square_of({middle.x + near, middle.y + near});
+  for (auto column = low.first; column <= high.first; ++column)
+    for (auto at = squares_.lower_bound({column, low.second});
+         at != squares_.end() && at->first <= Square{column, high.second}; ++at)
+      for (auto number : at->second) {
+        const auto& x = seen_.at(number);
+        if (const auto far = distance(middle, {x.robot.x, x.robot.y}); far < near)
+          candidates.emplace_back(far, &x);
+      }
   std::ranges::sort(candidates);
   std::vector<const Seen*> result;
   for (auto& [far, x] : candidates) {

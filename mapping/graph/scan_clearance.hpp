@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace castor::mapping {
@@ -15,7 +17,7 @@ public:
   /// @param ignored beams that count not, see MovingBeams
   void add(std::int64_t keyframe, const Pose2& robot, const LaserScan& scan,
            const std::vector<bool>& ignored);
-  void remove(std::int64_t keyframe) { seen_.erase(keyframe); }
+  void remove(std::int64_t keyframe);
   /// The pose of the keyframe was corrected.
   void move(std::int64_t keyframe, const Pose2& robot);
 
@@ -30,9 +32,15 @@ private:
     std::vector<Point2> points;
   };
 
+  /// A square metre of the map.
+  using Square = std::pair<std::int64_t, std::int64_t>;
+
+  static Square square_of(const Point2& x);
   std::vector<const Seen*> seen_near(const Line2& line) const;
 
   std::map<std::int64_t, Seen> seen_;
+  /// Keyframes by the place of the robot.
+  std::map<Square, std::set<std::int64_t>> squares_;
 };
 
 } // namespace castor::mapping
