@@ -94,7 +94,7 @@ std::vector<GraphNode> made_again(const Explored& run, bool rooms) {
   GraphKeeper keeper;
   for (auto& x : run.keyframes) {
     keeper.add(x.number, std::make_shared<const LaserScan>(x.scan), x.local_pose,
-               pose_in_map(x, run.poses));
+               pose_in_map(x, run.poses ? &*run.poses : nullptr));
     keeper.finish();
   }
   if (rooms) {
