@@ -45,14 +45,13 @@ class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<Unmanag
     if (rooms_) {
       follow_grid();
       every(rooms_period_.get(), [this] {
-        if (!reconcile())
+        if (is_behind() || !reconcile())
           return;
         keeper_->finish();
         write_changes();
       });
     }
     follow_keyframes();
-    is_started_ = true;
   }
 
   void grid_changed(const CellRegion&) override { is_grid_new_ = true; }
@@ -90,14 +89,14 @@ class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<Unmanag
   }
 
   void place(const EntryOf<Keyframe>& keyframe, const Pose2& robot) override {
-    if (added_.contains(keyframe.address.id))
-      keeper_->correct(keyframe->number, robot);
+    if (added_.try_emplace(keyframe.address.id, keyframe->number).second)
+      keeper_->add(keyframe->number, {keyframe.object, &keyframe->scan}, keyframe->local_pose,
+                   robot);
     else
-      waiting_.insert_or_assign(keyframe->number, std::pair{keyframe, robot});
+      keeper_->correct(keyframe->number, robot);
   }
 
   void remove(const std::string& keyframe) override {
-    std::erase_if(waiting_, [&](auto& x) { return x.second.first.address.id == keyframe; });
     auto x = added_.find(keyframe);
     if (x == added_.end())
       return;
@@ -106,14 +105,8 @@ class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<Unmanag
   }
 
   void placed() override {
-    // By their numbers, whatever order they were read in.
-    for (auto& [number, x] : std::exchange(waiting_, {})) {
-      const auto& keyframe = x.first;
-      keeper_->add(number, {keyframe.object, &keyframe->scan}, keyframe->local_pose, x.second);
-      added_[keyframe.address.id] = number;
-    }
     // Gateways that the rooms have confirmed before a restart, or not, stay what they are.
-    if (!is_started_)
+    if (!std::exchange(is_caught_up_, true))
       reconcile();
     keeper_->finish();
     write_changes();
@@ -192,6 +185,7 @@ class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<Unmanag
   }
 
   void stop() override {
+    catch_up();
     const auto& graph = keeper_->graph();
     std::size_t gateways = 0;
     for (auto& [id, x] : graph.nodes())
@@ -223,11 +217,10 @@ class NavigationGraphBuilder final : public FollowsGrid<FollowsKeyframes<Unmanag
                             "smaller changes of positions and costs are not written, metres"};
 
   std::optional<GraphKeeper> keeper_;
-  bool is_started_ = false;
+  bool is_caught_up_ = false;
   bool is_grid_new_ = false;
   /// Keyframes that are in the graph, and their numbers.
   std::map<std::string, std::int64_t> added_;
-  std::map<std::int64_t, std::pair<EntryOf<Keyframe>, Pose2>> waiting_;
   /// Ids of the entries.
   std::set<std::string> written_;
   std::optional<RobotArea> told_;

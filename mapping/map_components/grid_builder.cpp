@@ -26,10 +26,9 @@ class GridBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   void start() override {
     for (auto& x : read_all<GridTile>())
       entries_.adopt(*x);
-    follow_keyframes();
     // Also what a predecessor has left, and no keyframe touches any more.
     touched_.merge(entries_.tiles());
-    write_tiles();
+    follow_keyframes();
   }
 
   void place(const EntryOf<Keyframe>& keyframe, const Pose2& robot) override {
@@ -65,6 +64,7 @@ class GridBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   }
 
   void stop() override {
+    catch_up();
     if (updates_ > 0)
       info("{} keyframes in {} tiles; {} bytes of tiles per update", grid_->size(),
            entries_.tiles().size(), bytes_ / updates_);

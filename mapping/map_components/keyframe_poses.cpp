@@ -9,8 +9,8 @@
 
 namespace castor::mapping {
 
-Pose2 pose_in_map(const Keyframe& keyframe, const std::optional<GraphPoses>& graph) {
-  if (!graph)
+Pose2 pose_in_map(const Keyframe& keyframe, const GraphPoses* graph) {
+  if (graph == nullptr)
     return keyframe.local_pose;
   if (keyframe.number >= 0 && static_cast<std::size_t>(keyframe.number) < graph->poses.size())
     return graph->poses[static_cast<std::size_t>(keyframe.number)];
@@ -42,7 +42,8 @@ MapContents contents_of(std::vector<Keyframe> keyframes, const std::optional<Gra
   std::map<std::int64_t, std::size_t> positions;
   for (auto& x : keyframes) {
     positions[x.number] = result.keyframes.size();
-    result.keyframes.push_back({x.time, pose_in_map(x, graph), x.odometry, std::move(x.scan)});
+    result.keyframes.push_back(
+      {x.time, pose_in_map(x, graph ? &*graph : nullptr), x.odometry, std::move(x.scan)});
   }
   for (auto& x : constraints) {
     auto from = positions.find(x.from);

@@ -9,9 +9,9 @@
 namespace castor::mapping {
 
 /// Corrected pose of the robot at a keyframe: that of the graph, or for a keyframe that is not in
-/// it yet, the front end's pose in the frame of the map. Without a graph, the front end's frame is
-/// the map's.
-Pose2 pose_in_map(const Keyframe& keyframe, const std::optional<GraphPoses>& graph);
+/// it yet, the front end's pose in the frame of the map. Without a graph, which is null then, the
+/// front end's frame is the map's.
+Pose2 pose_in_map(const Keyframe& keyframe, const GraphPoses* graph);
 
 /// Inverse of a covariance, as an ExportedConstraint has it. A covariance that is not positive
 /// definite is replaced by its diagonal, with variances of at least 1e-9.

@@ -27,41 +27,62 @@ std::string id_of(const BlockIndex& x) {
 }
 
 /// Keeps the octree of what lasers and other sensors see at the corrected poses of keyframes, as
-/// OctreeBlock entries, and answers what is asked about it. Clouds that were pushed are in its
-/// memory only: after a restart, there is what the lasers of keyframes have seen.
+/// OctreeBlock entries, and answers what is asked about it. One that is started again answers by
+/// the entries, until it has made the octree anew. Clouds that were pushed are in its memory only:
+/// then, there is what the lasers of keyframes have seen.
 class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   void configure() override {
     octree_.emplace(OccupancyOctreeOptions{voxel_size_, max_range_}, voxel_size_.get());
   }
 
   void start() override {
-    for (auto& x : read_all<OctreeBlock>())
-      written_[{x->x, x->y, x->z}] = {x->version, x->bytes};
+    restore();
     if (!clouds_->empty())
       on_push<SensedCloud>(clouds_, [this](const std::shared_ptr<const SensedCloud>& x) {
         newest_cloud_ = x;
         if (last_.object)
           place_cloud(last_, last_robot_);
-        write_blocks();
+        write_blocks(blocks_per_step_);
       });
     on_call<AskPoint>([this](const AskPoint& x) { return octree_->octree().at(x.point); });
     on_call<AskRay>([this](const AskRay& x) { return octree_->octree().cast(x); });
     on_call<AskBox>([this](const AskBox& x) { return octree_->octree().look_into(x.box); });
     follow_keyframes();
-    // Also what a predecessor has left.
-    for (auto& [block, written] : written_)
-      changed_.insert(block);
-    write_blocks();
-    every(std::min<std::chrono::nanoseconds>(rebuild_period_.get(), rebuild_step_),
-          [this] { rebuild(); });
+    every(std::min<std::chrono::nanoseconds>(rebuild_period_.get(), rebuild_step_), [this] {
+      rebuild();
+      write_blocks(blocks_per_step_);
+    });
+  }
+
+  void restore() {
+    std::map<BlockIndex, BlockVoxels> blocks;
+    for (auto& x : read_all<OctreeBlock>()) {
+      const BlockIndex index{x->x, x->y, x->z};
+      written_[index] = {x->version, x->bytes};
+      try {
+        if (x->voxel_size == voxel_size_)
+          blocks[index] = decode_tile(x->bytes);
+      } catch (const DamagedTile& e) {
+        warning("{}: {}; it is made anew", to_string(x.address), e.what());
+      }
+      if (!blocks.contains(index))
+        changed_.insert(index);
+    }
+    is_restored_ = !blocks.empty();
+    if (is_restored_)
+      octree_->restore(blocks);
   }
 
   void place(const EntryOf<Keyframe>& keyframe, const Pose2& robot) override {
     auto& name = keyframe.address.id;
     std::shared_ptr<const PointCloud> laser;
-    if (!octree_->has(name))
+    const bool is_new = !octree_->has(name);
+    if (is_new)
       laser = std::make_shared<PointCloud>(cloud_of(keyframe->scan, {}, laser_height_));
-    changed_.merge(octree_->place(name, std::move(laser), robot));
+    if (is_new && is_restored_ && was_there(*keyframe))
+      octree_->anchor(name, std::move(laser), robot);
+    else
+      changed_.merge(octree_->place(name, std::move(laser), robot));
     if (!last_.object || keyframe->number >= last_->number) {
       last_ = keyframe;
       last_robot_ = robot;
@@ -96,10 +117,18 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     octree_->remove(cloud_of_keyframe(keyframe));
   }
 
-  void placed() override { write_blocks(); }
+  void placed() override {
+    has_all_ = true;
+    write_blocks(blocks_per_step_);
+  }
+
+  void stop() override { write_blocks(changed_.size()); }
 
   /// A step of a rebuild, if one is due.
   void rebuild() {
+    // Not from a part of the keyframes.
+    if (!has_all_)
+      return;
     if (!octree_->is_rebuilding() && (!octree_->is_outdated() || now() < next_rebuild_))
       return;
     auto start = std::chrono::steady_clock::now();
@@ -107,7 +136,6 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     rebuild_time_ += std::chrono::steady_clock::now() - start;
     if (octree_->is_rebuilding())
       return;
-    write_blocks();
     // A large map takes long: nine tenths of the time are left for other things.
     next_rebuild_ =
       now() + std::max<Timestamp>(rebuild_period_.get(),
@@ -115,10 +143,12 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
     rebuild_time_ = {};
   }
 
-  void write_blocks() {
+  /// Looks at up to `most` of the blocks that may have changed, and writes those that have.
+  void write_blocks(std::size_t most) {
     WriteBatch batch;
     std::size_t blocks = 0;
-    for (auto& index : std::exchange(changed_, {})) {
+    for (; most > 0 && !changed_.empty(); --most) {
+      const auto index = changed_.extract(changed_.begin()).value();
       auto bytes = encode_tile(octree_->octree().block(index));
       auto [at, is_new] = written_.try_emplace(index);
       auto& written = at->second;
@@ -140,6 +170,7 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   static constexpr std::chrono::milliseconds rebuild_step_{100};
   /// Some hundredths of a second of computing, for scans of hundreds of beams.
   static constexpr std::size_t clouds_per_step_ = 20;
+  static constexpr std::size_t blocks_per_step_ = 100;
 
   struct Written {
     std::uint64_t version = 0;
@@ -161,6 +192,10 @@ class OctreeBuilder final : public FollowsKeyframes<UnmanagedComponent> {
   std::shared_ptr<const SensedCloud> newest_cloud_;
   EntryOf<Keyframe> last_;
   Pose2 last_robot_;
+  /// By the entries of a predecessor, until it is made anew.
+  bool is_restored_ = false;
+  /// Whether all keyframes were told once.
+  bool has_all_ = false;
   Timestamp next_rebuild_{0};
   std::chrono::steady_clock::duration rebuild_time_{};
   std::set<BlockIndex> changed_;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "castor/mapping/map_components/types.hpp"
-#include "castor/mapping/planar/types.hpp"
 #include "castor/mapping/planar/odometry_history.hpp"
+#include "castor/mapping/planar/types.hpp"
 
 #include <cstdint>
 #include <map>

@@ -37,6 +37,8 @@ class PathEvaluator final : public FollowsKeyframes<UnmanagedComponent> {
 
   /// The entries of a robot that stands are not overwritten.
   void tell() {
+    if (is_behind())
+      return;
     const auto x = error();
     auto as_told = x;
     as_told.time = told_ ? told_->time : 0;
@@ -57,6 +59,7 @@ class PathEvaluator final : public FollowsKeyframes<UnmanagedComponent> {
   }
 
   void stop() override {
+    catch_up();
     tell();
     auto x = error();
     if (x.keyframes == 0)

@@ -12,10 +12,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace castor::mapping::test {
+
+/// Entry: number of changes by when the robot's position was that of a keyframe; by its number.
+struct GraphHistory {
+  std::vector<std::int64_t> changes;
+};
+CASTOR_REFLECT(GraphHistory, changes)
 
 namespace {
 
@@ -83,12 +91,35 @@ class Guide final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Guide, "adds the keyframes of a way")
 
-std::string cast_with(const std::string& options) {
+/// Counts nodes and edges that come and go, and changes of areas.
+class GraphWitness final : public UnmanagedComponent {
+  void start() override {
+    const auto count = [this](const ChangeEvent&) { ++changes_; };
+    // Overwrites are corrections of some centimetres.
+    on_change(added<GraphNode>(), count);
+    on_change(deleted<GraphNode>(), count);
+    on_change(added<GraphEdge>(), count);
+    on_change(deleted<GraphEdge>(), count);
+    on_change(changed<Area>().where(field(&Area::label) == ""), count);
+    on_change(changed<RobotArea>(), [this](const ChangeEvent& event) {
+      const auto keyframe = read<RobotArea>(event.address)->keyframe;
+      history_.changes.resize(static_cast<std::size_t>(keyframe) + 1, changes_);
+      put(here("history"), history_);
+    });
+  }
+
+  std::int64_t changes_ = 0;
+  GraphHistory history_;
+};
+CASTOR_COMPONENT(GraphWitness, "counts changes of the graph")
+
+std::string cast_with(const std::string& options, const std::string& builder_options = {}) {
   return "SUBARCHITECTURE mapping\n"
          "CPP WM SubarchitectureWorkingMemory\n"
          "CPP TM AlwaysPositiveTaskManager\n"
          "CPP UM guide Guide " +
-         options + "\nCPP UM graph NavigationGraphBuilder\n";
+         options + "\nCPP UM witness GraphWitness\nCPP UM graph NavigationGraphBuilder" +
+         builder_options + "\n";
 }
 
 template <class T>
@@ -157,6 +188,23 @@ TEST(NavigationGraphBuilder, GoesOnFromItsEntriesAfterACrash) {
   EXPECT_EQ(std::ranges::count(after, NodeKind::gateway, &GraphNode::kind), 1);
   EXPECT_EQ(areas_with_places(system), 2U);
   system.expect_nobody_else_down({"graph"});
+}
+
+TEST(NavigationGraphBuilder, PublishesNothingWhileItTakesUpTheKeyframesAgain) {
+  // A step is one keyframe.
+  TestSystem system{cast_with("--goes-on true", " --slice 0ms"), {.simulated_time = true}};
+  system.expect_entry("Area in mapping where label == \"kitchen\"");
+  system.advance(std::chrono::seconds{1});
+  const auto before = all<GraphHistory>(system).front();
+  system.inject("crash graph");
+  system.expect_back("graph");
+  const auto known = before.changes.size();
+  system.wait_until(
+    "the first position after the restart",
+    [&] { return all<GraphHistory>(system).front().changes.size() > known; },
+    std::chrono::minutes{2});
+  // The first new keyframe makes no node.
+  EXPECT_EQ(all<GraphHistory>(system).front().changes[known], before.changes.back());
 }
 
 } // namespace

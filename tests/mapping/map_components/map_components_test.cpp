@@ -13,6 +13,7 @@
 #include "castor/mapping/octree/types.hpp"
 #include "castor/mapping/slam/types.hpp"
 #include "castor/tests/mapping/grid/box_room.hpp"
+#include "castor/tests/mapping/map_components/mapping_system.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
@@ -135,22 +136,6 @@ class ExportAsker final : public UnmanagedComponent {
   Option<std::string> folder_{this, "folder", "", "for the files"};
 };
 CASTOR_COMPONENT(ExportAsker, "asks for files")
-
-std::string cast_with(const std::string& components) {
-  return "SUBARCHITECTURE mapping\n"
-         "CPP WM SubarchitectureWorkingMemory\n"
-         "CPP TM AlwaysPositiveTaskManager\n" +
-         components;
-}
-
-template <class T>
-std::vector<T> all(TestSystem& system) {
-  std::vector<T> result;
-  for (auto& entry : system.system().entries("mapping"))
-    if (auto x = entry->value.as<T>())
-      result.push_back(*x);
-  return result;
-}
 
 /// The map of the corrected poses, by the grid alone.
 CellMap expected_map() {
@@ -281,13 +266,13 @@ TEST(KeyframePoses, AreThoseOfTheGraphWhereItHasThem) {
   Keyframe x;
   x.number = 1;
   x.local_pose = {1, 0, 0};
-  EXPECT_EQ(pose_in_map(x, {}), x.local_pose);
+  EXPECT_EQ(pose_in_map(x, nullptr), x.local_pose);
   GraphPoses graph;
   graph.poses = {{0, 0, 0}, {5, 6, 0.5}};
   graph.local_frame = {10, 0, 0};
-  EXPECT_EQ(pose_in_map(x, graph), (Pose2{5, 6, 0.5}));
+  EXPECT_EQ(pose_in_map(x, &graph), (Pose2{5, 6, 0.5}));
   x.number = 2;
-  EXPECT_EQ(pose_in_map(x, graph), (Pose2{11, 0, 0}));
+  EXPECT_EQ(pose_in_map(x, &graph), (Pose2{11, 0, 0}));
 }
 
 TEST(KeyframePoses, InformationIsTheInverseOfTheCovariance) {

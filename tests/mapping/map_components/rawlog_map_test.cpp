@@ -70,7 +70,7 @@ std::optional<Mapped> map_of(const std::filesystem::path& file) {
   TileEntries entries;
   for (auto& x : keyframes)
     grid.place(std::to_string(x.number), std::make_shared<LaserScan>(x.scan),
-               pose_in_map(x, graph));
+               pose_in_map(x, &graph));
   auto indices = grid.grid().tiles();
   auto tiles = entries.changed(grid.grid(), {indices.begin(), indices.end()});
   castor::test::TemporaryFolder temporary;
