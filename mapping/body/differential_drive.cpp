@@ -40,6 +40,10 @@ double DifferentialDrive::slipped(double way, double diameter_error) {
 DifferentialDrive::Step DifferentialDrive::step(double dt) {
   velocity_.forward = approach(velocity_.forward, commanded_.forward, options_.acceleration * dt);
   velocity_.turn = approach(velocity_.turn, commanded_.turn, options_.turn_acceleration * dt);
+  if (options_.turning_radius > 0) {
+    const double most = std::abs(velocity_.forward) / options_.turning_radius;
+    velocity_.turn = std::clamp(velocity_.turn, -most, most);
+  }
   const double aside = velocity_.turn * options_.wheel_base / 2;
   const double left = blocked_ == Wheel::left ? 0 : (velocity_.forward - aside) * dt;
   const double right = blocked_ == Wheel::right ? 0 : (velocity_.forward + aside) * dt;

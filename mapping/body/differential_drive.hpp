@@ -16,6 +16,9 @@ struct DriveOptions {
   /// rad/s and rad/s^2.
   double max_turn = 1.6;
   double turn_acceleration = 3;
+  /// Least radius of the circles that it drives, metres, as of a car, which cannot turn on the
+  /// spot; 0: it can.
+  double turning_radius = 0;
   /// Standard deviation of what a wheel slips on a metre of way, metres. That of the sum grows with
   /// the root of the way.
   double slip = 0.003;

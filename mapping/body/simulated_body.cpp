@@ -17,6 +17,9 @@ constexpr double far_enough = 1;
 /// A robot that was blocked no longer touches anything if it is that far away, metres.
 constexpr double free_again = 0.02;
 
+/// An outline that is so near to something touches it, metres.
+constexpr double contact = 0.001;
+
 /// Velocity of a body that moves by `motion` within `seconds`.
 Twist2 velocity_of(const Pose2& motion, double seconds) {
   const double way = distance(Pose2{}, motion);
@@ -54,7 +57,7 @@ SimulatedBody::SimulatedBody(BodySurroundings surroundings, const BodyOptions& o
 }
 
 double SimulatedBody::clearance_of_robot_at(const Pose2& pose) const {
-  auto result = clearance_at(pose, options_.radius + far_enough) - options_.radius;
+  const auto result = room_at(pose);
   constexpr double rounding = 1e-9;
   if (result < -rounding)
     throw std::invalid_argument("the robot does not fit where it is to be: something is less than "
@@ -70,8 +73,33 @@ void SimulatedBody::carry_to(const Pose2& pose) {
   blocked_ = false;
 }
 
-double SimulatedBody::clearance_at(const Pose2& pose, double limit) const {
-  return clearance(*surroundings_.obstacles, people_.discs(), {pose.x, pose.y}, limit);
+double SimulatedBody::room_at(const Pose2& pose) const {
+  const auto clearance_at = [&](const Point2& p, double limit) {
+    return clearance(*surroundings_.obstacles, people_.discs(), p, limit);
+  };
+  if (!options_.footprint)
+    return clearance_at({pose.x, pose.y}, options_.radius + far_enough) - options_.radius;
+  return options_.footprint->clearance(pose, [&](const Point2& p) {
+    return clearance_at(p, far_enough);
+  }) - contact;
+}
+
+void SimulatedBody::turn_blocked(const DifferentialDrive::Step& step, double here) {
+  const Pose2 turned{pose_.x, pose_.y, normalised(pose_.heading + step.motion.heading)};
+  if (options_.footprint) {
+    const double there = room_at(turned);
+    if (there < 0 && there < here)
+      return drive_.stop();
+  }
+  pose_.heading = turned.heading;
+  odometry_.heading = normalised(odometry_.heading + step.measured.heading);
+}
+
+bool SimulatedBody::is_pushed_on() const {
+  const auto& wanted = drive_.commanded();
+  if (wanted.forward == 0)
+    return options_.footprint && wanted.turn != 0;
+  return (wanted.forward < 0) == blocked_backwards_;
 }
 
 void SimulatedBody::command(const Twist2& velocity, std::chrono::microseconds holds) {
@@ -84,20 +112,21 @@ void SimulatedBody::step() {
   if (time() >= commanded_until_)
     drive_.command({});
   const double dt = seconds(options_.step);
-  people_.step(dt, {{pose_.x, pose_.y}, options_.radius}, *surroundings_.obstacles);
+  const double size = options_.footprint ? options_.footprint->outer_radius() : options_.radius;
+  people_.step(dt, {{pose_.x, pose_.y}, size}, *surroundings_.obstacles);
   const auto step = drive_.step(dt);
   auto next = compose(pose_, step.motion);
-  const double reach = options_.radius + far_enough;
-  const double here = clearance_at(pose_, reach);
-  double there = clearance_at(next, reach);
-  if (there < options_.radius && there < here && drive_.velocity().forward == 0) {
+  const double here = room_at(pose_);
+  double there = room_at(next);
+  if (there < 0 && there < here && drive_.velocity().forward == 0) {
     // A disc can turn wherever it is; what its wheels slip does not push it into a wall.
     next = {pose_.x, pose_.y, next.heading};
-    there = here;
+    there = room_at(next);
   }
   const double forward = drive_.velocity().forward;
-  const bool hits = there < options_.radius && there < here;
+  const bool hits = there < 0 && there < here;
   const bool stays_blocked = blocked_ && there <= here;
+  const double heading = pose_.heading;
   if (hits && !blocked_) {
     ++collisions_;
     blocked_ = true;
@@ -105,12 +134,11 @@ void SimulatedBody::step() {
     drive_.stop();
     velocity_ = measured_velocity_ = {};
   } else if (hits || stays_blocked) {
-    // It may turn.
     drive_.stop_driving();
-    pose_.heading = next.heading;
-    odometry_.heading = normalised(odometry_.heading + step.measured.heading);
-    velocity_ = {0, step.motion.heading / dt};
-    measured_velocity_ = {0, step.measured.heading / dt};
+    turn_blocked(step, here);
+    const bool has_turned = pose_.heading != heading;
+    velocity_ = {0, has_turned ? step.motion.heading / dt : 0};
+    measured_velocity_ = {0, has_turned ? step.measured.heading / dt : 0};
   } else {
     driven_ += distance(pose_, next);
     pose_ = next;
@@ -118,11 +146,9 @@ void SimulatedBody::step() {
     velocity_ = velocity_of(step.motion, dt);
     measured_velocity_ = velocity_of(step.measured, dt);
   }
-  const double now = hits || stays_blocked ? here : there;
-  const double wanted = drive_.commanded().forward;
-  if (wanted == 0 || (wanted < 0) != blocked_backwards_ || now > options_.radius + free_again)
+  clearance_ = hits || stays_blocked ? here : there;
+  if (!is_pushed_on() || clearance_ > free_again)
     blocked_ = false;
-  clearance_ = now - options_.radius;
   least_clearance_ = std::min(least_clearance_, clearance_);
   ++steps_;
 }
@@ -154,7 +180,7 @@ void SimulatedBody::resume(const BodyState& x) {
   driven_ = x.driven;
   drive_.stop();
   velocity_ = measured_velocity_ = {};
-  clearance_ = clearance_at(pose_, options_.radius + far_enough) - options_.radius;
+  clearance_ = room_at(pose_);
 }
 
 } // namespace castor::mapping

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/mapping/body/differential_drive.hpp"
+#include "castor/mapping/body/footprint.hpp"
 #include "castor/mapping/body/laser_model.hpp"
 #include "castor/mapping/body/types.hpp"
 #include "castor/mapping/body/walking_people.hpp"
@@ -9,12 +10,14 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace castor::mapping {
 
 struct BodyOptions {
-  /// Footprint of the robot, a disc; metres.
+  /// Footprint of the robot, a disc, metres; or what it has in place of that.
   double radius = 0.25;
+  std::optional<Footprint> footprint;
   /// What is higher is not in its way, metres.
   double height = 0.5;
   /// Of the laser's plane above the floor, metres.
@@ -60,7 +63,8 @@ struct BodyState {
 ///
 /// A step that would take the robot into something is not done: the robot stands, and that is a
 /// collision. It stays blocked as long as it is told to drive on in that direction, and has not
-/// come away from the obstacle. It may turn, and drive away.
+/// come away from the obstacle. It may turn, as far as its footprint does not touch anything by
+/// that, and drive away.
 class SimulatedBody {
 public:
   /// \throws std::invalid_argument if the robot does not fit where it is to begin, if it could pass
@@ -100,9 +104,15 @@ public:
   void block(Wheel wheel) { drive_.block(wheel); }
 
 private:
-  double clearance_at(const Pose2& pose, double limit) const;
-  /// From the edge of a robot that fits there, metres.
+  /// From the robot's edge, metres, at most 1 m; negative where it touches something.
+  double room_at(const Pose2& pose) const;
+  /// The same of a robot that fits there.
   double clearance_of_robot_at(const Pose2& pose) const;
+  /// Turns it on the spot as far as its footprint permits that.
+  void turn_blocked(const DifferentialDrive::Step& step, double here);
+
+  /// Whether a robot that is blocked is told to move on as before.
+  bool is_pushed_on() const;
 
   BodyOptions options_;
   BodySurroundings surroundings_;

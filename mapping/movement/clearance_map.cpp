@@ -62,6 +62,19 @@ double ClearanceMap::at(const Point2& point) const {
   return cell ? at(*cell) : 0;
 }
 
+double ClearanceMap::between_cells(const Point2& point) const {
+  const double column = (point.x - origin_.x) / cell_size_ - 0.5;
+  const double row = (point.y - origin_.y) / cell_size_ - 0.5;
+  if (!(column >= 0 && row >= 0 && column < columns_ - 1 && row < rows_ - 1))
+    return 0;
+  const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column);
+  const auto above = first + static_cast<std::size_t>(columns_);
+  const double right = column - std::floor(column);
+  return std::lerp(std::lerp(at(first), at(first + 1), right),
+                   std::lerp(at(above), at(above + 1), right), row - std::floor(row));
+}
+
 std::optional<std::size_t> ClearanceMap::cell_at(const Point2& point) const {
   const double column = std::floor((point.x - origin_.x) / cell_size_);
   const double row = std::floor((point.y - origin_.y) / cell_size_);

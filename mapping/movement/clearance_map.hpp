@@ -39,6 +39,10 @@ public:
   /// The same for the cell that holds the point; 0 outside the map.
   double at(const Point2& point) const;
 
+  /// The same between the centres of cells, interpolated in both directions; 0 where one of them is
+  /// outside the map.
+  double between_cells(const Point2& point) const;
+
   /// Position of the cell that holds the point, row by row from below; nothing outside the map.
   std::optional<std::size_t> cell_at(const Point2& point) const;
   Point2 centre(std::size_t cell) const;

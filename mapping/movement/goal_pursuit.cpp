@@ -41,7 +41,7 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
   const bool may_plan = !planned_ || time - *planned_ >= options_.replan_period;
   if (follower_ && follower_->has_arrived() && !(is_goal_new_ && may_plan))
     return turn_at_goal(robot);
-  const auto in_the_way = obstacles(around);
+  const auto in_the_way = unexpected_obstacles(around, options_);
   if (may_plan &&
       (!follower_ || is_blocked_ || is_goal_new_ || !is_path_free(robot, around.map, in_the_way)))
     plan(robot, around.map, in_the_way);
@@ -71,24 +71,6 @@ void GoalPursuit::hold(std::int64_t time, const Pose2& robot) {
   step_time_.reset();
   blocked_since_.reset();
   recovery_.has_stalled(time, robot, false);
-}
-
-bool GoalPursuit::is_expected(const PlanningMap& map, const Point2& seen) const {
-  return map.clearance_of_occupied().at(seen) <= options_.unexpected_from;
-}
-
-std::vector<Point2> GoalPursuit::obstacles(const PursuitSurroundings& around) const {
-  constexpr double body = 0.45; // metres
-  const auto walks = [&](const Point2& x) {
-    return std::ranges::any_of(around.movers, [&](const Mover& mover) {
-      return mover.speed() >= options_.movers.least_speed && distance(mover.place, x) < body;
-    });
-  };
-  std::vector<Point2> result;
-  for (auto& x : around.seen)
-    if (!is_expected(around.map, x) && !walks(x))
-      result.push_back(x);
-  return result;
 }
 
 bool GoalPursuit::is_path_free(const Pose2& robot, const PlanningMap& map,
@@ -177,7 +159,7 @@ double GoalPursuit::speed_before(const Pose2& robot, const Twist2& wanted,
   std::vector<Point2> unexpected;
   for (auto& x : around.seen)
     if (distance(x, {robot.x, robot.y}) < reach + 2 * options_.plan.radius)
-      (is_expected(around.map, x) ? expected : unexpected).push_back(x);
+      (is_expected(around.map, x, options_) ? expected : unexpected).push_back(x);
   const auto way = [&](const std::vector<Point2>& points, double gap) {
     return free_arc(robot, wanted, points, options_.plan.radius, gap, reach);
   };
@@ -189,14 +171,11 @@ double GoalPursuit::speed_before(const Pose2& robot, const Twist2& wanted,
 Twist2 GoalPursuit::limited(const Pose2& robot, const Twist2& wanted,
                             const PursuitSurroundings& around) const {
   const Point2 here{robot.x, robot.y};
-  double fastest = wanted.forward;
-  if (!(fastest > 0))
+  if (!(wanted.forward > 0))
     return wanted;
-  const bool is_in_door = std::ranges::any_of(
-    around.gateways, [&](auto& x) { return distance(x, here) < options_.gateway_reach; });
-  if (is_in_door || around.map.clearance_of_occupied().at(here) < options_.narrow_clearance)
-    fastest = std::min(fastest, options_.narrow_speed);
-  fastest = std::min(fastest, speed_before(robot, wanted, around));
+  const bool is_narrow = around.map.clearance_of_occupied().at(here) < options_.narrow_clearance;
+  const double fastest = std::min({wanted.forward, place_speed(here, is_narrow, around, options_),
+                                   speed_before(robot, wanted, around)});
   auto result = wanted;
   result.turn *= fastest / wanted.forward;
   result.forward = fastest;

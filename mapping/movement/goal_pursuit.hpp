@@ -1,11 +1,6 @@
 #pragma once
 
-#include "castor/mapping/body/path_follower.hpp"
-#include "castor/mapping/body/stall_recovery.hpp"
-#include "castor/mapping/movement/movers.hpp"
-#include "castor/mapping/movement/path_planner.hpp"
-#include "castor/mapping/movement/planning_map.hpp"
-#include "castor/mapping/movement/types.hpp"
+#include "castor/mapping/movement/pursuit.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -16,74 +11,15 @@
 
 namespace castor::mapping {
 
-struct PursuitOptions {
-  PlanOptions plan;
-  FollowOptions follow;
-  /// How hard it counts on braking, m/s^2, and the time until a command has an effect, seconds.
-  double braking = 0.4;
-  double reaction = 0.2;
-  /// Smallest distance of the robot's edge from what the laser sees, metres; and from what the map
-  /// does not have, as people, whose legs are all that the laser sees of them.
-  double gap = 0.03;
-  double unexpected_gap = 0.1;
-  /// Plans keep so much more from that than from what the map has, metres.
-  double unexpected_margin = 0.07;
-  /// Where the map has less clearance, as in doors, it drives at most so fast; metres, m/s.
-  double narrow_clearance = 0.45;
-  double narrow_speed = 0.35;
-  /// So near to a gateway, it drives at most as fast as in narrow places, metres.
-  double gateway_reach = 0.7;
-  /// Those who walk. The radius of the robot is that of the plan.
-  MoverOptions movers;
-  /// What the laser sees so far from all obstacles of the map is not on the map, metres.
-  double unexpected_from = 0.15;
-  /// Way ahead on the path that has to be free of that, metres.
-  double look_out = 2.5;
-  /// Times in microseconds. It plans at most so often.
-  std::int64_t replan_period = 500'000;
-  /// It gives up when the way was blocked for so long.
-  std::int64_t patience = 30'000'000;
-  /// It waits so long for a free way where the way around is longer by more than that;
-  /// microseconds, metres.
-  std::int64_t detour_patience = 6'000'000;
-  double detour = 3;
-  StallOptions stall;
-  /// It gives up after so many recoveries at one place: within that distance, metres.
-  int recoveries = 5;
-  double one_place = 1.5;
-};
-
-/// What is around a robot, in the map frame.
-struct PursuitSurroundings {
-  /// With the same options for cells as those of the plan.
-  const PlanningMap& map;
-  /// What the laser has seen lately.
-  std::span<const Point2> seen;
-  std::span<const Mover> movers = {};
-  /// Middles of doors.
-  std::span<const Point2> gateways = {};
-};
-
 /// Takes a robot to a place: plans, follows the path, waits for those who walk, plans anew around
 /// what the map does not have, stops before what is in the way, goes back where it is stuck, and
-/// gives up with a reason.
-///
-/// Its only time is that of its arguments. Everything is in the map frame.
-class GoalPursuit {
+/// gives up with a reason. For robots that are discs.
+class GoalPursuit final : public Pursuit {
 public:
   /// @param heading to face there, radians
   GoalPursuit(const Point2& goal, std::optional<double> heading, const PursuitOptions& options);
 
-  struct Step {
-    Twist2 velocity;
-    /// `arrived` and `failed` are the ends.
-    MovementStatus status = MovementStatus::moving;
-    std::string waits_for;
-    std::string reason;
-  };
-
-  /// @param time microseconds
-  Step step(std::int64_t time, const Pose2& robot, const PursuitSurroundings& around);
+  Step step(std::int64_t time, const Pose2& robot, const PursuitSurroundings& around) override;
 
   /// Changes the goal. The next plan leads there; until then it follows the path that it has.
   void change_goal(const Point2& goal);
@@ -92,18 +28,14 @@ public:
   /// count as stalled.
   void hold(std::int64_t time, const Pose2& robot);
 
-  const Path& path() const { return path_; }
-  double done() const { return follower_ ? follower_->done() : 0; }
-  double length() const { return follower_ ? follower_->length() : 0; }
-  int plans() const { return plans_; }
-  int recoveries() const { return recoveries_; }
-  /// Time that it stood since something was in its way, microseconds.
-  std::int64_t waited() const { return waited_; }
+  const Path& path() const override { return path_; }
+  double done() const override { return follower_ ? follower_->done() : 0; }
+  double length() const override { return follower_ ? follower_->length() : 0; }
+  int plans() const override { return plans_; }
+  int recoveries() const override { return recoveries_; }
+  std::int64_t waited() const override { return waited_; }
 
 private:
-  /// What the laser sees, the map does not have, and does not walk.
-  std::vector<Point2> obstacles(const PursuitSurroundings& around) const;
-  bool is_expected(const PlanningMap& map, const Point2& seen) const;
   /// Nothing of `points` is near the path ahead, nor does the map show anything there.
   bool is_path_free(const Pose2& robot, const PlanningMap& map,
                     std::span<const Point2> points) const;

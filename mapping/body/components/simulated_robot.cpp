@@ -55,6 +55,10 @@ class SimulatedRobot final : public StandaloneComponent {
     options.laser.range_noise = range_noise_;
     options.laser.missing = missing_;
     options.drive.wheel_base = wheel_base_;
+    options.drive.turning_radius = turning_radius_;
+    options.radius = radius_;
+    if (!footprint_->empty())
+      options.footprint = parse_footprint(footprint_.get(), "--footprint");
     options.drive.max_forward = max_speed_;
     options.drive.max_turn = max_turn_;
     options.drive.acceleration = acceleration_;
@@ -340,6 +344,13 @@ class SimulatedRobot final : public StandaloneComponent {
     this, "camera-period", 0ms, "time between pushes of CameraFrame and SensedCloud; 0: no camera"};
   Option<int> camera_width_{this, "camera-width", 160, "pixels"};
   Option<int> camera_height_{this, "camera-height", 120, "pixels"};
+  Option<double> radius_{this, "radius", 0.25, "of its footprint, a disc; metres"};
+  Option<std::string> footprint_{
+    this, "footprint", "",
+    "corners of its footprint in order, X Y, X Y, ..., metres; empty: a disc"};
+  Option<double> turning_radius_{
+    this, "turning-radius", 0,
+    "of the smallest circle that it drives, as of a car, metres; 0: it turns on the spot"};
   Option<double> wheel_base_{this, "wheel-base", 0.4, "distance of the wheels, metres"};
   Option<double> max_speed_{this, "max-speed", 0.8, "greatest speed, m/s"};
   Option<double> max_turn_{this, "max-turn", 1.6, "greatest speed of a turn, rad/s"};

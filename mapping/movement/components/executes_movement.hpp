@@ -1,12 +1,8 @@
 #pragma once
 
 #include "castor/actors/component/actions.hpp"
-#include "castor/base/named_file.hpp"
-#include "castor/mapping/body/components/drives_by_pose.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
-#include "castor/mapping/map_components/follows_grid.hpp"
-#include "castor/mapping/maps/map_server.hpp"
-#include "castor/mapping/movement/goal_pursuit.hpp"
+#include "castor/mapping/movement/components/has_movement_options.hpp"
 #include "castor/mapping/movement/movement_queue.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
 #include "castor/mapping/movement/person_follower.hpp"
@@ -19,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,33 +25,8 @@ namespace castor::mapping {
 
 /// A component that moves the robot: what actions of movement share. One that derives from it says
 /// in `start()` which actions it executes.
-class ExecutesMovement : public FollowsGrid<DrivesByPose> {
+class ExecutesMovement : public HasMovementOptions {
 protected:
-  ExecutesMovement() : FollowsGrid(PoseSource::localisation) {
-    // nop
-  }
-
-  void configure() override {
-    if (!map_file_->empty())
-      map_ = read_map_server(file_named(map_file_, base_.get()));
-    options_.plan.radius = radius_;
-    options_.plan.margin = margin_;
-    options_.plan.preferred_clearance = preferred_clearance_;
-    options_.plan.cells.unknown_is_obstacle = !through_unknown_;
-    options_.follow.speed = speed_;
-    options_.follow.look_ahead = look_ahead_;
-    options_.follow.tolerance = tolerance_;
-    options_.braking = braking_;
-    options_.gap = gap_;
-    options_.unexpected_gap = unexpected_gap_;
-    options_.narrow_speed = narrow_speed_;
-    options_.movers.near = people_near_;
-    options_.movers.near_speed = people_speed_;
-    options_.patience = std::chrono::duration_cast<Timestamp>(patience_.get()).count();
-    options_.recoveries = recoveries_;
-    planning_map_ = PlanningMap(options_.plan.cells);
-  }
-
   void start() override {
     follow_pose();
     on_push<Odometry>(sensors(), [this](auto& x) { watch_.add(*x); });
@@ -63,7 +35,8 @@ protected:
       if (pose())
         seen_.add(*x, *pose());
     });
-    if (map_file_->empty())
+    planning_map_ = PlanningMap(pursuit_options().plan.cells);
+    if (!given_map())
       follow_grid();
     on_change(
       added<Action>().anywhere().where(field(&Action::subarchitecture) == subarchitecture()),
@@ -108,7 +81,7 @@ protected:
     while (!queue_.is_cleared() && !action.cancelled()) {
       if (const auto missing = what_is_missing(); !missing.empty()) {
         drive({});
-        movement_.waited += std::chrono::duration<double>(period_.get()).count();
+        movement_.waited += std::chrono::duration<double>(period()).count();
         tell(MovementStatus::waiting, missing);
       } else if (const std::optional<ActionResult> end = step()) {
         drive({});
@@ -118,7 +91,7 @@ protected:
              {}, true);
         return *end;
       }
-      action.sleep_for(period_.get());
+      action.sleep_for(period());
     }
     drive({});
     movement_.reason =
@@ -142,7 +115,7 @@ protected:
   ActionResult go(ActionInProgress& action, const std::string& task, F find_route) {
     std::optional<Route> route;
     std::size_t leg = 0;
-    std::optional<GoalPursuit> pursuit;
+    std::unique_ptr<Pursuit> pursuit;
     // Of the legs before.
     Movement before;
     return execute_steps(action, task, [&]() -> std::optional<ActionResult> {
@@ -152,7 +125,7 @@ protected:
         return ActionResult::failed(route->reason);
       const auto& places = route->places;
       if (!pursuit) {
-        pursuit.emplace(leg_to(*route, leg));
+        pursuit = leg_to(*route, leg);
         movement_.goal = {places[leg].x, places[leg].y, route->heading.value_or(0)};
       }
       const int plans = pursuit->plans();
@@ -172,6 +145,8 @@ protected:
 
   /// Turns on the spot, by more than a full turn too.
   ActionResult turn(ActionInProgress& action, double angle, const std::string& task) {
+    if (planner() == PlannerKind::reeds_shepp)
+      return ActionResult::failed("the robot cannot turn on the spot");
     std::optional<double> before;
     double left = angle;
     return execute_steps(action, task, [&]() -> std::optional<ActionResult> {
@@ -181,7 +156,9 @@ protected:
       constexpr double close = 0.03; // radians
       if (std::abs(left) < close)
         return ActionResult::succeeded();
-      const double most = options_.follow.max_turn;
+      if (!can_turn(*pose(), left, planning_map(), seen_.points()))
+        return ActionResult::failed("the robot's footprint would touch something by that turn");
+      const double most = pursuit_options().follow.max_turn;
       drive({0, std::clamp(2 * left, -most, most)});
       tell(MovementStatus::moving, {});
       action.progress(std::clamp(1 - left / angle, 0.0, 1.0));
@@ -193,6 +170,9 @@ protected:
   /// @param people in sight now, as a function
   template <class F>
   ActionResult follow(ActionInProgress& action, const FollowPerson& what, F people) {
+    if (planner() != PlannerKind::grid)
+      return ActionResult::failed(
+        "only a robot that is a disc follows people: leave --planner out");
     std::optional<PersonFollower> follower;
     return execute_steps(action, "follow a person", [&]() -> std::optional<ActionResult> {
       const std::vector<SeenPerson> in_sight = people();
@@ -220,8 +200,6 @@ protected:
 
   // -- what it knows
 
-  const PursuitOptions& pursuit_options() const { return options_; }
-
   /// Whether there are cells.
   bool has_map() const { return map().columns > 0; }
 
@@ -229,7 +207,7 @@ protected:
   const PlanningMap& planning_map() {
     using namespace std::chrono_literals;
     if (!planning_map_.version() || now() - map_updated_ >= 500ms) {
-      planning_map_.update(map(), map_ ? 0 : grid().version());
+      planning_map_.update(map(), given_map() ? 0 : grid().version());
       map_updated_ = now();
     }
     return planning_map_;
@@ -247,15 +225,6 @@ private:
     return nearest == people.end() ? 0 : nearest->id;
   }
 
-  FollowPersonOptions follow_options(double distance) const {
-    FollowPersonOptions result;
-    result.distance = distance;
-    result.nearest = std::min(result.nearest, distance);
-    result.speed = follow_speed_;
-    result.pursuit = options_;
-    return result;
-  }
-
   /// An urgent action clears the queue when it arrives, not when its turn comes.
   void note_action(const Address& address) {
     try {
@@ -268,16 +237,13 @@ private:
     }
   }
 
-  GoalPursuit leg_to(const Route& route, std::size_t leg) const {
-    if (leg + 1 == route.places.size())
-      return {route.places[leg], route.heading, options_};
-    auto options = options_;
-    options.follow.tolerance = passing_;
-    return {route.places[leg], std::nullopt, options};
+  std::unique_ptr<Pursuit> leg_to(const Route& route, std::size_t leg) const {
+    const bool is_last = leg + 1 == route.places.size();
+    return new_pursuit(route.places[leg], is_last ? route.heading : std::nullopt, is_last);
   }
 
   /// How the pursuit has ended, if it has.
-  std::optional<ActionResult> step_of(GoalPursuit& pursuit) {
+  std::optional<ActionResult> step_of(Pursuit& pursuit) {
     const int plans = pursuit.plans();
     const auto seen = seen_.points();
     const auto movers = watch_.movers(*pose());
@@ -309,9 +275,9 @@ private:
     return {};
   }
 
-  const CellMap& map() const { return map_ ? *map_ : grid().map(); }
+  const CellMap& map() const { return given_map() ? *given_map() : grid().map(); }
 
-  void note(const GoalPursuit& pursuit, const Movement& before, bool is_new_path) {
+  void note(const Pursuit& pursuit, const Movement& before, bool is_new_path) {
     movement_.done = pursuit.done();
     movement_.length = pursuit.length();
     movement_.plans = before.plans + pursuit.plans();
@@ -341,39 +307,6 @@ private:
     put(here(component_name()), movement_);
   }
 
-  Option<std::string> map_file_{this, "map", "",
-                                "a .yaml of map_server in place of the grid's tiles"};
-  Option<std::string> base_{this, "base", "", "folder in which a relative file is looked for too"};
-  Option<bool> through_unknown_{this, "through-unknown", false,
-                                "whether it plans through cells that nobody has seen"};
-  Option<double> radius_{this, "radius", 0.25, "of the robot's footprint, metres"};
-  Option<double> margin_{this, "margin", 0.05, "to keep from obstacles of the map, metres"};
-  Option<double> preferred_clearance_{this, "preferred-clearance", 0.6,
-                                      "where there is less, a way counts as longer; metres"};
-  Option<double> gap_{this, "gap", 0.03, "to keep from what the laser sees, metres"};
-  Option<double> unexpected_gap_{this, "unexpected-gap", 0.1,
-                                 "to keep from what the laser sees and the map does not have, "
-                                 "metres"};
-  Option<double> speed_{this, "speed", 0.5, "m/s"};
-  Option<double> follow_speed_{this, "follow-speed", 1, "at most, behind a person; m/s"};
-  Option<double> narrow_speed_{this, "narrow-speed", 0.35, "in doors and narrow places, m/s"};
-  Option<double> people_near_{this, "people-near", 1,
-                              "nearer than that, somebody who walks slows it down; metres"};
-  Option<double> people_speed_{this, "people-speed", 0.3, "near people, m/s"};
-  Option<double> braking_{this, "braking", 0.4, "how hard it counts on braking, m/s^2"};
-  Option<double> look_ahead_{this, "look-ahead", 0.3, "how far ahead on the path it aims, metres"};
-  Option<double> tolerance_{this, "tolerance", 0.1,
-                            "distance from the goal at which it has arrived, metres"};
-  Option<double> passing_{this, "passing", 0.4,
-                          "so near, it has passed a place on its route, metres"};
-  Option<std::chrono::milliseconds> patience_{this, "patience", std::chrono::seconds{30},
-                                              "it gives up when every way was blocked for so long"};
-  Option<int> recoveries_{this, "recoveries", 5, "it gives up after so many at one place"};
-  Option<std::chrono::milliseconds> period_{this, "period", std::chrono::milliseconds{50},
-                                            "time between commands"};
-
-  PursuitOptions options_;
-  std::optional<CellMap> map_;
   PlanningMap planning_map_;
   Timestamp map_updated_{0};
   SeenObstacles seen_;

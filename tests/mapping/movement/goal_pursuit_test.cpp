@@ -2,9 +2,8 @@
 
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
-#include "castor/mapping/building/grid_obstacles.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
-#include "castor/tests/mapping/movement/drawn_map.hpp"
+#include "castor/tests/mapping/movement/footprint_world.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,14 +20,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::unique_ptr<Obstacles> obstacles_of(const CellMap& map) {
-  std::vector<std::uint8_t> cells;
-  for (auto x : map.cells)
-    cells.push_back(x >= 60 ? 1 : 0);
-  return std::make_unique<GridObstacles>(std::move(cells), map.columns, map.rows, map.cell_size,
-                                         Point2{map.origin.x, map.origin.y});
-}
-
 struct Drive {
   GoalPursuit::Step last;
   BodyStatus body;
@@ -41,7 +32,8 @@ Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const 
             std::optional<double> heading, double seconds, const std::vector<Walker>& people = {}) {
   BodyOptions body_options;
   body_options.people = true;
-  BodySurroundings surroundings{obstacles_of(world), obstacles_of(world), start, people};
+  BodySurroundings surroundings{test::obstacles_of(world), test::obstacles_of(world), start,
+                                people};
   SimulatedBody body(std::move(surroundings), body_options);
   PursuitOptions options;
   options.follow.look_ahead = 0.3;

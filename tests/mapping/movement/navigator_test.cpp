@@ -18,9 +18,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -45,6 +47,27 @@ Told& told() {
   static Told instance;
   return instance;
 }
+
+/// Goes through a door to face the way it came, and asks for a turn.
+class PoseAsker final : public UnmanagedComponent {
+  void start() override {
+    on_push<BodyStatus>("robot", [](auto& x) { told().body = *x; });
+  }
+
+  void run() override {
+    GoToPlace there;
+    there.x = 4.8;
+    there.y = 2;
+    there.heading = std::numbers::pi;
+    there.has_heading = true;
+    told().first = perform("navigation", there).wait(120s);
+    TurnTo turn;
+    told().second = perform("navigation", turn).wait(20s);
+    sleep_for(200ms);
+    add(Movement{});
+  }
+};
+CASTOR_COMPONENT(PoseAsker, "asks a robot that is no disc for movements")
 
 /// Goes through a door, turns, and is refused a goal in a wall.
 class MovementAsker final : public UnmanagedComponent {
@@ -233,7 +256,8 @@ protected:
     system->expect_entry("Movement in asking");
   }
 
-  std::unique_ptr<TestSystem> system_with(const std::string& asker, const std::string& navigator) {
+  std::unique_ptr<TestSystem> system_with(const std::string& asker, const std::string& navigator,
+                                          const std::string& robot = "") {
     told() = {};
     navigator_is_back = false;
     auto map = test::empty_room(6, 4);
@@ -244,7 +268,8 @@ protected:
     const auto yaml = stem.string() + ".yaml";
     return std::make_unique<TestSystem>(
       "COMPONENT CPP robot SimulatedRobot --building " + yaml +
-        " --start \"1 1 heading 90\" --lease navigation/seat\n"
+        " --start \"1 1 heading 90\" --lease navigation/seat " + robot +
+        "\n"
         "SUBARCHITECTURE navigation\n"
         "CPP WM SubarchitectureWorkingMemory\n"
         "CPP TM AlwaysPositiveTaskManager\n"
@@ -318,6 +343,30 @@ TEST_F(NavigatorSystem, StopsAtOnceAndClearsTheQueue) {
   EXPECT_GT(told().body.time, told().asked_at.count() - 100'000);
   EXPECT_EQ(told().body.velocity.forward, 0);
   EXPECT_LT(told().body.driven, 1);
+}
+
+TEST_F(NavigatorSystem, CarGoesThroughADoorAndDoesNotTurnOnTheSpot) {
+  const std::string car =
+    "--footprint \"0.55 0.22, -0.15 0.22, -0.15 -0.22, 0.55 -0.22\" --turning-radius 0.5";
+  const auto system = system_with("PoseAsker", "--pose truth --planner reeds_shepp " + car, car);
+  system->expect_entry("Movement in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  EXPECT_NEAR(told().body.pose.x, 4.8, 0.15);
+  EXPECT_NEAR(told().body.pose.y, 2, 0.15);
+  EXPECT_NEAR(std::abs(told().body.pose.heading), std::numbers::pi, 0.2);
+  EXPECT_EQ(told().second.outcome, ActionOutcome::failed);
+  EXPECT_EQ(told().second.reason, "the robot cannot turn on the spot");
+  EXPECT_EQ(told().body.collisions, 0);
+}
+
+TEST_F(NavigatorSystem, LongRobotGoesThroughADoorAndTurns) {
+  const std::string robot = "--footprint \"0.6 0.25, -0.6 0.25, -0.6 -0.25, 0.6 -0.25\"";
+  const auto system = system_with("PoseAsker", "--pose truth --planner footprint " + robot, robot);
+  system->expect_entry("Movement in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
+  EXPECT_NEAR(told().body.pose.heading, 0, 0.1);
+  EXPECT_EQ(told().body.collisions, 0);
 }
 
 TEST_F(NavigatorSystem, GoesAlongTheGraphToNodesAndAreas) {
