@@ -76,7 +76,8 @@ const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing
     return std::pair(y.shape != x.shape, distance_on_table(y.thing.pose.position, place));
   };
   for (const auto& y : things)
-    if (y.colour == x.colour && distance_on_table(y.thing.pose.position, place) <= within &&
+    if ((y.colour == x.colour || x.colour == vision::Hypothesis{}.value) &&
+        distance_on_table(y.thing.pose.position, place) <= within &&
         (!best || rank(y) < rank(*best)))
       best = &y;
   return best;

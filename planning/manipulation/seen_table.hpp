@@ -38,8 +38,9 @@ std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm);
 /// The table's surface and the things on it.
 Scene scene_of(const std::vector<SeenThing>& things);
 
-/// The thing that looks like `x` (the same colour, and the same shape if several have that) and is
-/// nearest to a place of the arm's frame, at most `within` metres from it; null if there is none.
+/// The thing that looks like `x` (the same colour if that is known, and the same shape if several
+/// have that) and is nearest to a place of the arm's frame, at most `within` metres from it; null
+/// if there is none.
 const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing& x,
                            const Point3& place, double within);
 

@@ -1,23 +1,16 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/mapping/geometry/poses.hpp"
-#include "castor/planning/manipulation/arm_action_queue.hpp"
-#include "castor/planning/manipulation/components/commands_arm.hpp"
-#include "castor/planning/manipulation/components/sees_table.hpp"
-#include "castor/planning/manipulation/kinematics.hpp"
-#include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/components/executes_manipulation.hpp"
 #include "castor/planning/manipulation/types.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
-#include <vector>
 
 namespace castor::manipulation {
 
@@ -27,18 +20,7 @@ using namespace std::chrono_literals;
 
 /// Executes the actions of an arm, one after the other: by what vision sees, and until vision sees
 /// the result.
-class ArmExecutor final : public SeesTable<CommandsArm> {
-  void configure() override {
-    CommandsArm::configure();
-    ManipulationOptions options;
-    options.grasps.spare = spare_;
-    options.timing.speed_share = speed_;
-    options.timing.acceleration_share = acceleration_;
-    options.motions.time_limit = planning_time_;
-    options.motions.algorithm = planning_algorithm(algorithm_.get());
-    planner_.emplace(arm(), options);
-  }
-
+class ArmExecutor final : public ExecutesManipulation {
   void start() override {
     follow_arm();
     const auto anything =
@@ -52,16 +34,26 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
     execute<PushAside>("there is room beside the thing, in reach",
                        [this](auto& x) { return push_aside(x); });
     execute<GoHome>({}, [this](auto&) { return go_home(); });
-    at_once<StopArm>([this] { queue_.stop(); });
-    at_once<PauseArm>([this] { is_paused_ = true; });
-    at_once<ResumeArm>([this] { is_paused_ = false; });
+    at_once<StopArm>(true, [this] {
+      queue_.stop();
+      halt();
+    });
+    at_once<PauseArm>(true, [this] {
+      is_paused_ = true;
+      halt();
+    });
+    at_once<ResumeArm>(false, [this] { is_paused_ = false; });
   }
 
   void run() override {
     take_seat();
     while (is_running() && !state())
       sleep_for(period());
-    // A predecessor may have left the arm in the picture.
+    // A predecessor may have left the arm in the picture, with something in the gripper.
+    if (is_running() && state()->holds) {
+      held_ = NamedSolid{"the thing in the gripper", sphere(unknown_thing), {{}, {}, "tool"}};
+      held_thing_ = {{}, vision::Hypothesis{}.value, vision::Hypothesis{}.value, *held_};
+    }
     if (is_running() && !is_at_rest()) {
       inhibit_vision();
       begin("go home", {});
@@ -91,19 +83,21 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
       offer);
   }
 
-  /// An action that concerns the one that runs: it has succeeded when the arm rests.
+  /// An action that concerns the one that runs.
+  /// @param stands_then whether it has succeeded when the arm rests
   template <class T, class F>
-  void at_once(F act) {
+  void at_once(bool stands_then, F act) {
     ActionOffer offer;
     offer.alongside = true;
     on_action<T>(
-      [this, act](ActionInProgress& action, const T&) {
+      [this, act, stands_then](ActionInProgress& action, const T&) {
         act();
+        // What is on its way to the arm and back comes first.
+        bool goes_on = action.sleep_for(2 * period());
         const auto given_up = now() + 3s;
-        while (std::is_same_v<T, StopArm> && state() && !state()->rests && now() < given_up)
-          if (!action.sleep_for(period()))
-            return ActionResult::cancelled();
-        return ActionResult::succeeded();
+        while (goes_on && stands_then && state() && !state()->rests && now() < given_up)
+          goes_on = action.sleep_for(period());
+        return goes_on ? ActionResult::succeeded() : ActionResult::cancelled();
       },
       offer);
   }
@@ -123,17 +117,16 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
       });
       if (!plan)
         return ActionResult::failed(told_.reason);
-      if (auto end = carry_out_all(*plan))
-        return end;
+      if (const auto carried = carry_out_all(*plan); !carried.is_done)
+        return carried.end;
       return confirmed_at(thing, plan->goal, x.to);
     });
   }
 
   ActionResult pick(const Pick& x) {
     begin("take a thing", x.what);
-    if (state() && state()->holds)
-      return ActionResult::failed("the gripper already holds " +
-                                  (held_ ? held_->name : std::string("something")) +
+    if (is_holding())
+      return ActionResult::failed("the gripper already holds " + held_->name +
                                   ": it has to be put down before");
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "take " + thing.thing.name;
@@ -141,8 +134,8 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
         planned([&] { return planner_->pick(scene(), thing.thing.name, state()->positions); });
       if (!plan)
         return ActionResult::failed(told_.reason);
-      if (auto end = carry_out_all(*plan))
-        return end;
+      if (const auto carried = carry_out_all(*plan); !carried.is_done)
+        return carried.end;
       const auto* still_there = find_like(things_, thing, thing.thing.pose.position, near_);
       if (!still_there && state()->holds)
         return ActionResult::succeeded();
@@ -154,7 +147,7 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
 
   ActionResult place(const Place& x) {
     begin("put down what the gripper holds", {});
-    if (!held_ || !state() || !state()->holds)
+    if (!is_holding())
       return ActionResult::failed("the gripper holds nothing that could be put down");
     told_.task = "put down " + held_->name + ' ' + text_of(x.to);
     if (auto end = look())
@@ -166,8 +159,8 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
     auto plan = planned([&] { return planner_->place(scene(), *goal, state()->positions); });
     if (!plan)
       return ActionResult::failed(told_.reason);
-    if (auto end = carry_out_all(*plan))
-      return *end;
+    if (const auto carried = carry_out_all(*plan); !carried.is_done)
+      return carried.end.value_or(ActionResult::failed(told_.reason));
     if (auto end = confirmed_at(thing, plan->goal, x.to))
       return *end;
     return ActionResult::failed(told_.reason);
@@ -181,8 +174,8 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
         [&] { return planner_->push(scene(), thing.thing.name, x.distance, state()->positions); });
       if (!plan)
         return ActionResult::failed(told_.reason);
-      if (auto end = carry_out_all(*plan))
-        return end;
+      if (const auto carried = carry_out_all(*plan); !carried.is_done)
+        return carried.end;
       const auto* seen = find_like(things_, thing, plan->goal->position, x.distance / 2 + near_);
       if (seen && distance_on_table(seen->thing.pose.position, thing.thing.pose.position) >=
                     x.distance - near_)
@@ -202,10 +195,16 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
   template <class F>
   ActionResult with_thing(const EntryPointer<vision::SceneObject>& what, F attempt) {
     std::optional<SeenThing> thing;
+    if (is_holding()) {
+      if (held_thing_.id != what.address.id)
+        return ActionResult::failed("the gripper holds " + held_->name +
+                                    ": it has to be put down before");
+      thing = held_thing_;
+    }
     while (true) {
       if (auto end = look())
         return *end;
-      if (!(thing && held_ && state()->holds)) {
+      if (!thing || !is_holding()) {
         const auto* found = find(what, thing);
         if (!found)
           return ActionResult::failed(
@@ -213,6 +212,7 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
                   : "I do not see the thing " + what.address.id + ": it is not in " + vision() +
                       ", or its place is not known");
         thing = *found;
+        held_thing_ = *found;
       }
       ++told_.tries;
       if (std::optional<ActionResult> end = attempt(*thing))
@@ -231,65 +231,6 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
       return &*same;
     constexpr double anywhere = 10; // metres
     return before ? find_like(things_, *before, before->thing.pose.position, anywhere) : nullptr;
-  }
-
-  // -- what it says
-
-  void begin(const std::string& task, const EntryPointer<vision::SceneObject>& what) {
-    told_ = {};
-    told_.task = task;
-    told_.what = what;
-    told_.holds = held_ ? held_->name : std::string{};
-    tell(ManipulationStatus::looking, "looks at the table");
-  }
-
-  ActionResult finish(ActionResult result) {
-    told_.reason = result.reason;
-    told_.holds = held_ ? held_->name : std::string{};
-    tell(result.outcome == ActionOutcome::succeeded   ? ManipulationStatus::succeeded
-         : result.outcome == ActionOutcome::cancelled ? ManipulationStatus::cancelled
-                                                      : ManipulationStatus::failed,
-         "rests");
-    return result;
-  }
-
-  void tell(ManipulationStatus status, const std::string& step) {
-    told_.status = status;
-    told_.step = step;
-    told_.time = now().count();
-    put(here(component_name()), told_);
-  }
-
-  // -- looking
-
-  /// Waits until vision has seen the table as it is. How the action ends, if it does.
-  std::optional<ActionResult> look() {
-    if (!state())
-      return ActionResult::failed("the arm does not tell where it is");
-    if (!is_at_rest()) {
-      auto end = withdraw();
-      if (end.outcome != ActionOutcome::succeeded)
-        return end;
-    }
-    release_vision();
-    tell(ManipulationStatus::looking, "looks at the table");
-    const auto given_up = now() + look_within_.get();
-    while (!has_vision_looked()) {
-      if (is_to_end())
-        return ActionResult::cancelled();
-      if (now() > given_up)
-        return ActionResult::failed("vision does not come to an end with looking at the table");
-      wait();
-    }
-    things_ = look_at_table(placement());
-    return {};
-  }
-
-  Scene scene() const {
-    auto result = scene_of(things_);
-    if (held_)
-      result.held = *held_;
-    return result;
   }
 
   std::string text_of(const TablePlace& x) const {
@@ -345,137 +286,9 @@ class ArmExecutor final : public SeesTable<CommandsArm> {
     return ActionResult::succeeded({"seen " + vision() + '/' + seen.id});
   }
 
-  // -- moving
-
-  /// Plans, and takes the time. Nothing, and the reason, if there is no plan.
-  template <class F>
-  std::optional<ManipulationPlan> planned(F plan) {
-    tell(ManipulationStatus::planning, "plans");
-    const auto begun = std::chrono::steady_clock::now();
-    auto result = plan();
-    told_.planning_time +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    if (auto* failure = std::get_if<MotionFailure>(&result)) {
-      told_.reason = failure->text;
-      return {};
-    }
-    auto& found = std::get<ManipulationPlan>(result);
-    told_.plans += found.motions;
-    return std::move(found);
-  }
-
-  /// Carries out the plan, goes home, and looks. How the action ends, if it does; the reason, if it
-  /// may be tried again.
-  std::optional<ActionResult> carry_out_all(const ManipulationPlan& plan) {
-    inhibit_vision();
-    told_.reason.clear();
-    auto end = stages_of(plan);
-    if (end.kind == StageEnd::Kind::cancelled)
-      return ActionResult::cancelled(end.why);
-    const auto reason = end.kind == StageEnd::Kind::done ? std::string{} : end.why;
-    if (auto over = look())
-      return over;
-    if (reason.empty())
-      return {};
-    return retried(reason);
-  }
-
-  /// Nothing happened as planned; the caller looks for the thing anew.
-  std::optional<ActionResult> retried(const std::string& reason) {
-    told_.reason = reason;
-    return {};
-  }
-
-  StageEnd stages_of(const ManipulationPlan& plan) {
-    double done = 0;
-    for (const auto& stage : plan.stages) {
-      if (action_)
-        action_->progress(done++ / static_cast<double>(plan.stages.size() + 1));
-      tell(stage.status, stage.text);
-      auto end = carry_out(
-        stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
-      note_held(stage, plan);
-      if (end.kind != StageEnd::Kind::done) {
-        warning("{}: {} while it {}", told_.task, end.why, stage.text);
-        return end;
-      }
-    }
-    return {};
-  }
-
-  /// What the gripper holds after a stage.
-  void note_held(const MotionStage& stage, const ManipulationPlan& plan) {
-    if (state() && !state()->holds)
-      held_.reset();
-    else if (stage.status == ManipulationStatus::grasping && plan.held)
-      held_ = plan.held;
-  }
-
-  /// Goes where the arm rests.
-  ActionResult withdraw() {
-    if (!state())
-      return ActionResult::failed("the arm does not tell where it is");
-    if (!is_at_rest()) {
-      inhibit_vision();
-      // It comes to rest before it is planned from where.
-      while (!state()->rests && !is_to_end())
-        wait();
-      auto plan = planned([&] {
-        return planner_->go(scene(), rest(), state()->positions, state()->opening,
-                            held_ ? "goes home with " + held_->name : "goes home");
-      });
-      if (!plan)
-        return ActionResult::failed("the arm cannot go home: " + told_.reason);
-      const auto end = stages_of(*plan);
-      if (end.kind == StageEnd::Kind::cancelled)
-        return ActionResult::cancelled(end.why);
-      if (end.kind != StageEnd::Kind::done && !is_at_rest())
-        return ActionResult::failed("the arm cannot go home: " + end.why);
-    }
-    release_vision();
-    return ActionResult::succeeded();
-  }
-
-  bool is_at_rest() const {
-    constexpr double close = 0.02; // radians
-    return state() && state()->rests && manipulation::distance(state()->positions, rest()) < close;
-  }
-
-  bool is_to_end() {
-    return !is_running() || queue_.is_stopped() || (action_ && !action_->wait_while_paused());
-  }
-
-  void wait() {
-    if (action_)
-      action_->sleep_for(period());
-    else
-      sleep_for(period());
-  }
-
-  Option<double> spare_{this, "spare", 0.024,
-                        "how much wider than a thing the gripper is opened, metres"};
-  Option<double> speed_{this, "speed", 0.6, "share of the joints' speeds"};
-  Option<double> acceleration_{this, "acceleration", 0.5, "share of the joints' accelerations"};
-  Option<double> planning_time_{this, "planning-time", 1, "for each motion, seconds"};
-  Option<std::string> algorithm_{this, "algorithm", "rrt_connect",
-                                 "of motions: rrt_connect, rrt_star or bit_star"};
   Option<int> tries_{this, "tries", 3, "how often an action is tried"};
   Option<double> near_{this, "near", 0.035,
                        "a thing that is seen so near to its place is there, metres"};
-  Option<std::chrono::milliseconds> look_within_{
-    this, "look-within", 30s, "it gives up if vision has not looked at the table for so long"};
-
-  std::optional<ManipulationPlanner> planner_;
-  ArmActionQueue queue_;
-  bool is_paused_ = false;
-  /// The one that runs, or null.
-  ActionInProgress* action_ = nullptr;
-  std::vector<SeenThing> things_;
-  /// In the tool's frame.
-  std::optional<NamedSolid> held_;
-  /// As it was seen before.
-  SeenThing held_thing_;
-  Manipulation told_;
 };
 
 CASTOR_COMPONENT(ArmExecutor, "moves an arm: takes things, puts them down, pushes them aside")

@@ -81,8 +81,10 @@ protected:
     auto progress_at = now();
     double progress = -1;
     while (true) {
-      if (!goes_on())
+      if (!goes_on()) {
+        halt();
         return {StageEnd::Kind::cancelled, "it was cancelled"};
+      }
       if (is_paused()) {
         progress_at = now();
         wait();
@@ -115,6 +117,18 @@ protected:
     }
   }
 
+  /// Lets the arm come to rest, without waiting for it: its last command holds no longer.
+  void halt() {
+    if (!last_)
+      return;
+    try {
+      stream_command(effector_.get(), *last_, std::chrono::milliseconds{1});
+    } catch (const ConnectionError& e) {
+      debug("{}", e.what());
+    }
+    last_.reset();
+  }
+
   /// Null until the arm has told.
   const ArmState* state() const { return state_ ? &*state_ : nullptr; }
 
@@ -138,6 +152,7 @@ private:
     auto command = motion_window(stage.trajectory, motion_, time);
     command.opening = stage.opening;
     command.pushes = stage.pushes;
+    last_ = command;
     try {
       stream_command(effector_.get(), std::move(command));
       refusal_.clear();
@@ -171,6 +186,7 @@ private:
   Configuration rest_;
   std::optional<ArmState> state_;
   std::optional<LockGuard> lease_;
+  std::optional<ArmCommand> last_;
   std::int64_t motion_ = 0;
   std::string refusal_;
 };

@@ -191,6 +191,46 @@ TEST(Renderer, HasLampsWithoutShadows) {
   EXPECT_GT(brightness(filled), brightness(dim) + 60);
 }
 
+TEST(Renderer, ShowsPlacedObjectsAsThoseOnTheTable) {
+  const auto scene = parse_tabletop_scene("red cylinder at 0.1 0.05 size 0.06 0.1 name=can\n"
+                                          "green triangle at -0.1 0 size 0.1 turned 20\n",
+                                          "test")
+                       .scene;
+  const auto standing = scene.at(0s);
+  auto placed = standing;
+  placed.objects.clear();
+  for (const auto& x : standing.objects)
+    placed.placed.push_back({x, pose_of(x)});
+  EXPECT_EQ(render_labels(placed, scene.camera), render_labels(standing, scene.camera));
+}
+
+TEST(Renderer, ShowsObjectsThatLieOrHover) {
+  const auto camera = look_at({0, 0, 2}, {0, 0, 0}, 40, 200, 200, table_frame);
+  TabletopObject can;
+  can.shape = TabletopShape::cylinder;
+  can.size = {0.04, 0.04, 0.2};
+  TabletopSnapshot scene;
+  scene.placed.push_back({can, {{0, 0, 0.3}, {}, table_frame}});
+  const auto pixels = [&] {
+    int count = 0;
+    for (const auto x : render_labels(scene, camera).bytes)
+      count += x == 1;
+    return count;
+  };
+  const int from_above = pixels();
+  // On its side: a quarter turn about x.
+  scene.placed[0].pose.rotation = {std::sqrt(0.5), std::sqrt(0.5), 0, 0};
+  EXPECT_GT(pixels(), 4 * from_above);
+  // Its shadow is on the table.
+  const auto with = render_without_noise(scene, camera);
+  scene.placed.clear();
+  const auto without = render_without_noise(scene, camera);
+  int darker = 0;
+  for (std::size_t i = 0; i < with.bytes.size(); i += 3)
+    darker += with.bytes[i] + 20 < without.bytes[i];
+  EXPECT_GT(darker, 100);
+}
+
 TEST(Renderer, RefusesCamerasWithoutImage) {
   EXPECT_THROW(render({}, Camera{}), std::invalid_argument);
   RenderOptions options;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace castor::manipulation {
 
@@ -55,6 +56,42 @@ TEST(TableWorld, ThingsStackOnFlatTops) {
   world.add(cube_at("the cube", 0.21, 0, 0.3));
   EXPECT_EQ(world.thing("the cube").support, "the can");
   EXPECT_NEAR(world.thing("the cube").thing.pose.position.z, 0.12, 1e-5);
+}
+
+TEST(TableWorld, ThingsArePushedWithWhatStandsOnThem) {
+  auto world = table();
+  world.add(thing("the can", cylinder(0.06, 0.1), 0.2, 0, 0.05));
+  world.add(cube_at("the cube", 0.2, 0, 0.3));
+  EXPECT_TRUE(world.push("the can", 0.03, 0.01));
+  EXPECT_NEAR(world.thing("the can").thing.pose.position.x, 0.23, 1e-9);
+  EXPECT_NEAR(world.thing("the cube").thing.pose.position.y, 0.01, 1e-9);
+  EXPECT_EQ(world.thing("the cube").support, "the can");
+}
+
+TEST(TableWorld, ThingsAreNotPushedIntoOthers) {
+  auto world = table();
+  world.add(cube_at("one", 0.2, 0, 0.02));
+  world.add(cube_at("two", 0.25, 0, 0.02));
+  EXPECT_FALSE(world.push("one", 0.02, 0));
+  EXPECT_EQ(world.thing("one").thing.pose.position.x, 0.2);
+  EXPECT_TRUE(world.push("one", -0.02, 0));
+  EXPECT_THROW(world.push("three", 0, 0), std::invalid_argument);
+}
+
+TEST(TableWorld, ThingsArePushedOverTheEdge) {
+  auto world = table();
+  world.add(cube_at("one", 0.49, 0, 0.02));
+  EXPECT_TRUE(world.push("one", 0.02, 0));
+  EXPECT_EQ(world.thing("one").support, "the floor");
+}
+
+TEST(TableWorld, WhatIsHeldIsNotPushed) {
+  auto world = table();
+  world.add(cube_at("one", 0.2, 0, 0.02));
+  ASSERT_NE(world.between_fingers(gripper, from_above({0.2, 0, 0.02})), nullptr);
+  EXPECT_EQ(world.between_fingers(gripper, from_above({0.4, 0, 0.02})), nullptr);
+  world.close_gripper(gripper, from_above({0.2, 0, 0.02}));
+  EXPECT_FALSE(world.push("one", 0.02, 0));
 }
 
 TEST(TableWorld, NothingStaysOnABall) {

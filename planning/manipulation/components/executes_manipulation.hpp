@@ -1,0 +1,228 @@
+#pragma once
+
+#include "castor/actors/component/action_types.hpp"
+#include "castor/actors/component/actions.hpp"
+#include "castor/planning/manipulation/arm_action_queue.hpp"
+#include "castor/planning/manipulation/components/commands_arm.hpp"
+#include "castor/planning/manipulation/components/sees_table.hpp"
+#include "castor/planning/manipulation/kinematics.hpp"
+#include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/types.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace castor::manipulation {
+
+/// A component that executes actions of an arm: how it looks, plans, moves, and tells of it.
+class ExecutesManipulation : public SeesTable<CommandsArm> {
+protected:
+  void configure() override {
+    CommandsArm::configure();
+    ManipulationOptions options;
+    options.grasps.spare = spare_;
+    options.timing.speed_share = speed_;
+    options.timing.acceleration_share = acceleration_;
+    options.motions.time_limit = planning_time_;
+    options.motions.algorithm = planning_algorithm(algorithm_.get());
+    planner_.emplace(arm(), options);
+  }
+
+  // -- what it says
+
+  void begin(const std::string& task, const EntryPointer<vision::SceneObject>& what) {
+    told_ = {};
+    told_.task = task;
+    told_.what = what;
+    told_.holds = held_ ? held_->name : std::string{};
+    tell(ManipulationStatus::looking, "looks at the table");
+  }
+
+  ActionResult finish(ActionResult result) {
+    told_.reason = result.reason;
+    told_.holds = held_ ? held_->name : std::string{};
+    tell(result.outcome == ActionOutcome::succeeded   ? ManipulationStatus::succeeded
+         : result.outcome == ActionOutcome::cancelled ? ManipulationStatus::cancelled
+                                                      : ManipulationStatus::failed,
+         "rests");
+    return result;
+  }
+
+  void tell(ManipulationStatus status, const std::string& step) {
+    told_.status = status;
+    told_.step = step;
+    told_.time = now().count();
+    put(here(component_name()), told_);
+  }
+
+  // -- looking
+
+  /// Waits until vision has seen the table as it is. How the action ends, if it does.
+  std::optional<ActionResult> look() {
+    if (!state())
+      return ActionResult::failed("the arm does not tell where it is");
+    if (!is_at_rest()) {
+      auto end = withdraw();
+      if (end.outcome != ActionOutcome::succeeded)
+        return end;
+    }
+    release_vision();
+    tell(ManipulationStatus::looking, "looks at the table");
+    const auto given_up = now() + look_within_.get();
+    while (!has_vision_looked()) {
+      if (is_to_end())
+        return ActionResult::cancelled();
+      if (now() > given_up)
+        return ActionResult::failed("vision does not come to an end with looking at the table");
+      wait();
+    }
+    things_ = look_at_table(placement());
+    return {};
+  }
+
+  Scene scene() const {
+    auto result = scene_of(things_);
+    if (held_)
+      result.held = *held_;
+    return result;
+  }
+
+  // -- moving
+
+  /// Plans, and takes the time. Nothing, and the reason, if there is no plan.
+  template <class F>
+  std::optional<ManipulationPlan> planned(F plan) {
+    tell(ManipulationStatus::planning, "plans");
+    const auto begun = std::chrono::steady_clock::now();
+    auto result = plan();
+    told_.planning_time +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    if (auto* failure = std::get_if<MotionFailure>(&result)) {
+      told_.reason = failure->text;
+      return {};
+    }
+    auto& found = std::get<ManipulationPlan>(result);
+    told_.plans += found.motions;
+    return std::move(found);
+  }
+
+  struct Carried {
+    bool is_done = false;
+    /// How the action ends; without it, it may be tried again.
+    std::optional<ActionResult> end;
+  };
+
+  /// Carries out the plan, goes home, and looks.
+  Carried carry_out_all(const ManipulationPlan& plan) {
+    inhibit_vision();
+    told_.reason.clear();
+    const auto end = stages_of(plan);
+    if (end.kind == StageEnd::Kind::cancelled)
+      return {false, ActionResult::cancelled(end.why)};
+    if (auto over = look())
+      return {false, std::move(over)};
+    told_.reason = end.why;
+    return {end.kind == StageEnd::Kind::done, {}};
+  }
+
+  StageEnd stages_of(const ManipulationPlan& plan) {
+    double done = 0;
+    for (const auto& stage : plan.stages) {
+      if (action_)
+        action_->progress(done++ / static_cast<double>(plan.stages.size() + 1));
+      tell(stage.status, stage.text);
+      auto end = carry_out(
+        stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
+      note_held(stage, plan);
+      if (end.kind != StageEnd::Kind::done) {
+        warning("{}: {} while it {}", told_.task, end.why, stage.text);
+        return end;
+      }
+    }
+    return {};
+  }
+
+  /// What the gripper holds after a stage.
+  void note_held(const MotionStage& stage, const ManipulationPlan& plan) {
+    if (state() && !state()->holds)
+      held_.reset();
+    else if (stage.status == ManipulationStatus::grasping && plan.held)
+      held_ = plan.held;
+  }
+
+  /// Goes where the arm rests.
+  ActionResult withdraw() {
+    if (!state())
+      return ActionResult::failed("the arm does not tell where it is");
+    if (!is_at_rest()) {
+      inhibit_vision();
+      // It comes to rest before it is planned from where.
+      while (!state()->rests && !is_to_end())
+        wait();
+      auto plan = planned([&] {
+        return planner_->go(scene(), rest(), state()->positions, state()->opening,
+                            held_ ? "goes home with " + held_->name : "goes home");
+      });
+      if (!plan)
+        return ActionResult::failed("the arm cannot go home: " + told_.reason);
+      const auto end = stages_of(*plan);
+      if (end.kind == StageEnd::Kind::cancelled)
+        return ActionResult::cancelled(end.why);
+      if (end.kind != StageEnd::Kind::done && !is_at_rest())
+        return ActionResult::failed("the arm cannot go home: " + end.why);
+    }
+    release_vision();
+    return ActionResult::succeeded();
+  }
+
+  bool is_holding() const { return held_ && state() && state()->holds; }
+
+  bool is_at_rest() const {
+    constexpr double close = 0.02; // radians
+    return state() && state()->rests && manipulation::distance(state()->positions, rest()) < close;
+  }
+
+  bool is_to_end() {
+    return !is_running() || queue_.is_stopped() || (action_ && !action_->wait_while_paused());
+  }
+
+  void wait() {
+    if (action_)
+      action_->sleep_for(period());
+    else
+      sleep_for(period());
+  }
+
+  ArmActionQueue queue_;
+  bool is_paused_ = false;
+  /// Diameter of a thing that a predecessor has taken, metres.
+  static constexpr double unknown_thing = 0.06;
+
+  std::optional<ManipulationPlanner> planner_;
+  /// The one that runs, or null.
+  ActionInProgress* action_ = nullptr;
+  std::vector<SeenThing> things_;
+  /// In the tool's frame.
+  std::optional<NamedSolid> held_;
+  /// As it was seen before.
+  SeenThing held_thing_;
+  Manipulation told_;
+
+private:
+  Option<double> spare_{this, "spare", 0.024,
+                        "how much wider than a thing the gripper is opened, metres"};
+  Option<double> speed_{this, "speed", 0.6, "share of the joints' speeds"};
+  Option<double> acceleration_{this, "acceleration", 0.5, "share of the joints' accelerations"};
+  Option<double> planning_time_{this, "planning-time", 1, "for each motion, seconds"};
+  Option<std::string> algorithm_{this, "algorithm", "rrt_connect",
+                                 "of motions: rrt_connect, rrt_star or bit_star"};
+  Option<std::chrono::milliseconds> look_within_{
+    this, "look-within", std::chrono::seconds{30},
+    "it gives up if vision has not looked at the table for so long"};
+};
+
+} // namespace castor::manipulation

@@ -1,0 +1,109 @@
+// Solids by the outlines that vision finds in rendered pictures.
+
+#include "castor/planning/manipulation/seen_solid.hpp"
+
+#include "castor/mapping/geometry/poses.hpp"
+#include "castor/perception/vision/segmentation/segmentation.hpp"
+#include "castor/perception/vision/segmentation/size_limits.hpp"
+#include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
+#include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace castor::manipulation {
+
+namespace {
+
+struct Seen {
+  vision::TabletopObject truth;
+  SeenSolid solid;
+};
+
+/// The solid of the only region in the picture of this thing.
+std::optional<Seen> look_at(const std::string& thing, const std::string& shape) {
+  const auto scene = vision::parse_tabletop_scene(
+                       "camera 0 -0.34 0.92 looking-at 0 0.02 0 fov 38\n" + thing + '\n', "test")
+                       .scene;
+  const auto picture = vision::render(scene.at(vision::SceneTime{0}), scene.camera);
+  const auto segments = vision::segment_table(picture, &scene.camera, {}, {});
+  if (segments.size() != 1)
+    return {};
+  const auto solid = seen_solid(shape, segments.front().contour, scene.camera);
+  if (!solid)
+    return {};
+  return Seen{scene.at(vision::SceneTime{0}).objects.front(), *solid};
+}
+
+double off(const Seen& x) {
+  return std::hypot(x.solid.pose.position.x - x.truth.x, x.solid.pose.position.y - x.truth.y);
+}
+
+TEST(SeenSolid, ABallIsWhereItIs) {
+  for (const auto* place : {"0 0", "0.2 0.1", "-0.2 -0.15", "0.1 -0.2"}) {
+    const auto x = look_at(std::string("blue sphere at ") + place + " size 0.055", "sphere");
+    ASSERT_TRUE(x) << place;
+    EXPECT_LT(off(*x), 0.004) << place;
+    EXPECT_NEAR(x->solid.solid.size.x, 0.055, 0.004) << place;
+    EXPECT_NEAR(x->solid.pose.position.z, 0.0275, 0.002);
+    EXPECT_EQ(x->solid.pose.frame, "table");
+  }
+}
+
+TEST(SeenSolid, ACubeIsTurnedAsItIs) {
+  for (const auto* place : {"0 0 size 0.05 turned 10", "0.2 0.05 size 0.05 turned 40",
+                            "-0.2 -0.15 size 0.05 turned 65", "0.1 -0.2 size 0.05 turned 85"}) {
+    const auto x = look_at(std::string("red cube at ") + place, "cube");
+    ASSERT_TRUE(x) << place;
+    EXPECT_LT(off(*x), 0.004) << place;
+    EXPECT_NEAR(x->solid.solid.size.x, 0.05, 0.004) << place;
+    const auto wanted =
+      geometry::rotation_about_z(x->truth.turned_degrees * std::numbers::pi / 180);
+    const double turn =
+      std::fmod(geometry::angle_between(x->solid.pose.rotation, wanted), std::numbers::pi / 2);
+    EXPECT_LT(std::min(turn, std::numbers::pi / 2 - turn), 0.12) << place;
+  }
+}
+
+TEST(SeenSolid, ACylinderIsAsHighAsItIs) {
+  for (const auto* place : {"0 0", "0.2 0.1", "-0.2 -0.1"}) {
+    const auto x =
+      look_at(std::string("green cylinder at ") + place + " size 0.05 0.08", "cylinder");
+    ASSERT_TRUE(x) << place;
+    EXPECT_LT(off(*x), 0.005) << place;
+    EXPECT_NEAR(x->solid.solid.size.x, 0.05, 0.005) << place;
+    EXPECT_NEAR(x->solid.solid.size.z, 0.08, 0.012) << place;
+  }
+}
+
+TEST(SeenSolid, AFlatPieceIsFlat) {
+  const auto x = look_at("yellow disc at 0.1 0 size 0.09", "circle");
+  ASSERT_TRUE(x);
+  EXPECT_LT(off(*x), 0.004);
+  EXPECT_NEAR(x->solid.solid.size.x, 0.09, 0.004);
+  EXPECT_NEAR(x->solid.solid.size.z, 0.005, 1e-9);
+}
+
+TEST(SeenSolid, WhatDoesNotFitHasALargeError) {
+  const auto ball = look_at("blue sphere at 0 0 size 0.06", "sphere");
+  const auto cube = look_at("blue sphere at 0 0 size 0.06", "cube");
+  ASSERT_TRUE(ball && cube);
+  EXPECT_LT(ball->solid.error, 1.5);
+  EXPECT_GT(cube->solid.error, 2 * ball->solid.error);
+}
+
+TEST(SeenSolid, NothingIsSeenAboveTheHorizonOrInNoOutline) {
+  const auto camera =
+    vision::parse_tabletop_scene("camera 0 -1 0.1 looking-at 0 0 0.1 fov 50\n", "test")
+      .scene.camera;
+  EXPECT_FALSE(seen_solid("cube", {{10, 10}, {20, 10}, {20, 20}}, camera));
+  EXPECT_FALSE(seen_solid("cube", {{10, 10}, {20, 10}}, camera));
+}
+
+} // namespace
+
+} // namespace castor::manipulation
