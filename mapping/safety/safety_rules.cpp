@@ -51,12 +51,13 @@ void SafetyRules::add(const LaserScan& x, std::int64_t now) {
     fresh_ = scan_time_;
   remember(x, pose);
   if (scan_)
-    earlier_.push_back({std::move(points_), scanned_at_, scan_->time});
+    earlier_.push_back({std::move(*scan_), std::move(points_), scanned_at_});
   if (earlier_.size() > compared)
     earlier_.pop_front();
   points_ = points_of(x);
   scanned_at_ = pose;
   scan_ = x;
+  moving_ = moved_points();
 }
 
 void SafetyRules::add(const Odometry& x, std::int64_t now) {
@@ -108,14 +109,53 @@ Pose2 SafetyRules::wheels_now(std::int64_t now) const {
   return moved(wheels.pose, wheels.velocity, since);
 }
 
-std::vector<Point2> SafetyRules::points_now(const Pose2& wheels) const {
+std::vector<Point2> SafetyRules::moved_points() const {
+  std::vector<Point2> result;
+  if (earlier_.empty())
+    return result;
+  const auto& scan = earlier_.front().scan;
+  const auto beams = static_cast<int>(scan.ranges.size());
+  const auto scanner = inverse(compose(earlier_.front().wheels, scan.mount));
+  constexpr double far = 1.5;      // metres
+  constexpr double farther = 0.12; // metres
+  constexpr int beside = 2;        // beams
+  for (const auto& x : points_) {
+    const auto then = transform(scanner, transform(scanned_at_, x));
+    const double away = distance(then, Point2{});
+    if (away > far)
+      continue;
+    const double angle =
+      std::remainder(std::atan2(then.y, then.x) - scan.first_angle, 2 * std::numbers::pi);
+    const int middle = static_cast<int>(std::lround(angle / scan.angle_step));
+    // Of a laser that looks all around, the last beam is beside the first.
+    const int around = static_cast<int>(std::lround(2 * std::numbers::pi / scan.angle_step));
+    bool was_free = true;
+    for (int i = middle - beside; i <= middle + beside && was_free; ++i) {
+      const int beam = (i + around) % around;
+      was_free =
+        beam<beams&& static_cast<double>(scan.ranges[static_cast<std::size_t>(beam)])> away +
+        farther;
+    }
+    if (was_free)
+      result.push_back(x);
+  }
+  return result;
+}
+
+SafetyRules::View SafetyRules::view_now(const Pose2& wheels) const {
+  const auto from = [](const Pose2& frame, const std::vector<Point2>& points) {
+    std::vector<Point2> result;
+    for (const auto& x : points)
+      result.push_back(transform(frame, x));
+    return result;
+  };
   const auto back = between(wheels, scanned_at_);
-  auto result = points_;
-  for (auto& x : result)
-    x = transform(back, x);
+  View result{from(back, points_), from(back, moving_), {}};
   const auto from_wheels = inverse(wheels);
   for (const auto& x : remembered_)
-    result.push_back(transform(from_wheels, x.point));
+    result.points.push_back(transform(from_wheels, x.point));
+  if (!earlier_.empty())
+    result.before = from(between(wheels, earlier_.front().wheels), earlier_.front().points);
   return result;
 }
 
@@ -126,31 +166,55 @@ double SafetyRules::way(const std::vector<Point2>& points, double curvature, dou
   return result;
 }
 
-double SafetyRules::approach(const std::vector<Point2>& points, const std::vector<Point2>& before,
-                             double curvature) const {
-  if (before.empty())
+double SafetyRules::approach(const View& view, double curvature) const {
+  if (view.before.empty())
     return 0;
   constexpr double microsecond = 1e-6;
   const double nearer =
-    way(before, curvature, options_.radius) - way(points, curvature, options_.radius);
+    way(view.before, curvature, options_.radius) - way(view.points, curvature, options_.radius);
   const double speed =
-    nearer / (static_cast<double>(scan_->time - earlier_.front().time) * microsecond);
+    nearer / (static_cast<double>(scan_->time - earlier_.front().scan.time) * microsecond);
   // What is nearer still was hidden before, or has come from the side.
   return speed < slowest_approach || speed > fastest_approach ? 0 : speed;
 }
 
-double SafetyRules::speed_along(const std::vector<Point2>& points,
-                                const std::vector<Point2>& before, double curvature) const {
+double SafetyRules::speed_along(const View& view, double curvature) const {
   // What approaches goes on while the robot reacts, and while it brakes.
-  const double nearing = approach(points, before, curvature);
-  const auto within = [&](double radius) {
-    return speed_to_stop_within(way(points, curvature, radius) - nearing * options_.latency,
+  const double nearing = approach(view, curvature);
+  const auto within = [&](double radius, double of_moving) {
+    const double left =
+      std::min(way(view.points, curvature, radius), way(view.moving, curvature, of_moving));
+    return speed_to_stop_within(left - nearing * options_.latency,
                                 options_.latency + nearing / options_.braking, options_.braking);
   };
-  const double speed = within(options_.radius + options_.margin);
+  const double edge_of_margin = options_.radius + options_.margin;
+  const double speed = within(edge_of_margin, edge_of_margin + options_.moving_margin);
   if (speed >= options_.creeping)
     return speed;
-  return std::min(options_.creeping, within(options_.radius + options_.margin / 3));
+  const double nearest = options_.radius + options_.margin / 3;
+  return std::min(options_.creeping, within(nearest, edge_of_margin));
+}
+
+double SafetyRules::turn_while_braking(View view, const Twist2& driven,
+                                       const Twist2& allowed) const {
+  const double fast = std::abs(driven.forward);
+  constexpr double little = 0.05; // m/s
+  const bool goes_on = driven.forward * allowed.forward > 0;
+  if (fast < slow || (goes_on && std::abs(allowed.forward) > fast - little))
+    return allowed.turn;
+  const double side = driven.forward > 0 ? 1 : -1;
+  for (auto& x : view.points)
+    x.x *= side;
+  const auto way_with = [&](double turn) {
+    return way(view.points, side * turn / fast, options_.radius + options_.margin);
+  };
+  if (way_with(allowed.turn) >= fast * options_.latency + fast * fast / (2 * options_.braking))
+    return allowed.turn;
+  double result = allowed.turn;
+  for (const double x : {driven.turn, 0.0})
+    if (way_with(x) > way_with(result))
+      result = x;
+  return result;
 }
 
 SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded,
@@ -163,30 +227,27 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
     return {{}, SafetyReason::no_command, 0};
   Verdict result{*commanded, SafetyReason::none, scan_->max_range};
   const double wanted = std::abs(commanded->forward);
-  if (wanted == 0)
+  const auto wheels = wheels_now(now);
+  const auto seen = view_now(wheels);
+  const auto velocity = odometry_.newest()->velocity;
+  if (wanted == 0) {
+    result.velocity.turn = turn_while_braking(seen, velocity, result.velocity);
     return result;
+  }
   // Driving backwards is driving forwards in a mirror behind the robot.
   const double side = commanded->forward > 0 ? 1 : -1;
-  const auto wheels = wheels_now(now);
-  auto points = points_now(wheels);
-  std::vector<Point2> before;
-  if (!earlier_.empty()) {
-    const auto back = between(wheels, earlier_.front().wheels);
-    for (const auto& x : earlier_.front().points)
-      before.push_back(transform(back, x));
-  }
-  for (auto* part : {&points, &before})
+  auto view = seen;
+  for (auto* part : {&view.points, &view.moving, &view.before})
     for (auto& x : *part)
       x.x *= side;
   const double curvature = side * commanded->turn / wanted;
-  result.free_way = way(points, curvature, options_.radius);
-  double speed = speed_along(points, before, curvature);
-  const auto velocity = odometry_.newest()->velocity;
+  result.free_way = way(view.points, curvature, options_.radius);
+  double speed = speed_along(view, curvature);
   if (const double driven = side * velocity.forward; driven > slow) {
     // It leaves the arc that it drives only by and by.
     const double driven_curvature = side * velocity.turn / driven;
     for (const double x : {driven_curvature, (driven_curvature + curvature) / 2})
-      speed = std::min(speed, speed_along(points, before, x));
+      speed = std::min(speed, speed_along(view, x));
   }
   if (speed < wanted)
     result.reason = SafetyReason::obstacle;
@@ -199,6 +260,7 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
     if (speed > 0)
       result.velocity.turn *= speed / wanted;
   }
+  result.velocity.turn = turn_while_braking(seen, velocity, result.velocity);
   return result;
 }
 

@@ -25,6 +25,9 @@ struct SafetyOptions {
   double latency = 0.15;
   /// Speed within the margin, m/s, so that the robot can leave narrow places.
   double creeping = 0.05;
+  /// What it keeps away from what has moved to where it is, beside the margin: that may come from
+  /// the side; metres.
+  double moving_margin = 0.15;
   /// Greatest speed to where the laser does not see, m/s.
   double unseen = 0.1;
   /// What a laser that does not look all around has seen stays known for that long, and that near
@@ -69,6 +72,20 @@ public:
   Verdict verdict(const std::optional<Twist2>& commanded, std::int64_t now) const;
 
 private:
+  struct Seen {
+    LaserScan scan;
+    std::vector<Point2> points;
+    Pose2 wheels;
+  };
+
+  /// What is seen around the robot now, and what was seen before, as from where it is now.
+  struct View {
+    std::vector<Point2> points;
+    /// Those of `points` that have moved to where they are.
+    std::vector<Point2> moving;
+    std::vector<Point2> before;
+  };
+
   SafetyReason failure(std::int64_t now) const;
   /// Whether the laser looks there, from where it is mounted, and so far within its field of view,
   /// radians.
@@ -79,25 +96,22 @@ private:
   double way(const std::vector<Point2>& points, double curvature, double radius) const;
   /// Pose of the wheels now.
   Pose2 wheels_now(std::int64_t now) const;
-  /// What the scan shows, as seen from where the robot is now.
-  std::vector<Point2> points_now(const Pose2& wheels) const;
+  /// What the newest scan shows where the laser has looked through a few scans before, on the robot
+  /// when it was scanned.
+  std::vector<Point2> moved_points() const;
+  View view_now(const Pose2& wheels) const;
   /// How fast something comes towards the robot along the arc, m/s, beside the robot's own motion;
   /// 0 if that cannot be told from noise.
-  double approach(const std::vector<Point2>& points, const std::vector<Point2>& before,
-                  double curvature) const;
+  double approach(const View& view, double curvature) const;
   /// Greatest speed along the arc.
-  double speed_along(const std::vector<Point2>& points, const std::vector<Point2>& before,
-                     double curvature) const;
+  double speed_along(const View& view, double curvature) const;
+  /// How a robot may turn that is faster than it may be, or drives the other way still: as it is
+  /// allowed to when it stands, unless by that it would touch something while it brakes.
+  double turn_while_braking(View view, const Twist2& driven, const Twist2& allowed) const;
 
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min() / 2;
 
   SafetyOptions options_;
-  struct Seen {
-    std::vector<Point2> points;
-    Pose2 wheels;
-    std::int64_t time = 0;
-  };
-
   struct Remembered {
     /// In the frame of the wheels.
     Point2 point;
@@ -108,6 +122,7 @@ private:
   std::optional<LaserScan> scan_;
   /// On the robot when it was scanned.
   std::vector<Point2> points_;
+  std::vector<Point2> moving_;
   std::vector<Remembered> remembered_;
   /// The last scans, oldest first, to see what moves.
   std::deque<Seen> earlier_;

@@ -25,6 +25,7 @@ class SafetyGuard final : public StandaloneComponent {
     options.braking = braking_;
     options.latency = std::chrono::duration<double>(latency_.get()).count();
     options.creeping = creeping_;
+    options.moving_margin = moving_margin_;
     options.unseen = unseen_;
     options.laser_patience = laser_patience_.get();
     options.odometry_patience = odometry_patience_.get();
@@ -136,6 +137,8 @@ class SafetyGuard final : public StandaloneComponent {
   Option<std::chrono::milliseconds> latency_{
     this, "latency", 150ms, "from what can be seen until the robot brakes: scans and messages"};
   Option<double> creeping_{this, "creeping", 0.05, "speed within the margin, m/s"};
+  Option<double> moving_margin_{this, "moving-margin", 0.15,
+                                "what it keeps away from what moves, beside the margin; metres"};
   Option<double> unseen_{this, "unseen", 0.1,
                          "greatest speed to where the laser does not see, m/s"};
   Option<std::chrono::milliseconds> laser_patience_{this, "laser-patience", 230ms,

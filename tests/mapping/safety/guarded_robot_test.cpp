@@ -83,7 +83,8 @@ TEST(GuardedRobot, DoesNotCollideForwards) {
 }
 
 TEST(GuardedRobot, DoesNotCollideBackwardsIfItsLaserLooksAllAround) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  // With the last two, somebody walks beside it, and comes nearer by and by.
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 21, 68}) {
     const auto x = drive_recklessly(seed, 360, 0.8);
     EXPECT_EQ(x.collisions, 0) << "seed " << seed;
     EXPECT_GT(x.driven, 5) << "seed " << seed;

@@ -41,6 +41,14 @@ LaserScan scan_of_wall(std::int64_t time, double ahead) {
   return result;
 }
 
+/// A post that far away, from `angle` on to the left, degrees.
+LaserScan scan_of_post(std::int64_t time, int angle, float range) {
+  auto result = scan_at(time, 5);
+  for (int i = 0; i < 6; ++i)
+    result.ranges[static_cast<std::size_t>(90 + angle + i)] = range;
+  return result;
+}
+
 class SafetyRulesTest : public testing::Test {
 protected:
   void sense(std::int64_t time, const LaserScan& scan, double speed = 0) {
@@ -168,6 +176,35 @@ TEST_F(SafetyRulesTest, MayTurnBeforeAWall) {
   EXPECT_EQ(x.reason, Reason::obstacle);
   EXPECT_EQ(x.velocity, (Twist2{0, 1}));
   EXPECT_EQ(rules_.verdict(Twist2{0, -1}, 0).velocity, (Twist2{0, -1}));
+}
+
+TEST_F(SafetyRulesTest, DoesNotTurnIntoAPostBeforeItStands) {
+  // Straight on it passes the post; by a turn to the left it would touch it.
+  sense(0, scan_of_post(0, 47, 0.47F), 0.6);
+  EXPECT_EQ(rules_.verdict(Twist2{0, 1.5}, 10 * millisecond).velocity, Twist2{});
+  EXPECT_EQ(rules_.verdict(Twist2{0, -1.5}, 10 * millisecond).velocity, (Twist2{0, -1.5}));
+}
+
+TEST_F(SafetyRulesTest, TurnsBesideAPostWhereItStands) {
+  sense(0, scan_of_post(0, 47, 0.47F));
+  EXPECT_EQ(rules_.verdict(Twist2{0, 1.5}, 10 * millisecond).velocity, (Twist2{0, 1.5}));
+}
+
+// 0.41 m beside its way.
+TEST_F(SafetyRulesTest, KeepsMoreFromWhatMoves) {
+  const Twist2 wanted{0.5, 0};
+  for (int i = 0; i < 3; ++i)
+    sense(i * 100 * millisecond, scan_of_post(i * 100 * millisecond, 55, 0.5F));
+  EXPECT_EQ(rules_.verdict(wanted, 210 * millisecond).velocity, wanted) << "it stands";
+  SafetyRules rules{options_};
+  for (int i = 0; i < 3; ++i) {
+    const auto time = i * 100 * millisecond;
+    rules.add(Odometry{time, {}, {}}, time);
+    rules.add(i < 2 ? scan_at(time, 5) : scan_of_post(time, 55, 0.5F), time);
+  }
+  const auto x = rules.verdict(wanted, 210 * millisecond);
+  EXPECT_EQ(x.reason, Reason::obstacle);
+  EXPECT_LT(x.velocity.forward, 0.3);
 }
 
 TEST_F(SafetyRulesTest, CreepsWithinTheMargin) {
