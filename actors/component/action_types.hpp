@@ -55,6 +55,8 @@ struct Action {
   bool can_cancel = true;
 
   ActionOutcome outcome = ActionOutcome::none;
+  /// It failed because its executor ended: asked for again, it may succeed.
+  bool executor_ended = false;
   /// Why it failed or was cancelled.
   std::string reason;
   /// Facts that hold since the action, and facts that no longer hold, in the notation of those who
@@ -63,7 +65,8 @@ struct Action {
   std::vector<std::string> became_false;
 };
 CASTOR_REFLECT(Action, what, subarchitecture, requester, cause, continues, wish, status, progress,
-               executor, can_pause, can_cancel, outcome, reason, became_true, became_false)
+               executor, can_pause, can_cancel, outcome, executor_ended, reason, became_true,
+               became_false)
 
 /// Type of actions that a component executes, as long as it lives.
 struct ActionRegistration {

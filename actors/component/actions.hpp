@@ -73,6 +73,12 @@ public:
   /// Waits, and delivers events meanwhile. Ends early if the requester wants something else; false
   /// if the action is to end.
   virtual bool sleep_for(std::chrono::nanoseconds duration) = 0;
+
+  /// Waits until `done` returns true, or for `at_most`, and delivers events meanwhile; else like
+  /// `sleep_for`. `done` is asked after each event, after the end of an action that this component
+  /// has asked for, and when another thread calls its `waker()`.
+  virtual bool wait_until(const std::function<bool()>& done,
+                          std::chrono::nanoseconds at_most = std::chrono::nanoseconds::max()) = 0;
 };
 
 /// The actions that one component asks for and executes, without the types of their entries.

@@ -70,6 +70,10 @@ TimeHold Component::hold_time() const {
   return attached(runtime_).hold_time();
 }
 
+std::function<void()> Component::waker() const {
+  return attached(runtime_).waker();
+}
+
 void Component::end_component() {
   throw ComponentStopped{};
 }

@@ -102,6 +102,11 @@ protected:
   /// real. May be called and destroyed on any thread.
   TimeHold hold_time() const;
 
+  /// A function by which a thread of one's own makes this component look again at what it waits for
+  /// in `ActionInProgress::wait_until`. May be called on any thread, also once the component has
+  /// ended.
+  std::function<void()> waker() const;
+
   /// Ends this component with its work done. It is started again only with `--restart permanent`,
   /// the default. Does not return.
   [[noreturn]] void end_component();

@@ -36,6 +36,9 @@ public:
   /// Keeps simulated time from going on as long as the result lives; nothing if the clock is real.
   virtual TimeHold hold_time() const = 0;
 
+  /// A function for any thread by which the component looks again at what it waits for.
+  virtual std::function<void()> waker() = 0;
+
   /// False from the moment the component was told to stop.
   virtual bool is_running() = 0;
 

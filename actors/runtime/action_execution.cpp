@@ -24,7 +24,9 @@ Action with_result(Action action, const ActionResult& result) {
 
 Action failed_by_end(Action action) {
   auto reason = action.executor + " of " + action.subarchitecture + " ended while it executed it";
-  return with_result(std::move(action), ActionResult::failed(std::move(reason)));
+  auto result = with_result(std::move(action), ActionResult::failed(std::move(reason)));
+  result.executor_ended = true;
+  return result;
 }
 
 void ActionExecution::begin() {
@@ -66,7 +68,17 @@ bool ActionExecution::sleep_for(std::chrono::nanoseconds duration) {
   return goes_on;
 }
 
-bool ActionExecution::wait(Timestamp until, ActionWish wish) {
+bool ActionExecution::wait_until(const std::function<bool()>& done,
+                                 std::chrono::nanoseconds at_most) {
+  const auto until = at_most == std::chrono::nanoseconds::max()
+                       ? Timestamp::max()
+                       : parts_.runtime.now() + std::chrono::ceil<Timestamp>(at_most);
+  auto goes_on = wait(until, followed_wish_, done);
+  followed_wish_ = state_.wish;
+  return goes_on;
+}
+
+bool ActionExecution::wait(Timestamp until, ActionWish wish, const std::function<bool()>& is_done) {
   auto& runtime = parts_.runtime;
   auto left = [&] {
     return until == Timestamp::max()
@@ -74,8 +86,8 @@ bool ActionExecution::wait(Timestamp until, ActionWish wish) {
              : std::optional<std::chrono::nanoseconds>{until - runtime.now()};
   };
   // A delivery, of news on this action or of anything else, is an occasion to look.
-  while (!cancelled() && state_.wish == wish && runtime.now() < until)
-    if (!runtime.deliver(left(), [&] { return actions_.is_changed(address_); }))
+  while (!cancelled() && state_.wish == wish && runtime.now() < until && !is_done())
+    if (!runtime.deliver(left(), [&] { return actions_.is_changed(address_) || is_done(); }))
       return false;
   return !cancelled();
 }

@@ -33,6 +33,7 @@ public:
   bool cancelled() override;
   bool wait_while_paused() override;
   bool sleep_for(std::chrono::nanoseconds duration) override;
+  bool wait_until(const std::function<bool()>& done, std::chrono::nanoseconds at_most) override;
 
   const Action& state() const { return state_; }
 
@@ -43,9 +44,10 @@ public:
   bool finish(const ActionResult& result);
 
 private:
-  /// Delivers events until then, or until the action is to end or the wish is another one. False if
-  /// the action is to end.
-  bool wait(Timestamp until, ActionWish wish);
+  /// Delivers events until then, until it is done, or until the action is to end or the wish is
+  /// another one. False if the action is to end.
+  bool wait(Timestamp until, ActionWish wish, const std::function<bool()>& is_done = never_done);
+  static bool never_done() { return false; }
   /// Reads the entry if somebody else has written it.
   void refresh();
   void read_again();

@@ -6,6 +6,7 @@
 #include "castor/actors/runtime/component_operations.hpp"
 #include "castor/actors/runtime/inbox.hpp"
 #include "castor/actors/runtime/neighbours.hpp"
+#include "castor/actors/runtime/operations_client.hpp"
 #include "castor/base/at_exit.hpp"
 #include "castor/base/log.hpp"
 #include "castor/base/plain_words.hpp"
@@ -272,6 +273,7 @@ ActionResult ActionExecutor::handle(const Offered& offered, ActionExecution& exe
   ActionResult result;
   try {
     execution.begin();
+    parts_.client.note_execution(what.type_name(), execution.address());
     result = offered.handler(execution, what);
   } catch (const std::exception& e) {
     result = ActionResult::failed(plain_words(e));

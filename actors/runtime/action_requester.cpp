@@ -79,9 +79,12 @@ void ActionRequester::note_end(const Address& address) {
   if (i == requested_.end())
     return;
   i->second.is_over = true;
-  if (i->second.is_released)
-    parts_.inbox.put(
-      Inbox::Task{"the end of an action", [this, address] { remove_entries(address); }});
+  // Who waits for it is to look.
+  parts_.inbox.put(Inbox::Task{"the end of an action", [this, address] {
+                                 const auto ended = requested_.find(address.id);
+                                 if (ended != requested_.end() && ended->second.is_released)
+                                   remove_entries(address);
+                               }});
 }
 
 Action ActionRequester::state(const Address& address) {

@@ -116,6 +116,17 @@ void OperationRecorder::rests(const std::string& type) {
   write(line);
 }
 
+void OperationRecorder::executes(const std::string& type, const Address& action) {
+  Line line;
+  line["executes"] = client_->component;
+  line["at"] = nanoseconds(Clock::now());
+  line["life"] = client_->incarnation;
+  line["type"] = type;
+  line["where"] = action.subarchitecture;
+  line["id"] = action.id;
+  write(line);
+}
+
 void OperationRecorder::write(const Line& x) {
   log_.write(x.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -40,8 +40,8 @@ private:
   std::atomic<std::uint64_t> last_{0};
 };
 
-/// Logs the operations of one component, or what an effector does: JSON, a line for the beginning
-/// of each and another one once it is answered.
+/// Logs the operations of one component, and what it executes or obeys: JSON, a line for the
+/// beginning of each and another one once it is answered.
 ///
 ///     {"begin": 7, "at": nanoseconds, "component": "segmentor", "life": 1, "do": "overwrite",
 ///      "where": "vision", "id": "0:3", "content": hash, "seen": 4, "expected": false,
@@ -53,6 +53,12 @@ private:
 ///     {"obeys": "wheel", "at": nanoseconds, "type": "Turn", "component": "driver", "life": 1,
 ///      "token": 7, "where": "navigation", "id": "drive"}
 ///     {"rests": "wheel", "at": nanoseconds, "type": "Turn"}
+///
+/// A component that executes actions logs each one before its handler begins, with the entry of the
+/// action:
+///
+///     {"executes": "arm", "at": nanoseconds, "life": 1, "type": "PickUp", "where": "planning",
+///      "id": "3:1"}
 ///
 /// Times are those of the machine's monotonic clock. An end has what the operation gave (version,
 /// content, token, exists), or `failure`, a FailureKind as a number; with `another` if that was the
@@ -89,6 +95,9 @@ public:
   void obeys(const std::string& type, const Client& commander, LeaseToken token,
              const Address* lease);
   void rests(const std::string& type);
+
+  // Of a component that executes actions.
+  void executes(const std::string& type, const Address& action);
 
   /// The request has that id.
   void sent(std::uint64_t id, Open x) { open_[id] = std::move(x); }

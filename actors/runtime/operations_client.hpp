@@ -85,6 +85,12 @@ public:
   /// Releases a lease. While the component stops, without waiting for the answer.
   Outcome<Acknowledged> try_unlock(const Address& address, LeaseToken token);
 
+  /// Logs that the component executes an action from now on.
+  void note_execution(const std::string& type, const Address& action) {
+    if (recorder_)
+      recorder_->executes(type, action);
+  }
+
   /// To the own working memory, without an answer.
   template <class Message>
   void send(Message&& x) {

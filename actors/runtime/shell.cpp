@@ -249,6 +249,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
     life_.command(command.phase);
   } else if (content.match_elements<ComponentFault>()) {
     faults_.take(content.get_as<ComponentFault>(0), Clock::now());
+  } else if (content.match_elements<LookAgain>()) {
+    inbox_.put(Inbox::Task{"a wake-up call", [] {}});
   } else if (content.match_elements<caf::exit_msg>()) {
     life_.stop();
   } else if (content.match_elements<caf::down_msg>()) {
@@ -298,6 +300,13 @@ void ComponentShell::set_neighbours(NeighboursPtr neighbours) {
 }
 
 // -- work
+
+std::function<void()> ComponentShell::waker() {
+  return [self = caf::weak_actor_ptr{ctrl()}] {
+    if (auto shell = self.lock())
+      shell->enqueue(nullptr, caf::make_message_id(), caf::make_message(LookAgain{}), nullptr);
+  };
+}
 
 bool ComponentShell::deliver(std::optional<std::chrono::nanoseconds> duration,
                              const std::function<bool()>& enough) {

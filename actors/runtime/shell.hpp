@@ -60,6 +60,7 @@ public:
   TimeHold hold_time() const override {
     return services_->clock ? services_->clock->hold() : TimeHold{};
   }
+  std::function<void()> waker() override;
   bool deliver(std::optional<std::chrono::nanoseconds> duration,
                const std::function<bool()>& enough) override;
   TimerId add_timer(std::chrono::nanoseconds period, std::function<void()> call) override {

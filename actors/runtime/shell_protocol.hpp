@@ -60,6 +60,9 @@ struct ComponentFault {
   FaultTicket ticket = {};
 };
 
+/// To a component: look again at what you wait for.
+struct LookAgain {};
+
 /// To a task manager.
 struct ProposeTask {
   TaskProposal proposal;
@@ -158,6 +161,7 @@ struct PushesTaken {
 CASTOR_LOCAL_MESSAGE(castor::EnterPhase)
 CASTOR_LOCAL_MESSAGE(castor::PhaseDone)
 CASTOR_LOCAL_MESSAGE(castor::ComponentFault)
+CASTOR_LOCAL_MESSAGE(castor::LookAgain)
 CASTOR_LOCAL_MESSAGE(castor::ProposeTask)
 CASTOR_LOCAL_MESSAGE(castor::RetractTask)
 CASTOR_LOCAL_MESSAGE(castor::CompleteTask)

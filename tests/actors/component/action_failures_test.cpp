@@ -251,6 +251,7 @@ TEST_P(InEachState, AnActionFailsIfItsExecutorCrashes) {
     } else {
       EXPECT_EQ(end->outcome, ActionOutcome::failed);
       EXPECT_EQ(end->reason, "executor of b ended while it executed it");
+      EXPECT_TRUE(end->executor_ended);
     }
     // What it had not accepted, its successor executes, and nothing else.
     finishes = true;

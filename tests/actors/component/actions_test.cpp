@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace castor::test {
@@ -84,6 +86,77 @@ TEST_F(ActionsOverWorkingMemory, AreExecutedAndTellHowTheyEnded) {
     }
     EXPECT_TRUE(self.template read_all<Action>().empty()) << "deleted with the handle";
     EXPECT_TRUE(self.template read_all<Grasp>().empty());
+    self.end_system(0, "done");
+  };
+  System system{with({"planner"}, {"arm"})};
+  EXPECT_EQ(run(system), 0);
+}
+
+TEST_F(ActionsOverWorkingMemory, WaitForAnActionOfTheirOwn) {
+  script("arm").start = [](auto& self) {
+    self.template on_action<Grasp>([&self](ActionInProgress& action, const Grasp& x) {
+      if (x.thing == "cup")
+        return ActionResult::succeeded();
+      const auto part = self.perform("a", Grasp{"cup"});
+      // Its end is told: nobody has to look again and again.
+      EXPECT_TRUE(action.wait_until([&] { return part.is_over(); }));
+      EXPECT_EQ(part.state().outcome, ActionOutcome::succeeded);
+      EXPECT_TRUE(action.wait_until([] { return false; }, 1ms)) << "for a limited time";
+      return ActionResult::succeeded();
+    });
+  };
+  script("hand").start = [](auto& self) {
+    self.template on_action<Grasp>(
+      [](ActionInProgress&, const Grasp&) { return ActionResult::succeeded(); });
+  };
+  script("planner").run = [](auto& self) {
+    for (int i = 0; i < 20; ++i)
+      EXPECT_EQ(self.perform("b", Grasp{"ball"}).wait(10s).outcome, ActionOutcome::succeeded);
+    self.end_system(0, "done");
+  };
+  System system{with({"hand", "planner"}, {"arm"})};
+  EXPECT_EQ(run(system), 0);
+}
+
+TEST_F(ActionsOverWorkingMemory, WaitForAThread) {
+  std::function<void()> wake_after_its_end;
+  script("arm").start = [&](auto& self) {
+    self.template on_action<Grasp>([&](ActionInProgress& action, const Grasp&) {
+      std::atomic<bool> is_done{false};
+      wake_after_its_end = self.waker();
+      const std::jthread worker([&is_done, wake = self.waker()] {
+        is_done = true;
+        wake();
+      });
+      EXPECT_TRUE(action.wait_until([&] { return is_done.load(); }));
+      EXPECT_TRUE(is_done);
+      return ActionResult::succeeded();
+    });
+  };
+  script("planner").run = [](auto& self) {
+    for (int i = 0; i < 20; ++i)
+      EXPECT_EQ(self.perform("b", Grasp{"ball"}).wait(10s).outcome, ActionOutcome::succeeded);
+    self.end_system(0, "done");
+  };
+  {
+    System system{with({"planner"}, {"arm"})};
+    EXPECT_EQ(run(system), 0);
+  }
+  wake_after_its_end();
+}
+
+TEST_F(ActionsOverWorkingMemory, StopWaitingWhenTheyAreCancelled) {
+  script("arm").start = [](auto& self) {
+    self.template on_action<Grasp>([](ActionInProgress& action, const Grasp&) {
+      EXPECT_FALSE(action.wait_until([] { return false; }));
+      return ActionResult::cancelled("let go");
+    });
+  };
+  script("planner").run = [](auto& self) {
+    const auto action = self.perform("b", Grasp{"ball"});
+    await_status(self, action, ActionStatus::running);
+    EXPECT_TRUE(action.cancel());
+    EXPECT_EQ(action.wait(10s).reason, "let go");
     self.end_system(0, "done");
   };
   System system{with({"planner"}, {"arm"})};

@@ -70,6 +70,7 @@ public:
   using Base::pull;
   using Base::sleep_for;
   using Base::stream_command;
+  using Base::waker;
 
   // What follows exists in some of the bases only and is compiled where it is used.
   template <class... Ts>
