@@ -1,7 +1,7 @@
 #include "castor/tools/chaos/recorded_commands.hpp"
 
 #include "castor/actors/runtime/command_gate.hpp"
-#include "castor/base/input_file.hpp"
+#include "castor/tools/chaos/read_logs.hpp"
 #include "castor/tools/chaos/rounded.hpp"
 
 #include <fmt/core.h>
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <map>
 #include <tuple>
 
@@ -86,11 +85,7 @@ void read_commands(std::istream& in, std::vector<ObeyedCommand>& to) {
 
 std::vector<ObeyedCommand> read_commands(const std::filesystem::path& folder) {
   std::vector<ObeyedCommand> result;
-  for (auto& x : std::filesystem::directory_iterator{folder}) {
-    require_input_file(x.path());
-    std::ifstream in{x.path()};
-    read_commands(in, result);
-  }
+  read_logs(folder, [&](std::istream& in) { read_commands(in, result); });
   return result;
 }
 

@@ -1,8 +1,8 @@
 #include "castor/tools/chaos/recorded_operations.hpp"
 
-#include "castor/base/input_file.hpp"
 #include "castor/tools/chaos/answers.hpp"
 #include "castor/tools/chaos/change_check.hpp"
+#include "castor/tools/chaos/read_logs.hpp"
 #include "castor/tools/chaos/rounded.hpp"
 #include "castor/tools/linearizability/lease_expiries.hpp"
 #include "castor/wm/entries/change_event.hpp"
@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <regex>
 #include <set>
@@ -148,7 +147,7 @@ void RecordingReader::read(std::istream& in) {
   std::unordered_map<std::uint64_t, std::size_t> open;
   for (std::string text; std::getline(in, text);) {
     auto line = nlohmann::json::parse(text, nullptr, false);
-    if (!line.is_object() || line.contains("obeys") || line.contains("rests"))
+    if (!line.is_object() || !(line.contains("begin") || line.contains("end")))
       continue;
     if (line.contains("end")) {
       if (auto i = open.find(line.at("end").get<std::uint64_t>()); i != open.end())
@@ -181,11 +180,7 @@ void RecordingReader::read(std::istream& in) {
 
 Recording read_operations(const std::filesystem::path& folder) {
   RecordingReader reader;
-  for (auto& x : std::filesystem::directory_iterator{folder}) {
-    require_input_file(x.path());
-    std::ifstream in{x.path()};
-    reader.read(in);
-  }
+  read_logs(folder, [&](std::istream& in) { reader.read(in); });
   return reader.take();
 }
 

@@ -88,6 +88,9 @@ std::string to_string(const Workload& x) {
     result += to_string(*x.same) + "\n";
   for (auto& forbidden : x.never)
     result += "never " + change_filter_text(forbidden.filter) + "\n";
+  for (auto& expected : x.each)
+    result += "each " + change_filter_text(expected.begin) + " becomes " +
+              change_filter_text(expected.end) + " within " + to_text(expected.within) + "\n";
   return result;
 }
 

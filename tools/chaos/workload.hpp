@@ -98,6 +98,20 @@ struct ForbiddenChange {
   }
 };
 
+/// Each entry with a change that `begin` matches has a later one that `end` matches, whatever
+/// fails: at the latest that time after the last fault.
+struct ExpectedChange {
+  ChangeFilter begin;
+  ChangeFilter end;
+  Timestamp within{0};
+  SourceLocation where;
+  std::string line;
+
+  friend bool operator==(const ExpectedChange& a, const ExpectedChange& b) {
+    return a.begin == b.begin && a.end == b.end && a.within == b.within;
+  }
+};
+
 /// Actions on a running system, and their expected results. The language is described in
 /// docs/fault-plans.md.
 struct Workload {
@@ -114,11 +128,12 @@ struct Workload {
   std::optional<std::uint64_t> growth_within;
   std::optional<SameEntries> same;
   std::vector<ForbiddenChange> never;
+  std::vector<ExpectedChange> each;
 
   friend bool operator==(const Workload& a, const Workload& b) {
     return a.seed == b.seed && a.statements == b.statements && a.answer_within == b.answer_within &&
            a.rest_within == b.rest_within && a.growth_within == b.growth_within &&
-           a.same == b.same && a.never == b.never;
+           a.same == b.same && a.never == b.never && a.each == b.each;
   }
 };
 

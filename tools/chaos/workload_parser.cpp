@@ -5,6 +5,7 @@
 #include "castor/base/text.hpp"
 #include "castor/tools/chaos/action_parser.hpp"
 #include "castor/tools/chaos/fault_words.hpp"
+#include "castor/tools/chaos/quantities.hpp"
 #include "castor/tools/chaos/statement_error.hpp"
 #include "castor/tools/chaos/statement_parser.hpp"
 #include "castor/wm/filters/change_filter_parser.hpp"
@@ -57,13 +58,20 @@ private:
       workload_.never.push_back({parse_forbidden(behind), line.where(), std::string{line.text}});
       return;
     }
+    if (word == "each") {
+      auto expected = parse_expected(behind);
+      expected.where = line.where();
+      expected.line = line.text;
+      workload_.each.push_back(std::move(expected));
+      return;
+    }
     if (std::ranges::find(triggers, word) == triggers.end())
       throw StatementError(
         in_quotes(word) + " is not the beginning of a statement",
-        remedy_for(word, {"at", "every", "rate", "expect", "same", "never", "seed"},
+        remedy_for(word, {"at", "every", "rate", "expect", "same", "never", "each", "seed"},
                    "write at TIME, every TIME or rate NUMBER/s before an action, expect answer "
-                   "within TIME, expect rest within TIME, expect growth within SIZE, same TYPE, or "
-                   "never FILTER"));
+                   "within TIME, expect rest within TIME, expect growth within SIZE, same TYPE, "
+                   "never FILTER, or each FILTER becomes FILTER within TIME"));
     WorkloadStatement statement;
     auto rest = line.text;
     statement.trigger = parse_trigger(rest);
@@ -73,23 +81,53 @@ private:
     workload_.statements.push_back(std::move(statement));
   }
 
-  /// The line up to a comment.
-  static std::string_view without_comment(std::string_view text) {
+  /// Where `wanted` first stands outside of quotes; the end of the text if it does not.
+  static std::size_t find_unquoted(std::string_view text, std::string_view wanted) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '"' && (i == 0 || text[i - 1] != '\\'))
         is_quoted = !is_quoted;
-      if (text[i] == '#' && !is_quoted)
-        return text.substr(0, i);
+      if (!is_quoted && text.substr(i).starts_with(wanted))
+        return i;
     }
-    return text;
+    return text.size();
+  }
+
+  /// The line up to a comment.
+  static std::string_view without_comment(std::string_view text) {
+    return text.substr(0, find_unquoted(text, "#"));
   }
 
   static ChangeFilter parse_forbidden(std::string_view text) {
+    return parse_filter(without_comment(text),
+                        "write what must not happen, such as never Alarm where level > 3");
+  }
+
+  static ExpectedChange parse_expected(std::string_view text) {
+    constexpr std::string_view becomes = " becomes ";
+    constexpr std::string_view within = " within ";
+    const std::string remedy = "write each FILTER becomes FILTER within TIME, such as each added "
+                               "Order becomes overwritten Order where is_served == true within 10s";
     text = without_comment(text);
-    if (text.find_first_not_of(" \t") == text.npos)
-      throw StatementError("the change filter is missing",
-                           "write what must not happen, such as never Alarm where level > 3");
+    const auto middle = find_unquoted(text, becomes);
+    const auto end = text.rfind(within);
+    if (middle == text.size() || end == text.npos || end < middle)
+      throw StatementError("it is not said what each entry is to become, and how soon", remedy);
+    ExpectedChange result;
+    result.begin = parse_filter(text.substr(0, middle), remedy);
+    const auto behind = middle + becomes.size();
+    result.end = parse_filter(text.substr(behind, std::max(end, behind) - behind), remedy);
+    const auto word = trim(text.substr(end + within.size()));
+    const auto time = parse_time(word);
+    if (!time || time->count() == 0)
+      throw StatementError(in_quotes(word) + " is not a time above zero", std::string{time_remedy});
+    result.within = *time;
+    return result;
+  }
+
+  static ChangeFilter parse_filter(std::string_view text, const std::string& remedy) {
+    if (trim(text).empty())
+      throw StatementError("the change filter is missing", remedy);
     try {
       return parse_change_filter(text);
     } catch (const ChangeFilterError& e) {

@@ -62,7 +62,10 @@ public:
     if (workload_.same)
       look(*workload_.same);
     for (auto& x : workload_.never)
-      look(x);
+      look(x.filter, x.where, x.line);
+    for (auto& x : workload_.each)
+      for (auto* filter : {&x.begin, &x.end})
+        look(*filter, x.where, x.line);
     return std::move(out_);
   }
 
@@ -97,12 +100,12 @@ private:
         report("there is no entry type " + in_quotes(type), "`castor wm types` lists them");
   }
 
-  void look(const ForbiddenChange& x) {
-    where_ = x.where;
-    line_ = x.line;
-    if (!x.filter.type.empty() && !is_type_(x.filter.type))
-      report("there is no entry type " + in_quotes(x.filter.type), "`castor wm types` lists them");
-    auto& subarchitecture = x.filter.subarchitecture;
+  void look(const ChangeFilter& filter, const SourceLocation& where, const std::string& line) {
+    where_ = where;
+    line_ = line;
+    if (!filter.type.empty() && !is_type_(filter.type))
+      report("there is no entry type " + in_quotes(filter.type), "`castor wm types` lists them");
+    auto& subarchitecture = filter.subarchitecture;
     if (subarchitecture && !subarchitecture->empty() &&
         !has(places_.subarchitectures, *subarchitecture))
       unknown("subarchitecture", *subarchitecture, places_.subarchitectures);

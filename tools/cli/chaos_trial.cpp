@@ -3,6 +3,7 @@
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/base/text.hpp"
+#include "castor/tools/chaos/expected_changes.hpp"
 #include "castor/tools/chaos/injector.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
 #include "castor/tools/chaos/journal_snapshot.hpp"
@@ -16,6 +17,7 @@
 #include "castor/tools/cli/process_resources.hpp"
 #include "castor/tools/cli/progress.hpp"
 #include "castor/tools/cli/signals.hpp"
+#include "castor/tools/cli/watched_changes.hpp"
 #include "castor/tools/cli/workload_run.hpp"
 
 #include <fmt/core.h>
@@ -97,6 +99,8 @@ public:
       work->watch(options);
     ForbiddenChanges forbidden{this->forbidden()};
     forbidden.watch(options);
+    faults::ExpectedChanges expected{expected_changes()};
+    watch(options, expected);
     System system{std::move(architecture), options};
     if (system.start()) {
       faults::ActivityMeter meter;
@@ -111,11 +115,13 @@ public:
       if (work)
         work->finish_actions();
       result.activity = meter.by_component();
+      await(expected, system);
       if (needs_rest())
         result.state = come_to_rest(system, [] { return false; });
       if (work)
         look_at_work(*work, " without faults");
       look_at_forbidden(forbidden, " without faults");
+      look_at_expected(expected, " without faults");
     }
     if (nodes)
       nodes->end_restarts();
@@ -170,6 +176,8 @@ public:
       work->watch(options);
     ForbiddenChanges forbidden{this->forbidden()};
     forbidden.watch(options);
+    faults::ExpectedChanges expected{expected_changes()};
+    watch(options, expected);
     System system{std::move(architecture), options};
     histories.look_at_beginning(system);
     auto begin = Clock::now();
@@ -214,11 +222,14 @@ public:
     if (work)
       work->finish_actions();
     look_at_survival(reason, system.ended());
-    if (reason == EndReason::time_over)
+    if (reason == EndReason::time_over) {
+      await(expected, system);
       compare(wanted, come_to_rest(system, [&] { return notes.down() > 0; }));
+    }
     if (work)
       run_.workload = look_at_work(*work, {});
     look_at_forbidden(forbidden, {});
+    look_at_expected(expected, {});
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
     look_at_outages(notes.all(), took);
     look_at_components(system.summary());
@@ -395,6 +406,48 @@ private:
             fmt::format("{} filters", this->forbidden().size()));
     for (auto& x : problems)
       violation("no forbidden change" + when, x);
+  }
+
+  const std::vector<faults::ExpectedChange>& expected_changes() const {
+    static const std::vector<faults::ExpectedChange> none;
+    return setup_.workload ? setup_.workload->workload.each : none;
+  }
+
+  static void watch(SystemOptions& options, faults::ExpectedChanges& expected) {
+    watch_changes(options, expected.filters(),
+                  [&expected](std::size_t filter, const ChangeEvent& event) {
+                    expected.note(filter, event.address);
+                  });
+  }
+
+  /// Lets entries become what they are to become.
+  void await(faults::ExpectedChanges& expected, System& system) {
+    if (expected_changes().empty())
+      return;
+    constexpr auto look_every = 200ms;
+    show_step("waiting until all entries are as they are to become");
+    const auto until = Clock::now() + expected.patience();
+    for (;;) {
+      // A working memory that was down may not have told all changes.
+      for (auto& name : system.subarchitectures())
+        for (auto& entry : system.entries(name))
+          expected.note(*entry);
+      if (expected.is_complete() || Clock::now() >= until ||
+          system.wait({look_every, {}}) != EndReason::time_over)
+        return;
+    }
+  }
+
+  void look_at_expected(const faults::ExpectedChanges& expected, const std::string& when) {
+    if (expected_changes().empty())
+      return;
+    auto problems = expected.violations();
+    if (when.empty())
+      check("expected changes", problems.empty(),
+            faults::counted(expected.begun(), "entry", "entries") + ", within " +
+              faults::rounded(expected.patience()));
+    for (auto& x : problems)
+      violation("expected changes" + when, x);
   }
 
   void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {

@@ -1,25 +1,22 @@
 #include "castor/tools/cli/forbidden_changes.hpp"
 
-#include <fmt/core.h>
+#include "castor/tools/cli/watched_changes.hpp"
 
-#include <utility>
+#include <fmt/core.h>
 
 namespace castor::cli {
 
 void ForbiddenChanges::watch(SystemOptions& options) {
-  auto first = options.watched.size();
+  std::vector<ChangeFilter> filters;
   for (auto& x : never_)
-    options.watched.push_back(x.filter);
-  options.on_watched = [this, first, next = std::move(options.on_watched)](
-                         std::size_t filter, const ChangeEvent& event) {
-    if (filter < first)
-      return next(filter, event);
+    filters.push_back(x.filter);
+  watch_changes(options, filters, [this](std::size_t filter, const ChangeEvent& event) {
     std::lock_guard guard{mutex_};
-    auto& x = seen_[filter - first];
+    auto& x = seen_[filter];
     if (x.count++ == 0)
       x.first = fmt::format("{} of {} by {}", to_string(event.operation), to_string(event.address),
                             event.source);
-  };
+  });
 }
 
 std::vector<std::string> ForbiddenChanges::violations() const {

@@ -1,6 +1,7 @@
 #include "castor/tools/cli/history_watch.hpp"
 
 #include "castor/actors/node/working_memory_class.hpp"
+#include "castor/tools/chaos/recorded_actions.hpp"
 #include "castor/tools/chaos/recorded_commands.hpp"
 
 #include <algorithm>
@@ -84,6 +85,9 @@ HistoryWatch::judge(const std::function<void(const std::string& name)>& begin) c
   const auto commands = faults::read_commands(folder_.path());
   if (!commands.empty())
     add("commands with valid tokens", [&] { return faults::judge_commands(commands, recording); });
+  const auto actions = faults::read_actions(folder_.path());
+  if (!actions.empty())
+    add("no action twice", [&] { return faults::judge_actions(actions); });
   return result;
 }
 

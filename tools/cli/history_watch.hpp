@@ -34,9 +34,9 @@ public:
   /// Ignores operations that begin from now on.
   void end();
 
-  /// For each working memory, one judgement of its operations and one of its change events, and one
-  /// of all commands that effectors obeyed, with their names. To be called once the system has
-  /// stopped. `begin` is called with each name before its check.
+  /// For each working memory, one judgement of its operations and one of its change events, one of
+  /// all commands that effectors obeyed, and one of all actions, with their names. To be called
+  /// once the system has stopped. `begin` is called with each name before its check.
   std::vector<std::pair<std::string, faults::Judgement>>
   judge(const std::function<void(const std::string& name)>& begin) const;
 

@@ -34,7 +34,8 @@ constexpr const char* whole_language =
   "expect growth within 120MB\n"
   "same SceneObject, ROI but for time, object_id\n"
   "never overwritten Oven in kitchen where state == \"on # fire\"  # of the cook\n"
-  "never Alarm\n";
+  "never Alarm\n"
+  "each added Order becomes Order where state == \"it becomes # within 1s\" within 90s # served\n";
 
 Workload workload_of(const std::string& text) {
   auto result = parse_workload(text, "test.workload");
@@ -92,6 +93,10 @@ TEST(Workload, SaysWhatIsDoneAndWhen) {
   EXPECT_EQ(x.never[0].filter,
             parse_change_filter("overwritten Oven in kitchen where state == \"on # fire\""));
   EXPECT_EQ(x.never[1].filter, parse_change_filter("Alarm"));
+  ASSERT_EQ(x.each.size(), 1U);
+  EXPECT_EQ(x.each[0].begin, parse_change_filter("added Order"));
+  EXPECT_EQ(x.each[0].end, parse_change_filter("Order where state == \"it becomes # within 1s\""));
+  EXPECT_EQ(x.each[0].within, 90s);
 }
 
 TEST(Workload, IsPrintedAsItIsRead) {
@@ -145,6 +150,13 @@ TEST(Workload, WhatIsNoStatementIsRefusedWithItsPlaceAndARemedy) {
               AllOf(HasSubstr("test.workload:2"), HasSubstr("given twice")));
   EXPECT_THAT(flaws_of("never  # anything"), HasSubstr("the change filter is missing"));
   EXPECT_THAT(flaws_of("never Oven where level >"), HasSubstr("test.workload:1: error:"));
+  EXPECT_THAT(flaws_of("each Order becomes Meal"),
+              AllOf(HasSubstr("what each entry is to become, and how soon"),
+                    HasSubstr("write each FILTER becomes FILTER within TIME")));
+  EXPECT_THAT(flaws_of("each Order becomes within 3s"), HasSubstr("error:"));
+  EXPECT_THAT(flaws_of("each  becomes Meal within 3s"), HasSubstr("the change filter is missing"));
+  EXPECT_THAT(flaws_of("each Order becomes Meal within 0s"),
+              HasSubstr("'0s' is not a time above zero"));
   EXPECT_THAT(flaws_of("same A for b"), HasSubstr("do not know what to do with 'for'"));
 }
 
@@ -203,6 +215,7 @@ TEST(Workload, WhatTheSystemDoesNotHaveIsFound) {
               AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
   EXPECT_THAT(misfits_of("\nnever Nota where a > 1"),
               AllOf(HasSubstr("test.workload:2"), HasSubstr("no entry type 'Nota'")));
+  EXPECT_THAT(misfits_of("each Note becomes Nota within 1s"), HasSubstr("no entry type 'Nota'"));
   EXPECT_THAT(misfits_of("never Note in tlak"),
               AllOf(HasSubstr("no subarchitecture 'tlak'"), HasSubstr("did you mean 'talk'?")));
   constexpr const char* silent = "HOST localhost\nSUBARCHITECTURE a\n"
@@ -245,11 +258,11 @@ TEST(Workload, OneMoreStatementChangesNothingAboutTheOthers) {
 
 RC_GTEST_PROP(AnyWorkloadText, IsAWorkloadOrRefused, ()) {
   auto piece = rc::gen::oneOf(
-    rc::gen::element<std::string>("\n", " ", "at 1s ", "every 2s ", "rate 1/s ", "say ", "\"a b\" ",
-                                  "write ", "Note ", "{\"a\":[1]} ", "{", "}", "to ", "m/id ",
-                                  "move ", "red ball ", "0.1 ", "-2cm ", "add ", "at ", "size ",
-                                  "remove ", "or ", "expect answer within 2s", "same A, B ",
-                                  "but for x", "never ", "where a > 1 ", ",", "\"", "\\", "#"),
+    rc::gen::element<std::string>(
+      "\n", " ", "at 1s ", "every 2s ", "rate 1/s ", "say ", "\"a b\" ", "write ", "Note ",
+      "{\"a\":[1]} ", "{", "}", "to ", "m/id ", "move ", "red ball ", "0.1 ", "-2cm ", "add ",
+      "at ", "size ", "remove ", "or ", "expect answer within 2s", "same A, B ", "but for x",
+      "never ", "each ", "becomes ", "within 1s", "where a > 1 ", ",", "\"", "\\", "#"),
     rc::gen::arbitrary<std::string>());
   std::string text;
   for (const auto& each : *rc::gen::container<std::vector<std::string>>(piece))
