@@ -8,6 +8,9 @@ namespace castor::planning {
 
 namespace {
 
+/// How often a motive is begun again whose planner has ended.
+constexpr std::int32_t most_interruptions = 5;
+
 /// Whether the two cannot be pursued at a time.
 bool exclude_each_other(const Motive& a, const Motive& b) {
   return (!a.about.empty() && a.about == b.about) ||
@@ -39,7 +42,7 @@ void MotiveSchedule::propose(const std::string& id, Motive motive, Timestamp now
   if (knows(id))
     return;
   motive.history.clear();
-  motives_[id] = {std::move(motive), proposed_++, {}};
+  motives_[id] = {std::move(motive), proposed_++};
   set(id, MotiveStatus::proposed, reason_of(this->motive(id)), now);
   if (is_rejected(id, now))
     return;
@@ -102,6 +105,16 @@ void MotiveSchedule::ended(const std::string& id, ActionOutcome outcome, const s
     set(id, MotiveStatus::queued, entry.motive.history.back().why, now);
   else
     set(id, MotiveStatus::dropped, reason, now);
+  decide(now);
+}
+
+void MotiveSchedule::interrupted(const std::string& id, const std::string& reason, Timestamp now) {
+  const auto found = motives_.find(id);
+  if (found == motives_.end() || !is_pursued(found->second.motive))
+    return;
+  if (!found->second.withdrawn.empty() || ++found->second.interruptions > most_interruptions)
+    return ended(id, ActionOutcome::failed, reason, now);
+  set(id, MotiveStatus::queued, reason, now);
   decide(now);
 }
 

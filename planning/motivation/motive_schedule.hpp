@@ -38,6 +38,9 @@ public:
   /// Its action is over.
   void ended(const std::string& id, ActionOutcome outcome, const std::string& reason,
              Timestamp now);
+  /// Whoever reached its goal ended before that: it is queued again, and dropped if that happens
+  /// too often.
+  void interrupted(const std::string& id, const std::string& reason, Timestamp now);
   /// Drops motives that have waited for too long.
   void drop_old(Timestamp now);
 
@@ -61,7 +64,8 @@ private:
     /// In the order of proposals.
     std::uint64_t number = 0;
     /// Why it was ended by this schedule; empty if it was not.
-    std::string withdrawn;
+    std::string withdrawn = {};
+    std::int32_t interruptions = 0;
   };
   using Entries = std::map<std::string, Entry>;
 

@@ -102,15 +102,18 @@ class ContinualPlanner final : public ManagedComponent {
 
   /// Waits until the action that was asked for is over; false if this one is to end before.
   bool await(ActionInProgress& action, const ActionHandle& asked) {
-    const auto begin = now();
+    const auto is_over = [&asked] { return asked.is_over(); };
+    const auto accepted_by = now() + patience_.get();
     bool is_accepted = false;
-    while (!asked.is_over()) {
-      if (!action.sleep_for(look_every)) {
+    while (!is_over()) {
+      const auto at_most = is_accepted ? std::chrono::nanoseconds::max()
+                                       : std::chrono::nanoseconds{accepted_by - now()};
+      if (!action.wait_until(is_over, at_most)) {
         asked.cancel();
         return false;
       }
       // One that nobody accepts is over when it is cancelled.
-      if (!is_accepted && now() - begin > patience_.get()) {
+      if (!is_accepted && now() >= accepted_by && !is_over()) {
         is_accepted = asked.status() != ActionStatus::proposed;
         if (!is_accepted)
           asked.cancel();
@@ -175,8 +178,6 @@ class ContinualPlanner final : public ManagedComponent {
     status.state = {state_};
     put(status_, std::move(status));
   }
-
-  static constexpr auto look_every = 5ms;
 
   Option<std::string> agent_{this, "agent", "robot", "name of the agent that plans"};
   Option<std::vector<std::string>> contributors_{

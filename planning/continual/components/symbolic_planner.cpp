@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,16 +26,19 @@ using namespace std::chrono_literals;
 /// of a huge task takes longer than anybody wants to wait.
 class PlanningThread {
 public:
-  PlanningThread(DomainText domain, FindPlan request, PlanningOptions options, TimeHold hold)
+  /// @param on_end called by the thread when the search is over
+  PlanningThread(DomainText domain, FindPlan request, PlanningOptions options, TimeHold hold,
+                 std::function<void()> on_end)
     : domain_(std::move(domain)), request_(std::move(request)), options_(std::move(options)) {
     options_.limits.is_cancelled = &is_cancelled_;
     options_.on_progress = [this](const PlanningProgress& x) {
       const std::lock_guard lock(mutex_);
       progress_ = x;
     };
-    thread_ = std::jthread([this, time = std::move(hold)] {
+    thread_ = std::jthread([this, time = std::move(hold), on_end = std::move(on_end)] {
       result_ = continue_plan(domain_, request_, options_);
       is_over_ = true;
+      on_end();
     });
   }
   PlanningThread(const PlanningThread&) = delete;
@@ -80,23 +84,24 @@ class SymbolicPlanner final : public ManagedComponent {
   }
 
   ActionResult plan(ActionInProgress& action, const FindPlan& request) {
+    const auto is_over = [this] { return !thread_ || thread_->is_over(); };
     // The one before may still be freeing its memory.
-    thread_.reset();
+    while (!is_over())
+      if (!action.wait_until(is_over))
+        return ActionResult::cancelled("the planner has not begun");
     PlanningOptions options;
     options.limits.time = time_.get();
     options.limits.memory_bytes = static_cast<std::size_t>(memory_.get()) << 20;
-    thread_ = std::make_unique<PlanningThread>(text_, request, std::move(options), hold_time());
-    auto told = now();
-    while (!thread_->is_over()) {
-      if (!action.sleep_for(look_every)) {
+    thread_ =
+      std::make_unique<PlanningThread>(text_, request, std::move(options), hold_time(), waker());
+    while (!is_over()) {
+      if (!action.wait_until(is_over, tell_every)) {
         thread_->cancel();
         tell(false);
         return ActionResult::cancelled("the planner has ended its search");
       }
-      if (now() - told >= tell_every) {
-        told = now();
+      if (!is_over())
         tell(true);
-      }
     }
     tell(false);
     add(here(action.address().id + " plan"), thread_->result(), {.time_to_live = 1min});
@@ -110,7 +115,6 @@ class SymbolicPlanner final : public ManagedComponent {
         PlannerProgress{is_planning, x.expanded, x.seconds, x.best_cost});
   }
 
-  static constexpr auto look_every = 2ms;
   static constexpr auto tell_every = 200ms;
 
   Option<std::string> domain_{this, "domain", "", "file of the domain, in PDDL or MAPL"};

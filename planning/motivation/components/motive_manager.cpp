@@ -26,6 +26,10 @@ class MotiveManager final : public ManagedComponent {
     on_change(deleted<Motive>(), [this](const ChangeEvent& event) {
       schedule_.withdraw(event.address.id, "nobody wants it any more", now());
     });
+    // The end of an action is an occasion to look.
+    on_change(overwritten<Action>().where(field(&Action::requester) == component_name() &&
+                                          field(&Action::status) == ActionStatus::over),
+              [](const ChangeEvent&) {});
     on_call<MotiveQuestion>(
       [this](const MotiveQuestion& question) { return MotiveAnswer{schedule_.answer(question)}; });
     // What a predecessor has not brought to an end; the oldest first.
@@ -65,7 +69,10 @@ class MotiveManager final : public ManagedComponent {
       const auto id = i->first;
       const auto end = i->second.state();
       i = actions_.erase(i);
-      schedule_.ended(id, end.outcome, end.reason, now());
+      if (end.executor_ended)
+        schedule_.interrupted(id, end.reason, now());
+      else
+        schedule_.ended(id, end.outcome, end.reason, now());
     }
   }
 
@@ -133,7 +140,8 @@ class MotiveManager final : public ManagedComponent {
     }
   }
 
-  static constexpr auto look_every = 10ms;
+  /// For motives that have waited too long.
+  static constexpr auto look_every = 500ms;
 
   Option<std::int64_t> keep_{this, "keep", 100, "motives that are over whose entries it keeps"};
   Option<SubarchitectureName> planner_{this, "planner", "planning",

@@ -66,6 +66,28 @@ TEST_F(MotiveScheduleTest, PursuesOneMotiveForEachResource) {
   EXPECT_EQ(schedule.motive("find").history.back().time, 4'000'000);
 }
 
+TEST_F(MotiveScheduleTest, BeginsAgainWhatWasInterrupted) {
+  schedule.propose("find", motive("find the book", 1, {"base"}), 0s);
+  for (int i = 1; i <= 5; ++i) {
+    EXPECT_THAT(schedule.take_orders(), ElementsAre(begin("find"))) << i;
+    schedule.interrupted("find", "the planner ended", 1s);
+    EXPECT_EQ(status("find"), MotiveStatus::active);
+  }
+  EXPECT_THAT(schedule.take_orders(), ElementsAre(begin("find")));
+  schedule.interrupted("find", "the planner ended", 2s);
+  EXPECT_EQ(status("find"), MotiveStatus::dropped) << "after too often";
+  EXPECT_EQ(why("find"), "the planner ended");
+  EXPECT_THAT(schedule.take_orders(), IsEmpty());
+}
+
+TEST_F(MotiveScheduleTest, DropsWhatNobodyWantsAnyMoreThoughItsPlannerHasEnded) {
+  schedule.propose("find", motive("find the book", 1, {"base"}), 0s);
+  schedule.withdraw("find", "nobody wants it any more", 1s);
+  schedule.interrupted("find", "the planner ended", 2s);
+  EXPECT_EQ(status("find"), MotiveStatus::dropped);
+  EXPECT_EQ(why("find"), "nobody wants it any more");
+}
+
 TEST_F(MotiveScheduleTest, TakesTheMoreUrgentThenTheCheaperThenTheOlderOne) {
   schedule.propose("now", motive("now", 9, {"base"}), 0s);
   schedule.propose("a", motive("a", 1, {"base"}), 0s);
