@@ -3,30 +3,34 @@
 #include "castor/planning/motivation/motive_templates.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
+#include <chrono>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace castor::planning {
 
-/// Finds the motives that facts and idleness occasion: each once, until its facts were false in
-/// between.
+/// Finds the motives that facts and idleness occasion: each when its facts become true, and again
+/// some time later if they still are, since what it led to may have been given up.
 class Occasions {
 public:
-  explicit Occasions(std::vector<MotiveTemplate> templates) : templates_(std::move(templates)) {
+  /// @param again time after which facts that are still true occasion their motive again; 0: never
+  explicit Occasions(std::vector<MotiveTemplate> templates, std::chrono::microseconds again = {})
+    : templates_(std::move(templates)), again_(again) {
     // nop
   }
 
-  /// Motives that are occasioned now and were not the last time.
+  /// Motives that are occasioned now.
   /// @param is_idle whether no motive is queued or pursued
   std::vector<Motive> look(const std::vector<std::string>& facts, bool is_idle, Timestamp now);
 
 private:
   std::vector<MotiveTemplate> templates_;
-  std::set<std::pair<std::string, MotiveValues>> present_;
+  std::chrono::microseconds again_;
+  /// By template and values: when they occasioned their motive.
+  std::map<std::pair<std::string, MotiveValues>, Timestamp> present_;
   /// Since when there is nothing to do.
   std::optional<Timestamp> idle_since_;
 };

@@ -25,7 +25,7 @@ bool is_over(const Motive& x) {
 
 /// Proposes motives that facts of contributors, or idleness, occasion.
 class FactMotives final : public ManagedComponent {
-  void configure() override { occasions_.emplace(load_motives(file_)); }
+  void configure() override { occasions_.emplace(load_motives(file_), again_.get()); }
 
   void run() override {
     do
@@ -62,6 +62,8 @@ class FactMotives final : public ManagedComponent {
   Option<std::vector<std::string>> contributors_{
     this, "contributors", {}, "subarchitectures that are asked what they know"};
   Option<std::chrono::milliseconds> period_{this, "period", 1s, "how often it asks"};
+  Option<std::chrono::milliseconds> again_{
+    this, "again", 1min, "when facts that are still true occasion their motive again; 0s: never"};
   Option<std::chrono::milliseconds> patience_{this, "patience", 2s,
                                               "how long it waits for a contributor"};
 

@@ -22,13 +22,15 @@ protected:
     return result;
   }
 
-  Occasions occasions{parse_motives("m", "motive charge\n  when (battery-low ?r)\n"
-                                         "  goal (charged {r})\n  words charge {r}\n"
-                                         "motive explore\n  when idle 30s\n"
-                                         "  goal (explored)\n  words explore\n"
-                                         "motive find\n  on Find\n"
-                                         "  goal (found)\n  words find\n")
-                        .templates};
+  const std::vector<MotiveTemplate> templates =
+    parse_motives("m", "motive charge\n  when (battery-low ?r)\n"
+                       "  goal (charged {r})\n  words charge {r}\n"
+                       "motive explore\n  when idle 30s\n"
+                       "  goal (explored)\n  words explore\n"
+                       "motive find\n  on Find\n"
+                       "  goal (found)\n  words find\n")
+      .templates;
+  Occasions occasions{templates};
 };
 
 using Words = std::vector<std::string>;
@@ -39,6 +41,15 @@ TEST_F(OccasionsTest, OccasionAMotiveOnceUntilTheFactWasFalse) {
   EXPECT_EQ(look({"(battery-low robby)", "(battery-low bob)"}, false, 2s), Words{"charge bob"});
   EXPECT_EQ(look({}, false, 3s), Words{});
   EXPECT_EQ(look({"(battery-low robby)"}, false, 4s), Words{"charge robby"});
+}
+
+TEST_F(OccasionsTest, OccasionAMotiveAgainWhileItsFactStaysTrue) {
+  occasions = Occasions(templates, 1min);
+  EXPECT_EQ(look({"(battery-low robby)"}, false, 0s), Words{"charge robby"});
+  EXPECT_EQ(look({"(battery-low robby)"}, false, 59s), Words{});
+  EXPECT_EQ(look({"(battery-low robby)"}, false, 60s), Words{"charge robby"});
+  EXPECT_EQ(look({"(battery-low robby)"}, false, 61s), Words{});
+  EXPECT_EQ(look({"(battery-low robby)"}, false, 120s), Words{"charge robby"});
 }
 
 TEST_F(OccasionsTest, OccasionAMotiveAfterIdleness) {
