@@ -5,6 +5,8 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace castor::communication {
@@ -88,6 +90,22 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
     } else if (move.alternatives.size() < max_alternatives)
       move.alternatives.push_back(std::move(said.front()));
   }
+}
+
+void prefer_request(DialogueMove& move, const WordMeanings& meanings) {
+  if (move.type == DialogueMoveType::action_directive)
+    return;
+  const auto is_request = [&](const LogicalForm& x) {
+    return dialogue_move_type(x) == DialogueMoveType::action_directive &&
+           !action_asked_for(x, meanings).empty();
+  };
+  const auto request = std::ranges::find_if(move.alternatives, is_request);
+  if (request == move.alternatives.end())
+    return;
+  move.type = DialogueMoveType::action_directive;
+  std::swap(move.content, *request);
+  // The likeliest of the others is first.
+  std::rotate(move.alternatives.begin(), request, std::next(request));
 }
 
 std::string said_back(const DialogueMove& move) {

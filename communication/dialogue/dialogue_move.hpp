@@ -18,6 +18,10 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form);
 /// Gives a move the readings of an utterance that is understood, the likeliest as its content.
 void take_readings(const PackedLogicalForm& form, DialogueMove& move);
 
+/// Takes an utterance for a request if it can be read so, and the robot does what its verb says:
+/// "find the ball" asks where the ball is only where nobody finds things.
+void prefer_request(DialogueMove& move, const WordMeanings& meanings);
+
 /// Whether it is not a phrase: somebody does something or something is so.
 bool is_clause(const LogicalForm& form, const Nominal& x);
 

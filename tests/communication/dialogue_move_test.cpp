@@ -38,6 +38,29 @@ TEST(DialogueMoveType, IsThatOfTheMarker) {
   EXPECT_EQ(move("no"), DialogueMoveType::reject);
 }
 
+TEST(DialogueMove, IsARequestIfTheRobotDoesWhatTheVerbSays) {
+  Parser parser(english_lexicon());
+  WordMeanings nothing;
+  WordMeanings finding;
+  finding.actions["find"] = "Find";
+  for (const auto* text : {"find the book", "look for the book", "search for the book"}) {
+    DialogueMove said;
+    for (const auto& reading : parser.readings(text)) {
+      auto& form = said.content.nominals.empty() ? said.content : said.alternatives.emplace_back();
+      form = reading;
+    }
+    said.type = dialogue_move_type(said.content);
+    auto heard = said;
+    prefer_request(heard, nothing);
+    EXPECT_EQ(heard.type, said.type) << text;
+    EXPECT_EQ(heard.content, said.content) << text;
+    prefer_request(heard, finding);
+    EXPECT_EQ(heard.type, DialogueMoveType::action_directive) << text;
+    EXPECT_EQ(action_asked_for(heard.content, finding), "Find") << text;
+    EXPECT_EQ(heard.alternatives.size(), said.alternatives.size()) << text;
+  }
+}
+
 TEST(DialogueMoveType, IsNoneOfWhatIsNoSentence) {
   EXPECT_EQ(move("the ball to the right of the box"), DialogueMoveType::none);
   EXPECT_EQ(dialogue_move_type({}), DialogueMoveType::none);
