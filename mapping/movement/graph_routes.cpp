@@ -3,11 +3,14 @@
 #include "castor/mapping/graph/shortest_path.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
+#include <string>
 
 namespace castor::mapping {
 
@@ -59,6 +62,24 @@ GraphRoutes::Place GraphRoutes::area(std::int64_t id) const {
           fmt::format("the navigation graph has no place in an area {}; see the entries area-ID of "
                       "the map",
                       id)};
+}
+
+GraphRoutes::Place GraphRoutes::area_named(const std::string& label) const {
+  const Area* best = nullptr;
+  std::set<std::string> names;
+  for (const auto& x : areas_) {
+    if (x.merged_into >= 0 || x.label.empty())
+      continue;
+    names.insert(x.label);
+    if (x.label == label && (!best || x.places > best->places))
+      best = &x;
+  }
+  if (best)
+    return area(best->id);
+  const auto known = names.empty()
+                       ? std::string{"none has a name; overwrite Area.label to give one"}
+                       : fmt::format("there are: {}", fmt::join(names, ", "));
+  return {{}, fmt::format("no area of the navigation graph is called {}; {}", label, known)};
 }
 
 std::vector<std::pair<const GraphNode*, double>> GraphRoutes::near(const Point2& place,

@@ -29,6 +29,9 @@ public:
   /// The place of an area, or of the one that it was merged into, that is nearest to its middle.
   Place area(std::int64_t id) const;
 
+  /// The same of the area of that name that has most places.
+  Place area_named(const std::string& label) const;
+
   /// Length of a way that the robot can drive, infinite if there is none.
   using WayLength = std::function<double(const Point2& from, const Point2& to)>;
 

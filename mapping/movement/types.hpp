@@ -49,6 +49,8 @@ struct GoToArea {
   /// As of GoToPlace.
   bool along_graph = false;
   MovementPriority priority = MovementPriority::normal;
+  /// `Area::label`, in place of its id; empty: none. Of several areas, the one that has most places.
+  std::string label = {};
 };
 
 /// Action: go near an object, and face it.
@@ -129,7 +131,7 @@ struct Movement {
 CASTOR_REFLECT_ENUM(MovementPriority, normal, high, urgent)
 CASTOR_REFLECT(GoToPlace, x, y, heading, has_heading, along_graph, priority)
 CASTOR_REFLECT(GoToNode, node, along_graph, priority)
-CASTOR_REFLECT(GoToArea, area, along_graph, priority)
+CASTOR_REFLECT(GoToArea, area, along_graph, priority, label)
 CASTOR_REFLECT(GoToObject, x, y, distance, priority)
 CASTOR_REFLECT(FollowPerson, person, distance, priority)
 CASTOR_REFLECT(TurnBy, angle, priority)

@@ -40,8 +40,11 @@ class Navigator final : public ExecutesMovement {
                 [&] { return route_to(graph().node(x.node), x.along_graph); });
     });
     execute<GoToArea>([this](ActionInProgress& action, const GoToArea& x) {
-      return go(action, fmt::format("go to area {}", x.area),
-                [&] { return route_to(graph().area(x.area), x.along_graph); });
+      const auto name = x.label.empty() ? fmt::format("area {}", x.area) : x.label;
+      return go(action, fmt::format("go to {}", name), [&] {
+        return route_to(x.label.empty() ? graph().area(x.area) : graph().area_named(x.label),
+                        x.along_graph);
+      });
     });
     execute<GoToObject>([this](ActionInProgress& action, const GoToObject& x) {
       return go(action, fmt::format("go near {:.2f} {:.2f}", x.x, x.y),

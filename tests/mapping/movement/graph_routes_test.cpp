@@ -73,6 +73,26 @@ TEST(GraphRoutes, FindsNodesAndTheMiddlesOfAreas) {
   EXPECT_THAT(two_rooms().gateways(), ElementsAre(Point2{2, 0}));
 }
 
+TEST(GraphRoutes, FindsAreasByTheirNames) {
+  Area small;
+  small.id = 5;
+  small.label = "kitchen";
+  small.places = 1;
+  Area large = small;
+  large.id = 6;
+  large.places = 2;
+  Area merged = large;
+  merged.id = 7;
+  merged.merged_into = 5;
+  merged.places = 9;
+  const GraphRoutes routes{
+    {node(0, 0, 0, 5), node(3, 3, 0, 6), node(4, 4, 1, 6)}, {}, {small, large, merged}};
+  EXPECT_EQ(routes.area_named("kitchen").place, (Point2{3, 0}));
+  EXPECT_THAT(routes.area_named("office").reason,
+              HasSubstr("no area of the navigation graph is called office; there are: kitchen"));
+  EXPECT_THAT(two_rooms().area_named("office").reason, HasSubstr("none has a name"));
+}
+
 } // namespace
 
 } // namespace castor::mapping
