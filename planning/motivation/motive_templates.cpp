@@ -194,7 +194,7 @@ private:
               "add: goal (PREDICATE ...), and: words what is done");
     if (x.when.empty() && !x.idle && x.on.empty())
       problem(begun_, "nothing occasions the motive " + in_quotes(x.name),
-              "add: when (PREDICATE ?x ...), when idle 30s, or: on ACTION");
+              "add: when (PREDICATE ?x ...), when idle 30s, or: on ACTION, question or statement");
     if (!x.on.empty()) {
       for (const auto& name : x.names())
         if (std::ranges::find(request_parts, name) == request_parts.end())

@@ -45,7 +45,7 @@ struct MotiveTemplate {
   /// Facts that occasion it; empty for none.
   std::vector<std::string> when;
   std::optional<std::chrono::microseconds> idle;
-  /// Type of a requested action; empty for none.
+  /// Type of a requested action, or `question` or `statement`; empty for none.
   std::string on;
   std::string goal;
   std::string words;

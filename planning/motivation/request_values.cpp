@@ -1,6 +1,7 @@
 #include "castor/planning/motivation/request_values.hpp"
 
 #include "castor/base/text.hpp"
+#include "castor/planning/continual/object_name.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -24,19 +25,42 @@ const Nominal* dependent(const LogicalForm& form, const Nominal& nominal, std::s
   return nullptr;
 }
 
+/// What a question or a statement is about; null if that is nothing, or several things.
+const communication::DiscourseReferent* subject_of(const communication::MoveReferents& referents) {
+  if (referents.referents.empty() || referents.referents.front().is_plural)
+    return nullptr;
+  return &referents.referents.front();
+}
+
 void add(MotiveValues& values, const std::string& role, const Nominal& thing,
          const communication::MoveReferents& referents) {
   if (!thing.proposition.empty())
-    values[role] = lower_case(thing.proposition);
+    values[role] = word_name(thing.proposition);
   for (const auto& x : referents.referents)
     if (x.nominal == thing.name && x.proxies.size() == 1)
-      values[role + "-proxy"] = lower_case(x.proxies.front());
+      values[role + "-proxy"] = object_name(x.proxies.front());
   for (const auto& x : referents.pronouns)
     if (x.nominal == thing.name && x.proxies.size() == 1)
-      values[role + "-proxy"] = lower_case(x.proxies.front());
+      values[role + "-proxy"] = object_name(x.proxies.front());
 }
 
 } // namespace
+
+std::string occasion_of(const communication::DialogueMove& move,
+                        const communication::MoveReferents& referents) {
+  using communication::DialogueMoveType;
+  if (move.type == DialogueMoveType::action_directive)
+    return move.action;
+  const auto* subject = subject_of(referents);
+  if (subject == nullptr)
+    return {};
+  const bool is_question =
+    move.type == DialogueMoveType::question_w || move.type == DialogueMoveType::question_yn;
+  if (is_question && subject->proxies.empty())
+    return "question";
+  return move.type == DialogueMoveType::assertion && subject->proxies.size() == 1 ? "statement"
+                                                                                  : "";
+}
 
 MotiveValues values_of_request(const communication::DialogueMove& move,
                                const communication::MoveReferents& referents,
@@ -54,6 +78,10 @@ MotiveValues values_of_request(const communication::DialogueMove& move,
       values["relation"] = lower_case(destination->proposition);
     add(values, "destination", anchor ? *anchor : *destination, referents);
   }
+  const auto* subject = subject_of(referents);
+  if (subject != nullptr && move.type != communication::DialogueMoveType::action_directive)
+    if (const auto* thing = find(form, subject->nominal))
+      add(values, "patient", *thing, referents);
   return values;
 }
 

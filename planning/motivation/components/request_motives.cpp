@@ -22,7 +22,8 @@ using communication::DialogueMove;
 using communication::DialogueMoveType;
 using communication::MoveReferents;
 
-/// Makes motives of what people ask for.
+/// Makes motives of what people say: of requests, and of questions and statements that templates
+/// name.
 class RequestMotives final : public ManagedComponent {
   void configure() override { templates_ = load_motives(file_); }
 
@@ -49,7 +50,7 @@ class RequestMotives final : public ManagedComponent {
       if (referents->turn <= heard_)
         return;
       const auto move = follow(referents->move);
-      if (move->problem.empty() && move->type == DialogueMoveType::action_directive)
+      if (move->problem.empty())
         request(referents->move, *move, *referents);
       heard_ = referents->turn;
       put(heard_address(), RequestsHeard{heard_});
@@ -60,13 +61,17 @@ class RequestMotives final : public ManagedComponent {
 
   void request(const EntryPointer<DialogueMove>& pointer, const DialogueMove& move,
                const MoveReferents& referents) {
+    const auto occasion = occasion_of(move, referents);
+    const bool is_request = move.type == DialogueMoveType::action_directive;
+    if (occasion.empty() && !is_request)
+      return;
     auto text = follow(move.utterance)->word_sequence;
-    while (text.ends_with('.') || text.ends_with('!'))
+    while (text.ends_with('.') || text.ends_with('!') || text.ends_with('?'))
       text.pop_back();
     const auto values = values_of_request(move, referents, speaker_, text);
     std::optional<Motive> motive;
     for (const auto& x : templates_)
-      if (!motive && !x.on.empty() && x.on == move.action)
+      if (!motive && !x.on.empty() && x.on == occasion)
         motive = make_motive(x, values);
     const auto id = pointer.address.id;
     try {
@@ -74,7 +79,7 @@ class RequestMotives final : public ManagedComponent {
         motive->asker = speaker_;
         motive->cause = pointer;
         add(here("motive of " + id), std::move(*motive));
-      } else {
+      } else if (is_request) {
         add(here("refusal of " + id),
             MotiveAcknowledgement{
               {}, speaker_, pointer, MotiveReply::impossible, "I do not know how to do that."},

@@ -80,6 +80,18 @@ protected:
                            "  goal      (K robby (perceived-position {patient}))\n"
                            "  words     find the {patient}\n"
                            "  because   {speaker} said '{text}'\n"
+                           "  resources base\n"
+                           "motive go\n"
+                           "  on        Go\n"
+                           "  goal      (= (is-in robby) {destination})\n"
+                           "  words     go to the {destination}\n"
+                           "  because   {speaker} said '{text}'\n"
+                           "  resources base\n"
+                           "motive answer\n"
+                           "  on        question\n"
+                           "  goal      (K robby (perceived-position {patient}))\n"
+                           "  words     find out where the {patient} is\n"
+                           "  because   {speaker} asked '{text}'\n"
                            "  resources base\n";
     return file.string();
   }
@@ -124,6 +136,33 @@ TEST_F(Requests, AreExplained) {
   expect_said(system, "I am about to find the book, because you said 'Look for the book'.");
   expect_said(system, "Because you said 'Look for the book'.");
   expect_said(system, "I have nothing else to do.");
+}
+
+TEST_F(Requests, AreUnderstoodHoweverTheyAreSaid) {
+  for (const auto* text :
+       {"Find the book.", "Find me the book.", "Search for the book.", "Please find the book."}) {
+    TestSystem system{dialogue(text, motives()), {.patience = 10s}};
+    expect_said(system, "I will find the book.");
+  }
+}
+
+TEST_F(Requests, AreExplainedWhenTheyAreDone) {
+  TestSystem system{
+    dialogue("Go to the kitchen. What will you do next? Why did you do that?", motives()),
+    {.patience = 4h, .simulated_time = true}};
+  expect_said(system, "I will go to the kitchen.");
+  expect_said(system, "I have nothing else to do.");
+  expect_said(system, "It is done: go to the kitchen.");
+  expect_said(system, "Because you said 'Go to the kitchen'.");
+}
+
+TEST_F(Requests, MayBeQuestionsThatTheRobotCannotAnswerYet) {
+  TestSystem system{dialogue("Where is the book? What are you doing?", motives()),
+                    {.patience = 4h, .simulated_time = true}};
+  expect_said(system, "I will find out where the book is.");
+  expect_said(system, "I am about to find out where the book is, because you asked 'Where is the "
+                      "book'.");
+  expect_said(system, "It is done: find out where the book is.");
 }
 
 TEST_F(Requests, AreRefusedIfNoMotiveIsForThem) {
