@@ -5,7 +5,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/planning/motivation/types.hpp"
-#include "castor/tests/support/temporary_folder.hpp"
+#include "castor/tests/planning/motivation/desk.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
 #include <gmock/gmock.h>
@@ -14,20 +14,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace castor::planning::test {
-
-/// A table with a ball.
-struct Desk {
-  std::string ball = "middle";
-  bool is_charged = false;
-  /// Steps that were executed to their end.
-  std::vector<std::string> log;
-};
-CASTOR_REFLECT(Desk, ball, is_charged, log)
 
 struct Said {
   std::string question;
@@ -46,42 +36,6 @@ using namespace std::chrono_literals;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-/// Puts the ball somewhere, and charges its battery.
-class DeskBody final : public ManagedComponent {
-  void start() override {
-    if (!exists(desk_))
-      add(desk_, Desk{});
-    on_call<StateRequest>([this](const StateRequest&) {
-      const auto desk = *read<Desk>(desk_);
-      StateReply result{{{"robby", "agent"}, {"ball", "thing"}}, {"(" + desk.ball + " ball)"}};
-      if (desk.is_charged)
-        result.facts.emplace_back("(charged robby)");
-      else if (now() >= low_after_.get())
-        result.facts.emplace_back("(battery-low robby)");
-      return result;
-    });
-    on_action<PlannedAction>([this](ActionInProgress& action, const PlannedAction& step) {
-      if (!action.sleep_for(step_.get()))
-        return ActionResult::cancelled("the arm is at rest");
-      auto desk = *read<Desk>(desk_);
-      desk.log.push_back(step.name);
-      if (step.name == "charge")
-        desk.is_charged = true;
-      else
-        desk.ball = step.name == "put-left" ? "left" : "right";
-      put(desk_, desk);
-      return ActionResult::succeeded();
-    });
-  }
-
-  Option<std::chrono::milliseconds> step_{this, "step", 3s, "how long each step takes"};
-  Option<std::chrono::milliseconds> low_after_{this, "low-after", 1500ms,
-                                               "when the battery becomes low"};
-  const Address desk_{"body", "desk"};
-};
-
-CASTOR_COMPONENT(DeskBody, "puts a ball left or right, and charges itself")
 
 /// Ann and Bob, who want the ball elsewhere, and are curious.
 class People final : public UnmanagedComponent {
@@ -188,43 +142,20 @@ public:
   Desk desk() { return *system_.expect_entry("Desk in body")->value.as<Desk>(); }
 
 private:
-  std::string write(const std::string& name, const std::string& content) {
-    std::ofstream{folder_ / name} << content;
-    return (folder_ / name).string();
-  }
-
-  std::string text(const std::string& body, const std::string& people) {
-    const auto domain = write(
-      "desk.pddl",
-      "(define (domain desk) (:requirements :strips :typing) (:types agent thing - object)\n"
-      "(:predicates (left ?t - thing) (middle ?t - thing) (right ?t - thing) (charged ?a - agent) "
-      "(battery-low ?a - agent))\n"
-      "(:action put-left :parameters (?a - agent ?t - thing) :effect (and (left ?t) (not (right "
-      "?t)) (not (middle ?t))))\n"
-      "(:action put-right :parameters (?a - agent ?t - thing) :effect (and (right ?t) (not (left "
-      "?t)) (not (middle ?t))))\n"
-      "(:action charge :parameters (?a - agent) :effect (charged ?a)))\n");
-    const auto motives = write("desk.motives", "motive charge\n"
-                                               "  when (battery-low ?robot)\n"
-                                               "  goal (charged {robot})\n"
-                                               "  words charge\n"
-                                               "  because my battery is low\n"
-                                               "  priority 9\n"
-                                               "  resources base\n");
+  static std::string text(const std::string& body, const std::string& people) {
     const std::string sa =
       "CPP WM SubarchitectureWorkingMemory\nCPP TM AlwaysPositiveTaskManager\n";
     return "HOST localhost\nSUBARCHITECTURE body\n" + sa + "CPP MG body DeskBody " + body +
-           "\nSUBARCHITECTURE planning\n" + sa + "CPP MG planner SymbolicPlanner --domain " +
-           domain +
-           "\nCPP MG continual ContinualPlanner --agent robby --contributors body --executor body\n"
+           "\nSUBARCHITECTURE planning\n" + sa +
+           "CPP MG planner SymbolicPlanner --domain " CASTOR_DESK "/desk.pddl\n"
+           "CPP MG continual ContinualPlanner --agent robby --contributors body --executor body\n"
            "SUBARCHITECTURE motivation\n" +
            sa +
            "CPP MG manager MotiveManager\nCPP MG facts FactMotives --contributors body --period "
-           "100ms --motives " +
-           motives + "\nCPP UM people People " + people + "\nSUPERVISE * RESTARTS 1000 IN 10s\n";
+           "100ms --motives " CASTOR_DESK "/desk.motives\nCPP UM people People " +
+           people + "\nSUPERVISE * RESTARTS 1000 IN 10s\n";
   }
 
-  castor::test::TemporaryFolder folder_;
   TestSystem system_;
 };
 

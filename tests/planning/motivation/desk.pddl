@@ -1,0 +1,11 @@
+; A desk with a ball, and a robot that has to be charged.
+(define (domain desk)
+  (:requirements :strips :typing)
+  (:types agent thing - object)
+  (:predicates (left ?t - thing) (middle ?t - thing) (right ?t - thing)
+               (charged ?a - agent) (battery-low ?a - agent))
+  (:action put-left :parameters (?a - agent ?t - thing)
+    :effect (and (left ?t) (not (right ?t)) (not (middle ?t))))
+  (:action put-right :parameters (?a - agent ?t - thing)
+    :effect (and (right ?t) (not (left ?t)) (not (middle ?t))))
+  (:action charge :parameters (?a - agent) :effect (charged ?a)))
