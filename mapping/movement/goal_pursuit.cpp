@@ -47,6 +47,9 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
     plan(robot, around.map, in_the_way);
   if (!problem_.empty())
     return fail(problem_);
+  if (!comes_nearer())
+    return fail(fmt::format("it has not come nearer for {} s, among what is in its way",
+                            options_.longest / 1'000'000));
   if (!is_blocked_) {
     blocked_since_.reset();
     return drive(robot, around);
@@ -59,9 +62,22 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
   return stand(MovementStatus::waiting, "a free way");
 }
 
+bool GoalPursuit::comes_nearer() {
+  constexpr double further = 0.25; // metres
+  if (follower_) {
+    const double left = follower_->length() - follower_->done();
+    if (!least_left_ || left < *least_left_ - further) {
+      least_left_ = left;
+      nearer_at_ = time_;
+    }
+  }
+  return !least_left_ || time_ - nearer_at_ < options_.longest;
+}
+
 void GoalPursuit::change_goal(const Point2& goal) {
   if (goal == goal_)
     return;
+  least_left_.reset();
   goal_ = goal;
   is_goal_new_ = true;
 }
@@ -70,6 +86,7 @@ void GoalPursuit::hold(std::int64_t time, const Pose2& robot) {
   time_ = time;
   step_time_.reset();
   blocked_since_.reset();
+  least_left_.reset();
   recovery_.has_stalled(time, robot, false);
 }
 
@@ -143,7 +160,11 @@ void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
   if (is_blocked_)
     return;
   path_ = std::move(planned.points);
-  follower_ = std::make_unique<PathFollower>(path_, options_.follow);
+  auto follow = options_.follow;
+  // Where it was stuck it cuts no corners.
+  if (recoveries_there_ > 0 && distance(start, stalled_at_) <= options_.one_place)
+    follow.look_ahead = std::min(follow.look_ahead, options_.careful_look_ahead);
+  follower_ = std::make_unique<PathFollower>(path_, follow);
 }
 
 GoalPursuit::Step GoalPursuit::stand(MovementStatus status, const std::string& waits_for) {

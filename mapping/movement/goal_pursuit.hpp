@@ -42,6 +42,8 @@ private:
   void plan(const Pose2& robot, const PlanningMap& map, std::span<const Point2> obstacles);
   PlannedPath plan_around(const Point2& start, const PlanningMap& map,
                           std::span<const Point2> obstacles) const;
+  /// Whether it has come further on its way lately.
+  bool comes_nearer();
   /// Whether the way around is so much longer that it waits for a free way first.
   bool is_worth_waiting(const PlannedPath& around) const;
   Step stand(MovementStatus status, const std::string& waits_for);
@@ -72,6 +74,9 @@ private:
   std::optional<std::int64_t> planned_;
   std::optional<std::int64_t> blocked_since_;
   std::int64_t waited_ = 0;
+  /// Least way that was left so far, metres, and since when.
+  std::optional<double> least_left_;
+  std::int64_t nearer_at_ = 0;
   int plans_ = 0;
   int recoveries_ = 0;
   /// Where it began to recover last, and how often near there.

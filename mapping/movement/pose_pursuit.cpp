@@ -57,17 +57,13 @@ PosePursuit::Step PosePursuit::step(std::int64_t time, const Pose2& robot,
   return drive(robot, around);
 }
 
-ClearanceMap PosePursuit::clearance_with(const Pose2& robot, const PlanningMap& map,
-                                         std::span<const Point2> obstacles) const {
+ClearanceMap PosePursuit::clearance_with(const PlanningMap& map, std::span<const Point2> obstacles,
+                                         double around) const {
+  auto result = map.clearance();
   const double reach = options_.footprint.outer_radius() + 2 * options_.plan.margin;
-  const auto with = [&](double around) {
-    auto result = map.clearance();
-    for (const auto& x : obstacles)
-      result.add_obstacle(x, reach, around);
-    return result;
-  };
-  auto result = with(options_.pursuit.unexpected_margin);
-  return FootprintRoom(result, options_.footprint, 0).at(robot) > 0 ? result : with(0);
+  for (const auto& x : obstacles)
+    result.add_obstacle(x, reach, around);
+  return result;
 }
 
 PosePursuit::Step PosePursuit::plan(const Pose2& robot, const PursuitSurroundings& around) {
@@ -75,8 +71,14 @@ PosePursuit::Step PosePursuit::plan(const Pose2& robot, const PursuitSurrounding
   ++plans_;
   follower_.reset();
   const auto obstacles = unexpected_obstacles(around, options_.pursuit);
-  auto planned = plan_poses(around.map.cells(), clearance_with(robot, around.map, obstacles),
-                            options_.footprint, robot, goal_, heading_, options_.plan);
+  auto clearance = clearance_with(around.map, obstacles, options_.pursuit.unexpected_margin);
+  is_tight_ = FootprintRoom(clearance, options_.footprint, options_.plan.margin).at(robot) <= 0;
+  if (is_tight_)
+    clearance = clearance_with(around.map, obstacles, 0);
+  auto options = options_.plan;
+  options.seed += static_cast<std::uint32_t>(plans_);
+  auto planned =
+    plan_poses(around.map.cells(), clearance, options_.footprint, robot, goal_, heading_, options);
   if (!planned.path.empty()) {
     blocked_since_.reset();
     path_ = places_of(planned.path);
@@ -84,8 +86,10 @@ PosePursuit::Step PosePursuit::plan(const Pose2& robot, const PursuitSurrounding
     looked_ = time_;
     return stand(MovementStatus::planning, {});
   }
-  if (obstacles.empty())
+  if (obstacles.empty() && planned.is_proved)
     return {{}, MovementStatus::failed, {}, planned.reason};
+  if (obstacles.empty())
+    return begin_again(robot, planned.reason);
   if (!blocked_since_)
     blocked_since_ = time_;
   if (time_ - *blocked_since_ >= options_.pursuit.patience)
@@ -160,9 +164,13 @@ double PosePursuit::free_way(const Pose2& robot, double reach,
   for (const auto& x : around.seen) {
     if (distance(x, {robot.x, robot.y}) > reach + footprint.outer_radius() + pursuit.unexpected_gap)
       continue;
-    const double gap = is_expected(around.map, x, pursuit) ? pursuit.gap : pursuit.unexpected_gap;
-    constexpr double nearer = 1e-3; // metres
+    const bool is_near = is_tight_ || is_expected(around.map, x, pursuit);
+    const double gap = is_near ? pursuit.gap : pursuit.unexpected_gap;
+    // What is nearer already may come a little nearer, and where it is very near, no more.
+    constexpr double little = 0.01; // metres
+    constexpr double rounding = 0.001;
     const double now = footprint.distance_from(transform(inverse(robot), x));
+    const double nearer = now - little > pursuit.gap ? little : rounding;
     near.push_back({x, std::min(gap, now - nearer)});
   }
   constexpr double step = 0.02; // metres

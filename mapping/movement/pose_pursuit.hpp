@@ -48,10 +48,9 @@ public:
 
 private:
   Step plan(const Pose2& robot, const PursuitSurroundings& around);
-  /// With more around the obstacles than of what the map has, unless the robot is too near to them
-  /// for that.
-  ClearanceMap clearance_with(const Pose2& robot, const PlanningMap& map,
-                              std::span<const Point2> obstacles) const;
+  /// Clearances with those obstacles, and `around` them, metres.
+  ClearanceMap clearance_with(const PlanningMap& map, std::span<const Point2> obstacles,
+                              double around) const;
   Step drive(const Pose2& robot, const PursuitSurroundings& around);
   /// What to do at the end of the path.
   Step finish(const Pose2& robot);
@@ -73,6 +72,9 @@ private:
   PosePursuitOptions options_;
   std::optional<PosePathFollower> follower_;
   Path path_;
+  /// It was so near to obstacles when it planned that it keeps no more from those that the map does
+  /// not have than from others.
+  bool is_tight_ = false;
   StallRecovery stall_;
   bool stands_ = false;
   std::int64_t time_ = 0;

@@ -45,10 +45,14 @@ struct PursuitOptions {
   /// microseconds, metres.
   std::int64_t detour_patience = 6'000'000;
   double detour = 3;
+  /// It gives up when it has not come further on its way for so long, microseconds.
+  std::int64_t longest = 300'000'000;
   StallOptions stall;
   /// It gives up after so many recoveries at one place: within that distance, metres.
   int recoveries = 5;
   double one_place = 1.5;
+  /// How far ahead on the path it aims there afterwards, metres.
+  double careful_look_ahead = 0.15;
 };
 
 /// What is around a robot, in the map frame.

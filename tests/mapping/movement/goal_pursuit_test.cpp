@@ -89,6 +89,25 @@ TEST(GoalPursuit, GoesAroundWhatTheMapDoesNotHave) {
   EXPECT_EQ(x.body.collisions, 0);
 }
 
+TEST(GoalPursuit, GivesUpWhereSomebodyIsInItsWayForever) {
+  const auto map = test::empty_room(8, 6);
+  PlanningMap planning_map;
+  planning_map.update(map, 1);
+  GoalPursuit pursuit({6, 3}, std::nullopt, {});
+  const std::vector<Mover> crowd{{{2.2, 3}, {-0.5, 0}}};
+  GoalPursuit::Step step;
+  std::int64_t time = 0;
+  for (; time < 400'000'000 && step.status != MovementStatus::failed; time += 50'000) {
+    step = pursuit.step(time, {1, 3, 0}, {planning_map, {}, crowd});
+    if (step.status == MovementStatus::waiting) {
+      EXPECT_EQ(step.waits_for, "somebody to pass");
+    }
+  }
+  EXPECT_EQ(step.status, MovementStatus::failed);
+  EXPECT_THAT(step.reason, HasSubstr("not come nearer for 300 s"));
+  EXPECT_NEAR(static_cast<double>(time) / 1e6, 300, 1);
+}
+
 TEST(GoalPursuit, GoesToAGoalThatChanges) {
   const auto map = test::empty_room(8, 6);
   PlanningMap planning_map;
