@@ -63,11 +63,11 @@ private:
           add_object(word, rule.type);
           facts_.insert("(" + rule.predicate + " " + name + " " + word + ")");
         }
-    for (const auto& [kind, predicate] : terms_.unknown)
-      if (has(x, kind) && std::ranges::none_of(x.features, [&](const auto& feature) {
-            return feature.kind == kind && is_known(feature);
+    for (const auto& rule : terms_.unknown)
+      if (has(x, rule.first) && std::ranges::none_of(x.features, [&](const auto& feature) {
+            return feature.kind == rule.first && is_known(feature);
           }))
-        facts_.insert("(" + predicate + " " + name + ")");
+        facts_.insert("(" + rule.second + " " + name + ")");
   }
 
   static bool is_known(const binding::Feature& x) {
