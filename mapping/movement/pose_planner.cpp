@@ -1,5 +1,6 @@
 #include "castor/mapping/movement/pose_planner.hpp"
 
+#include "castor/mapping/movement/path_planner.hpp"
 #include "castor/mapping/movement/pose_search.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "castor/mapping/movement/pose_planner.hpp"
+#include "castor/mapping/movement/footprint_room.hpp"
+#include "castor/mapping/movement/pose_plan_options.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,6 @@
 #include "castor/mapping/movement/pose_planner.hpp"
 
+#include "castor/mapping/movement/path_planner.hpp"
 #include "castor/tests/mapping/movement/footprint_world.hpp"
 
 #include <gmock/gmock.h>
