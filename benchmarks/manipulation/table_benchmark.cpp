@@ -1,7 +1,9 @@
 // "Put X at a place" on random tables through the whole PlayMate with its arm: the camera's
 // pictures, vision, the executor, the simulated arm, in simulated time.
 //
-//   table_benchmark [TABLES] [SEED] [MISSED_GRASP] [DROPPED]
+//   table_benchmark [TABLES] [SEED] [MISSED_GRASP] [DROPPED] [FOLDER]
+//
+// FOLDER is for film strips, SEED/action-1.png.
 //
 // A task is solvable if there is a plan for it by the true places of things.
 
@@ -200,8 +202,16 @@ std::string text_of_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Result run(const Task& task, const std::string& scene_file, const std::string& missed,
-           const std::string& dropped, std::uint64_t seed) {
+struct Settings {
+  int tables = 50;
+  std::uint64_t first_seed = 1;
+  std::string missed = "0";
+  std::string dropped = "0";
+  std::string output;
+};
+
+Result run(const Task& task, const std::string& scene_file, const Settings& settings,
+           std::uint64_t seed) {
   asked().task = task;
   asked().result = {};
   asked().is_over = false;
@@ -213,8 +223,11 @@ Result run(const Task& task, const std::string& scene_file, const std::string& m
                        {"table", scene_file},
                        {"arm_at", arm_at},
                        {"arm_rest", arm_rest},
-                       {"missed_grasp", missed},
-                       {"dropped", dropped},
+                       {"missed_grasp", settings.missed},
+                       {"dropped", settings.dropped},
+                       {"output", settings.output.empty()
+                                    ? std::string{}
+                                    : settings.output + '/' + std::to_string(seed)},
                        {"arm_seed", std::to_string(seed)}};
   TestSystem system(text_of_file(CASTOR_CONFIGS "/playmate.cast") +
                       "SUBARCHITECTURE asking\nCPP WM SubarchitectureWorkingMemory\n"
@@ -231,8 +244,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-int measure(int tables, std::uint64_t first, const std::string& missed,
-            const std::string& dropped) {
+int measure(const Settings& settings) {
   const auto scene_file =
     std::filesystem::temp_directory_path() / fmt::format("table-{}.scene", getpid());
   int solvable = 0;
@@ -241,13 +253,13 @@ int measure(int tables, std::uint64_t first, const std::string& missed,
   std::int64_t tries = 0;
   std::vector<double> seconds;
   std::vector<double> errors;
-  for (int i = 0; i < tables; ++i) {
-    const auto seed = first + static_cast<std::uint64_t>(i);
+  for (int i = 0; i < settings.tables; ++i) {
+    const auto seed = settings.first_seed + static_cast<std::uint64_t>(i);
     const auto task = random_task(seed);
     const auto scene = scene_of(task);
     std::ofstream(scene_file) << scene;
     const auto why_not = unsolvable(scene, CASTOR_CONFIGS "/arms/katana.arm", task);
-    const auto result = run(task, scene_file.string(), missed, dropped, seed);
+    const auto result = run(task, scene_file.string(), settings, seed);
     collisions += result.truth.collisions;
     solvable += why_not.empty();
     if (why_not.empty()) {
@@ -271,7 +283,7 @@ int measure(int tables, std::uint64_t first, const std::string& missed,
   std::filesystem::remove(scene_file);
   fmt::print("{} tables, {} solvable, {} of these done, {} collisions, {:.2f} tries, median {:.1f} "
              "s, {:.3f} m off at most\n",
-             tables, solvable, succeeded, collisions,
+             settings.tables, solvable, succeeded, collisions,
              solvable > 0 ? static_cast<double>(tries) / solvable : 0, median(seconds),
              errors.empty() ? 0 : std::ranges::max(errors));
   return 0;
@@ -285,7 +297,7 @@ int main(int argc, char** argv) {
   const auto argument = [&](int index, const char* otherwise) {
     return std::string(argc > index ? argv[index] : otherwise);
   };
-  return castor::manipulation::measure(std::atoi(argument(1, "50").c_str()),
-                                       std::strtoull(argument(2, "1").c_str(), nullptr, 10),
-                                       argument(3, "0"), argument(4, "0"));
+  return castor::manipulation::measure({std::atoi(argument(1, "50").c_str()),
+                                        std::strtoull(argument(2, "1").c_str(), nullptr, 10),
+                                        argument(3, "0"), argument(4, "0"), argument(5, "")});
 }

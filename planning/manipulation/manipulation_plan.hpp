@@ -22,6 +22,8 @@ struct MotionStage {
   bool pushes = false;
   /// Whether the gripper has to hold something in the end, if that matters.
   std::optional<bool> holds = {};
+  /// What the gripper takes in the end; its pose is in the tool's frame.
+  std::optional<NamedSolid> takes = {};
 };
 
 /// What an arm does, one stage after the other; each begins where the one before ends.

@@ -30,11 +30,6 @@ geometry::Rotation upright(const Point3& direction) {
     Eigen::Quaterniond::FromTwoVectors(geometry::to_eigen(direction), Eigen::Vector3d::UnitZ()));
 }
 
-Pose raised(Pose x, double height) {
-  x.position.z += height;
-  return x;
-}
-
 } // namespace
 
 Configuration ManipulationPlan::end() const {
@@ -166,6 +161,7 @@ std::optional<MotionFailure> ManipulationPlanner::add_pick(ManipulationPlan& pla
   const double closed = arm_.gripper->narrowest;
   plan.stages.push_back(
     still(approach.back(), ManipulationStatus::grasping, "grasps " + hold.thing, closed, true));
+  plan.stages.back().takes = hold.scene.held;
   auto lifting = checker(hold.scene, hold.opening, hold.supports);
   plan.stages.push_back(straight(lifting, hold.lift, "lifts " + hold.thing, closed));
   plan.stages.back().holds = true;
@@ -378,31 +374,6 @@ ManipulationResult ManipulationPlanner::pick_and_place(const Scene& scene, const
     return no_landing(last->scene, goal, contacts);
   return MotionFailure{
     MotionFailureKind::no_way, {}, thing + " cannot be lifted: there is no room above it"};
-}
-
-ManipulationResult ManipulationPlanner::go(const Scene& scene, const Configuration& to,
-                                           const Configuration& start, double opening,
-                                           const std::string& text) const {
-  ManipulationPlan plan;
-  plan.held = scene.held;
-  auto failure = move(plan, scene, start, {to}, opening, "where it rests", text);
-  if (!failure)
-    return plan;
-  if (failure->kind != MotionFailureKind::start_blocked)
-    return *std::move(failure);
-  // Away from what it touches: up, as far as it comes.
-  for (const double height : {0.12, 0.08, 0.05, 0.03, 0.015}) {
-    for (const auto& solution : inverse_.solve(raised(tool_pose(arm_, start), height), start)) {
-      plan.stages.clear();
-      if (checker(scene, opening, {}).contact(solution) || distance(solution, start) > 1)
-        continue;
-      auto nothing = checker({}, opening, {});
-      plan.stages.push_back(straight(nothing, {start, solution}, "draws back", opening));
-      if (!move(plan, scene, solution, {to}, opening, "where it rests", text))
-        return plan;
-    }
-  }
-  return *std::move(failure);
 }
 
 } // namespace castor::manipulation

@@ -50,4 +50,9 @@ Scene released(Scene scene, const Pose& tool) {
   return scene;
 }
 
+Pose raised(Pose x, double height) {
+  x.position.z += height;
+  return x;
+}
+
 } // namespace castor::manipulation

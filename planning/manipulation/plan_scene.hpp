@@ -22,6 +22,8 @@ std::vector<std::string> supports_of(const Scene& scene, const NamedSolid& thing
 /// @param tool its pose
 Scene holding(Scene scene, const std::string& thing, const Pose& tool);
 
+Pose raised(Pose x, double height);
+
 /// The scene in which what the gripper holds was let go, and is where it was.
 Scene released(Scene scene, const Pose& tool);
 

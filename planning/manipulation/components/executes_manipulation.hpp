@@ -137,7 +137,7 @@ protected:
       tell(stage.status, stage.text);
       auto end = carry_out(
         stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
-      note_held(stage, plan);
+      note_held(stage);
       if (end.kind != StageEnd::Kind::done) {
         warning("{}: {} while it {}", told_.task, end.why, stage.text);
         return end;
@@ -147,11 +147,11 @@ protected:
   }
 
   /// What the gripper holds after a stage.
-  void note_held(const MotionStage& stage, const ManipulationPlan& plan) {
+  void note_held(const MotionStage& stage) {
     if (state() && !state()->holds)
       held_.reset();
-    else if (stage.status == ManipulationStatus::grasping && plan.held)
-      held_ = plan.held;
+    else if (stage.takes)
+      held_ = stage.takes;
   }
 
   /// Goes where the arm rests.
