@@ -137,7 +137,7 @@ protected:
       tell(stage.status, stage.text);
       auto end = carry_out(
         stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
-      note_held(stage);
+      note_changes(stage, plan);
       if (end.kind != StageEnd::Kind::done) {
         warning("{}: {} while it {}", told_.task, end.why, stage.text);
         return end;
@@ -146,12 +146,16 @@ protected:
     return {};
   }
 
-  /// What the gripper holds after a stage.
-  void note_held(const MotionStage& stage) {
+  /// What the gripper holds after a stage, and where things are that vision has not seen since.
+  void note_changes(const MotionStage& stage, const ManipulationPlan& plan) {
+    if (stage.status == ManipulationStatus::releasing && held_ && plan.goal && !state()->holds)
+      things_.push_back({{}, {}, {}, {held_->name, held_->solid, *plan.goal}});
     if (state() && !state()->holds)
       held_.reset();
-    else if (stage.takes)
+    else if (stage.takes) {
       held_ = stage.takes;
+      std::erase_if(things_, [&](const auto& x) { return x.thing.name == held_->name; });
+    }
   }
 
   /// Goes where the arm rests.
