@@ -1,8 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/actions.hpp"
-#include "castor/actors/component/lock_guard.hpp"
-#include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/actors/component/commands_from_seat.hpp"
 #include "castor/base/named_file.hpp"
 #include "castor/planning/manipulation/arm_file.hpp"
 #include "castor/planning/manipulation/arm_model.hpp"
@@ -38,7 +37,7 @@ struct StageEnd {
 };
 
 /// A component that commands an arm, in its seat: the arm obeys only who sits in it.
-class CommandsArm : public UnmanagedComponent {
+class CommandsArm : public CommandsFromSeat<ArmSeat> {
 protected:
   void configure() override {
     arm_ = load_arm(file_named(arm_file_, base_.get())).arm;
@@ -52,24 +51,6 @@ protected:
     // Other numbers than those of a predecessor.
     motion_ = now().count();
   }
-
-  /// Waits until nobody else sits there.
-  void take_seat() {
-    if (seat_->empty())
-      return;
-    const auto seat = here(seat_);
-    if (!exists(seat)) {
-      try {
-        add(seat, ArmSeat{});
-      } catch (const AlreadyExistsOnWM&) {
-        debug("somebody else has added {}", to_string(seat));
-      }
-    }
-    lease_.emplace(lock(seat, LockLevel::o));
-    put(seat, ArmSeat{component_name()});
-  }
-
-  void leave_seat() { lease_.reset(); }
 
   /// Lets the arm carry out a stage.
   /// @param goes_on is asked before each command: false if the stage is to end
@@ -96,7 +77,7 @@ protected:
       if (!state_ || state_->motion != motion_) {
         if (now() - progress_at > patience_.get())
           return {StageEnd::Kind::fault,
-                  "the arm does not obey" + (refusal_.empty() ? std::string{} : ": " + refusal_)};
+                  "the arm does not obey" + (refusal().empty() ? std::string{} : ": " + refusal())};
         continue;
       }
       if (!state_->fault.empty())
@@ -140,29 +121,14 @@ protected:
   std::chrono::milliseconds period() const { return period_; }
 
 private:
-  /// Does not wait for the arm. Takes the seat again if it was lost. False if an earlier command
-  /// was refused.
+  /// Does not wait for the arm. False if an earlier command was refused.
   bool send(const MotionStage& stage) {
-    if (lease_ && !lease_->held()) {
-      warning("has lost the seat, and takes it again");
-      leave_seat();
-      take_seat();
-    }
     const double time = state_ && state_->motion == motion_ ? state_->motion_time : 0;
     auto command = motion_window(stage.trajectory, motion_, time);
     command.opening = stage.opening;
     command.pushes = stage.pushes;
     last_ = command;
-    try {
-      stream_command(effector_.get(), std::move(command));
-      refusal_.clear();
-      return true;
-    } catch (const ConnectionError& e) {
-      if (refusal_.empty())
-        warning("{}", e.what());
-      refusal_ = e.what();
-      return false;
-    }
+    return command_from_seat(effector_.get(), std::move(command));
   }
 
   Option<StandaloneName> effector_{this, "arm", "arm", "the arm to command"};
@@ -173,8 +139,6 @@ private:
   Option<std::string> rest_text_{
     this, "rest", "90 -20 110 60 90",
     "where it rests, out of the camera's sight: a number for each joint, degrees"};
-  Option<std::string> seat_{this, "seat", "",
-                            "id of the entry to lock for commanding, in this subarchitecture"};
   Option<std::chrono::milliseconds> period_{this, "period", std::chrono::milliseconds{40},
                                             "time between commands"};
   Option<std::chrono::milliseconds> patience_{
@@ -185,10 +149,8 @@ private:
   Pose placement_;
   Configuration rest_;
   std::optional<ArmState> state_;
-  std::optional<LockGuard> lease_;
   std::optional<ArmCommand> last_;
   std::int64_t motion_ = 0;
-  std::string refusal_;
 };
 
 } // namespace castor::manipulation
