@@ -264,6 +264,33 @@ struct PronounReferents {
   friend bool operator==(const PronounReferents&, const PronounReferents&) = default;
 };
 
+/// Where something is to be: in a relation to landmarks, or in a part of what things are on.
+struct DirectivePlace {
+  /// A relation (near, left, right, front, back, on, between, in, away ...), or without landmarks a
+  /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...
+  std::string relation;
+  /// Proxies; several are meant together.
+  std::vector<std::string> landmarks;
+
+  friend bool operator==(const DirectivePlace&, const DirectivePlace&) = default;
+};
+
+/// What is to be done with some things.
+struct DirectiveStep {
+  /// As the lexicon's verbs say, such as Put.
+  std::string action;
+  /// Proxies. None if nothing is said, as in "stop" and "put it down".
+  std::vector<std::string> things;
+  /// So many of the things, as in "one of the balls"; 0 for all of them.
+  std::int32_t number = 0;
+  /// All of them are to hold; empty if nothing is said.
+  std::vector<DirectivePlace> places;
+  /// Kind of feature that the things are to be sorted by; else empty.
+  std::string by;
+
+  friend bool operator==(const DirectiveStep&, const DirectiveStep&) = default;
+};
+
 /// Things mentioned in a dialogue move. Added when binding has processed everything said before.
 struct MoveReferents {
   EntryPointer<DialogueMove> move;
@@ -276,6 +303,12 @@ struct MoveReferents {
   std::vector<DiscourseReferent> referents;
   /// Nothing if nobody pointed.
   std::optional<PointingUse> pointing = {};
+  /// What a request asks to do with things, one after the other; empty for other moves.
+  std::vector<DirectiveStep> steps = {};
+  /// It is only asked whether the steps are possible.
+  bool asks_whether_possible = false;
+  /// A request is not clear: the robot asks back, or says why it cannot be.
+  bool is_unclear = false;
 };
 
 /// Relation of a turn of a dialogue to an earlier one.
@@ -361,7 +394,10 @@ CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
 CASTOR_REFLECT(PronounReferents, nominal, proxies)
-CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing)
+CASTOR_REFLECT(DirectivePlace, relation, landmarks)
+CASTOR_REFLECT(DirectiveStep, action, things, number, places, by)
+CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing, steps,
+               asks_whether_possible, is_unclear)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)

@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
@@ -81,6 +82,12 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
       for (auto& proxy : told)
         wait_until_bound(proxy);
     }
+    referents.steps = with_scene(binding(), [&](SceneKnowledge& scene) {
+      return steps_asked_for(whole, from_entry(spoken_of.pronouns), scene);
+    });
+    referents.asks_whether_possible = asks_for_ability(whole.content);
+    referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
+                           is_handling(whole.content, vocabulary(binding())->meanings());
     previous_ = CompleteMove{whole, from_entry(spoken_of.pronouns)};
     if (is_known)
       return;

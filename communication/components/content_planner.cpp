@@ -77,7 +77,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       return respond(meant.move, meant.antecedents, scene);
     });
     questions_->note(meant, response);
-    if (const auto text = about_motives(move))
+    // What is not clear is asked back, and not asked of who does it.
+    if (const auto text = referents.is_unclear ? std::nullopt : about_motives(move, referents))
       response = {RhetoricalRelation::answer, {}, *text, {}};
     WriteBatch batch;
     for (auto& text : {said_back(move), response.text})
@@ -93,10 +94,11 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
 
   /// What the robot does and why, and nothing for a request, which is replied to by `tell`. None if
   /// the move is about something else, or nobody answers.
-  std::optional<std::string> about_motives(const DialogueMove& move) {
+  std::optional<std::string> about_motives(const DialogueMove& move,
+                                           const MoveReferents& referents) {
     if (motivation_->empty() || !move.problem.empty())
       return std::nullopt;
-    if (move.type == DialogueMoveType::action_directive)
+    if (move.type == DialogueMoveType::action_directive || !referents.steps.empty())
       return std::string{};
     using Kind = planning::MotiveQuestionKind;
     static const std::map<std::string, Kind, std::less<>> kinds{

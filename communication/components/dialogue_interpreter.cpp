@@ -46,9 +46,7 @@ class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
       move.problem = problem_of(form);
     else
       take_readings(form, move);
-    prefer_request(move, lexicon()->meanings());
-    if (move.type == DialogueMoveType::action_directive)
-      move.action = action_asked_for(move.content, lexicon()->meanings());
+    take_requests(move, lexicon()->meanings());
     add(here("move of " + address.id), std::move(move));
   }
 };

@@ -36,6 +36,30 @@ LogicalForm as_question(LogicalForm statement) {
   return statement;
 }
 
+/// "Can you take the ball?" asks for that, if there is an action that the verb asks for.
+LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
+  auto* root = find_nominal(form, form.root);
+  const auto* actor =
+    root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Actor");
+  const auto modality = actor == nullptr ? std::string_view{} : feature(*root, "Modality");
+  const bool is_asked = (modality == "can" || modality == "will" || modality == "should") &&
+                        actor->proposition == "you" && !is_negated(*root) &&
+                        root->proposition != "reach" && meanings.actions.contains(root->proposition);
+  if (is_asked) {
+    std::erase_if(root->features, [](auto& x) { return x.name == "Mood" || x.name == "Modality"; });
+    root->features.push_back({"Mood", "imp"});
+  }
+  return form;
+}
+
+/// "Give me the ball", which may ask what there is.
+bool is_request_for_thing(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr || root->sort != "existence" ? nullptr
+                                                                   : dependent(form, *root, "Wh-Restr");
+  return asked != nullptr && asked->sort == "thing" && dependent(form, *root, "Subject") == asked;
+}
+
 } // namespace
 
 bool is_clause(const LogicalForm& form, const Nominal& x) {
@@ -92,20 +116,24 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
   }
 }
 
-void prefer_request(DialogueMove& move, const WordMeanings& meanings) {
+void take_requests(DialogueMove& move, const WordMeanings& meanings) {
+  if (meanings.actions.empty() || move.content.nominals.empty())
+    return;
+  move.content = as_request(std::move(move.content), meanings);
+  for (auto& x : move.alternatives)
+    x = as_request(std::move(x), meanings);
+  if (is_request_for_thing(move.content))
+    if (const auto meant = std::ranges::find_if(
+          move.alternatives,
+          [&](auto& x) {
+            return dialogue_move_type(x) == DialogueMoveType::action_directive &&
+                   !action_asked_for(x, meanings).empty();
+          });
+        meant != move.alternatives.end())
+      std::swap(move.content, *meant);
+  move.type = dialogue_move_type(move.content);
   if (move.type == DialogueMoveType::action_directive)
-    return;
-  const auto is_request = [&](const LogicalForm& x) {
-    return dialogue_move_type(x) == DialogueMoveType::action_directive &&
-           !action_asked_for(x, meanings).empty();
-  };
-  const auto request = std::ranges::find_if(move.alternatives, is_request);
-  if (request == move.alternatives.end())
-    return;
-  move.type = DialogueMoveType::action_directive;
-  std::swap(move.content, *request);
-  // The likeliest of the others is first.
-  std::rotate(move.alternatives.begin(), request, std::next(request));
+    move.action = action_asked_for(move.content, meanings);
 }
 
 std::string said_back(const DialogueMove& move) {

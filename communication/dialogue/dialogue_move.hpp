@@ -25,6 +25,11 @@ void prefer_request(DialogueMove& move, const WordMeanings& meanings);
 /// Whether it is not a phrase: somebody does something or something is so.
 bool is_clause(const LogicalForm& form, const Nominal& x);
 
+/// Makes requests of what is one for a robot that acts, and gives the move the action that is asked
+/// for: "can you take the ball?" asks for it if the lexicon has an action for "take", and "give me
+/// the ball" does not ask what there is, if it has one for "give".
+void take_requests(DialogueMove& move, const WordMeanings& meanings);
+
 /// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken
 /// for others or left out; else empty.
 std::string said_back(const DialogueMove& move);

@@ -16,7 +16,7 @@ namespace castor::communication {
 
 namespace {
 
-using Sentence = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 /// In words. Longer utterances are seldom telegraphic.
 constexpr std::size_t longest_sentence = 16;
@@ -149,7 +149,7 @@ struct Gap {
 /// Finds the noun phrases of an utterance.
 class NounPhrases {
 public:
-  NounPhrases(Sentence words, const Lexicon& lexicon)
+  NounPhrases(WordList words, const Lexicon& lexicon)
     : words_(std::move(words)), lexicon_(lexicon) {
     for (auto& word : words_)
       uses_.push_back(use_of(word, lexicon));
@@ -167,7 +167,7 @@ public:
   }
 
   /// With nouns in their number.
-  const Sentence& words() const { return words_; }
+  const WordList& words() const { return words_; }
   const std::vector<Gap>& gaps() const { return gaps_; }
 
 private:
@@ -273,14 +273,14 @@ private:
     return {"the"};
   }
 
-  Sentence words_;
+  WordList words_;
   const Lexicon& lexicon_;
   std::vector<WordUse> uses_;
   std::vector<Gap> gaps_;
 };
 
 /// The utterance with articles, the likeliest first.
-std::vector<Sentence> with_articles(const NounPhrases& phrases, const Lexicon& lexicon) {
+std::vector<WordList> with_articles(const NounPhrases& phrases, const Lexicon& lexicon) {
   const auto& gaps = phrases.gaps();
   std::vector<std::vector<std::size_t>> choices{{}};
   for (auto& gap : gaps) {
@@ -296,7 +296,7 @@ std::vector<Sentence> with_articles(const NounPhrases& phrases, const Lexicon& l
   }
   std::ranges::stable_sort(
     choices, {}, [](auto& x) { return std::accumulate(x.begin(), x.end(), std::size_t{0}); });
-  std::vector<Sentence> result;
+  std::vector<WordList> result;
   for (auto& choice : choices) {
     auto words = phrases.words();
     for (auto i = choice.size(); i-- > 0;) {
@@ -315,8 +315,8 @@ std::vector<Sentence> with_articles(const NounPhrases& phrases, const Lexicon& l
 }
 
 /// "How many things is red": the utterance with one of its verbs in the other number.
-std::vector<Sentence> with_other_number(const Sentence& words) {
-  std::vector<Sentence> result;
+std::vector<WordList> with_other_number(const WordList& words) {
+  std::vector<WordList> result;
   for (std::size_t i = 0; i < words.size(); ++i)
     for (auto& [singular, plural] : verb_numbers)
       if (words[i] == singular || words[i] == plural) {
@@ -326,7 +326,7 @@ std::vector<Sentence> with_other_number(const Sentence& words) {
   return result;
 }
 
-Sentence inserted(Sentence words, std::size_t position, std::initializer_list<std::string> what) {
+WordList inserted(WordList words, std::size_t position, std::initializer_list<std::string> what) {
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(position), what);
   return words;
 }
@@ -334,7 +334,7 @@ Sentence inserted(Sentence words, std::size_t position, std::initializer_list<st
 /// The other ways to say an utterance with the same words about things.
 class Rearrangements {
 public:
-  explicit Rearrangements(const Sentence& words) {
+  explicit Rearrangements(const WordList& words) {
     add_all(words);
     if (auto turned = with_question_word_first(words); !turned.empty()) {
       result_.push_back(turned);
@@ -342,10 +342,10 @@ public:
     }
   }
 
-  const std::vector<Sentence>& result() const { return result_; }
+  const std::vector<WordList>& result() const { return result_; }
 
 private:
-  void add_all(const Sentence& words) {
+  void add_all(const WordList& words) {
     if (is_any(words.front(), question_words))
       add_questions(words);
     else
@@ -356,7 +356,7 @@ private:
   }
 
   /// "Where the ball is", "where ball".
-  void add_questions(const Sentence& words) {
+  void add_questions(const WordList& words) {
     result_.push_back(inserted(words, 0, {"tell", "me"}));
     // "Which one larger" asks for one.
     const bool may_go_on = words.front() == "which" || words.front() == "what";
@@ -370,7 +370,7 @@ private:
     }
   }
 
-  void add_copulas(const Sentence& words, std::size_t begin, std::size_t end) {
+  void add_copulas(const WordList& words, std::size_t begin, std::size_t end) {
     if (std::ranges::any_of(words, [](auto& word) { return is_any(word, finite_verbs); }))
       return;
     for (auto i = begin; i < end; ++i)
@@ -380,14 +380,14 @@ private:
   }
 
   /// "You see a ball", "how many balls you see".
-  void add_auxiliary(const Sentence& words) {
+  void add_auxiliary(const WordList& words) {
     for (std::size_t i = 0; i + 1 < words.size(); ++i)
       if (words[i] == "you" && (i == 0 || !is_any(words[i - 1], finite_verbs)))
         result_.push_back(inserted(words, i, {"do"}));
   }
 
   /// "Does the ball is red", "do you can see a ball".
-  void add_without_surplus(Sentence words) {
+  void add_without_surplus(WordList words) {
     if (words.front() != "do" && words.front() != "does")
       return;
     const auto verb = std::find_if(words.begin() + 1, words.end(), [](auto& word) {
@@ -405,7 +405,7 @@ private:
   }
 
   /// "Is red the ball".
-  void add_subject_first(Sentence words) {
+  void add_subject_first(WordList words) {
     if (words.front() != "is" && words.front() != "are")
       return;
     const auto subject = std::find(words.begin() + 1, words.end(), "the");
@@ -416,7 +416,7 @@ private:
   }
 
   /// "The ball what colour", "red things: how many"; empty if it is not like that.
-  static Sentence with_question_word_first(Sentence words) {
+  static WordList with_question_word_first(WordList words) {
     const auto asked = std::find_if(words.begin() + 1, words.end(),
                                     [](auto& word) { return is_any(word, question_words); });
     const auto pause = std::find(words.begin(), words.end(), ",");
@@ -429,10 +429,10 @@ private:
     return words;
   }
 
-  std::vector<Sentence> result_;
+  std::vector<WordList> result_;
 };
 
-std::string text_of(const Sentence& words) {
+std::string text_of(const WordList& words) {
   std::string result;
   for (auto& word : words)
     result += (result.empty() || word.front() == '\'' || word == "," ? "" : " ") + word;
@@ -452,7 +452,7 @@ class Attempts {
 public:
   explicit Attempts(Parser& parser) : parser_(parser) {}
 
-  std::optional<PackedLogicalForm> parse(const Sentence& words) {
+  std::optional<PackedLogicalForm> parse(const WordList& words) {
     if (words.empty() || count_ == most_parses)
       return std::nullopt;
     ++count_;
@@ -467,7 +467,7 @@ private:
 
 } // namespace
 
-std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser, const Sentence& words) {
+std::optional<PackedLogicalForm> parsed_with_function_words(Parser& parser, const WordList& words) {
   const auto& lexicon = parser.lexicon();
   const bool is_known =
     std::ranges::all_of(words, [&](auto& word) { return word == "," || lexicon.knows(word); });

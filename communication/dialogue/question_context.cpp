@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/substitution.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -355,7 +356,10 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
       }
   if (is_elliptical(move.move.content))
     return;
-  if (is_question(move.move))
+  // "Put the red ball on the box. And the blue one."
+  const bool is_request = move.move.type == DialogueMoveType::action_directive &&
+                          is_handling(form, vocabulary_->meanings());
+  if (is_question(move.move) || is_request)
     question_ = move;
   if (is_question(move.move) || move.move.type == DialogueMoveType::assertion)
     clause_ = move;

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/responder.hpp"
 #include "castor/communication/dialogue/small_talk.hpp"
 
@@ -36,6 +37,8 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
     case DialogueMoveType::question_w:
       return responder.to_question_w();
     case DialogueMoveType::question_yn:
+      if (asks_for_ability(content) && is_handling(content, meanings))
+        return responder.to_directive();
       return responder.to_question_yn();
     case DialogueMoveType::assertion:
       return responder.to_assertion();

@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/referring_expression.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -36,6 +37,10 @@ const Nominal& Responder::need(const Nominal& of, const char* mode) const {
 }
 
 Response Responder::to_directive() {
+  if (is_handling(form_, vocabulary().meanings())) {
+    steps_of(form_, antecedents_, scene_);
+    return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+  }
   for (const auto* thing : things_spoken_of(form_, vocabulary()))
     if (is_definite(*thing))
       evaluation_.meant(*thing);

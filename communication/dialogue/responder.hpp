@@ -16,7 +16,7 @@ class Responder {
 public:
   /// All of them have to outlive the responder.
   Responder(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
-    : form_(form), scene_(scene), evaluation_(form, antecedents, scene) {}
+    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {}
 
   // Each throws Uninterpretable.
 
@@ -26,7 +26,8 @@ public:
   Response to_assertion() { return to_assertion(root()); }
   /// Corrects what is said before a question in the same sentence; nothing if it may be so.
   std::optional<Response> to_preface();
-  /// Asks back if it is not clear what is meant; there is nobody yet who does what is asked for.
+  /// Asks back if it is not clear what is meant. Whoever does what is asked for, or knows whether it
+  /// is possible, replies otherwise.
   Response to_directive();
 
   /// The response with descriptions of what only the speaker can call "this".
@@ -89,6 +90,7 @@ private:
   const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
   const LogicalForm& form_;
+  const Antecedents& antecedents_;
   SceneKnowledge& scene_;
   Evaluation evaluation_;
 };

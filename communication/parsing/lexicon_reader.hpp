@@ -49,6 +49,7 @@
 ///     surroundings table on at      # where everything is, and how that is said
 ///     addressee self                # the concept of who is spoken to
 ///     action put=PickAndPlace       # the actions that verbs ask for
+///     handling put take             # verbs for what is done to things that are seen
 ///     reply thanks You are welcome.      # what is said when the robot is spoken to about itself
 ///     content item                  # nouns for what is in things that contain others
 ///     side wall left right top bottom    # nouns for sides of these, and corners

@@ -12,7 +12,8 @@ using Pieces = std::vector<Piece>;
 
 const std::vector<std::string_view> keywords = {"concept",   "general", "content",  "quality",
                                                 "value",     "look",    "relation", "surroundings",
-                                                "addressee", "action",  "side",     "reply"};
+                                                "addressee", "action",  "handling", "side",
+                                                "reply"};
 
 /// Kinds of features whose values are words for what something is like, as binding calls them.
 const std::vector<std::string_view> feature_kinds = {"colour", "shape", "size", "material", "name"};
@@ -145,6 +146,9 @@ void read_meaning(const Piece& keyword, const Pieces& pieces, WordMeanings& mean
     meanings.addressee = pieces.front().text;
   else if (what == "action")
     read_pairs(pieces, meanings.actions);
+  else if (what == "handling")
+    for (const auto& piece : pieces)
+      meanings.handling.insert(piece.text);
   else if (what == "reply")
     read_reply(pieces, meanings);
   else

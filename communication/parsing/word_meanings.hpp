@@ -56,6 +56,9 @@ struct WordMeanings {
   std::string addressee;
   /// Type names of the actions that verbs ask for.
   Words actions;
+  /// Verbs for what is done to things that are seen, or for how that goes on: what these ask for is
+  /// known thing by thing (steps_of).
+  std::set<std::string, std::less<>> handling;
 
   /// What the robot says when it is spoken to about itself, by what that is about.
   Words replies;

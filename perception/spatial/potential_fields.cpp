@@ -36,6 +36,10 @@ GroundPoint axis_of(SpatialRelation relation, const GroundPoint& landmark,
 
 } // namespace
 
+double distance(const GroundPoint& a, const GroundPoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
 PotentialFields::PotentialFields(std::span<const GroundPoint> objects, GroundPoint viewer,
                                  FieldOptions options)
   : options_(options), viewer_(viewer) {
@@ -148,6 +152,15 @@ double PotentialFields::value(SpatialRelation relation, std::size_t target,
   const Field around = field(relation, landmark, target);
   const double raw = raw_value(around, object.cell);
   return raw > rounding ? raw / maximum(around) : 0;
+}
+
+double PotentialFields::angle_fit(SpatialRelation direction, const GroundPoint& point,
+                                  std::size_t landmark) const {
+  const Field around = field(direction, landmark, std::nullopt);
+  const Object at = place(point);
+  if (!at.on_map || !around.landmark->on_map || at.cell == around.landmark->cell)
+    return 0;
+  return angular(around, at.cell);
 }
 
 std::vector<TargetPosition> PotentialFields::positions(SpatialRelation relation,

@@ -7,14 +7,6 @@
 
 namespace castor::spatial {
 
-namespace {
-
-double distance(const GroundPoint& a, const GroundPoint& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-} // namespace
-
 std::vector<SpatialRelationship> relationships(SpatialRelation relation,
                                                std::span<const ScenePlace> places,
                                                const GroundPoint& viewer,

@@ -94,6 +94,34 @@ struct SpatialRelationshipTargetQuery {
   std::vector<TargetPosition> targets;
 };
 
+/// Where something is to be: in a relation to landmarks (near, left, right, front, back, between, on,
+/// away), or in a part of the table (left, left-edge, front-left-corner, centre, edge, corner,
+/// elsewhere, table, strip-1-of-3).
+struct WantedPlace {
+  std::string relation;
+  /// Ids of SpatialLocations.
+  std::vector<std::string> landmarks;
+
+  friend bool operator==(const WantedPlace&, const WantedPlace&) = default;
+};
+
+/// A call for positions on the table where something can be put. In the reply, which is of the same
+/// type, `targets` may have fewer than the requested ones; if none, `reason` says why.
+struct PlacementQuery {
+  /// What is to be put there: the id of a SpatialLocation.
+  std::string thing;
+  /// All of them are to hold.
+  std::vector<WantedPlace> places;
+  std::uint32_t requested_targets = 1;
+  /// The id of a SpatialScene; empty for the latest.
+  std::string scene;
+  std::vector<TargetPosition> targets;
+  /// The location that the thing is to stand on; empty for the table.
+  std::string on;
+  /// A clause: "there is no room left of it".
+  std::string reason;
+};
+
 CASTOR_REFLECT_ENUM(SpatialRelation, near, front, back, left, right)
 CASTOR_REFLECT(GroundPoint, x, y)
 CASTOR_REFLECT(SpatialLocation, object, box, label)
@@ -104,5 +132,7 @@ CASTOR_REFLECT(SpatialScene, viewer, time, locations, near, front, back, left, r
 CASTOR_REFLECT(TargetPosition, position, value, frame)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
                targets)
+CASTOR_REFLECT(WantedPlace, relation, landmarks)
+CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason)
 
 } // namespace castor::spatial

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -80,6 +81,7 @@ Reply TableTalk::say_sentence(const std::string& text) {
     move.problem = problem_of(form);
   } else
     take_readings(form, move);
+  take_requests(move, vocabulary_->meanings());
   auto antecedents = antecedents_in(move, history_, *vocabulary_);
   move = with_names_told(std::move(move), *vocabulary_);
   antecedents.merge(with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
@@ -111,6 +113,10 @@ Reply TableTalk::say_sentence(const std::string& text) {
   if (meant.move.type == DialogueMoveType::assertion)
     tell_of(meant.move, referents);
   history_.push_back(std::move(referents));
+  reply.steps = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
+    return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
+  });
+  reply.asks_whether_possible = asks_for_ability(meant.move.content);
   reply.move = meant.move.type;
   reply.relation = response.relation;
   reply.text = said_back(move);

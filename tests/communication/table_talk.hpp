@@ -28,6 +28,10 @@ struct Reply {
   bool is_parsed = true;
   /// Sentences that there were no words for.
   std::size_t silences = 0;
+  /// What is asked to be done.
+  std::vector<DirectiveStep> steps = {};
+  /// It is only asked whether that is possible.
+  bool asks_whether_possible = false;
 };
 
 /// A conversation about a scene, without actors and working memories: what the components of

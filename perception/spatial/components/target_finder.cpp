@@ -2,8 +2,12 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/perception/spatial/components/field_settings.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
+#include "castor/perception/spatial/table_places.hpp"
 #include "castor/perception/spatial/types.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,11 +16,18 @@ namespace castor::spatial {
 
 namespace {
 
-/// Answers where something could be put: calls with a SpatialRelationshipTargetQuery.
+/// The disc that a box fits in, from above. Boxes do not tell what is round on top.
+TableObject table_object(const geometry::AlignedBox& box) {
+  return {ground_point(box), std::hypot(box.size.x, box.size.y) / 2 / std::sqrt(2.0), true};
+}
+
+/// Answers where something could be put: calls with a SpatialRelationshipTargetQuery or with a
+/// PlacementQuery.
 class TargetFinder final : public UnmanagedComponent {
   void start() override {
     on_call<SpatialRelationshipTargetQuery>(
       [this](const SpatialRelationshipTargetQuery& x) { return find(x); });
+    on_call<PlacementQuery>([this](const PlacementQuery& x) { return place(x); });
   }
 
   SpatialRelationshipTargetQuery find(SpatialRelationshipTargetQuery query) {
@@ -38,7 +49,40 @@ class TargetFinder final : public UnmanagedComponent {
     return query;
   }
 
-  SpatialScene scene_of(const SpatialRelationshipTargetQuery& query) {
+  PlacementQuery place(PlacementQuery query) {
+    const auto scene = scene_of(query);
+    std::vector<TableObject> objects;
+    for (const auto& id : scene.locations)
+      objects.push_back(table_object(read<SpatialLocation>(here(id))->box));
+    const auto index_of = [&](const std::string& id) {
+      const auto found = std::ranges::find(scene.locations, id);
+      if (found == scene.locations.end())
+        throw std::invalid_argument("there is no location " + id + " in the scene");
+      return static_cast<std::size_t>(found - scene.locations.begin());
+    };
+    std::vector<PlaceWanted> places;
+    for (const auto& x : query.places) {
+      auto& wanted = places.emplace_back(PlaceWanted{x.relation, {}});
+      for (const auto& id : x.landmarks)
+        wanted.landmarks.push_back(index_of(id));
+    }
+    PlacingOptions options;
+    options.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
+    options.clearance = clearance_;
+    const TablePlaces table{
+      objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
+    const auto found = table.find(index_of(query.thing), places, query.requested_targets);
+    query.targets = found.targets;
+    for (auto& target : query.targets)
+      target.frame = scene.viewer.frame;
+    query.on = found.on ? scene.locations[*found.on] : std::string{};
+    query.reason = found.reason;
+    return query;
+  }
+
+  /// The latest scene, if the query names none.
+  template <class Query>
+  SpatialScene scene_of(const Query& query) {
     if (!query.scene.empty())
       return *read<SpatialScene>(here(query.scene));
     auto latest = read_all<SpatialScene>(1);
@@ -48,6 +92,10 @@ class TargetFinder final : public UnmanagedComponent {
   }
 
   FieldSettings settings_{this};
+  Option<double> width_{this, "table-width", 0.60, "where things may be put, metres"};
+  Option<double> depth_{this, "table-depth", 0.52, "where things may be put, metres"};
+  Option<double> clearance_{this, "clearance", PlacingOptions{}.clearance,
+                            "between things that are put somewhere and others, metres"};
 };
 
 CASTOR_COMPONENT(TargetFinder, "finds positions that are left of, near ... a landmark")

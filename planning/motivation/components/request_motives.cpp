@@ -50,7 +50,7 @@ class RequestMotives final : public ManagedComponent {
       if (referents->turn <= heard_)
         return;
       const auto move = follow(referents->move);
-      if (move->problem.empty())
+      if (move->problem.empty() && !referents->is_unclear)
         request(referents->move, *move, *referents);
       heard_ = referents->turn;
       put(heard_address(), RequestsHeard{heard_});

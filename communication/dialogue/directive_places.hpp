@@ -1,0 +1,31 @@
+#pragma once
+
+#include "castor/communication/dialogue/vocabulary.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// A place that a phrase such as "next to the box" or "at the left edge of the table" names.
+struct PlacePhrase {
+  /// As in DirectivePlace.
+  std::string relation;
+  /// Phrase for the landmarks; null if there are none.
+  const Nominal* landmark = nullptr;
+};
+
+/// The places that a destination names, all of which are to hold: "in front of the box and left of
+/// the ball" has two.
+///
+/// \param destination a region, a place or several of them
+/// \throws Uninterpretable if there is no such place
+std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& destination,
+                                      const Vocabulary& vocabulary);
+
+/// The part of what things are on that a phrase such as "the left side" stands for.
+/// \throws Uninterpretable for what is no such part
+PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocabulary& vocabulary);
+
+} // namespace castor::communication

@@ -1,0 +1,115 @@
+#include "castor/perception/spatial/table_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace castor::spatial {
+
+namespace {
+
+/// Signed distances from a disc's border, metres: positive inside.
+struct Gaps {
+  double left = 0;
+  double right = 0;
+  double front = 0;
+  double back = 0;
+};
+
+Gaps gaps(const TableArea& area, const GroundPoint& centre, double radius) {
+  return {centre.x - radius - area.low.x, area.high.x - centre.x - radius,
+          centre.y - radius - area.low.y, area.high.y - centre.y - radius};
+}
+
+/// 1 at the edge, 0 at the width of one.
+double at_edge(double gap) {
+  return 1 - gap / edge_width;
+}
+
+/// How far a disc is beyond a line, by its size: 1 well beyond, 0 where it touches it.
+double beyond(double distance, double radius) {
+  return std::min(1.0, (distance - radius) / 0.02 + 0.01);
+}
+
+std::optional<std::pair<int, int>> strip(std::string_view part) {
+  constexpr std::string_view prefix = "strip-";
+  constexpr std::string_view of = "-of-";
+  const auto middle = part.find(of);
+  if (!part.starts_with(prefix) || middle == std::string_view::npos)
+    return std::nullopt;
+  const auto number = [](std::string_view text) {
+    int result = 0;
+    std::from_chars(text.data(), text.data() + text.size(), result);
+    return result;
+  };
+  const auto which = number(part.substr(prefix.size(), middle - prefix.size()));
+  const auto of_how_many = number(part.substr(middle + of.size()));
+  if (which < 1 || of_how_many < which)
+    return std::nullopt;
+  return std::pair{which, of_how_many};
+}
+
+double fit_in_strip(const std::pair<int, int>& which, const TableArea& area,
+                    const GroundPoint& centre) {
+  const double width = (area.high.x - area.low.x) / which.second;
+  const double middle = area.low.x + (which.first - 0.5) * width;
+  return 1 - std::abs(centre.x - middle) / (width / 2);
+}
+
+} // namespace
+
+std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
+                                  const GroundPoint& centre, double radius) {
+  const auto gap = gaps(area, centre, radius);
+  const auto middle = area.middle();
+  const double nearest = std::min({gap.left, gap.right, gap.front, gap.back});
+  if (nearest < -1e-9)
+    return 0;
+  const double left = at_edge(gap.left);
+  const double right = at_edge(gap.right);
+  const double front = at_edge(gap.front);
+  const double back = at_edge(gap.back);
+  const std::array<std::pair<std::string_view, double>, 17> fits{
+    {{"left", beyond(middle.x - centre.x, radius)},
+     {"right", beyond(centre.x - middle.x, radius)},
+     {"front", beyond(middle.y - centre.y, radius)},
+     {"back", beyond(centre.y - middle.y, radius)},
+     {"left-edge", left},
+     {"right-edge", right},
+     {"front-edge", front},
+     {"back-edge", back},
+     {"edge", at_edge(nearest)},
+     {"front-left-corner", std::min(front, left)},
+     {"front-right-corner", std::min(front, right)},
+     {"back-left-corner", std::min(back, left)},
+     {"back-right-corner", std::min(back, right)},
+     {"corner", std::min(std::max(left, right), std::max(front, back))},
+     {"centre",
+      1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 2 * edge_width)},
+     {"table", 1},
+     {"elsewhere", 1}}};
+  for (const auto& [name, fit] : fits)
+    if (name == part)
+      return fit;
+  if (const auto which = strip(part))
+    return fit_in_strip(*which, area, centre);
+  return std::nullopt;
+}
+
+std::string opposite_part(std::string_view part) {
+  static const std::vector<std::pair<std::string_view, std::string_view>> opposites{
+    {"left", "right"},          {"right", "left"},
+    {"front", "back"},          {"back", "front"},
+    {"left-edge", "right"},     {"right-edge", "left"},
+    {"front-edge", "back"},     {"back-edge", "front"},
+    {"edge", "centre"},         {"centre", "edge"},
+    {"front-left-corner", "right"}, {"front-right-corner", "left"},
+    {"back-left-corner", "right"},  {"back-right-corner", "left"}};
+  const auto found = std::ranges::find(opposites, part, [](const auto& x) { return x.first; });
+  return found == opposites.end() ? std::string{} : std::string{found->second};
+}
+
+} // namespace castor::spatial

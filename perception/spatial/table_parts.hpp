@@ -1,0 +1,32 @@
+#pragma once
+
+#include "castor/perception/spatial/types.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace castor::spatial {
+
+/// What things may be put on, metres: x to the right of who looks at it, y away.
+struct TableArea {
+  GroundPoint low{-0.30, -0.26};
+  GroundPoint high{0.30, 0.26};
+
+  GroundPoint middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+};
+
+/// How far from an edge something may end that is said to be at it, metres.
+inline constexpr double edge_width = 0.06;
+
+/// How well a disc of some radius, metres, is in a part of the table: from above 0, where it is at
+/// the part's border, to 1; 0 or less if it is not. Nothing for what is no part. Parts are left,
+/// right, front, back, left-edge ..., edge, front-left-corner ..., corner, centre, table, and
+/// strip-I-of-N: the I-th of N strips, from the left.
+std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
+                                  const GroundPoint& centre, double radius);
+
+/// The part at the other side: right for left. For the centre, the edge; empty for what has none.
+std::string opposite_part(std::string_view part);
+
+} // namespace castor::spatial

@@ -1,0 +1,184 @@
+#include "castor/perception/spatial/table_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace castor::spatial {
+
+namespace {
+
+/// Elsewhere is at least so far from where it was, metres.
+constexpr double elsewhere_distance = 0.12;
+/// Away from a landmark is at least so far from it, metres, of centres.
+constexpr double away_distance = 0.20;
+
+std::vector<GroundPoint> centres(std::span<const TableObject> objects) {
+  std::vector<GroundPoint> result;
+  for (const auto& x : objects)
+    result.push_back(x.centre);
+  return result;
+}
+
+std::optional<SpatialRelation> direction(const std::string& word) {
+  for (const auto& [name, relation] : reflection_of<SpatialRelation>().enumerators)
+    if (name == word && relation != SpatialRelation::near)
+      return relation;
+  return std::nullopt;
+}
+
+} // namespace
+
+TablePlaces::TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
+                         PlacingOptions options)
+  : objects_(objects.begin(), objects.end()), options_(options),
+    fields_(centres(objects), viewer) {
+  // nop
+}
+
+double TablePlaces::nearness(std::size_t object, const GroundPoint& centre,
+                             std::size_t landmark) const {
+  const auto& x = objects_.at(landmark);
+  const double gap = distance(centre, x.centre) - x.radius - objects_.at(object).radius;
+  return 1 - std::max(gap, 0.0) / options_.near_gap;
+}
+
+/// In the middle third between two, and not beside the line; of more, around their middle.
+double TablePlaces::between(const PlaceWanted& place, const GroundPoint& centre) const {
+  if (place.landmarks.size() < 2)
+    return 0;
+  const auto a = objects_.at(place.landmarks.front()).centre;
+  const auto b = objects_.at(place.landmarks.back()).centre;
+  if (place.landmarks.size() > 2) {
+    GroundPoint middle;
+    double reach = 0;
+    for (const auto i : place.landmarks) {
+      middle.x += objects_.at(i).centre.x / static_cast<double>(place.landmarks.size());
+      middle.y += objects_.at(i).centre.y / static_cast<double>(place.landmarks.size());
+    }
+    for (const auto i : place.landmarks)
+      reach = std::max(reach, distance(middle, objects_.at(i).centre));
+    return 1 - distance(centre, middle) / std::max(reach / 2, 0.01);
+  }
+  const double length = std::max(distance(a, b), 0.01);
+  const GroundPoint along{(b.x - a.x) / length, (b.y - a.y) / length};
+  const double share = ((centre.x - a.x) * along.x + (centre.y - a.y) * along.y) / length;
+  const double beside = std::abs((centre.x - a.x) * along.y - (centre.y - a.y) * along.x);
+  return std::min(1 - std::abs(share - 0.5) / 0.35, 1 - beside / (length / 4));
+}
+
+double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object,
+                                    const GroundPoint& centre) const {
+  if (place.relation == "between")
+    return between(place, centre);
+  double worst = 1;
+  for (const auto landmark : place.landmarks) {
+    if (landmark == object)
+      return 0;
+    const auto& x = objects_.at(landmark);
+    double fit = 0;
+    if (place.relation == "near")
+      fit = nearness(object, centre, landmark);
+    else if (place.relation == "away")
+      fit = distance(centre, x.centre) >= away_distance ? 1 : 0;
+    else if (place.relation == "on")
+      fit = distance(centre, x.centre) < x.radius ? 1 : 0;
+    else if (const auto way = direction(place.relation))
+      // Half a right angle to each side.
+      fit = (2 * fields_.angle_fit(*way, centre, landmark) - 1) *
+            std::max(1 - distance(centre, x.centre), 0.1);
+    else
+      throw std::invalid_argument("there is no place '" + place.relation + "' of something");
+    worst = std::min(worst, fit);
+  }
+  return worst;
+}
+
+double TablePlaces::fit(const PlaceWanted& place, std::size_t object,
+                        const GroundPoint& centre) const {
+  if (!place.landmarks.empty())
+    return std::clamp(fit_to_landmark(place, object, centre), 0.0, 1.0);
+  const auto& x = objects_.at(object);
+  if (place.relation == "elsewhere" || place.relation == "aside")
+    return distance(centre, x.centre) >= elsewhere_distance ? 1 : 0;
+  const auto fit = fit_in_part(place.relation, options_.area, centre, x.radius);
+  if (!fit)
+    throw std::invalid_argument("the table has no part '" + place.relation + "'");
+  return std::clamp(*fit, 0.0, 1.0);
+}
+
+bool TablePlaces::is_free(std::size_t object, const GroundPoint& centre) const {
+  const double radius = objects_.at(object).radius;
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (i != object && distance(centre, objects_[i].centre) <
+                         radius + objects_[i].radius + options_.clearance)
+      return false;
+  return true;
+}
+
+PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted> places) const {
+  const auto& landmarks = places.front().landmarks;
+  if (places.size() > 1 || landmarks.size() != 1)
+    return {{}, {}, "it can stand on one thing only"};
+  const auto below = landmarks.front();
+  if (below == object)
+    return {{}, {}, "nothing can stand on itself"};
+  const auto& x = objects_.at(below);
+  if (!x.is_flat)
+    return {{}, {}, "it would fall off: the top is not flat"};
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (i != object && i != below && distance(objects_[i].centre, x.centre) < x.radius)
+      return {{}, {}, "something stands on it already"};
+  return {{{x.centre, 1, {}}}, below, {}};
+}
+
+PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> places,
+                              std::size_t count) const {
+  for (const auto& place : places)
+    if (place.relation == "on" && !place.landmarks.empty())
+      return on_top(object, places);
+  const auto& x = objects_.at(object);
+  struct Candidate {
+    GroundPoint centre;
+    double value = 0;
+  };
+  std::vector<Candidate> candidates;
+  bool is_somewhere = false;
+  const auto& area = options_.area;
+  const auto cells = [this](double low, double high, double radius) {
+    return static_cast<int>(std::floor((high - low - 2 * radius) / options_.step + 1e-9));
+  };
+  const int columns = cells(area.low.x, area.high.x, x.radius);
+  const int rows = cells(area.low.y, area.high.y, x.radius);
+  for (int column = 0; column <= columns; ++column)
+    for (int row = 0; row <= rows; ++row) {
+      const GroundPoint centre{area.low.x + x.radius + column * options_.step,
+                               area.low.y + x.radius + row * options_.step};
+      double value = 1;
+      for (const auto& place : places)
+        value = std::min(value, fit(place, object, centre));
+      if (value <= 0)
+        continue;
+      is_somewhere = true;
+      // Of equally good ones, the nearest to where it is.
+      if (is_free(object, centre))
+        candidates.push_back({centre, value - 0.2 * distance(centre, x.centre)});
+    }
+  PlacesFound result;
+  while (result.targets.size() < count && !candidates.empty()) {
+    const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
+    double value = 1;
+    for (const auto& place : places)
+      value = std::min(value, fit(place, object, best.centre));
+    result.targets.push_back({best.centre, value, {}});
+    std::erase_if(candidates, [&](const Candidate& y) {
+      return distance(y.centre, best.centre) < 2 * x.radius + options_.clearance;
+    });
+  }
+  if (result.targets.empty())
+    result.reason = is_somewhere ? "there is no room" : "there is no such place on the table";
+  return result;
+}
+
+} // namespace castor::spatial

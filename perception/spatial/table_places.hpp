@@ -1,0 +1,82 @@
+#pragma once
+
+#include "castor/perception/spatial/potential_fields.hpp"
+#include "castor/perception/spatial/table_parts.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace castor::spatial {
+
+/// Something that stands on a table, from above; metres.
+struct TableObject {
+  GroundPoint centre;
+  /// Of the disc that it fits in.
+  double radius = 0.03;
+  /// Whether something can stand on it.
+  bool is_flat = true;
+};
+
+/// As WantedPlace, with indices of objects as landmarks.
+struct PlaceWanted {
+  std::string relation;
+  std::vector<std::size_t> landmarks;
+};
+
+struct PlacingOptions {
+  TableArea area;
+  /// Between things on the table, metres.
+  double clearance = 0.02;
+  /// Step between the positions that are looked at, metres.
+  double step = 0.01;
+  /// Gap up to which something is near a landmark, metres.
+  double near_gap = 0.10;
+};
+
+/// Places found, the best first, or the reason why there are none.
+struct PlacesFound {
+  std::vector<TargetPosition> targets;
+  /// What the thing is to stand on; nothing for the table.
+  std::optional<std::size_t> on;
+  /// A clause; empty if there are targets.
+  std::string reason;
+};
+
+/// Finds where on a table something can be put, so that it is in a relation to others. Directions
+/// are those of potential fields (Kelleher and Costello 2006) without distractors: another thing
+/// only takes the room that it stands on.
+class TablePlaces {
+public:
+  TablePlaces(std::span<const TableObject> objects, GroundPoint viewer, PlacingOptions options = {});
+
+  /// How well an object would be at a place if its centre were at a point, in [0, 1]; 0 if it would
+  /// not be there.
+  /// \throws std::invalid_argument for an unknown relation
+  double fit(const PlaceWanted& place, std::size_t object, const GroundPoint& centre) const;
+
+  /// Whether it is there now.
+  bool holds(const PlaceWanted& place, std::size_t object) const {
+    return fit(place, object, objects_.at(object).centre) > 0;
+  }
+
+  /// Positions for an object where all places fit and nothing else stands, apart from each other.
+  PlacesFound find(std::size_t object, std::span<const PlaceWanted> places,
+                   std::size_t count = 1) const;
+
+private:
+  double fit_to_landmark(const PlaceWanted& place, std::size_t object,
+                         const GroundPoint& centre) const;
+  double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
+  double between(const PlaceWanted& place, const GroundPoint& centre) const;
+  bool is_free(std::size_t object, const GroundPoint& centre) const;
+  PlacesFound on_top(std::size_t object, std::span<const PlaceWanted> places) const;
+
+  std::vector<TableObject> objects_;
+  PlacingOptions options_;
+  PotentialFields fields_;
+};
+
+} // namespace castor::spatial

@@ -1,0 +1,328 @@
+#include "castor/planning/motivation/table_goals.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace castor::planning {
+
+namespace {
+
+using communication::DirectivePlace;
+using communication::DirectiveStep;
+using Things = std::vector<const TableThing*>;
+
+/// Predicates for relations, and how they are said.
+struct RelationWords {
+  std::string_view relation;
+  std::string_view predicate;
+  std::string_view words;
+};
+
+constexpr RelationWords relation_words[] = {
+  {"left", "left-of", "to the left of"}, {"right", "right-of", "to the right of"},
+  {"front", "front-of", "in front of"},  {"back", "back-of", "behind"},
+  {"near", "near", "next to"},           {"away", "away-from", "away from"},
+  {"on", "on", "on"},                    {"in", "on", "in"},
+  {"between", "between", "between"}};
+
+constexpr std::pair<std::string_view, std::string_view> part_words[] = {
+  {"left", "on the left"},
+  {"right", "on the right"},
+  {"front", "at the front"},
+  {"back", "at the back"},
+  {"left-edge", "at the left edge"},
+  {"right-edge", "at the right edge"},
+  {"front-edge", "at the front edge"},
+  {"back-edge", "at the back edge"},
+  {"edge", "at the edge"},
+  {"corner", "in a corner"},
+  {"front-left-corner", "in the front left corner"},
+  {"front-right-corner", "in the front right corner"},
+  {"back-left-corner", "in the back left corner"},
+  {"back-right-corner", "in the back right corner"},
+  {"centre", "in the middle"},
+  {"table", "on the table"},
+  {"elsewhere", "somewhere else"},
+  {"aside", "aside"},
+  {"there", "there"}};
+
+/// Where what is cleared away from a part goes.
+constexpr std::pair<std::string_view, std::string_view> opposites[] = {
+  {"left", "right"}, {"right", "left"},      {"front", "back"},      {"back", "front"},
+  {"centre", "edge"}, {"left-edge", "right"}, {"right-edge", "left"}, {"front-edge", "back"},
+  {"back-edge", "front"}, {"edge", "centre"}};
+
+template <class Table>
+std::string_view find(const Table& table, std::string_view key) {
+  for (const auto& [name, value] : table)
+    if (name == key)
+      return value;
+  return {};
+}
+
+TableGoal refusal(std::string words) {
+  return {TableWish::refusal, {}, {}, 0, std::move(words)};
+}
+
+std::string listed(const Things& things) {
+  std::string result;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    result += (i == 0 ? "" : i + 1 == things.size() ? " and " : ", ") + things[i]->words;
+  return result;
+}
+
+class GoalMaker {
+public:
+  GoalMaker(const DirectiveStep& step, std::span<const TableThing> table)
+    : step_(step), table_(table) {
+    for (const auto& proxy : step.things)
+      if (const auto* x = thing(proxy))
+        things_.push_back(x);
+  }
+
+  TableGoal make() {
+    const auto& action = step_.action;
+    if (action == "Stop")
+      return {TableWish::stop, {}, {}, 0, "stop"};
+    if (action == "Wait")
+      return {TableWish::wait, {}, {}, 0, "wait"};
+    if (action == "GoOn")
+      return {TableWish::go_on, {}, {}, 0, "go on"};
+    if (things_.size() < step_.things.size())
+      return refusal("I do not see all of that any more.");
+    if (action == "Clear")
+      return clear();
+    if (action == "Sort")
+      return sort();
+    if (action == "Swap")
+      return swap();
+    if (action == "PutBack")
+      return put_back();
+    if (action == "PutDown")
+      return put_down();
+    if (!step_.places.empty())
+      return put();
+    if (action == "Take")
+      return each("held", "take");
+    if (action == "Give")
+      return give();
+    return action == "Push" ? each("pushed", "push") : refusal("I do not know how to do that.");
+  }
+
+private:
+  const TableThing* thing(const std::string& proxy) const {
+    const auto found = std::ranges::find(table_, proxy, &TableThing::proxy);
+    return found == table_.end() ? nullptr : &*found;
+  }
+
+  TableGoal goal(std::string words) {
+    if (facts_.empty())
+      return refusal("There is nothing to do.");
+    std::string formula = "(and";
+    for (const auto& x : facts_)
+      formula += ' ' + x;
+    std::ranges::sort(parts_);
+    parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
+    return {TableWish::goal, formula + ')', std::move(parts_), places_ + 1, std::move(words)};
+  }
+
+  std::string in_part(const TableThing& x, std::string part) {
+    ++places_;
+    parts_.push_back(part);
+    return "(in-part " + x.object + ' ' + std::move(part) + ')';
+  }
+
+  /// Of "one of the balls", those that are held already, then those that come first.
+  void choose() {
+    if (step_.number <= 0)
+      return;
+    std::ranges::stable_partition(things_, [](const auto* x) { return x->is_held; });
+    things_.resize(std::min(things_.size(), static_cast<std::size_t>(step_.number)));
+  }
+
+  TableGoal each(const std::string& predicate, const std::string& verb) {
+    choose();
+    if (predicate == "held" && things_.size() > 1)
+      return refusal("I can hold one thing only.");
+    for (const auto* x : things_)
+      facts_.push_back('(' + predicate + ' ' + x->object + ')');
+    return goal(verb + ' ' + listed(things_));
+  }
+
+  TableGoal give() {
+    // "Hand it over": what it holds.
+    if (step_.things.empty())
+      hold_held();
+    if (things_.empty())
+      return refusal("I do not hold anything.");
+    choose();
+    // Who speaks sits in front.
+    for (const auto* x : things_)
+      facts_.push_back(in_part(*x, "front-edge"));
+    return goal("give you " + listed(things_));
+  }
+
+  void hold_held() {
+    for (const auto& x : table_)
+      if (x.is_held)
+        things_.push_back(&x);
+  }
+
+  TableGoal put_down() {
+    if (step_.things.empty())
+      hold_held();
+    std::erase_if(things_, [](const auto* x) { return !x->is_held; });
+    if (things_.empty())
+      return refusal(step_.things.empty() ? "I do not hold anything." : "I do not hold that.");
+    for (const auto* x : things_)
+      facts_.push_back(in_part(*x, "table"));
+    return goal("put down " + listed(things_));
+  }
+
+  TableGoal put_back() {
+    if (step_.number > 0)
+      if (const auto moved = std::ranges::find_if(
+            things_, [](const auto* x) { return !x->waypoint_before.empty(); });
+          moved != things_.end())
+        things_ = {*moved};
+    for (const auto* x : things_) {
+      if (x->waypoint_before.empty())
+        return refusal("I do not know where " + x->words + " was before.");
+      facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
+    }
+    return goal("put " + listed(things_) + " back");
+  }
+
+  TableGoal swap() {
+    if (things_.size() != 2)
+      return refusal("I can swap two things only.");
+    const auto& a = *things_.front();
+    const auto& b = *things_.back();
+    if (a.is_held || b.is_held)
+      return refusal("I cannot swap what I hold.");
+    facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
+              "(= (pos " + b.object + ") " + a.waypoint + ')'};
+    return goal("swap " + listed(things_));
+  }
+
+  /// The part's things go to the other side.
+  TableGoal clear() {
+    const auto& part = step_.places.front().relation;
+    const auto other = find(opposites, part);
+    if (other.empty())
+      return refusal("I have nowhere else to put the things.");
+    for (const auto& x : table_)
+      if (!x.is_held && std::ranges::find(x.parts, part) != x.parts.end())
+        facts_.push_back(in_part(x, std::string{other}));
+    if (facts_.empty())
+      return refusal("There is nothing " + std::string{find(part_words, part)} + '.');
+    return goal("clear what is " + std::string{find(part_words, part)});
+  }
+
+  /// A strip of the table for each value, in the order in which their things lie already.
+  TableGoal sort() {
+    std::map<std::string, Things> groups;
+    for (const auto* x : things_) {
+      const auto value = x->qualities.find(step_.by);
+      if (value == x->qualities.end() || value->second.empty() || value->second == "unknown")
+        return refusal("I do not know the " + step_.by + " of " + x->words + '.');
+      groups[value->second].push_back(x);
+    }
+    if (groups.size() < 2)
+      return refusal("They are all of the same " + step_.by + '.');
+    std::vector<std::pair<double, Things>> from_left;
+    for (auto& [value, group] : groups) {
+      double sum = 0;
+      for (const auto* x : group)
+        sum += x->x;
+      from_left.emplace_back(sum / static_cast<double>(group.size()), std::move(group));
+    }
+    std::ranges::stable_sort(from_left, {}, [](const auto& x) { return x.first; });
+    const auto count = std::to_string(from_left.size());
+    for (std::size_t i = 0; i < from_left.size(); ++i)
+      for (const auto* x : from_left[i].second)
+        facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
+    return goal("sort the things by " + step_.by);
+  }
+
+  // -- put
+
+  TableGoal put() {
+    choose();
+    std::string where;
+    for (const auto& place : step_.places) {
+      auto problem = place.landmarks.empty() ? put_in_part(place, where)
+                                             : put_at_landmarks(place, where);
+      if (problem)
+        return refusal(*problem);
+    }
+    return goal((step_.action == "Push" ? "push " : "put ") + listed(things_) + where);
+  }
+
+  /// \returns why it is impossible
+  std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where) {
+    const auto words = find(part_words, place.relation);
+    if (words.empty())
+      return "I do not know where that is.";
+    for (const auto* x : things_)
+      facts_.push_back(in_part(*x, place.relation));
+    where += ' ' + std::string{words};
+    return std::nullopt;
+  }
+
+  std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where) {
+    const auto* known =
+      std::ranges::find(relation_words, place.relation, &RelationWords::relation);
+    if (known == std::end(relation_words))
+      return "I cannot put things " + place.relation + " others.";
+    Things landmarks;
+    for (const auto& proxy : place.landmarks) {
+      landmarks.push_back(thing(proxy));
+      if (landmarks.back() == nullptr)
+        return "I do not see all of that any more.";
+    }
+    for (const auto* x : things_)
+      if (std::ranges::find(landmarks, x) != landmarks.end())
+        return "I cannot put " + x->words + ' ' + std::string{known->words} + " itself.";
+    where += ' ' + std::string{known->words} + ' ' + listed(landmarks);
+    places_ += things_.size();
+    if (place.relation == "between" && landmarks.size() != 2)
+      return "Between two things, but not between " + std::to_string(landmarks.size()) + '.';
+    if (known->predicate == "on" && (landmarks.size() > 1 || things_.size() > 1))
+      return landmarks.size() > 1 ? "It can stand on one thing only."
+                                  : "There is room for one thing only.";
+    for (const auto* x : things_) {
+      const auto head = '(' + std::string{known->predicate} + ' ' + x->object;
+      if (place.relation == "between")
+        facts_.push_back(head + ' ' + landmarks[0]->object + ' ' + landmarks[1]->object + ')');
+      else
+        for (const auto* landmark : landmarks)
+          facts_.push_back(head + ' ' + landmark->object + ')');
+    }
+    return std::nullopt;
+  }
+
+  const DirectiveStep& step_;
+  std::span<const TableThing> table_;
+  Things things_;
+  std::vector<std::string> facts_;
+  std::vector<std::string> parts_;
+  std::size_t places_ = 0;
+};
+
+} // namespace
+
+TableGoal goal_of(const DirectiveStep& step, std::span<const TableThing> table) {
+  return GoalMaker{step, table}.make();
+}
+
+std::string explained(std::string_view action, std::string_view reason) {
+  auto result = "I cannot " + std::string{action};
+  if (!reason.empty())
+    result += ": " + std::string{reason};
+  return result.ends_with('.') ? result : result + '.';
+}
+
+} // namespace castor::planning

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "castor/communication/types.hpp"
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What requests about things on a table ask to reach, for the planner: configs/domains/playmate.pddl
+/// has the predicates.
+namespace castor::planning {
+
+/// Something on the table that requests are about.
+struct TableThing {
+  /// The proxy by which requests refer to it.
+  std::string proxy;
+  /// The planner's names for it and for the waypoint that it is at.
+  std::string object;
+  std::string waypoint;
+  /// How it is called: "the red ball".
+  std::string words;
+  /// To the right, metres.
+  double x = 0;
+  /// By kinds of features: colour, shape, size.
+  std::map<std::string, std::string, std::less<>> qualities = {};
+  /// Parts of the table that it is in, such as left.
+  std::vector<std::string> parts = {};
+  /// The waypoint where it was before it was last moved; empty if it was not.
+  std::string waypoint_before = {};
+  bool is_held = false;
+};
+
+enum class TableWish {
+  /// Something is to be reached.
+  goal,
+  /// What is done is to end, to pause, and to go on.
+  stop,
+  wait,
+  go_on,
+  /// It is impossible.
+  refusal
+};
+
+/// What one step of a request asks for.
+struct TableGoal {
+  TableWish wish = TableWish::goal;
+  /// For the planner: "(and (left-of ball box))".
+  std::string formula;
+  /// The parts of the table that it speaks of, objects of the planner.
+  std::vector<std::string> parts;
+  /// Number of waypoints that have to be chosen to reach it: one for each thing, and one to spare.
+  std::size_t new_places = 0;
+  /// What is to be done, as an infinitive, or of a refusal a sentence that says why not.
+  std::string words;
+
+  friend bool operator==(const TableGoal&, const TableGoal&) = default;
+};
+
+/// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
+/// first is taken.
+TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table);
+
+/// A failed action in words: "I cannot take the ball: the box is in the way."
+std::string explained(std::string_view action, std::string_view reason);
+
+} // namespace castor::planning

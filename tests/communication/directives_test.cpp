@@ -1,0 +1,111 @@
+// What people ask a robot with an arm to do, and what it understands that it is to do.
+#include "castor/tests/communication/directive_sentences.hpp"
+#include "castor/tests/communication/sentence_set.hpp"
+#include "castor/tests/communication/table_talk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace castor::communication::test {
+
+namespace {
+
+/// A red ball, a blue one behind to its right, a red box in the middle, a green one at the right, a
+/// yellow cylinder behind the red ball, and a green disc in front.
+const std::vector<ThingInSet> table{
+  {"a", "sphere", "red", -0.20, 0.00, 0.06},     {"b", "sphere", "blue", 0.10, 0.12, 0.06},
+  {"c", "cube", "red", 0.00, -0.10, 0.08},       {"d", "cube", "green", 0.22, 0.00, 0.07},
+  {"e", "cylinder", "yellow", -0.10, 0.15, 0.05}, {"f", "circle", "green", -0.05, -0.25, 0.07}};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string result;
+  for (const auto& x : words)
+    result += (result.empty() ? "" : ",") + x;
+  return result;
+}
+
+/// As in the files: "put 1 of a,b left c".
+std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
+  static const std::map<std::string, std::string> names{
+    {"Put", "put"},      {"Take", "take"}, {"PutDown", "down"}, {"Give", "give"},
+    {"Push", "push"},    {"PutBack", "back"}, {"Swap", "swap"}, {"Sort", "sort"},
+    {"Clear", "clear"},  {"Stop", "stop"}, {"Wait", "wait"},    {"GoOn", "go-on"}};
+  auto result = asks_whether_possible ? std::string{"able"} : names.at(x.action);
+  if (!x.things.empty())
+    result += ' ' + (x.number > 0 ? std::to_string(x.number) + " of " : std::string{}) +
+              joined(x.things);
+  for (const auto& place : x.places)
+    result += ' ' + place.relation + (place.landmarks.empty() ? "" : " ") + joined(place.landmarks);
+  return result + (x.by.empty() ? "" : ' ' + x.by);
+}
+
+std::string understood(const DirectiveSentences& x) {
+  TableScene scene;
+  lay_out(table, scene);
+  TableTalk talk{[&](auto& asked) { return scene.reply(asked); },
+                 [&](auto& told, auto features) { scene.tell(told, std::move(features)); },
+                 words_of_requests()};
+  Reply reply;
+  for (const auto& sentence : x.said)
+    reply = talk.say(sentence);
+  std::string result;
+  for (const auto& step : reply.steps)
+    result += (result.empty() ? "" : "; ") + shown(step, reply.asks_whether_possible);
+  return result.empty() ? "? " + reply.text : result;
+}
+
+bool is_right(const DirectiveSentences& x, const std::string& got) {
+  if (!x.expected.starts_with('?'))
+    return got == x.expected;
+  const auto text = x.expected.substr(std::min<std::size_t>(2, x.expected.size()));
+  return got.starts_with("? ") && got.find(text) != std::string::npos;
+}
+
+struct Figures {
+  std::size_t all = 0;
+  std::size_t right = 0;
+  std::size_t asked_back = 0;
+  std::string failures;
+};
+
+Figures figures_of(const std::string& file) {
+  Figures result;
+  for (const auto& x : directive_sentences(file)) {
+    const auto got = understood(x);
+    ++result.all;
+    if (is_right(x, got))
+      ++result.right;
+    else {
+      result.asked_back += got.starts_with("? ") ? 1 : 0;
+      result.failures += x.said.back() + "\n    is: " + got + "\n    should be: " + x.expected + '\n';
+    }
+  }
+  ::testing::Test::RecordProperty("right", static_cast<int>(result.right));
+  std::cout << file << ": " << result.right << " of " << result.all << " are understood, "
+            << result.asked_back << " are not answered, "
+            << result.all - result.right - result.asked_back << " are misunderstood\n";
+  return result;
+}
+
+} // namespace
+
+TEST(Directives, AllThatTheGrammarWasWrittenWithAreUnderstood) {
+  const auto result = figures_of("dev.txt");
+  EXPECT_GE(result.all, 150U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
+/// Their failures are not printed, so that nobody writes the grammar for them.
+TEST(Directives, MostOfThoseNeverLookedAtAreUnderstood) {
+  const auto result = figures_of("heldout.txt");
+  EXPECT_GE(result.all, 60U);
+  EXPECT_GE(10 * result.right, 8 * result.all);
+}
+
+} // namespace castor::communication::test

@@ -1,0 +1,151 @@
+#include "castor/perception/spatial/table_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace castor::spatial {
+
+namespace {
+
+constexpr GroundPoint seat{0, -0.62};
+
+/// A ball at the left, a box in the middle, a disc behind it.
+const std::vector<TableObject> three{
+  {{-0.2, 0}, 0.03, false}, {{0, 0}, 0.04, true}, {{0, 0.11}, 0.05, true}};
+
+constexpr std::size_t red_ball = 0;
+constexpr std::size_t blue_box = 1;
+constexpr std::size_t flat_disc = 2;
+
+GroundPoint place_of(const TablePlaces& table, std::size_t object, const PlaceWanted& wanted) {
+  const auto found = table.find(object, std::vector{wanted});
+  EXPECT_EQ(found.targets.size(), 1U) << wanted.relation << ": " << found.reason;
+  return found.targets.empty() ? GroundPoint{} : found.targets.front().position;
+}
+
+} // namespace
+
+TEST(TablePlaces, DirectionsAreThoseOfTheViewer) {
+  const TablePlaces table{three, seat};
+  EXPECT_GT(place_of(table, red_ball, {"right", {blue_box}}).x, 0.04);
+  EXPECT_LT(place_of(table, flat_disc, {"left", {blue_box}}).x, -0.04);
+  EXPECT_LT(place_of(table, red_ball, {"front", {blue_box}}).y, -0.04);
+  EXPECT_GT(place_of(table, red_ball, {"back", {flat_disc}}).y, 0.19);
+  EXPECT_TRUE(table.holds({"left", {blue_box}}, red_ball));
+  EXPECT_FALSE(table.holds({"right", {blue_box}}, red_ball));
+}
+
+TEST(TablePlaces, NothingIsPutWhereAnotherThingStands) {
+  const TablePlaces table{three, seat};
+  for (const auto* relation : {"left", "right", "front", "back", "near"}) {
+    const auto found = table.find(red_ball, std::vector{PlaceWanted{relation, {blue_box}}}, 3);
+    ASSERT_FALSE(found.targets.empty()) << relation;
+    for (const auto& target : found.targets) {
+      EXPECT_GE(distance(target.position, three[blue_box].centre), 0.03 + 0.04 + 0.02);
+      EXPECT_GE(distance(target.position, three[flat_disc].centre), 0.03 + 0.05 + 0.02);
+      EXPECT_GT(target.value, 0);
+    }
+  }
+}
+
+TEST(TablePlaces, BetweenTwoIsInTheMiddleOfThem) {
+  const std::vector<TableObject> objects{
+    {{-0.1, 0}, 0.03}, {{0.1, 0}, 0.03}, {{0, 0.2}, 0.03}};
+  const auto at = place_of(TablePlaces{objects, seat}, 2, {"between", {0, 1}});
+  EXPECT_NEAR(at.x, 0, 0.011);
+  EXPECT_NEAR(at.y, 0, 0.011);
+}
+
+TEST(TablePlaces, BetweenTwoThatTouchThereIsNoRoom) {
+  const std::vector<TableObject> objects{
+    {{-0.03, 0}, 0.03}, {{0.03, 0}, 0.03}, {{0, 0.2}, 0.03}};
+  const auto found =
+    TablePlaces{objects, seat}.find(2, std::vector{PlaceWanted{"between", {0, 1}}});
+  EXPECT_TRUE(found.targets.empty());
+  EXPECT_EQ(found.reason, "there is no room");
+}
+
+TEST(TablePlaces, OnAFlatThingOnly) {
+  const TablePlaces table{three, seat};
+  const auto found = table.find(red_ball, std::vector{PlaceWanted{"on", {blue_box}}});
+  ASSERT_EQ(found.targets.size(), 1U);
+  EXPECT_EQ(found.on, blue_box);
+  EXPECT_EQ(found.targets.front().position, three[blue_box].centre);
+  EXPECT_EQ(table.find(blue_box, std::vector{PlaceWanted{"on", {red_ball}}}).reason,
+            "it would fall off: the top is not flat");
+  EXPECT_EQ(table.find(blue_box, std::vector{PlaceWanted{"on", {blue_box}}}).reason,
+            "nothing can stand on itself");
+}
+
+TEST(TablePlaces, PartsOfTheTable) {
+  const TablePlaces table{three, seat};
+  EXPECT_LT(place_of(table, blue_box, {"left-edge", {}}).x, -0.30 + 0.04 + edge_width);
+  EXPECT_GT(place_of(table, blue_box, {"right", {}}).x, 0.04 - 1e-9);
+  EXPECT_LT(distance(place_of(table, red_ball, {"centre", {}}), {}), 0.15);
+  const auto corner = place_of(table, red_ball, {"back-right-corner", {}});
+  EXPECT_GT(corner.x, 0.30 - 0.03 - edge_width);
+  EXPECT_GT(corner.y, 0.26 - 0.03 - edge_width);
+  EXPECT_GE(distance(place_of(table, red_ball, {"elsewhere", {}}), three[red_ball].centre), 0.12);
+  const auto strip = place_of(table, red_ball, {"strip-3-of-3", {}});
+  EXPECT_GT(strip.x, 0.10);
+  EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
+}
+
+TEST(TablePlaces, AllThatIsWantedHolds) {
+  const TablePlaces table{three, seat};
+  const std::vector<PlaceWanted> wanted{PlaceWanted{"right", {blue_box}},
+                                        PlaceWanted{"front-edge", {}}};
+  const auto found = table.find(red_ball, wanted);
+  ASSERT_EQ(found.targets.size(), 1U);
+  for (const auto& x : wanted)
+    EXPECT_GT(table.fit(x, red_ball, found.targets.front().position), 0);
+  const std::vector<PlaceWanted> both_edges{PlaceWanted{"left-edge", {}},
+                                            PlaceWanted{"right-edge", {}}};
+  EXPECT_EQ(table.find(red_ball, both_edges).reason, "there is no such place on the table");
+}
+
+/// Whatever is found is on the table, fits, and is free.
+TEST(TablePlaces, RandomTables) {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> x{-0.26, 0.26};
+  std::uniform_real_distribution<double> y{-0.22, 0.22};
+  std::size_t found_targets = 0;
+  for (int round = 0; round < 100; ++round) {
+    std::vector<TableObject> objects;
+    while (objects.size() < 6) {
+      const TableObject next{{x(random), y(random)}, 0.03, true};
+      bool is_apart = true;
+      for (const auto& other : objects)
+        is_apart = is_apart && distance(next.centre, other.centre) > 0.08;
+      if (is_apart)
+        objects.push_back(next);
+    }
+    const TablePlaces table{objects, seat};
+    for (const auto* relation : {"left", "right", "front", "back", "near"}) {
+      const PlaceWanted wanted{relation, {1}};
+      for (const auto& target : table.find(0, std::vector{wanted}, 2).targets) {
+        ++found_targets;
+        EXPECT_GT(table.fit(wanted, 0, target.position), 0);
+        EXPECT_LE(std::abs(target.position.x), 0.27 + 1e-9);
+        EXPECT_LE(std::abs(target.position.y), 0.23 + 1e-9);
+        for (std::size_t i = 1; i < objects.size(); ++i)
+          EXPECT_GE(distance(target.position, objects[i].centre), 0.08 - 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(found_targets, 700U);
+}
+
+TEST(TableParts, TheOtherSide) {
+  EXPECT_EQ(opposite_part("left"), "right");
+  EXPECT_EQ(opposite_part("centre"), "edge");
+  EXPECT_EQ(opposite_part("table"), "");
+}
+
+} // namespace castor::spatial

@@ -1,0 +1,108 @@
+#include "castor/planning/motivation/table_goals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+namespace {
+
+using communication::DirectiveStep;
+
+const std::vector<TableThing> table{
+  {"p/a", "a", "at-a", "the red ball", -0.2, {{"colour", "red"}, {"shape", "sphere"}}, {"left"}},
+  {"p/b", "b", "at-b", "the blue ball", 0.1, {{"colour", "blue"}, {"shape", "sphere"}}, {"right"}},
+  {"p/c", "c", "at-c", "the red box", -0.1, {{"colour", "red"}, {"shape", "cube"}}, {"left"},
+   "at-old"}};
+
+std::string formula(const DirectiveStep& step) {
+  const auto goal = goal_of(step, table);
+  EXPECT_EQ(goal.wish, TableWish::goal) << goal.words;
+  return goal.formula;
+}
+
+std::string refused(const DirectiveStep& step, const std::vector<TableThing>& things = table) {
+  const auto goal = goal_of(step, things);
+  EXPECT_EQ(goal.wish, TableWish::refusal) << goal.formula;
+  return goal.words;
+}
+
+} // namespace
+
+TEST(TableGoals, ToPutIsToBeThere) {
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"right", {"p/c"}}}, {}}), "(and (right-of b c))");
+  EXPECT_EQ(formula({"Put", {"p/a", "p/b"}, 0, {{"left", {"p/c"}}}, {}}),
+            "(and (left-of a c) (left-of b c))");
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"between", {"p/a", "p/c"}}}, {}}),
+            "(and (between b a c))");
+  EXPECT_EQ(formula({"Put", {"p/a", "p/b"}, 1, {{"on", {"p/c"}}}, {}}), "(and (on a c))");
+  const auto goal = goal_of({"Put", {"p/b"}, 0, {{"left-edge", {}}}, {}}, table);
+  EXPECT_EQ(goal.formula, "(and (in-part b left-edge))");
+  EXPECT_EQ(goal.parts, (std::vector<std::string>{"left-edge"}));
+  EXPECT_EQ(goal.words, "put the blue ball at the left edge");
+}
+
+TEST(TableGoals, SortingGivesAStripToEachValue) {
+  EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "colour"}),
+            "(and (in-part a strip-1-of-2) (in-part c strip-1-of-2) (in-part b strip-2-of-2))");
+  EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "shape"}),
+            "(and (in-part c strip-1-of-2) (in-part a strip-2-of-2) (in-part b strip-2-of-2))");
+  EXPECT_EQ(refused({"Sort", {"p/a", "p/c"}, 0, {}, "colour"}), "They are all of the same colour.");
+  EXPECT_EQ(refused({"Sort", {"p/a", "p/c"}, 0, {}, "size"}),
+            "I do not know the size of the red ball.");
+}
+
+TEST(TableGoals, ClearingMovesAllToTheOtherSide) {
+  EXPECT_EQ(formula({"Clear", {}, 0, {{"left", {}}}, {}}),
+            "(and (in-part a right) (in-part c right))");
+  EXPECT_EQ(refused({"Clear", {}, 0, {{"front", {}}}, {}}), "There is nothing at the front.");
+  EXPECT_EQ(refused({"Clear", {}, 0, {{"table", {}}}, {}}),
+            "I have nowhere else to put the things.");
+}
+
+TEST(TableGoals, SwappedThingsAreWhereTheOtherWas) {
+  EXPECT_EQ(formula({"Swap", {"p/a", "p/b"}, 0, {}, {}}),
+            "(and (= (pos a) at-b) (= (pos b) at-a))");
+}
+
+TEST(TableGoals, BackIsWhereItWasBefore) {
+  EXPECT_EQ(formula({"PutBack", {"p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
+  EXPECT_EQ(refused({"PutBack", {"p/a"}, 0, {}, {}}),
+            "I do not know where the red ball was before.");
+}
+
+TEST(TableGoals, WhatIsHeldIsPutDown) {
+  EXPECT_EQ(refused({"PutDown", {}, 0, {}, {}}), "I do not hold anything.");
+  EXPECT_EQ(refused({"PutDown", {"p/a"}, 0, {}, {}}), "I do not hold that.");
+  auto holding = table;
+  holding.front().is_held = true;
+  EXPECT_EQ(goal_of({"PutDown", {}, 0, {}, {}}, holding).formula, "(and (in-part a table))");
+  EXPECT_EQ(goal_of({"Give", {}, 0, {}, {}}, holding).formula, "(and (in-part a front-edge))");
+}
+
+TEST(TableGoals, WhatCannotBeIsSaidWithTheReason) {
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"on", {"p/a"}}}, {}}),
+            "I cannot put the red ball on itself.");
+  EXPECT_EQ(refused({"Put", {"p/a", "p/b"}, 0, {{"on", {"p/c"}}}, {}}),
+            "There is room for one thing only.");
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"under", {"p/c"}}}, {}}),
+            "I cannot put things under others.");
+  EXPECT_EQ(refused({"Take", {"p/a", "p/b"}, 0, {}, {}}), "I can hold one thing only.");
+  EXPECT_EQ(refused({"Take", {"p/gone"}, 0, {}, {}}), "I do not see all of that any more.");
+}
+
+TEST(TableGoals, ManagingIsNoGoal) {
+  EXPECT_EQ(goal_of({"Stop", {}, 0, {}, {}}, table).wish, TableWish::stop);
+  EXPECT_EQ(goal_of({"Wait", {}, 0, {}, {}}, table).wish, TableWish::wait);
+  EXPECT_EQ(goal_of({"GoOn", {}, 0, {}, {}}, table).wish, TableWish::go_on);
+}
+
+TEST(TableGoals, FailuresAreExplained) {
+  EXPECT_EQ(explained("reach the ball", "the box is in the way"),
+            "I cannot reach the ball: the box is in the way.");
+  EXPECT_EQ(explained("do that", ""), "I cannot do that.");
+}
+
+} // namespace castor::planning
