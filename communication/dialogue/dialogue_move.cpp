@@ -44,7 +44,8 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
   const auto modality = actor == nullptr ? std::string_view{} : feature(*root, "Modality");
   const bool is_asked = (modality == "can" || modality == "will" || modality == "should") &&
                         actor->proposition == "you" && !is_negated(*root) &&
-                        root->proposition != "reach" && meanings.actions.contains(root->proposition);
+                        root->proposition != "reach" &&
+                        meanings.actions.contains(root->proposition);
   if (is_asked) {
     std::erase_if(root->features, [](auto& x) { return x.name == "Mood" || x.name == "Modality"; });
     root->features.push_back({"Mood", "imp"});
@@ -52,12 +53,21 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
   return form;
 }
 
-/// "Give me the ball", which may ask what there is.
+/// "Give me the ball", which may ask what there is; "can I have the ball?", "I need the ball".
 bool is_request_for_thing(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
-  const auto* asked = root == nullptr || root->sort != "existence" ? nullptr
-                                                                   : dependent(form, *root, "Wh-Restr");
-  return asked != nullptr && asked->sort == "thing" && dependent(form, *root, "Subject") == asked;
+  if (root == nullptr)
+    return false;
+  if (root->sort == "existence") {
+    const auto* asked = dependent(form, *root, "Wh-Restr");
+    return asked != nullptr && asked->sort == "thing" && dependent(form, *root, "Subject") == asked;
+  }
+  const auto* who = dependent(form, *root, root->sort == "ascription" ? "Cop-Restr" : "Actor");
+  const bool is_speaker = who != nullptr && who->sort == "person" && who->proposition == "i";
+  const bool is_wish = root->proposition == "want" || root->proposition == "need" ||
+                       root->proposition == "like" ||
+                       (root->proposition == "have" && !feature(*root, "Modality").empty());
+  return is_speaker && is_wish && !is_negated(*root);
 }
 
 } // namespace
@@ -123,12 +133,12 @@ void take_requests(DialogueMove& move, const WordMeanings& meanings) {
   for (auto& x : move.alternatives)
     x = as_request(std::move(x), meanings);
   if (is_request_for_thing(move.content))
-    if (const auto meant = std::ranges::find_if(
-          move.alternatives,
-          [&](auto& x) {
-            return dialogue_move_type(x) == DialogueMoveType::action_directive &&
-                   !action_asked_for(x, meanings).empty();
-          });
+    if (const auto meant = std::ranges::find_if(move.alternatives,
+                                                [&](auto& x) {
+                                                  return dialogue_move_type(x) ==
+                                                           DialogueMoveType::action_directive &&
+                                                         !action_asked_for(x, meanings).empty();
+                                                });
         meant != move.alternatives.end())
       std::swap(move.content, *meant);
   move.type = dialogue_move_type(move.content);

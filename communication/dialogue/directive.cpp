@@ -41,7 +41,8 @@ Things without(Things things, const Things& others) {
 class StepReader {
 public:
   StepReader(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
-    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {}
+    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {
+  }
 
   std::vector<DirectiveStep> read() {
     const auto* root = find_nominal(form_, form_.root);
@@ -67,20 +68,30 @@ private:
     DirectiveStep step;
     const bool is_same = x.proposition == "same";
     // "Push the ball and the cube to the left" has no place of its own for the ball.
-    if (is_same && (steps_.empty() || steps_.back().places.empty()))
+    if (is_same && !steps_.empty() && steps_.back().places.empty())
       throw Uninterpretable{Reason::word, x.proposition};
-    step.action = is_same ? steps_.back().action : action_for(x.proposition);
+    if (is_same)
+      step.action = steps_.empty() ? action_for("put") : steps_.back().action;
+    else
+      step.action = action_for(x.proposition);
     if (const auto* destination = dependent(form_, x, "Destination"))
       read_destination(x, *destination, step);
     else
       read_without_destination(x, step);
     steps_.push_back(std::move(step));
+    last_ = current_;
   }
 
   // -- kinds of steps
 
   void read_destination(const Nominal& x, const Nominal& destination, DirectiveStep& step) {
     const auto& patient = need(x, "Patient");
+    // "Get everything off the left side."
+    const auto* anchor = dependent(form_, destination, "Anchor");
+    if (destination.proposition == "away" && anchor != nullptr && anchor->sort == "place") {
+      step.action = action_for("clear");
+      return read_clearing(*anchor, step);
+    }
     if (step.action != action_for("push"))
       step.action = action_for("put");
     auto meant = things(patient);
@@ -116,7 +127,8 @@ private:
     take(tells_itself ? one_of_like(*patient) : things(*patient), *patient, step);
   }
 
-  /// What is put down is held, and what is put back was moved: that tells which of several is meant.
+  /// What is put down is held, and what is put back was moved: that tells which of several is
+  /// meant.
   Meant one_of_like(const Nominal& phrase) {
     try {
       return things(phrase);
@@ -128,10 +140,12 @@ private:
   }
 
   void read_clearing(const Nominal& part, DirectiveStep& step) {
-    const auto place = part_named(form_, part, vocabulary());
-    if (place.landmark != nullptr)
+    const auto places = part.sort == "region" || part.sort == "conjunction"
+                          ? places_named(form_, part, vocabulary())
+                          : std::vector{part_named(form_, part, vocabulary())};
+    if (places.size() != 1 || places.front().landmark != nullptr)
       throw Uninterpretable{Reason::word, part.proposition};
-    step.places.push_back({place.relation, {}});
+    step.places.push_back({places.front().relation, {}});
   }
 
   void read_sorting(const Nominal& x, const Nominal* patient, DirectiveStep& step) {
@@ -200,7 +214,7 @@ private:
   Meant things(const Nominal& phrase) {
     auto result = things_of(phrase);
     if (!result.things.empty())
-      last_ = result;
+      current_ = result;
     return result;
   }
 
@@ -212,8 +226,11 @@ private:
     if (phrase.sort != "thing" || vocabulary().surroundings(phrase) != nullptr)
       throw Uninterpretable{Reason::word, phrase.proposition};
     if (is_definite_phrase(phrase)) {
+      const bool is_others = is_plural(phrase) && is_about_others(form_, phrase);
+      if (is_others && !antecedents_.contains(phrase.name) && scene_.open_questions().empty())
+        throw Uninterpretable{Reason::ambiguous, phrase.name};
       auto meant = evaluation_.meant(phrase);
-      if (meant.size() == 1 && is_plural(phrase) && is_about_others(form_, phrase))
+      if (meant.size() == 1 && is_others)
         meant = all_but_those_before(phrase);
       return {std::move(meant), 0};
     }
@@ -278,10 +295,7 @@ private:
     try {
       if (auto before = of_step_before(phrase); before && before->things != patients)
         return before->things;
-      const auto last = last_;
-      auto result = things_of(phrase).things;
-      last_ = last;
-      return result;
+      return things_of(phrase).things;
     } catch (const Uninterpretable& e) {
       if (e.reason != Reason::ambiguous || e.what != phrase.name || is_pronoun(phrase))
         throw;
@@ -297,8 +311,9 @@ private:
   SceneKnowledge& scene_;
   Evaluation evaluation_;
   std::vector<DirectiveStep> steps_;
-  /// Unions that the last step was about.
+  /// Unions that the step before was about, and those that this one is.
   Meant last_;
+  Meant current_;
 };
 
 } // namespace
@@ -309,9 +324,9 @@ bool is_handling(const LogicalForm& request, const WordMeanings& meanings) {
     return false;
   bool all = true;
   for_each_action(request, *root, [&](auto& x) {
-    const bool is_known =
-      meanings.handling.contains(x.proposition) && meanings.actions.contains(x.proposition);
-    all = all && x.sort == "action" && (is_known || x.proposition == "same");
+    const auto verb = x.proposition == "same" ? std::string{"put"} : x.proposition;
+    all = all && x.sort == "action" && meanings.handling.contains(verb) &&
+          meanings.actions.contains(verb);
   });
   return all;
 }

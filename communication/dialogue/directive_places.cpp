@@ -46,12 +46,22 @@ const Words parts{{"left", "left"},
                   {"there", "there"}};
 
 /// Relations to landmarks, besides those that binding has.
-const Words relations{{"on", "on"},           {"above", "on"},     {"between", "between"},
-                      {"among", "between"},   {"in", "in"},        {"at", "near"},
-                      {"to", "near"},         {"away", "away"},    {"from", "away"},
-                      {"far", "away"},        {"under", "under"},  {"directly-left", "left"},
-                      {"directly-right", "right"}, {"directly-front", "front"},
-                      {"directly-back", "back"}, {"touching", "near"}};
+const Words relations{{"on", "on"},
+                      {"above", "on"},
+                      {"between", "between"},
+                      {"among", "between"},
+                      {"in", "in"},
+                      {"at", "near"},
+                      {"to", "near"},
+                      {"away", "away"},
+                      {"from", "away"},
+                      {"far", "away"},
+                      {"under", "under"},
+                      {"directly-left", "left"},
+                      {"directly-right", "right"},
+                      {"directly-front", "front"},
+                      {"directly-back", "back"},
+                      {"touching", "near"}};
 
 std::string part(std::string_view word) {
   const auto found = parts.find(word);

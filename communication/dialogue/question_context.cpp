@@ -196,9 +196,22 @@ bool is_opposite(const std::string& a, const std::string& b) {
     opposites, [&](auto& x) { return (a == x[0] && b == x[1]) || (a == x[1] && b == x[0]); });
 }
 
-/// The region that a clause that asks for things says they are in; null if there is none.
+/// Whether it is the request to do the same with something else: "and the cube on the right".
+bool is_same_again(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  return root != nullptr && root->sort == "action" && root->proposition == "same";
+}
+
+/// The region that a clause that asks for things says they are in, or where a request says that
+/// something is to be put; null if there is none.
 const Nominal* asked_region(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
+  if (root != nullptr && root->sort == "action") {
+    const auto* destination = dependent(form, *root, "Destination");
+    return destination != nullptr && dependent(form, *destination, "Anchor") != nullptr
+             ? destination
+             : nullptr;
+  }
   const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
   const auto* scope = root == nullptr ? nullptr : dependent(form, *root, "Cop-Scope");
   if (asked == nullptr || (asked->sort != "thing" && asked->sort != "entity"))
@@ -212,18 +225,21 @@ const Nominal* asked_region(const LogicalForm& form) {
 
 /// "What is in front of the cube? And what is behind it?": behind the cube.
 void QuestionContext::keep_landmark(CompleteMove& move) const {
-  const auto* before = clause_ ? asked_region(clause_->move.content) : nullptr;
+  const bool is_after_request =
+    question_ && question_->move.type == DialogueMoveType::action_directive;
+  const auto& last = is_after_request ? question_ : clause_;
+  const auto* before = last ? asked_region(last->move.content) : nullptr;
   const auto* now = asked_region(move.move.content);
   if (before == nullptr || now == nullptr || !is_opposite(before->proposition, now->proposition))
     return;
-  const auto* landmark = dependent(clause_->move.content, *before, "Anchor");
+  const auto* landmark = dependent(last->move.content, *before, "Anchor");
   const auto* pronoun = dependent(move.move.content, *now, "Anchor");
   if (pronoun->proposition != "it" || landmark->sort != "thing" || !is_definite(*landmark) ||
       is_plural(*landmark) || vocabulary_->surroundings(*landmark) != nullptr)
     return;
   const auto from = pronoun->name;
-  const auto name = append(move.move.content, part_of(clause_->move.content, landmark->name),
-                           move.antecedents, clause_->antecedents);
+  const auto name = append(move.move.content, part_of(last->move.content, landmark->name),
+                           move.antecedents, last->antecedents);
   for (auto& x : move.move.content.nominals)
     for (auto& relation : x.relations)
       if (relation.dependent == from)
@@ -256,9 +272,24 @@ void QuestionContext::replace_one(LogicalForm& form) const {
   }
 }
 
+/// "Do the same with the cube" is about the cube what the request before was about another thing.
+DialogueMove QuestionContext::with_what_is_the_same(DialogueMove move) const {
+  const auto* root = find_nominal(move.content, move.content.root);
+  if (!question_ || root == nullptr || !is_same_again(move.content) ||
+      dependent(move.content, *root, "Destination") != nullptr)
+    return move;
+  if (const auto* patient = dependent(move.content, *root, "Patient")) {
+    const auto name = patient->name;
+    move.content = part_of(move.content, name);
+    move.alternatives.clear();
+    move.type = DialogueMoveType::none;
+  }
+  return move;
+}
+
 CompleteMove QuestionContext::complete(const DialogueMove& said,
                                        const Antecedents& antecedents) const {
-  auto move = said;
+  auto move = with_what_is_the_same(said);
   const bool is_question = take_said_as_question(move.content);
   for (auto& alternative : move.alternatives)
     take_said_as_question(alternative);
@@ -278,6 +309,18 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
         result.antecedents.insert_or_assign(std::string{said_now} + name, proxies);
       return result;
     }
+  if (question_ && question_->move.type == DialogueMoveType::action_directive &&
+      move.type == DialogueMoveType::none)
+    for (const auto& alternative : move.alternatives)
+      if (is_same_again(alternative)) {
+        CompleteMove again{move, antecedents};
+        again.move.content = alternative;
+        again.move.alternatives.clear();
+        again.move.type = DialogueMoveType::action_directive;
+        replace_one(again.move.content);
+        keep_landmark(again);
+        return again;
+      }
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
     return result;
   // "Do you, robot?" names who is spoken to, and asks nothing of another thing.

@@ -41,6 +41,7 @@ public:
   void note(const CompleteMove& move, const Response& response);
 
 private:
+  DialogueMove with_what_is_the_same(DialogueMove move) const;
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
 

@@ -1,6 +1,6 @@
 ; The PlayMate's domain: an arm puts things on waypoints of a table. Relations of things are those of the
 ; waypoints that they are at, to other things. Each thing is at a waypoint of its own; others are free, and
-; can be chosen once: relative to things, in a part of the table, or anywhere.
+; can be chosen: relative to things, in a part of the table, or anywhere; in several ways, if all are to hold.
 (define (domain playmate)
   (:requirements :mapl :typing :derived-predicates :negative-preconditions)
   (:types agent thing waypoint part - object)
@@ -78,37 +78,37 @@
   ; A waypoint that nothing has been at is chosen.
   (:action reposition-left
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-left-of ?target ?landmark)))
   (:action reposition-right
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-right-of ?target ?landmark)))
   (:action reposition-front
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-front-of ?target ?landmark)))
   (:action reposition-back
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-back-of ?target ?landmark)))
   (:action reposition-near
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-near ?target ?landmark)))
   (:action reposition-away
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-away-from ?target ?landmark)))
   (:action reposition-between
     :agent (?a - agent) :parameters (?target - waypoint ?one ?other - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (= ?one ?other)) (not (held ?one))
                        (not (held ?other)))
     :effect (and (chosen ?target) (wp-between ?target ?one ?other)
@@ -121,11 +121,11 @@
     :effect (and (chosen ?target) (wp-on ?target ?below)))
   (:action reposition-in
     :agent (?a - agent) :parameters (?target - waypoint ?where - part)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)))
     :effect (and (chosen ?target) (wp-in ?target ?where)))
   (:action reposition-free
     :agent (?a - agent) :parameters (?target - waypoint)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)))
     :effect (chosen ?target)))

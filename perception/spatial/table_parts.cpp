@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace castor::spatial {
 
@@ -72,7 +71,7 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
   const double right = at_edge(gap.right);
   const double front = at_edge(gap.front);
   const double back = at_edge(gap.back);
-  const std::array<std::pair<std::string_view, double>, 17> fits{
+  const std::array<std::pair<std::string_view, double>, 16> fits{
     {{"left", beyond(middle.x - centre.x, radius)},
      {"right", beyond(centre.x - middle.x, radius)},
      {"front", beyond(middle.y - centre.y, radius)},
@@ -89,27 +88,13 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
      {"corner", std::min(std::max(left, right), std::max(front, back))},
      {"centre",
       1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 2 * edge_width)},
-     {"table", 1},
-     {"elsewhere", 1}}};
+     {"table", 1}}};
   for (const auto& [name, fit] : fits)
     if (name == part)
       return fit;
   if (const auto which = strip(part))
     return fit_in_strip(*which, area, centre);
   return std::nullopt;
-}
-
-std::string opposite_part(std::string_view part) {
-  static const std::vector<std::pair<std::string_view, std::string_view>> opposites{
-    {"left", "right"},          {"right", "left"},
-    {"front", "back"},          {"back", "front"},
-    {"left-edge", "right"},     {"right-edge", "left"},
-    {"front-edge", "back"},     {"back-edge", "front"},
-    {"edge", "centre"},         {"centre", "edge"},
-    {"front-left-corner", "right"}, {"front-right-corner", "left"},
-    {"back-left-corner", "right"},  {"back-right-corner", "left"}};
-  const auto found = std::ranges::find(opposites, part, [](const auto& x) { return x.first; });
-  return found == opposites.end() ? std::string{} : std::string{found->second};
 }
 
 } // namespace castor::spatial

@@ -3,7 +3,6 @@
 #include "castor/perception/spatial/types.hpp"
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace castor::spatial {
@@ -25,8 +24,5 @@ inline constexpr double edge_width = 0.06;
 /// strip-I-of-N: the I-th of N strips, from the left.
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius);
-
-/// The part at the other side: right for left. For the centre, the edge; empty for what has none.
-std::string opposite_part(std::string_view part);
 
 } // namespace castor::spatial

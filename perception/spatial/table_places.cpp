@@ -32,8 +32,7 @@ std::optional<SpatialRelation> direction(const std::string& word) {
 
 TablePlaces::TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
                          PlacingOptions options)
-  : objects_(objects.begin(), objects.end()), options_(options),
-    fields_(centres(objects), viewer) {
+  : objects_(objects.begin(), objects.end()), options_(options), fields_(centres(objects), viewer) {
   // nop
 }
 
@@ -111,8 +110,8 @@ double TablePlaces::fit(const PlaceWanted& place, std::size_t object,
 bool TablePlaces::is_free(std::size_t object, const GroundPoint& centre) const {
   const double radius = objects_.at(object).radius;
   for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (i != object && distance(centre, objects_[i].centre) <
-                         radius + objects_[i].radius + options_.clearance)
+    if (i != object &&
+        distance(centre, objects_[i].centre) < radius + objects_[i].radius + options_.clearance)
       return false;
   return true;
 }

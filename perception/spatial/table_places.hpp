@@ -50,7 +50,8 @@ struct PlacesFound {
 /// only takes the room that it stands on.
 class TablePlaces {
 public:
-  TablePlaces(std::span<const TableObject> objects, GroundPoint viewer, PlacingOptions options = {});
+  TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
+              PlacingOptions options = {});
 
   /// How well an object would be at a place if its centre were at a point, in [0, 1]; 0 if it would
   /// not be there.

@@ -20,12 +20,15 @@ struct RelationWords {
   std::string_view words;
 };
 
-constexpr RelationWords relation_words[] = {
-  {"left", "left-of", "to the left of"}, {"right", "right-of", "to the right of"},
-  {"front", "front-of", "in front of"},  {"back", "back-of", "behind"},
-  {"near", "near", "next to"},           {"away", "away-from", "away from"},
-  {"on", "on", "on"},                    {"in", "on", "in"},
-  {"between", "between", "between"}};
+constexpr RelationWords relation_words[] = {{"left", "left-of", "to the left of"},
+                                            {"right", "right-of", "to the right of"},
+                                            {"front", "front-of", "in front of"},
+                                            {"back", "back-of", "behind"},
+                                            {"near", "near", "next to"},
+                                            {"away", "away-from", "away from"},
+                                            {"on", "on", "on"},
+                                            {"in", "on", "in"},
+                                            {"between", "between", "between"}};
 
 constexpr std::pair<std::string_view, std::string_view> part_words[] = {
   {"left", "on the left"},
@@ -50,8 +53,8 @@ constexpr std::pair<std::string_view, std::string_view> part_words[] = {
 
 /// Where what is cleared away from a part goes.
 constexpr std::pair<std::string_view, std::string_view> opposites[] = {
-  {"left", "right"}, {"right", "left"},      {"front", "back"},      {"back", "front"},
-  {"centre", "edge"}, {"left-edge", "right"}, {"right-edge", "left"}, {"front-edge", "back"},
+  {"left", "right"},      {"right", "left"},      {"front", "back"},      {"back", "front"},
+  {"centre", "edge"},     {"left-edge", "right"}, {"right-edge", "left"}, {"front-edge", "back"},
   {"back-edge", "front"}, {"edge", "centre"}};
 
 template <class Table>
@@ -253,8 +256,8 @@ private:
     choose();
     std::string where;
     for (const auto& place : step_.places) {
-      auto problem = place.landmarks.empty() ? put_in_part(place, where)
-                                             : put_at_landmarks(place, where);
+      auto problem =
+        place.landmarks.empty() ? put_in_part(place, where) : put_at_landmarks(place, where);
       if (problem)
         return refusal(*problem);
     }
@@ -273,8 +276,7 @@ private:
   }
 
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where) {
-    const auto* known =
-      std::ranges::find(relation_words, place.relation, &RelationWords::relation);
+    const auto* known = std::ranges::find(relation_words, place.relation, &RelationWords::relation);
     if (known == std::end(relation_words))
       return "I cannot put things " + place.relation + " others.";
     Things landmarks;

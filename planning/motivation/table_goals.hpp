@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-/// What requests about things on a table ask to reach, for the planner: configs/domains/playmate.pddl
-/// has the predicates.
+/// What requests about things on a table ask to reach, for the planner:
+/// configs/domains/playmate.pddl has the predicates.
 namespace castor::planning {
 
 /// Something on the table that requests are about.

@@ -1,6 +1,7 @@
 #include "castor/planning/symbolic/planner.hpp"
 
 #include "castor/planning/symbolic/invariants.hpp"
+#include "castor/planning/symbolic/relevance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,7 +133,8 @@ private:
 } // namespace
 
 Task compile(const LiftedTask& lifted, LimitWatch& watch) {
-  const auto normal = normalise(lifted);
+  auto normal = normalise(lifted);
+  remove_irrelevant(normal);
   const auto ground_task = ground(lifted, normal, watch);
   return make_task(lifted, normal, ground_task, find_mutex_groups(ground_task, watch), watch);
 }

@@ -69,8 +69,7 @@ class TargetFinder final : public UnmanagedComponent {
     PlacingOptions options;
     options.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
     options.clearance = clearance_;
-    const TablePlaces table{
-      objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
+    const TablePlaces table{objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
     const auto found = table.find(index_of(query.thing), places, query.requested_targets);
     query.targets = found.targets;
     for (auto& target : query.targets)

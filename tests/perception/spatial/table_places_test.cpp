@@ -55,16 +55,14 @@ TEST(TablePlaces, NothingIsPutWhereAnotherThingStands) {
 }
 
 TEST(TablePlaces, BetweenTwoIsInTheMiddleOfThem) {
-  const std::vector<TableObject> objects{
-    {{-0.1, 0}, 0.03}, {{0.1, 0}, 0.03}, {{0, 0.2}, 0.03}};
+  const std::vector<TableObject> objects{{{-0.1, 0}, 0.03}, {{0.1, 0}, 0.03}, {{0, 0.2}, 0.03}};
   const auto at = place_of(TablePlaces{objects, seat}, 2, {"between", {0, 1}});
   EXPECT_NEAR(at.x, 0, 0.011);
   EXPECT_NEAR(at.y, 0, 0.011);
 }
 
 TEST(TablePlaces, BetweenTwoThatTouchThereIsNoRoom) {
-  const std::vector<TableObject> objects{
-    {{-0.03, 0}, 0.03}, {{0.03, 0}, 0.03}, {{0, 0.2}, 0.03}};
+  const std::vector<TableObject> objects{{{-0.03, 0}, 0.03}, {{0.03, 0}, 0.03}, {{0, 0.2}, 0.03}};
   const auto found =
     TablePlaces{objects, seat}.find(2, std::vector{PlaceWanted{"between", {0, 1}}});
   EXPECT_TRUE(found.targets.empty());
@@ -140,12 +138,6 @@ TEST(TablePlaces, RandomTables) {
     }
   }
   EXPECT_GT(found_targets, 700U);
-}
-
-TEST(TableParts, TheOtherSide) {
-  EXPECT_EQ(opposite_part("left"), "right");
-  EXPECT_EQ(opposite_part("centre"), "edge");
-  EXPECT_EQ(opposite_part("table"), "");
 }
 
 } // namespace castor::spatial

@@ -16,9 +16,9 @@ using spatial::PlaceWanted;
 constexpr const char* relations[] = {"left", "right", "front", "back", "near", "away"};
 
 std::string predicate(const std::string& relation) {
-  const std::map<std::string, std::string> names{{"left", "wp-left-of"},   {"right", "wp-right-of"},
-                                                 {"front", "wp-front-of"}, {"back", "wp-back-of"},
-                                                 {"near", "wp-near"},      {"away", "wp-away-from"}};
+  const std::map<std::string, std::string> names{
+    {"left", "wp-left-of"}, {"right", "wp-right-of"}, {"front", "wp-front-of"},
+    {"back", "wp-back-of"}, {"near", "wp-near"},      {"away", "wp-away-from"}};
   return names.at(relation);
 }
 
@@ -67,11 +67,11 @@ std::unique_ptr<communication::test::TableScene> PretendedTable::scene() const {
   const auto table = places();
   for (const auto& x : things_)
     result->put(x.what.name,
-               {feature(FeatureKind::colour, x.what.colour),
-                feature(FeatureKind::shape, x.what.shape),
-                feature(FeatureKind::size, x.what.side > 0.06 ? "large" : "small"),
-                binding::extent_of(x.what.side, x.what.side, x.what.side)},
-               x.what.place.x, x.what.place.y);
+                {feature(FeatureKind::colour, x.what.colour),
+                 feature(FeatureKind::shape, x.what.shape),
+                 feature(FeatureKind::size, x.what.side > 0.06 ? "large" : "small"),
+                 binding::extent_of(x.what.side, x.what.side, x.what.side)},
+                x.what.place.x, x.what.place.y);
   for (std::size_t i = 0; i < things_.size(); ++i)
     for (std::size_t j = 0; j < things_.size(); ++j)
       for (const auto* relation : {"left", "right", "front", "back", "near"})
@@ -85,11 +85,17 @@ std::vector<TableThing> PretendedTable::things(const std::vector<std::string>& p
   const auto table = places();
   for (std::size_t i = 0; i < things_.size(); ++i) {
     const auto& x = things_[i];
-    TableThing thing{x.what.name, x.what.name, x.waypoint,
-                     "the " + x.what.colour + ' ' + x.what.shape, x.what.place.x,
-                     {{"colour", x.what.colour}, {"shape", x.what.shape},
+    TableThing thing{x.what.name,
+                     x.what.name,
+                     x.waypoint,
+                     "the " + x.what.colour + ' ' + x.what.shape,
+                     x.what.place.x,
+                     {{"colour", x.what.colour},
+                      {"shape", x.what.shape},
                       {"size", x.what.side > 0.06 ? "large" : "small"}},
-                     {}, x.waypoint_before, x.waypoint == "hand"};
+                     {},
+                     x.waypoint_before,
+                     x.waypoint == "hand"};
     for (const auto& part : parts)
       if (x.is_on_table() && table.holds({part, {}}, i))
         thing.parts.push_back(part);
@@ -195,10 +201,13 @@ std::string PretendedTable::execute(const std::string& step) {
   else if (action.starts_with(choosing))
     choose(words.at(2), action.substr(std::string{choosing}.size()), {index(words.at(3))});
   else {
-    ++moves_;
     const auto thing = index(words.at(2));
     if (action == "move")
-      return move(thing, words.at(3));
+      if (auto problem = move(thing, words.at(3)); !problem.empty())
+        return problem;
+    ++moves_;
+    if (action == "move")
+      return {};
     if (action == "push")
       return {};
     auto& x = things_[thing];

@@ -14,7 +14,13 @@ using communication::DirectiveStep;
 const std::vector<TableThing> table{
   {"p/a", "a", "at-a", "the red ball", -0.2, {{"colour", "red"}, {"shape", "sphere"}}, {"left"}},
   {"p/b", "b", "at-b", "the blue ball", 0.1, {{"colour", "blue"}, {"shape", "sphere"}}, {"right"}},
-  {"p/c", "c", "at-c", "the red box", -0.1, {{"colour", "red"}, {"shape", "cube"}}, {"left"},
+  {"p/c",
+   "c",
+   "at-c",
+   "the red box",
+   -0.1,
+   {{"colour", "red"}, {"shape", "cube"}},
+   {"left"},
    "at-old"}};
 
 std::string formula(const DirectiveStep& step) {

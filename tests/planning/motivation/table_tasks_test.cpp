@@ -23,15 +23,14 @@ namespace {
 
 using communication::DirectiveStep;
 
-const std::vector<PretendedThing> six{{"a", "sphere", "red", {-0.20, 0.00}, 0.06},
-                                      {"b", "sphere", "blue", {0.10, 0.12}, 0.06},
-                                      {"c", "cube", "red", {0.00, -0.10}, 0.08},
-                                      {"d", "cube", "green", {0.22, 0.00}, 0.07},
-                                      {"e", "cylinder", "yellow", {-0.10, 0.15}, 0.05},
-                                      {"f", "circle", "green", {-0.05, -0.22}, 0.07}};
+const std::vector<PretendedThing> six{
+  {"a", "sphere", "red", {-0.20, 0.00}, 0.06},      {"b", "sphere", "blue", {0.10, 0.12}, 0.06},
+  {"c", "cube", "red", {0.00, -0.10}, 0.08},        {"d", "cube", "green", {0.22, 0.00}, 0.07},
+  {"e", "cylinder", "yellow", {-0.10, 0.15}, 0.05}, {"f", "circle", "green", {-0.05, -0.22}, 0.07}};
 
-const std::vector<std::string> all_parts{"left", "right", "front", "back", "centre", "edge",
-                                         "left-edge", "right-edge", "front-edge", "back-edge"};
+const std::vector<std::string> all_parts{"left",       "right",    "front",     "back",
+                                         "centre",     "edge",     "left-edge", "right-edge",
+                                         "front-edge", "back-edge"};
 
 std::string domain() {
   std::ifstream in{std::string{CASTOR_DOMAINS} + "/playmate.pddl"};
@@ -53,6 +52,8 @@ struct Result {
   Outcome outcome = Outcome::failed;
   std::string words;
   std::size_t replans = 0;
+  /// What was done, a line each.
+  std::string steps = {};
 };
 
 /// Plans, acts, looks at the table, and plans again until nothing is left to be done.
@@ -68,9 +69,10 @@ Result pursue(PretendedTable& table, const DirectiveStep& step) {
     if (plan.outcome != PlanningResult::Outcome::plan)
       return {Outcome::refused, explained(goal.words, "there is no way to do it"), result.replans};
     if (plan.steps.empty())
-      return {Outcome::done, goal.words, result.replans};
+      return {Outcome::done, goal.words, result.replans, result.steps};
     for (const auto& x : plan.steps) {
       const auto problem = table.execute(x.action);
+      result.steps += x.action + (problem.empty() ? "" : ": " + problem) + '\n';
       if (!problem.empty()) {
         result.words = explained(goal.words, problem);
         break;
@@ -81,7 +83,7 @@ Result pursue(PretendedTable& table, const DirectiveStep& step) {
     if (goal.formula.find("(pushed") != std::string::npos ||
         goal.formula.find("elsewhere") != std::string::npos ||
         goal.formula.find("aside") != std::string::npos)
-      return {Outcome::done, goal.words, result.replans};
+      return {Outcome::done, goal.words, result.replans, result.steps};
   }
   return result;
 }
@@ -147,7 +149,7 @@ TEST(TableTasks, ASideIsCleared) {
   ASSERT_EQ(result.outcome, Outcome::done) << result.words;
   for (const auto* name : {"a", "e", "f"})
     EXPECT_GT(table.place(name).x, 0) << name;
-  EXPECT_EQ(table.moves(), 3U);
+  EXPECT_EQ(table.moves(), 3U) << result.steps;
 }
 
 TEST(TableTasks, ItIsPutBackWhereItWas) {
@@ -165,8 +167,9 @@ TEST(TableTasks, WhereThereIsNoRoomTheReasonIsSaid) {
   PretendedTable table{crowded};
   const auto result = pursue(table, {"Put", {"a"}, 0, {{"between", {"b", "c"}}}, {}});
   EXPECT_EQ(result.outcome, Outcome::failed);
-  EXPECT_EQ(result.words,
-            "I cannot put the red sphere between the blue cube and the green cube: there is no room.");
+  EXPECT_EQ(
+    result.words,
+    "I cannot put the red sphere between the blue cube and the green cube: there is no room.");
   PretendedTable other{crowded};
   EXPECT_EQ(pursue(other, {"Put", {"b"}, 0, {{"on", {"a"}}}, {}}).outcome, Outcome::refused);
 }
