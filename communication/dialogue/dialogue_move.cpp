@@ -53,23 +53,6 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
   return form;
 }
 
-/// "Give me the ball", which may ask what there is; "can I have the ball?", "I need the ball".
-bool is_request_for_thing(const LogicalForm& form) {
-  const auto* root = find_nominal(form, form.root);
-  if (root == nullptr)
-    return false;
-  if (root->sort == "existence") {
-    const auto* asked = dependent(form, *root, "Wh-Restr");
-    return asked != nullptr && asked->sort == "thing" && dependent(form, *root, "Subject") == asked;
-  }
-  const auto* who = dependent(form, *root, root->sort == "ascription" ? "Cop-Restr" : "Actor");
-  const bool is_speaker = who != nullptr && who->sort == "person" && who->proposition == "i";
-  const bool is_wish = root->proposition == "want" || root->proposition == "need" ||
-                       root->proposition == "like" ||
-                       (root->proposition == "have" && !feature(*root, "Modality").empty());
-  return is_speaker && is_wish && !is_negated(*root);
-}
-
 } // namespace
 
 bool is_clause(const LogicalForm& form, const Nominal& x) {
@@ -132,15 +115,17 @@ void take_requests(DialogueMove& move, const WordMeanings& meanings) {
   move.content = as_request(std::move(move.content), meanings);
   for (auto& x : move.alternatives)
     x = as_request(std::move(x), meanings);
-  if (is_request_for_thing(move.content))
-    if (const auto meant = std::ranges::find_if(move.alternatives,
-                                                [&](auto& x) {
-                                                  return dialogue_move_type(x) ==
-                                                           DialogueMoveType::action_directive &&
-                                                         !action_asked_for(x, meanings).empty();
-                                                });
-        meant != move.alternatives.end())
+  const auto is_request = [&](const LogicalForm& x) {
+    return dialogue_move_type(x) == DialogueMoveType::action_directive &&
+           !action_asked_for(x, meanings).empty();
+  };
+  if (dialogue_move_type(move.content) != DialogueMoveType::action_directive)
+    if (const auto meant = std::ranges::find_if(move.alternatives, is_request);
+        meant != move.alternatives.end()) {
       std::swap(move.content, *meant);
+      // The likeliest of the others is first.
+      std::rotate(move.alternatives.begin(), meant, std::next(meant));
+    }
   move.type = dialogue_move_type(move.content);
   if (move.type == DialogueMoveType::action_directive)
     move.action = action_asked_for(move.content, meanings);

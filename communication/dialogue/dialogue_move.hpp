@@ -18,16 +18,13 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form);
 /// Gives a move the readings of an utterance that is understood, the likeliest as its content.
 void take_readings(const PackedLogicalForm& form, DialogueMove& move);
 
-/// Takes an utterance for a request if it can be read so, and the robot does what its verb says:
-/// "find the ball" asks where the ball is only where nobody finds things.
-void prefer_request(DialogueMove& move, const WordMeanings& meanings);
-
 /// Whether it is not a phrase: somebody does something or something is so.
 bool is_clause(const LogicalForm& form, const Nominal& x);
 
-/// Makes requests of what is one for a robot that acts, and gives the move the action that is asked
-/// for: "can you take the ball?" asks for it if the lexicon has an action for "take", and "give me
-/// the ball" does not ask what there is, if it has one for "give".
+/// Takes an utterance for a request if it can be read so and the lexicon has an action for its verb,
+/// and gives the move that action. "Find the ball" asks where the ball is only where nobody finds
+/// things, "give me the ball" asks what there is only where nobody gives; "can you take the ball?"
+/// asks to take it where somebody takes things.
 void take_requests(DialogueMove& move, const WordMeanings& meanings);
 
 /// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken

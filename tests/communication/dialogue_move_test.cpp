@@ -51,10 +51,10 @@ TEST(DialogueMove, IsARequestIfTheRobotDoesWhatTheVerbSays) {
     }
     said.type = dialogue_move_type(said.content);
     auto heard = said;
-    prefer_request(heard, nothing);
+    take_requests(heard, nothing);
     EXPECT_EQ(heard.type, said.type) << text;
     EXPECT_EQ(heard.content, said.content) << text;
-    prefer_request(heard, finding);
+    take_requests(heard, finding);
     EXPECT_EQ(heard.type, DialogueMoveType::action_directive) << text;
     EXPECT_EQ(action_asked_for(heard.content, finding), "Find") << text;
     EXPECT_EQ(heard.alternatives.size(), said.alternatives.size()) << text;
