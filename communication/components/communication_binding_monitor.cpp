@@ -82,12 +82,14 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
       for (auto& proxy : told)
         wait_until_bound(proxy);
     }
-    referents.steps = with_scene(binding(), [&](SceneKnowledge& scene) {
-      return steps_asked_for(whole, from_entry(spoken_of.pronouns), scene);
-    });
-    referents.asks_whether_possible = asks_for_ability(whole.content);
-    referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
-                           is_handling(whole.content, vocabulary(binding())->meanings());
+    if (asks_to_act(whole)) {
+      referents.steps = with_scene(binding(), [&](SceneKnowledge& scene) {
+        return steps_asked_for(whole, from_entry(spoken_of.pronouns), scene);
+      });
+      referents.asks_whether_possible = asks_for_ability(whole.content);
+      referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
+                             is_handling(whole.content, vocabulary(binding())->meanings());
+    }
     previous_ = CompleteMove{whole, from_entry(spoken_of.pronouns)};
     if (is_known)
       return;

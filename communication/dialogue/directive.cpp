@@ -338,11 +338,13 @@ bool asks_for_ability(const LogicalForm& form) {
          dependent(form, *root, "Wh-Restr") == nullptr;
 }
 
+bool asks_to_act(const DialogueMove& move) {
+  return move.type == DialogueMoveType::action_directive || asks_for_ability(move.content);
+}
+
 std::vector<DirectiveStep> steps_asked_for(const DialogueMove& move, const Antecedents& antecedents,
                                            SceneKnowledge& scene) {
-  const bool is_asked =
-    move.type == DialogueMoveType::action_directive || asks_for_ability(move.content);
-  if (!move.problem.empty() || !is_asked ||
+  if (!move.problem.empty() || !asks_to_act(move) ||
       !is_handling(move.content, scene.vocabulary().meanings()))
     return {};
   try {

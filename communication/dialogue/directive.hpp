@@ -14,6 +14,9 @@ bool is_handling(const LogicalForm& request, const WordMeanings& meanings);
 /// Whether it is only asked whether something can be done: "can you reach the ball?"
 bool asks_for_ability(const LogicalForm& form);
 
+/// Whether a move asks for an action, or whether one is possible.
+bool asks_to_act(const DialogueMove& move);
+
 /// The steps that a move asks for, or asks whether they are possible (asks_for_ability); none if it
 /// asks for something else, or it is not clear what for.
 std::vector<DirectiveStep> steps_asked_for(const DialogueMove& move, const Antecedents& antecedents,

@@ -31,8 +31,10 @@ public:
 
   StateReply tell() {
     for (const auto& x : bound_.relations)
-      if (x.label == binding::position_label)
+      if (x.label == binding::position_label) {
         places_.insert(x.from);
+        things_at_.insert_or_assign(x.from, x.to);
+      }
     for (const auto& x : bound_.unions)
       if (!has(x, FeatureKind::relation_label) &&
           (places_.contains(x.id) || has(x, FeatureKind::concept_name)))
@@ -83,14 +85,23 @@ private:
       facts_.insert("(= (" + terms_.position + " " + to->second + ") " + from->second + ")");
     } else if (const auto predicate = terms_.relations.find(x.label);
                predicate != terms_.relations.end()) {
-      facts_.insert("(" + predicate->second + " " + from->second + " " + to->second + ")");
+      facts_.insert("(" + predicate->second + " " + from->second + " " + landmark(x.to) + ")");
     }
+  }
+
+  /// The thing at that place, if it is one and something is there.
+  const std::string& landmark(const std::string& id) const {
+    const auto thing = things_at_.find(id);
+    const auto name = thing == things_at_.end() ? names_.end() : names_.find(thing->second);
+    return name == names_.end() ? names_.at(id) : name->second;
   }
 
   const binding::ReferenceReply& bound_;
   const UnionFactTerms& terms_;
   /// Unions that something is at.
   std::set<std::string> places_;
+  /// By place.
+  std::map<std::string, std::string> things_at_;
   /// By union.
   std::map<std::string, std::string> names_;
   std::set<std::string> facts_;

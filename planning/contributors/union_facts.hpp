@@ -33,7 +33,8 @@ struct UnionFactTerms {
   std::string place_type = "waypoint";
   /// State variable: the place of a thing.
   std::string position = "pos";
-  /// Predicates of two places, or two things, by the labels of relations.
+  /// Predicates by the labels of relations: of a place and the thing that is at the other place, or
+  /// of two things.
   std::map<std::string, std::string> relations;
   std::vector<WordFacts> words;
   /// Predicates of a thing of which somebody looked for such a word, and found none.

@@ -70,7 +70,7 @@ TEST(UnionFacts, AreThingsTheirPlacesWordsAndRelations) {
                                    "(is-a vision/ball thing)", "(is-a vision/^.box box)",
                                    "(= (pos vision/ball) vision/at/ball)",
                                    "(= (pos vision/^.box) vision/at/^.box)",
-                                   "(wp-left-of vision/at/ball vision/at/^.box)"));
+                                   "(wp-left-of vision/at/ball vision/^.box)"));
 }
 
 TEST(UnionFacts, AreUnderstoodByThePlayMatesDomain) {
@@ -89,7 +89,7 @@ TEST(UnionFacts, AreUnderstoodByThePlayMatesDomain) {
   const auto found = continue_plan({"playmate.pddl", domain.str()}, request, {});
   ASSERT_EQ(found.outcome, PlanOutcome::changed) << found.explanation;
   ASSERT_EQ(found.steps.size(), 2U);
-  EXPECT_EQ(found.steps[0].action, "reposition-left arm free-place-1 vision/at/ball");
+  EXPECT_EQ(found.steps[0].action, "reposition-left arm free-place-1 vision/ball");
   EXPECT_EQ(found.steps[1].action, "move arm vision/^.box free-place-1");
   request.goal = "(left-of vision/ball vision/^.box)";
   EXPECT_EQ(continue_plan({"playmate.pddl", domain.str()}, request, {}).outcome,
