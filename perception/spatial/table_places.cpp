@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace castor::spatial {
 
@@ -105,6 +106,28 @@ double TablePlaces::fit(const PlaceWanted& place, std::size_t object,
   if (!fit)
     throw std::invalid_argument("the table has no part '" + place.relation + "'");
   return std::clamp(*fit, 0.0, 1.0);
+}
+
+std::vector<PlaceHeld> TablePlaces::all_held(std::span<const std::string> parts) const {
+  std::vector<PlaceHeld> result;
+  const auto note = [&](std::size_t object, PlaceWanted place) {
+    if (holds(place, object))
+      result.push_back({object, std::move(place)});
+  };
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    for (const auto& part : parts)
+      note(i, {part, {}});
+    for (std::size_t j = 0; j < objects_.size(); ++j) {
+      if (j == i)
+        continue;
+      for (const auto* relation : {"left", "right", "front", "back", "near", "away", "on"})
+        note(i, {relation, {j}});
+      for (std::size_t k = 0; k < objects_.size(); ++k)
+        if (k != i && k != j)
+          note(i, {"between", {j, k}});
+    }
+  }
+  return result;
 }
 
 bool TablePlaces::is_free(std::size_t object, const GroundPoint& centre) const {

@@ -26,6 +26,12 @@ struct PlaceWanted {
   std::vector<std::size_t> landmarks;
 };
 
+/// Where an object is.
+struct PlaceHeld {
+  std::size_t object = 0;
+  PlaceWanted place;
+};
+
 struct PlacingOptions {
   TableArea area;
   /// Between things on the table, metres.
@@ -62,6 +68,9 @@ public:
   bool holds(const PlaceWanted& place, std::size_t object) const {
     return fit(place, object, objects_.at(object).centre) > 0;
   }
+
+  /// Where all objects are: in relations to one or two others, and in some parts of the table.
+  std::vector<PlaceHeld> all_held(std::span<const std::string> parts) const;
 
   /// Positions for an object where all places fit and nothing else stands, apart from each other.
   PlacesFound find(std::size_t object, std::span<const PlaceWanted> places,

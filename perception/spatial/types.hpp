@@ -108,7 +108,7 @@ struct WantedPlace {
 /// A call for positions on the table where something can be put. In the reply, which is of the same
 /// type, `targets` may have fewer than the requested ones; if none, `reason` says why.
 struct PlacementQuery {
-  /// What is to be put there: the id of a SpatialLocation.
+  /// What is to be put there: the id of a SpatialLocation; empty for what is in no scene.
   std::string thing;
   /// All of them are to hold.
   std::vector<WantedPlace> places;
@@ -120,6 +120,27 @@ struct PlacementQuery {
   std::string on;
   /// A clause: "there is no room left of it".
   std::string reason;
+  /// Of the disc that what is in no scene fits in, metres.
+  double radius = 0.03;
+};
+
+/// Something that is where it could have been wanted.
+struct HeldPlace {
+  /// The id of a SpatialLocation.
+  std::string thing;
+  WantedPlace place;
+
+  friend bool operator==(const HeldPlace&, const HeldPlace&) = default;
+};
+
+/// A call: what is where on the table? Relations are those of PlacementQuery, so that what was put
+/// at a place found by it is there. The reply is of the same type.
+struct HeldPlacesQuery {
+  /// Parts of the table that are asked for; relations to things are in any case.
+  std::vector<std::string> parts;
+  /// The id of a SpatialScene; empty for the latest.
+  std::string scene;
+  std::vector<HeldPlace> held;
 };
 
 CASTOR_REFLECT_ENUM(SpatialRelation, near, front, back, left, right)
@@ -133,6 +154,8 @@ CASTOR_REFLECT(TargetPosition, position, value, frame)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
                targets)
 CASTOR_REFLECT(WantedPlace, relation, landmarks)
-CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason)
+CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason, radius)
+CASTOR_REFLECT(HeldPlace, thing, place)
+CASTOR_REFLECT(HeldPlacesQuery, parts, scene, held)
 
 } // namespace castor::spatial

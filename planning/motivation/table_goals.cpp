@@ -1,6 +1,7 @@
 #include "castor/planning/motivation/table_goals.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -76,6 +77,15 @@ std::string listed(const Things& things) {
   return result;
 }
 
+std::string are(const Things& things) {
+  return things.size() == 1 ? " is" : " are";
+}
+
+std::string sentence(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + '.';
+}
+
 class GoalMaker {
 public:
   GoalMaker(const DirectiveStep& step, std::span<const TableThing> table)
@@ -120,7 +130,8 @@ private:
     return found == table_.end() ? nullptr : &*found;
   }
 
-  TableGoal goal(std::string words) {
+  /// @param result a sentence without its full stop
+  TableGoal goal(std::string words, std::string result) {
     if (facts_.empty())
       return refusal("There is nothing to do.");
     std::string formula = "(and";
@@ -128,7 +139,8 @@ private:
       formula += ' ' + x;
     std::ranges::sort(parts_);
     parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
-    return {TableWish::goal, formula + ')', std::move(parts_), places_ + 1, std::move(words)};
+    return {TableWish::goal, formula + ')', std::move(parts_), places_ + 1, std::move(words),
+            sentence(std::move(result))};
   }
 
   std::string in_part(const TableThing& x, std::string part) {
@@ -151,7 +163,9 @@ private:
       return refusal("I can hold one thing only.");
     for (const auto* x : things_)
       facts_.push_back('(' + predicate + ' ' + x->object + ')');
-    return goal(verb + ' ' + listed(things_));
+    return goal(verb + ' ' + listed(things_),
+                predicate == "held" ? "I hold " + listed(things_) + " now"
+                                    : "I have pushed " + listed(things_));
   }
 
   TableGoal give() {
@@ -164,7 +178,7 @@ private:
     // Who speaks sits in front.
     for (const auto* x : things_)
       facts_.push_back(in_part(*x, "front-edge"));
-    return goal("give you " + listed(things_));
+    return goal("give you " + listed(things_), "here you are: " + listed(things_));
   }
 
   void hold_held() {
@@ -181,7 +195,7 @@ private:
       return refusal(step_.things.empty() ? "I do not hold anything." : "I do not hold that.");
     for (const auto* x : things_)
       facts_.push_back(in_part(*x, "table"));
-    return goal("put down " + listed(things_));
+    return goal("put down " + listed(things_), "I have put down " + listed(things_));
   }
 
   TableGoal put_back() {
@@ -195,7 +209,8 @@ private:
         return refusal("I do not know where " + x->words + " was before.");
       facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
     }
-    return goal("put " + listed(things_) + " back");
+    return goal("put " + listed(things_) + " back",
+                listed(things_) + are(things_) + " where it was before");
   }
 
   TableGoal swap() {
@@ -207,7 +222,7 @@ private:
       return refusal("I cannot swap what I hold.");
     facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
               "(= (pos " + b.object + ") " + a.waypoint + ')'};
-    return goal("swap " + listed(things_));
+    return goal("swap " + listed(things_), listed(things_) + " have changed places");
   }
 
   /// The part's things go to the other side.
@@ -221,7 +236,8 @@ private:
         facts_.push_back(in_part(x, std::string{other}));
     if (facts_.empty())
       return refusal("There is nothing " + std::string{find(part_words, part)} + '.');
-    return goal("clear what is " + std::string{find(part_words, part)});
+    return goal("clear what is " + std::string{find(part_words, part)},
+                "there is nothing " + std::string{find(part_words, part)} + " any more");
   }
 
   /// A strip of the table for each value, in the order in which their things lie already.
@@ -247,7 +263,8 @@ private:
     for (std::size_t i = 0; i < from_left.size(); ++i)
       for (const auto* x : from_left[i].second)
         facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
-    return goal("sort the things by " + step_.by);
+    return goal("sort the things by " + step_.by,
+                "the things are sorted by " + step_.by + " now");
   }
 
   // -- put
@@ -261,7 +278,8 @@ private:
       if (problem)
         return refusal(*problem);
     }
-    return goal((step_.action == "Push" ? "push " : "put ") + listed(things_) + where);
+    return goal((step_.action == "Push" ? "push " : "put ") + listed(things_) + where,
+                listed(things_) + are(things_) + where + " now");
   }
 
   /// \returns why it is impossible

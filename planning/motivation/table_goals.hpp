@@ -55,6 +55,8 @@ struct TableGoal {
   std::size_t new_places = 0;
   /// What is to be done, as an infinitive, or of a refusal a sentence that says why not.
   std::string words;
+  /// What to say once it is so, a sentence.
+  std::string result = {};
 
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };

@@ -22,12 +22,13 @@ TableObject table_object(const geometry::AlignedBox& box) {
 }
 
 /// Answers where something could be put: calls with a SpatialRelationshipTargetQuery or with a
-/// PlacementQuery.
+/// PlacementQuery; and what is where.
 class TargetFinder final : public UnmanagedComponent {
   void start() override {
     on_call<SpatialRelationshipTargetQuery>(
       [this](const SpatialRelationshipTargetQuery& x) { return find(x); });
     on_call<PlacementQuery>([this](const PlacementQuery& x) { return place(x); });
+    on_call<HeldPlacesQuery>([this](const HeldPlacesQuery& x) { return look(x); });
   }
 
   SpatialRelationshipTargetQuery find(SpatialRelationshipTargetQuery query) {
@@ -51,9 +52,7 @@ class TargetFinder final : public UnmanagedComponent {
 
   PlacementQuery place(PlacementQuery query) {
     const auto scene = scene_of(query);
-    std::vector<TableObject> objects;
-    for (const auto& id : scene.locations)
-      objects.push_back(table_object(read<SpatialLocation>(here(id))->box));
+    auto objects = objects_of(scene);
     const auto index_of = [&](const std::string& id) {
       const auto found = std::ranges::find(scene.locations, id);
       if (found == scene.locations.end())
@@ -66,17 +65,44 @@ class TargetFinder final : public UnmanagedComponent {
       for (const auto& id : x.landmarks)
         wanted.landmarks.push_back(index_of(id));
     }
-    PlacingOptions options;
-    options.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
-    options.clearance = clearance_;
-    const TablePlaces table{objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
-    const auto found = table.find(index_of(query.thing), places, query.requested_targets);
+    const auto thing = query.thing.empty() ? objects.size() : index_of(query.thing);
+    // In the way of nothing.
+    constexpr GroundPoint far_away{100, 100};
+    if (thing == objects.size())
+      objects.push_back({far_away, query.radius, true});
+    const auto found = table(scene, objects).find(thing, places, query.requested_targets);
     query.targets = found.targets;
     for (auto& target : query.targets)
       target.frame = scene.viewer.frame;
     query.on = found.on ? scene.locations[*found.on] : std::string{};
     query.reason = found.reason;
     return query;
+  }
+
+  HeldPlacesQuery look(HeldPlacesQuery query) {
+    const auto scene = scene_of(query);
+    query.held.clear();
+    for (const auto& x : table(scene, objects_of(scene)).all_held(query.parts)) {
+      auto& held = query.held.emplace_back(
+        HeldPlace{scene.locations[x.object], {x.place.relation, {}}});
+      for (const auto i : x.place.landmarks)
+        held.place.landmarks.push_back(scene.locations[i]);
+    }
+    return query;
+  }
+
+  std::vector<TableObject> objects_of(const SpatialScene& scene) {
+    std::vector<TableObject> result;
+    for (const auto& id : scene.locations)
+      result.push_back(table_object(read<SpatialLocation>(here(id))->box));
+    return result;
+  }
+
+  TablePlaces table(const SpatialScene& scene, const std::vector<TableObject>& objects) const {
+    PlacingOptions options;
+    options.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
+    options.clearance = clearance_;
+    return TablePlaces{objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
   }
 
   /// The latest scene, if the query names none.

@@ -48,6 +48,9 @@ TEST(TableGoals, ToPutIsToBeThere) {
   EXPECT_EQ(goal.formula, "(and (in-part b left-edge))");
   EXPECT_EQ(goal.parts, (std::vector<std::string>{"left-edge"}));
   EXPECT_EQ(goal.words, "put the blue ball at the left edge");
+  EXPECT_EQ(goal.result, "The blue ball is at the left edge now.");
+  EXPECT_EQ(goal_of({"Put", {"p/a", "p/b"}, 0, {{"right", {"p/c"}}}, {}}, table).result,
+            "The red ball and the blue ball are to the right of the red box now.");
 }
 
 TEST(TableGoals, SortingGivesAStripToEachValue) {

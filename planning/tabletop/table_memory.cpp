@@ -1,0 +1,321 @@
+#include "castor/planning/tabletop/table_memory.hpp"
+
+#include "castor/planning/continual/object_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace castor::planning {
+
+namespace {
+
+using spatial::GroundPoint;
+using spatial::WantedPlace;
+
+/// A thing that is so far from its waypoint was moved by somebody, metres.
+constexpr double moved_distance = 0.04;
+
+constexpr std::string_view choosing = "reposition-";
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> predicates{
+  {{"left", "wp-left-of"},
+   {"right", "wp-right-of"},
+   {"front", "wp-front-of"},
+   {"back", "wp-back-of"},
+   {"near", "wp-near"},
+   {"away", "wp-away-from"},
+   {"between", "wp-between"},
+   {"on", "wp-on"}}};
+
+double distance(const GroundPoint& a, const GroundPoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::string quality(const ThingOnTable& x, std::string_view kind) {
+  const auto found = x.qualities.find(kind);
+  return found == x.qualities.end() ? std::string{} : found->second;
+}
+
+bool look_alike(const ThingOnTable& a, const ThingOnTable& b) {
+  return quality(a, "colour") == quality(b, "colour") && quality(a, "shape") == quality(b, "shape");
+}
+
+bool contains_word(std::string_view text, std::string_view word) {
+  constexpr std::string_view ends = " ()";
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || ends.find(text[at - 1]) != std::string_view::npos) &&
+        (end == text.size() || ends.find(text[end]) != std::string_view::npos))
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+TableMemory::TableMemory(std::string agent, std::map<std::string, std::string> nouns)
+  : agent_(std::move(agent)), nouns_(std::move(nouns)) {
+  // nop
+}
+
+TableMemory::Thing* TableMemory::find(std::string_view name) {
+  const auto found = std::ranges::find(things_, name, &Thing::name);
+  return found == things_.end() ? nullptr : &*found;
+}
+
+const TableMemory::Thing* TableMemory::thing(std::string_view name) const {
+  const auto found = std::ranges::find(things_, name, &Thing::name);
+  return found == things_.end() ? nullptr : &*found;
+}
+
+const TableMemory::Thing* TableMemory::with_id(std::string_view id) const {
+  const auto found = std::ranges::find_if(things_, [&](const Thing& x) { return x.seen.id == id; });
+  return found == things_.end() ? nullptr : &*found;
+}
+
+std::string TableMemory::new_waypoint(GroundPoint place) {
+  auto name = "place-" + std::to_string(next_waypoint_++);
+  waypoints_[name] = place;
+  return name;
+}
+
+void TableMemory::see(const std::vector<ThingOnTable>& things) {
+  std::vector<const ThingOnTable*> others;
+  std::set<std::string> seen;
+  for (const auto& x : things)
+    if (auto* known = with_id(x.id) == nullptr ? nullptr : find(with_id(x.id)->name)) {
+      known->seen = x;
+      seen.insert(known->name);
+    } else {
+      others.push_back(&x);
+    }
+  std::set<std::string> loaded;
+  for (const auto& x : things_)
+    if (!x.on.empty())
+      loaded.insert(x.on);
+  std::erase_if(things_, [&](Thing& x) {
+    if (seen.contains(x.name) || x.is_held || !x.on.empty())
+      return false;
+    const bool is_loaded = loaded.contains(x.name);
+    const auto gap = [&](const ThingOnTable* other) {
+      const auto result = distance(other->place, x.seen.place);
+      // What stands on it changes how it looks.
+      const bool is_it = is_loaded ? result < moved_distance : look_alike(*other, x.seen);
+      return is_it ? result : std::numeric_limits<double>::infinity();
+    };
+    const auto nearest = std::ranges::min_element(others, {}, gap);
+    if (nearest == others.end() || std::isinf(gap(*nearest)))
+      return !is_loaded;
+    if (is_loaded)
+      x.seen.id = (*nearest)->id;
+    else
+      x.seen = **nearest;
+    others.erase(nearest);
+    return false;
+  });
+  for (auto& x : things_)
+    if (x.on.empty() && !x.is_held &&
+        distance(waypoints_.at(x.waypoint), x.seen.place) > moved_distance)
+      x.waypoint = new_waypoint(x.seen.place);
+  for (const auto* x : others)
+    things_.push_back({object_name(x->proxy), *x, new_waypoint(x->place)});
+}
+
+std::string TableMemory::words(const Thing& x) const {
+  auto result = "the " + quality(x.seen, "colour");
+  const auto shape = quality(x.seen, "shape");
+  const auto noun = nouns_.find(shape);
+  if (result.back() != ' ')
+    result += ' ';
+  return result + (noun != nouns_.end() ? noun->second : shape.empty() ? "thing" : shape);
+}
+
+std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& places) const {
+  std::vector<TableThing> result;
+  for (const auto& x : things_) {
+    TableThing thing{x.seen.proxy, x.name, x.waypoint, words(x), x.seen.place.x, x.seen.qualities};
+    thing.waypoint_before = x.waypoint_before;
+    thing.is_held = x.is_held;
+    for (const auto& at : places)
+      if (at.id == x.seen.id && at.place.landmarks.empty())
+        thing.parts.push_back(at.place.relation);
+    result.push_back(std::move(thing));
+  }
+  return result;
+}
+
+AchieveGoal TableMemory::begin(const TableGoal& goal) {
+  chosen_.clear();
+  done_.clear();
+  AchieveGoal result{goal.formula};
+  for (const auto& part : goal.parts)
+    result.objects.push_back({part, "part"});
+  for (std::size_t i = 0; i < goal.new_places; ++i)
+    result.objects.push_back({"place-" + std::to_string(next_waypoint_++), "waypoint"});
+  return result;
+}
+
+bool TableMemory::is_free(const std::string& waypoint) const {
+  const auto place = waypoints_.at(waypoint);
+  // Room for a thing as large as what stands beside.
+  return std::ranges::none_of(things_, [&](const Thing& x) {
+    return !x.is_held &&
+           (x.waypoint == waypoint || distance(x.seen.place, place) < 2 * x.seen.radius);
+  });
+}
+
+void TableMemory::tell_place(const std::string& waypoint, const WantedPlace& place,
+                             StateReply& reply) const {
+  if (place.landmarks.empty()) {
+    reply.facts.push_back("(wp-in " + waypoint + ' ' + place.relation + ')');
+    return;
+  }
+  const auto known =
+    std::ranges::find_if(predicates, [&](const auto& x) { return x.first == place.relation; });
+  if (known == predicates.end())
+    return;
+  const auto tell = [&](const auto& landmarks) {
+    std::string fact = '(' + std::string{known->second} + ' ' + waypoint;
+    for (const auto& name : landmarks)
+      fact += ' ' + name;
+    reply.facts.push_back(fact + ')');
+  };
+  tell(place.landmarks);
+  if (place.relation == "between")
+    tell(std::vector<std::string>(place.landmarks.rbegin(), place.landmarks.rend()));
+}
+
+void TableMemory::tell_thing(const Thing& x, StateReply& reply) const {
+  reply.objects.push_back({x.name, "thing"});
+  reply.facts.push_back("(= (pos " + x.name + ") " + (x.is_held ? "hand" : x.waypoint) + ')');
+  if (quality(x.seen, "shape") == "sphere")
+    reply.facts.push_back("(no-flat-top " + x.name + ')');
+  if (!x.is_held)
+    reply.objects.push_back({x.waypoint, "waypoint"});
+  if (!x.on.empty())
+    tell_place(x.waypoint, {"on", {x.on}}, reply);
+}
+
+StateReply TableMemory::state(std::string_view goal,
+                              const std::vector<ThingAtPlace>& places) const {
+  StateReply result;
+  result.objects.push_back({agent_, "agent"});
+  for (const auto& x : things_)
+    tell_thing(x, result);
+  for (const auto& [name, place] : waypoints_) {
+    const bool is_wanted = contains_word(goal, name) ||
+                           std::ranges::any_of(things_, [&name = name](const Thing& x) {
+                             return x.waypoint_before == name;
+                           });
+    if (is_wanted && is_free(name)) {
+      result.objects.push_back({name, "waypoint"});
+      result.facts.push_back("(used " + name + ')');
+    }
+  }
+  for (const auto& at : places) {
+    const auto* x = with_id(at.id);
+    auto place = at.place;
+    bool are_known = x != nullptr && !x->is_held && x->on.empty();
+    for (auto& landmark : place.landmarks) {
+      const auto* other = with_id(landmark);
+      are_known = are_known && other != nullptr && !other->is_held && other->on.empty();
+      if (are_known)
+        landmark = other->name;
+    }
+    if (are_known)
+      tell_place(x->waypoint, place, result);
+  }
+  for (const auto& [waypoint, wanted] : chosen_) {
+    result.objects.push_back({waypoint, "waypoint"});
+    result.facts.push_back("(chosen " + waypoint + ')');
+    for (const auto& place : wanted)
+      if (place.relation != "table" || contains_word(goal, "table"))
+        tell_place(waypoint, place, result);
+  }
+  result.facts.insert(result.facts.end(), done_.begin(), done_.end());
+  std::ranges::sort(result.facts);
+  result.facts.erase(std::ranges::unique(result.facts).begin(), result.facts.end());
+  std::ranges::sort(result.objects, {}, &StateObject::name);
+  result.objects.erase(std::ranges::unique(result.objects).begin(), result.objects.end());
+  return result;
+}
+
+void TableMemory::choose(const std::string& step, const std::vector<std::string>& arguments) {
+  auto& wanted = chosen_[arguments.at(0)];
+  auto relation = step.substr(choosing.size());
+  if (relation == "in")
+    wanted.push_back({arguments.at(1), {}});
+  else if (relation == "free")
+    wanted.push_back({"table", {}});
+  else
+    wanted.push_back({std::move(relation), {arguments.begin() + 1, arguments.end()}});
+}
+
+std::vector<WantedPlace> TableMemory::chosen(const std::string& waypoint) const {
+  const auto found = chosen_.find(waypoint);
+  return found == chosen_.end() ? std::vector<WantedPlace>{} : found->second;
+}
+
+const GroundPoint* TableMemory::place(const std::string& waypoint) const {
+  const auto found = waypoints_.find(waypoint);
+  return found == waypoints_.end() ? nullptr : &found->second;
+}
+
+void TableMemory::moved(const std::string& name, const std::string& waypoint, const std::string& id,
+                        GroundPoint place) {
+  auto* x = find(name);
+  if (x == nullptr)
+    return;
+  const auto wanted = chosen(waypoint);
+  chosen_.erase(waypoint);
+  x->waypoint_before = x->waypoint;
+  x->waypoint = waypoint;
+  x->is_held = false;
+  x->on.clear();
+  x->seen.place = place;
+  x->seen.id = id;
+  waypoints_[waypoint] = place;
+  for (const auto& y : wanted)
+    if (y.relation == "on" && !y.landmarks.empty())
+      x->on = y.landmarks.front();
+    else if (y.landmarks.empty() && parts_in("(in-part x " + y.relation + ')').empty())
+      // That it is elsewhere is known by what was done only.
+      done_.insert("(wp-in " + waypoint + ' ' + y.relation + ')');
+}
+
+void TableMemory::taken(const std::string& name) {
+  if (auto* x = find(name)) {
+    x->waypoint_before = x->waypoint;
+    x->is_held = true;
+    x->on.clear();
+  }
+}
+
+void TableMemory::released() {
+  for (auto& x : things_)
+    x.is_held = false;
+}
+
+void TableMemory::pushed(const std::string& name) {
+  done_.insert("(pushed " + name + ')');
+}
+
+std::vector<std::string> parts_in(std::string_view goal) {
+  constexpr std::string_view head = "(in-part ";
+  std::set<std::string> result;
+  for (auto at = goal.find(head); at != std::string_view::npos; at = goal.find(head, at + 1)) {
+    const auto begin = goal.find(' ', at + head.size());
+    const auto end = goal.find(')', at);
+    if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
+      continue;
+    auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
+    if (part != "elsewhere" && part != "aside" && part != "there")
+      result.insert(std::move(part));
+  }
+  return {result.begin(), result.end()};
+}
+
+} // namespace castor::planning

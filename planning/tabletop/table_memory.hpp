@@ -1,0 +1,116 @@
+#pragma once
+
+#include "castor/perception/spatial/types.hpp"
+#include "castor/planning/continual/types.hpp"
+#include "castor/planning/motivation/table_goals.hpp"
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor::planning {
+
+/// A thing as it is seen and bound now; metres, in the table's frame.
+struct ThingOnTable {
+  /// Of its SceneObject.
+  std::string id;
+  /// By which requests refer to it.
+  std::string proxy;
+  /// Its colour, shape and size, as far as they are known.
+  std::map<std::string, std::string, std::less<>> qualities = {};
+  spatial::GroundPoint place;
+  /// Of the disc that it fits in.
+  double radius = 0.03;
+};
+
+/// Where something is; things by the ids of their SceneObjects.
+struct ThingAtPlace {
+  std::string id;
+  spatial::WantedPlace place;
+};
+
+/// What a planner has to know of a table that is not to be seen: which thing is which after it was
+/// moved, what stands on another, what is held, and the places that were chosen but where nothing is
+/// yet. Names of objects are kept for as long as a thing is there.
+class TableMemory {
+public:
+  struct Thing {
+    /// The planner's name.
+    std::string name;
+    /// As it was seen last.
+    ThingOnTable seen;
+    std::string waypoint;
+    std::string waypoint_before = {};
+    bool is_held = false;
+    /// Name of the thing that it stands on; vision may see both as one. Empty for the table.
+    std::string on = {};
+  };
+
+  /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
+  explicit TableMemory(std::string agent, std::map<std::string, std::string> nouns = {});
+
+  /// All that is seen now. What is not seen any more, and is neither held nor on another thing, is
+  /// taken for something new that looks like it, or is forgotten.
+  void see(const std::vector<ThingOnTable>& things);
+
+  // -- what is asked for
+
+  /// For goals. @param places where things are, in parts of the table
+  std::vector<TableThing> things(const std::vector<ThingAtPlace>& places) const;
+  /// Begins a goal: forgets what was chosen for another, and reserves its new places.
+  AchieveGoal begin(const TableGoal& goal);
+
+  // -- for the planner
+
+  /// @param goal for whose waypoints and parts it is
+  StateReply state(std::string_view goal, const std::vector<ThingAtPlace>& places) const;
+
+  /// Null if there is no such thing.
+  const Thing* thing(std::string_view name) const;
+  const Thing* with_id(std::string_view id) const;
+
+  // -- steps of plans
+
+  /// "reposition-left robot place-4 box": a place is chosen where nothing is yet.
+  /// @param arguments of the step, after the agent
+  void choose(const std::string& step, const std::vector<std::string>& arguments);
+  /// What was chosen, with names of things; empty for a place where something was before.
+  std::vector<spatial::WantedPlace> chosen(const std::string& waypoint) const;
+  /// Where something was. Null for what was chosen.
+  const spatial::GroundPoint* place(const std::string& waypoint) const;
+
+  /// It is at a waypoint now. @param id of the SceneObject that it is seen as; empty if it is not
+  /// seen there, because it stands on another thing
+  void moved(const std::string& name, const std::string& waypoint, const std::string& id,
+             spatial::GroundPoint place);
+  void taken(const std::string& name);
+  /// Nothing is held any more, wherever it is.
+  void released();
+  void pushed(const std::string& name);
+
+private:
+  Thing* find(std::string_view name);
+  std::string new_waypoint(spatial::GroundPoint place);
+  std::string words(const Thing& x) const;
+  bool is_free(const std::string& waypoint) const;
+  void tell_thing(const Thing& x, StateReply& reply) const;
+  void tell_place(const std::string& waypoint, const spatial::WantedPlace& place,
+                  StateReply& reply) const;
+
+  std::string agent_;
+  std::map<std::string, std::string> nouns_;
+  std::vector<Thing> things_;
+  std::map<std::string, spatial::GroundPoint> waypoints_;
+  std::map<std::string, std::vector<spatial::WantedPlace>> chosen_;
+  /// Facts of the goal that nobody sees.
+  std::set<std::string> done_;
+  std::size_t next_waypoint_ = 1;
+};
+
+/// Parts of the table that a goal speaks of and that things can be seen in.
+std::vector<std::string> parts_in(std::string_view goal);
+
+} // namespace castor::planning

@@ -1,0 +1,155 @@
+#include "castor/planning/tabletop/table_memory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+using testing::Not;
+
+const ThingOnTable ball{
+  "o1", "p1", {{"colour", "blue"}, {"shape", "sphere"}}, {-0.2, 0.0}, 0.03};
+const ThingOnTable box{"o2", "p2", {{"colour", "red"}, {"shape", "cube"}}, {0.1, 0.0}, 0.03};
+
+ThingOnTable seen_as(ThingOnTable x, const std::string& id, spatial::GroundPoint place) {
+  x.id = id;
+  x.proxy = "proxy of " + id;
+  x.place = place;
+  return x;
+}
+
+/// Names of new places that a goal has.
+std::vector<std::string> places_of(const AchieveGoal& goal) {
+  std::vector<std::string> result;
+  for (const auto& x : goal.objects)
+    if (x.type == "waypoint")
+      result.push_back(x.name);
+  return result;
+}
+
+class TableMemoryTest : public testing::Test {
+protected:
+  TableMemoryTest() { memory.see({ball, box}); }
+
+  std::vector<std::string> facts(const std::string& goal = {},
+                                 const std::vector<ThingAtPlace>& places = {}) const {
+    return memory.state(goal, places).facts;
+  }
+
+  std::string new_place(std::size_t count = 1) {
+    TableGoal goal;
+    goal.new_places = count;
+    return places_of(memory.begin(goal)).front();
+  }
+
+  TableMemory memory{"robot", {{"sphere", "ball"}}};
+};
+
+TEST_F(TableMemoryTest, SaysWhereThingsAre) {
+  EXPECT_THAT(facts({}, {{"o1", {"left", {"o2"}}}, {"o2", {"left-edge", {}}}}),
+              testing::UnorderedElementsAre("(= (pos p1) place-1)", "(= (pos p2) place-2)",
+                                            "(no-flat-top p1)", "(wp-left-of place-1 p2)",
+                                            "(wp-in place-2 left-edge)"));
+  const auto things = memory.things({{"o2", {"left", {}}}});
+  ASSERT_EQ(things.size(), 2U);
+  EXPECT_EQ(things[0].words, "the blue ball");
+  EXPECT_EQ(things[1].words, "the red cube");
+  EXPECT_THAT(things[1].parts, testing::ElementsAre("left"));
+}
+
+TEST_F(TableMemoryTest, KeepsNamesOfThingsThatAreSeenAnew) {
+  memory.see({seen_as(ball, "o7", {0.2, 0.1}), box});
+  ASSERT_NE(memory.thing("p1"), nullptr);
+  EXPECT_EQ(memory.thing("p1")->seen.id, "o7");
+  EXPECT_NE(memory.thing("p1")->waypoint, "place-1");
+  // What looks different is something else.
+  auto other = seen_as(ball, "o8", {0.2, 0.1});
+  other.qualities["colour"] = "green";
+  memory.see({other, box});
+  EXPECT_EQ(memory.thing("p1"), nullptr);
+  EXPECT_NE(memory.with_id("o8"), nullptr);
+}
+
+TEST_F(TableMemoryTest, ATwinThatStaysIsNotTakenForWhatHasGone) {
+  auto twin = seen_as(ball, "o3", {0.0, 0.2});
+  memory.see({ball, box, twin});
+  memory.see({box, twin});
+  EXPECT_EQ(memory.thing("p1"), nullptr);
+  EXPECT_EQ(memory.with_id("o3")->name, "proxy^20of^20o3");
+}
+
+TEST_F(TableMemoryTest, AChosenPlaceIsThereUntilAThingIsAtIt) {
+  const auto place = new_place();
+  memory.choose("reposition-right", {place, "p2"});
+  EXPECT_EQ(memory.chosen(place), (std::vector<spatial::WantedPlace>{{"right", {"p2"}}}));
+  EXPECT_THAT(facts(), Contains("(chosen " + place + ")"));
+  EXPECT_THAT(facts(), Contains("(wp-right-of " + place + " p2)"));
+  memory.moved("p1", place, "o9", {0.2, 0.0});
+  memory.see({seen_as(ball, "o9", {0.2, 0.0}), box});
+  EXPECT_THAT(facts(), Contains("(= (pos p1) " + place + ")"));
+  EXPECT_THAT(facts(), Not(Contains("(chosen " + place + ")")));
+  // Only what is seen there counts now.
+  EXPECT_THAT(facts(), Not(Contains("(wp-right-of " + place + " p2)")));
+  EXPECT_THAT(facts({}, {{"o9", {"right", {"o2"}}}}),
+              Contains("(wp-right-of " + place + " p2)"));
+  // Where it was, something can be put.
+  EXPECT_THAT(facts(), Contains("(used place-1)"));
+  EXPECT_EQ(*memory.place("place-1"), ball.place);
+}
+
+TEST_F(TableMemoryTest, WhatStandsOnAnotherThingIsKept) {
+  const auto place = new_place();
+  memory.choose("reposition-on", {place, "p2"});
+  memory.moved("p1", place, {}, box.place);
+  auto both = seen_as(box, "o5", {0.1, 0.01});
+  both.qualities["colour"] = "blue";
+  memory.see({both});
+  ASSERT_NE(memory.thing("p2"), nullptr);
+  EXPECT_EQ(memory.thing("p2")->seen.id, "o5");
+  EXPECT_THAT(facts(), Contains("(wp-on " + place + " p2)"));
+  EXPECT_EQ(memory.things({}).size(), 2U);
+}
+
+TEST_F(TableMemoryTest, WhatIsHeldIsKeptUntilItIsLost) {
+  memory.taken("p1");
+  memory.see({box});
+  EXPECT_THAT(facts(), Contains("(= (pos p1) hand)"));
+  EXPECT_TRUE(memory.things({}).front().is_held);
+  memory.released();
+  memory.see({box});
+  EXPECT_EQ(memory.thing("p1"), nullptr);
+}
+
+TEST_F(TableMemoryTest, ANewGoalForgetsWhatWasChosenAndDone) {
+  const auto place = new_place();
+  memory.choose("reposition-free", {place});
+  memory.pushed("p1");
+  EXPECT_THAT(facts(), Contains("(pushed p1)"));
+  EXPECT_NE(new_place(), place);
+  EXPECT_THAT(facts(), Not(Contains("(pushed p1)")));
+  EXPECT_THAT(memory.chosen(place), IsEmpty());
+}
+
+TEST_F(TableMemoryTest, ThatSomethingIsElsewhereIsKnownByWhatWasDone) {
+  const auto place = new_place();
+  memory.choose("reposition-in", {place, "elsewhere"});
+  memory.moved("p1", place, "o1", {0.0, 0.2});
+  EXPECT_THAT(facts(), Contains("(wp-in " + place + " elsewhere)"));
+}
+
+TEST(PartsIn, AreThoseThatCanBeSeen) {
+  EXPECT_THAT(parts_in("(and (in-part a left) (in-part b elsewhere) (left-of a b) (in-part c left)"
+                       " (in-part d strip-1-of-2))"),
+              testing::ElementsAre("left", "strip-1-of-2"));
+}
+
+} // namespace
+
+} // namespace castor::planning
