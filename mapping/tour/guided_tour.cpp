@@ -7,8 +7,10 @@
 #include "castor/mapping/slam/types.hpp"
 #include "castor/mapping/tour/place_names.hpp"
 #include "castor/mapping/tour/tour_request.hpp"
+#include "castor/planning/motivation/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,7 +27,7 @@ class GuidedTour final : public UnmanagedComponent {
     on_change(added<communication::DialogueMove>().in(communication_),
               [this](const ChangeEvent& event) {
                 try {
-                  hear(*read<communication::DialogueMove>(event.address));
+                  hear(event.address);
                 } catch (const DoesNotExistOnWM&) {
                   debug("{} was deleted before it was read", event.address.id);
                 }
@@ -34,8 +36,12 @@ class GuidedTour final : public UnmanagedComponent {
               [this](const ChangeEvent&) { name_areas(); });
   }
 
-  void hear(const communication::DialogueMove& move) {
-    const auto request = tour_request(move);
+  void hear(const Address& address) {
+    const auto move = read<communication::DialogueMove>(address);
+    const auto request = tour_request(*move);
+    // The dialogue says itself what it has not understood.
+    if (move->type == communication::DialogueMoveType::action_directive && move->problem.empty())
+      acknowledge(address, request);
     if (!request)
       return;
     switch (request->wish) {
@@ -64,6 +70,18 @@ class GuidedTour final : public UnmanagedComponent {
         move_robot(StopMoving{});
         break;
     }
+  }
+
+  void acknowledge(const Address& move, const std::optional<TourRequest>& request) {
+    const bool is_known =
+      request &&
+      (request->wish != TourWish::go ||
+       std::ranges::any_of(read_all<Area>(), [&](auto& x) { return x->label == request->place; }));
+    planning::MotiveAcknowledgement reply;
+    reply.cause = EntryPointer<communication::DialogueMove>{move};
+    reply.reply = is_known ? planning::MotiveReply::accepted : planning::MotiveReply::impossible;
+    reply.words = reply_to(request, is_known);
+    add(here("reply to " + move.id), reply);
   }
 
   template <class T>
@@ -109,10 +127,15 @@ class GuidedTour final : public UnmanagedComponent {
     std::vector<GraphNode> nodes;
     for (auto& x : read_all<GraphNode>())
       nodes.push_back(*x);
+    for (auto& x : names_.take_moved(nodes)) {
+      name({x.from, {}});
+      name(x.now);
+    }
     for (auto& x : names_.take_known(*pose, *positions.front(), nodes))
       name(x);
   }
 
+  /// @param x without a name, the area has none any more
   void name(const PlaceNames::Named& x) {
     const auto address = here("area-" + std::to_string(x.area));
     // Its builder may write it at the same time.
@@ -121,7 +144,10 @@ class GuidedTour final : public UnmanagedComponent {
         auto area = *read<Area>(address);
         area.label = x.name;
         overwrite(address, area);
-        info("area {} is called {}", x.area, x.name);
+        if (x.name.empty())
+          info("area {} has no name any more", x.area);
+        else
+          info("area {} is called {}", x.area, x.name);
         return;
       } catch (const ConsistencyException&) {
         debug("{} has changed meanwhile", address.id);

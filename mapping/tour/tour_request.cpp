@@ -103,4 +103,21 @@ std::optional<TourRequest> tour_request(const DialogueMove& move) {
   return std::nullopt;
 }
 
+std::string reply_to(const std::optional<TourRequest>& request, bool is_known) {
+  if (!request)
+    return "I can not do that.";
+  switch (request->wish) {
+    case TourWish::name_place:
+      break;
+    case TourWish::go:
+      return is_known ? "I go to the " + request->place + "."
+                      : "I do not know where the " + request->place + " is.";
+    case TourWish::follow:
+      return "I follow you.";
+    case TourWish::stop:
+      return "I stop.";
+  }
+  return {};
+}
+
 } // namespace castor::mapping

@@ -31,4 +31,9 @@ struct TourRequest {
 /// not the kitchen"), and what more than a name is said of ("the red kitchen"), names no place.
 std::optional<TourRequest> tour_request(const communication::DialogueMove& move);
 
+/// Sentence in reply to a directive.
+/// @param request nothing if the directive is about something else
+/// @param is_known whether there is a place of the name
+std::string reply_to(const std::optional<TourRequest>& request, bool is_known);
+
 } // namespace castor::mapping

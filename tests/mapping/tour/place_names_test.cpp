@@ -33,8 +33,32 @@ TEST(PlaceNames, AreThoseOfTheAreaWhereTheRobotIs) {
   EXPECT_TRUE(names.is_empty());
   names.add("kitchen", {1.5, 0.5});
   EXPECT_EQ(names.take_known({1, 0, 0}, {2, 6, 7}, nodes()), (Named{{6, "kitchen"}}));
-  EXPECT_TRUE(names.is_empty());
   EXPECT_TRUE(names.take_known({1, 0, 0}, {2, 6, 7}, nodes()).empty());
+}
+
+TEST(PlaceNames, StayOnTheirSideOfADoorThatIsFoundLater) {
+  PlaceNames names;
+  names.add("kitchen", {1.5, 0.5});
+  const std::vector<GraphNode> before{node(0, -1, 5)};
+  EXPECT_EQ(names.take_known({0.5, 0, 0}, {0, 5, 3}, before), (Named{{5, "kitchen"}}));
+  EXPECT_TRUE(names.take_moved(before).empty());
+  // The door is there before any place behind it.
+  const std::vector<GraphNode> door{node(0, -1, 5), node(1, 0, -1)};
+  EXPECT_TRUE(names.take_moved(door).empty());
+  const std::vector<PlaceNames::Moved> moved{{5, {6, "kitchen"}}};
+  EXPECT_EQ(names.take_moved(nodes()), moved);
+  EXPECT_TRUE(names.take_moved(nodes()).empty());
+}
+
+TEST(PlaceNames, OfTwoForOneAreaTheLastCounts) {
+  PlaceNames names;
+  for (const auto* name : {"kitchen", "office"}) {
+    names.add(name, {1.5, 0.5});
+    EXPECT_EQ(names.take_known({1, 0, 0}, {2, 6, 7}, nodes()), (Named{{6, name}}));
+  }
+  const std::vector<GraphNode> other{node(2, 1, 9)};
+  const std::vector<PlaceNames::Moved> moved{{6, {9, "office"}}};
+  EXPECT_EQ(names.take_moved(other), moved);
 }
 
 TEST(PlaceNames, WaitUntilTheRobotHasFollowedThroughTheDoor) {

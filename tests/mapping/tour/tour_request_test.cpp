@@ -12,9 +12,10 @@ namespace castor::mapping::test {
 
 namespace {
 
-/// What the parser makes of a sentence.
+/// What the parser of configs/explorer.cast makes of a sentence.
 std::optional<TourRequest> heard(const std::string& sentence) {
-  static communication::Parser parser(communication::english_lexicon());
+  static communication::Parser parser(communication::lexicon_of_files(
+    "english.ccg tabletop.words language/rooms.words", CASTOR_CONFIGS));
   const auto readings = parser.readings(sentence);
   EXPECT_FALSE(readings.empty()) << sentence;
   if (readings.empty())
@@ -34,6 +35,9 @@ TEST(TourRequest, NamesThePlaceHere) {
   EXPECT_EQ(heard("this room is the kitchen"), place_called("kitchen"));
   EXPECT_EQ(heard("this is my office"), place_called("office"));
   EXPECT_EQ(heard("this is the living room"), place_called("living room"));
+  EXPECT_EQ(heard("this is the workshop"), place_called("workshop"));
+  EXPECT_EQ(heard("this is the meeting room"), place_called("meeting room"));
+  EXPECT_EQ(heard("we are in the server room"), place_called("server room"));
   EXPECT_EQ(heard("we are in the kitchen"), place_called("kitchen"));
   EXPECT_EQ(heard("you are in the kitchen"), place_called("kitchen"));
 }
@@ -54,6 +58,17 @@ TEST(TourRequest, IsADirective) {
   EXPECT_EQ(heard("put the ball near the box"), std::nullopt);
   EXPECT_EQ(heard("do not follow me"), std::nullopt);
   EXPECT_EQ(tour_request({}), std::nullopt);
+}
+
+TEST(TourRequest, IsRepliedTo) {
+  const auto reply = [](const std::string& sentence, bool is_known) {
+    return reply_to(heard(sentence), is_known);
+  };
+  EXPECT_EQ(reply("follow me", true), "I follow you.");
+  EXPECT_EQ(reply("stop", true), "I stop.");
+  EXPECT_EQ(reply("go to the meeting room", true), "I go to the meeting room.");
+  EXPECT_EQ(reply("go to the meeting room", false), "I do not know where the meeting room is.");
+  EXPECT_EQ(reply("take the ball", false), "I can not do that.");
 }
 
 } // namespace

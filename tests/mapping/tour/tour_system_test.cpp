@@ -131,11 +131,14 @@ TEST(GuidedTour, FollowsLearnsNamesAndGoesToOneOfThem) {
   // The left room of the building.
   EXPECT_LT(end->x, 6);
   EXPECT_GT(end->y, 2);
-  // Each name is that of one area, and of different ones.
+  // Each name is that of one area, and of the right one.
   std::multiset<std::string> names;
   for (auto& entry : system.system().entries("mapping"))
-    if (auto x = entry->value.as<Area>(); x && x->merged_into < 0 && !x->label.empty())
+    if (auto x = entry->value.as<Area>(); x && x->merged_into < 0 && !x->label.empty()) {
       names.insert(x->label);
+      EXPECT_GT(x->y + 1, 2) << x->label << ": not the corridor";
+      EXPECT_EQ(x->x + 0.8 < 6, x->label == "kitchen") << x->label << " at " << x->x;
+    }
   EXPECT_EQ(names, (std::multiset<std::string>{"kitchen", "office"}));
   system.expect_nobody_else_down();
 }
