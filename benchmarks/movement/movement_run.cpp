@@ -122,6 +122,7 @@ private:
     const auto scan = body_.scan();
     seen_.add(scan, body_.status().pose);
     watch_.add(scan);
+    options_.on_scan(scan, body_.odometry(), body_.status());
   }
 
   GoalPursuit::Step step(GoalPursuit& pursuit) {

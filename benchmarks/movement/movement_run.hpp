@@ -5,6 +5,7 @@
 #include "castor/mapping/movement/goal_tally.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct MovementRunOptions {
   mapping::PursuitOptions pursuit;
   /// An action is given up after that time, seconds.
   double longest = 600;
+  /// Called with each scan, the odometry and the true state of the body at its time.
+  std::function<void(const mapping::LaserScan&, const mapping::Odometry&,
+                     const mapping::BodyStatus&)>
+    on_scan = [](auto&...) {};
 };
 
 struct MovementRun {

@@ -1,6 +1,6 @@
 #include "castor/mapping/graph/gateway_tracker.hpp"
 
-#include "castor/mapping/graph/beam_towards.hpp"
+#include "castor/mapping/planar/beam_towards.hpp"
 
 #include <algorithm>
 #include <array>

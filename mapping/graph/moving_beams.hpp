@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/mapping/planar/types.hpp"
+#include "castor/mapping/planar/view.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -32,14 +33,8 @@ public:
   std::vector<bool> add(const ScanPtr& scan, const Pose2& robot);
 
 private:
-  struct Seen {
-    ScanPtr scan;
-    /// Pose of the scanner.
-    Pose2 scanner;
-  };
-
   MovingBeamsOptions options_;
-  std::deque<Seen> seen_;
+  std::deque<View> seen_;
 };
 
 } // namespace castor::mapping

@@ -24,10 +24,11 @@ std::unique_ptr<const PointMatcher> matcher_of(const FrontEndOptions& options) {
 } // namespace
 
 FrontEnd::FrontEnd(const FrontEndOptions& options)
-  : options_(options), matcher_(matcher_of(options)) {}
+  : options_(options), matcher_(matcher_of(options)), map_(options.map) {}
 
 void FrontEnd::resume(const std::vector<Keyframe>& newest) {
-  placed_.clear();
+  map_.clear();
+  newest_.reset();
   for (const auto& x : newest)
     place(x, surface_points(x.scan, options_.surface));
   if (newest.empty())
@@ -70,24 +71,27 @@ FrontEnd::Motion FrontEnd::motion_to(std::int64_t time, const Pose2& odometry) c
 ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) const {
   auto by_odometry = compose(pose_, motion.step);
   if (!motion.as_before)
-    return matcher_->match(map_, scan, by_odometry, motion.prior);
+    return matcher_->match(map_.points(), scan, by_odometry, motion.prior);
   auto late = between(motion.step, *motion.as_before);
   auto late_by = std::hypot(late.x, late.y);
   if (late_by < options_.late_odometry && std::abs(late.heading) < options_.late_odometry_heading)
-    return matcher_->match(map_, scan, by_odometry, motion.prior);
+    return matcher_->match(map_.points(), scan, by_odometry, motion.prior);
   auto prior = motion.prior;
   prior.translation += late_by;
   prior.heading += std::abs(late.heading);
-  auto a = matcher_->match(map_, scan, by_odometry, prior);
-  auto b = matcher_->match(map_, scan, compose(pose_, *motion.as_before), prior);
+  auto a = matcher_->match(map_.points(), scan, by_odometry, prior);
+  auto b = matcher_->match(map_.points(), scan, compose(pose_, *motion.as_before), prior);
   return b.matched > a.matched + options_.search_gain ? b : a;
 }
 
 FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion) const {
-  auto scan = thinned(points, options_.spacing);
+  auto standing = points;
   Found result;
   if (!motion.is_uncertain) {
-    result.match = match_near(scan, motion);
+    result.match = match_near(thinned(points, options_.spacing), motion);
+    standing = standing_of(points, result.match.pose);
+    if (standing.size() < points.size())
+      result.match = match_near(thinned(standing, options_.spacing), motion);
     result.fits = result.match.matched >= options_.least_matched;
     if (result.match.matched >= options_.sure_matched)
       return result;
@@ -96,12 +100,12 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
   // late.
   SearchWindow window{std::clamp(3 * motion.prior.translation, 0.4, 3.),
                       std::clamp(3 * motion.prior.heading, 0.3, std::numbers::pi / 2)};
-  CorrelativeMatcher coarse{thinned(map_.points(), 0.03)};
+  CorrelativeMatcher coarse{thinned(map_.points().points(), 0.03)};
   auto best =
-    coarse.match(thinned(points, 0.1), compose(pose_, motion.step), window, options_.least_score);
+    coarse.match(thinned(standing, 0.1), compose(pose_, motion.step), window, options_.least_score);
   if (!best)
     return result;
-  auto match = matcher_->match(map_, scan, best->pose, {});
+  auto match = matcher_->match(map_.points(), thinned(standing, options_.spacing), best->pose, {});
   if (match.matched >= options_.least_matched &&
       match.matched > result.match.matched + options_.search_gain) {
     result.match = match;
@@ -110,8 +114,14 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
   return result;
 }
 
+SurfacePoints FrontEnd::standing_of(const SurfacePoints& points, const Pose2& pose) const {
+  auto result = map_.standing(points, pose);
+  const auto all = static_cast<double>(points.size());
+  return static_cast<double>(result.size()) < (1 - options_.most_moved) * all ? points : result;
+}
+
 bool FrontEnd::is_far_from_keyframe(const Pose2& pose) const {
-  auto way = between(placed_.back().keyframe.local_pose, pose);
+  auto way = between(newest_->local_pose, pose);
   return std::hypot(way.x, way.y) >= options_.keyframe_distance ||
          std::abs(way.heading) >= options_.keyframe_turn;
 }
@@ -120,7 +130,7 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
   auto points = surface_points(scan, options_.surface);
   FrontEndStep result;
   result.time = scan.time;
-  if (placed_.empty()) {
+  if (!newest_) {
     // Its own frame begins as the odometry frame.
     result.local_pose = odometry;
     make_keyframe(result, scan, odometry, points);
@@ -141,17 +151,19 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
     }
     if (is_far_from_keyframe(result.local_pose))
       make_keyframe(result, scan, odometry, points);
+    else if (found.fits)
+      map_.look(scan, result.local_pose);
   }
   // Steps in a very short time say nothing of the speed.
   auto is_known = result.state == LocalisationState::tracking && scan.time - time_ > 10000;
   last_step_ = is_known ? between(pose_, result.local_pose) : Pose2{};
-  last_duration_ = is_known && !placed_.empty() ? scan.time - time_ : 0;
+  last_duration_ = is_known && newest_ ? scan.time - time_ : 0;
   has_resumed_ = false;
   time_ = scan.time;
   odometry_ = odometry;
   pose_ = result.local_pose;
-  result.keyframe = placed_.back().keyframe.number;
-  result.on_keyframe = between(placed_.back().keyframe.local_pose, pose_);
+  result.keyframe = newest_->number;
+  result.on_keyframe = between(newest_->local_pose, pose_);
   return result;
 }
 
@@ -162,8 +174,8 @@ void FrontEnd::make_keyframe(FrontEndStep& step, const LaserScan& scan, const Po
   keyframe.odometry = odometry;
   keyframe.local_pose = step.local_pose;
   keyframe.scan = scan;
-  if (!placed_.empty()) {
-    keyframe.number = placed_.back().keyframe.number + 1;
+  if (newest_) {
+    keyframe.number = newest_->number + 1;
     step.constraint = constraint_to(step);
   }
   place(keyframe, points);
@@ -171,7 +183,7 @@ void FrontEnd::make_keyframe(FrontEndStep& step, const LaserScan& scan, const Po
 }
 
 Constraint FrontEnd::constraint_to(const FrontEndStep& step) const {
-  const auto& before = placed_.back().keyframe;
+  const auto& before = *newest_;
   Constraint result;
   result.from = before.number;
   result.to = before.number + 1;
@@ -200,13 +212,8 @@ Constraint FrontEnd::constraint_to(const FrontEndStep& step) const {
 }
 
 void FrontEnd::place(const Keyframe& keyframe, const SurfacePoints& points) {
-  placed_.push_back({keyframe, transform(keyframe.local_pose, points)});
-  while (placed_.size() > options_.keyframes)
-    placed_.pop_front();
-  SurfacePoints all;
-  for (const auto& x : placed_)
-    all.insert(all.end(), x.points.begin(), x.points.end());
-  map_ = PointMap{all};
+  newest_ = keyframe;
+  map_.place(std::make_shared<const LaserScan>(keyframe.scan), keyframe.local_pose, points);
 }
 
 } // namespace castor::mapping

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "castor/mapping/slam/correlative_matcher.hpp"
-#include "castor/mapping/slam/point_map.hpp"
+#include "castor/mapping/slam/local_map.hpp"
 #include "castor/mapping/slam/scan_matcher.hpp"
 #include "castor/mapping/slam/surface_points.hpp"
 #include "castor/mapping/slam/types.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,8 +28,8 @@ struct FrontEndOptions {
   double keyframe_distance = 0.15;
   /// ... or turned this far, radians.
   double keyframe_turn = 0.12;
-  /// How many of the newest keyframes a scan is matched against.
-  std::size_t keyframes = 15;
+  /// What a scan is matched against.
+  LocalMapOptions map;
   /// Deviation of odometry, as a share of the distance and of the angle turned ...
   double odometry_translation = 0.1;
   double odometry_turn = 0.1;
@@ -54,6 +53,8 @@ struct FrontEndOptions {
   double sure_matched = 0.8;
   /// Scans of which less is on known surfaces do not fit.
   double least_matched = 0.4;
+  /// If what seems to have moved is more of a scan, it is the robot that is elsewhere.
+  double most_moved = 0.4;
   /// Score of a correlative match that is good enough to go on from it.
   double least_score = 0.5;
   /// Odometry that moves faster has jumped, m/s and rad/s.
@@ -101,12 +102,6 @@ public:
   FrontEndStep add(const LaserScan& scan, const Pose2& odometry);
 
 private:
-  struct Placed {
-    Keyframe keyframe;
-    /// In the front end's own frame.
-    SurfacePoints points;
-  };
-
   struct Motion {
     /// By odometry.
     Pose2 step;
@@ -125,6 +120,8 @@ private:
 
   Motion motion_to(std::int64_t time, const Pose2& odometry) const;
   Found find(const SurfacePoints& points, const Motion& motion) const;
+  /// Those of a robot at that pose that have not moved; all if that is too much of them.
+  SurfacePoints standing_of(const SurfacePoints& points, const Pose2& pose) const;
   ScanMatch match_near(const SurfacePoints& scan, const Motion& motion) const;
   bool is_far_from_keyframe(const Pose2& pose) const;
   void make_keyframe(FrontEndStep& step, const LaserScan& scan, const Pose2& odometry,
@@ -134,8 +131,8 @@ private:
 
   FrontEndOptions options_;
   std::unique_ptr<const PointMatcher> matcher_;
-  std::deque<Placed> placed_;
-  PointMap map_;
+  std::optional<Keyframe> newest_;
+  LocalMap map_;
   std::int64_t time_ = 0;
   Pose2 odometry_;
   Pose2 pose_;

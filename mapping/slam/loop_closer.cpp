@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <stdexcept>
 
@@ -36,7 +37,34 @@ void LoopCloser::remember(const Keyframe& keyframe) {
   auto path = known_.empty()
                 ? 0
                 : known_.back().path + way_between(known_.back().local_pose, keyframe.local_pose);
-  known_.push_back({keyframe.scan, path, keyframe.local_pose, {}});
+  known_.push_back({keyframe.scan, path, keyframe.local_pose, {}, {}});
+  compare_with_newest(keyframe);
+}
+
+void LoopCloser::compare_with_newest(const Keyframe& keyframe) {
+  PlacedScan added{std::make_shared<const LaserScan>(keyframe.scan), keyframe.local_pose,
+                   surface_points(keyframe.scan, options_.surface), options_.moved};
+  for (auto& x : newest_) {
+    added.learn_from(x.view());
+    x.learn_from(added.view());
+  }
+  newest_.push_back(std::move(added));
+  if (newest_.size() <= options_.witnesses)
+    return;
+  known_[known_.size() - newest_.size()].moved = newest_.front().moved();
+  newest_.pop_front();
+}
+
+SurfacePoints LoopCloser::standing_points(std::int64_t number) const {
+  const auto newer = static_cast<std::size_t>(keyframes() - number);
+  const auto moved =
+    newer <= newest_.size() ? newest_[newest_.size() - newer].moved() : known(number).moved;
+  const auto points = surface_points(known(number).scan, options_.surface);
+  SurfacePoints result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!moved[i])
+      result.push_back(points[i]);
+  return result;
 }
 
 void LoopCloser::remember(const Constraint& loop) {
@@ -132,8 +160,7 @@ SurfacePoints LoopCloser::points_around(std::int64_t place, std::int64_t number,
     // What the scan itself follows from is no other view of the place.
     if (known(number).path - known(i).path < options_.least_path / 2)
       break;
-    auto points = transform(between(pose_of(place), pose_of(i)),
-                            surface_points(known(i).scan, options_.surface));
+    auto points = transform(between(pose_of(place), pose_of(i)), standing_points(i));
     result.insert(result.end(), points.begin(), points.end());
   }
   return result;
@@ -141,7 +168,7 @@ SurfacePoints LoopCloser::points_around(std::int64_t place, std::int64_t number,
 
 std::optional<LoopCloser::Closure> LoopCloser::close(const Place& place, std::int64_t number,
                                                      const std::vector<Pose2>& poses) const {
-  auto points = surface_points(known(number).scan, options_.surface);
+  auto points = standing_points(number);
   auto map = points_around(place.keyframe, number, poses);
   auto guess = between(poses[static_cast<std::size_t>(place.keyframe)],
                        poses[static_cast<std::size_t>(number)]);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "castor/mapping/slam/correlative_matcher.hpp"
+#include "castor/mapping/slam/placed_scan.hpp"
 #include "castor/mapping/slam/scan_matcher.hpp"
 #include "castor/mapping/slam/surface_points.hpp"
 #include "castor/mapping/slam/types.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,6 +61,9 @@ struct LoopCloserOptions {
   double deviation_heading = 0.005;
   /// Points that are further from their neighbours count alike, m.
   double spacing = 0.04;
+  /// What has moved, by so many keyframes before and after, is left out.
+  std::size_t witnesses = 15;
+  MovedOptions moved;
   SurfaceOptions surface;
   ScanMatcherOptions matcher;
 };
@@ -89,6 +94,8 @@ private:
     Pose2 local_pose;
     /// Keyframes at the other ends of loops.
     std::vector<std::int64_t> loops;
+    /// Which of the surface points have moved; empty as long as it is one of the newest.
+    std::vector<bool> moved;
   };
 
   struct Place {
@@ -109,6 +116,10 @@ private:
   };
 
   const Known& known(std::int64_t number) const { return known_[static_cast<std::size_t>(number)]; }
+  /// Lets the newest keyframes tell what of one another has moved.
+  void compare_with_newest(const Keyframe& keyframe);
+  /// Surface points on the robot, without those that have moved.
+  SurfacePoints standing_points(std::int64_t number) const;
   std::vector<double> ways_from(std::int64_t number) const;
   std::vector<Place> places_near(std::int64_t number, const std::vector<Pose2>& poses) const;
   SurfacePoints points_around(std::int64_t place, std::int64_t number,
@@ -122,6 +133,8 @@ private:
   LoopCloserOptions options_;
   ScanMatcher matcher_;
   std::vector<Known> known_;
+  /// The last of the known, in the front end's own frame.
+  std::deque<PlacedScan> newest_;
   std::vector<Closure> waiting_;
   std::int64_t searched_ = 0;
 };

@@ -33,7 +33,7 @@ class ScanMatchingFrontEnd final : public FollowsScans {
     news.tolerance = tolerance_;
     news.tolerance_heading = tolerance_heading_;
     configure_news(news);
-    keyframe_count_ = options.keyframes;
+    keyframe_count_ = options.map.keyframes;
   }
 
   void start() override {

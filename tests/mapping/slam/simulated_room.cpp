@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace castor::mapping::test {
 
@@ -49,6 +50,19 @@ std::vector<Wall> furnished_room() {
 
 std::vector<Wall> endless_corridor() {
   return {{{-1000, -1}, {1000, -1}}, {{-1000, 1}, {1000, 1}}};
+}
+
+std::vector<Wall> person_at(const Point2& place) {
+  constexpr int sides = 8;
+  constexpr double radius = 0.25;
+  const auto corner = [&](int i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    return Point2{place.x + radius * std::cos(angle), place.y + radius * std::sin(angle)};
+  };
+  std::vector<Wall> result;
+  for (int i = 0; i < sides; ++i)
+    result.push_back({corner(i), corner(i + 1)});
+  return result;
 }
 
 LaserScan scan_from(const std::vector<Wall>& walls, const Pose2& robot, std::int64_t time,

@@ -21,6 +21,9 @@ std::vector<Wall> furnished_room();
 /// Two parallel walls.
 std::vector<Wall> endless_corridor();
 
+/// Somebody as a laser sees him, a prism of 0.5 m.
+std::vector<Wall> person_at(const Point2& place);
+
 /// What a laser of that many beams, over half a turn or more, sees from there; exactly, without
 /// noise.
 LaserScan scan_from(const std::vector<Wall>& walls, const Pose2& robot, std::int64_t time = 0,

@@ -1,4 +1,4 @@
-#include "castor/mapping/graph/beam_towards.hpp"
+#include "castor/mapping/planar/beam_towards.hpp"
 
 #include <cmath>
 #include <numbers>
