@@ -248,6 +248,29 @@ void ArmBody::stop(std::string fault) {
   wanted_opening_ = opening_;
 }
 
+SavedArm ArmBody::saved() const {
+  return {positions_, opening_, changes_, collisions_, missed_, dropped_, moved_, world_.things()};
+}
+
+void ArmBody::resume(const SavedArm& x) {
+  if (!within_limits(arm_, x.positions))
+    throw std::invalid_argument("the joints of another arm");
+  world_.restore(x.things, tool_pose(arm_, x.positions));
+  positions_ = x.positions;
+  speeds_.assign(positions_.size(), 0);
+  reference_.stay(positions_);
+  opening_ = wanted_opening_ = x.opening;
+  // Pictures of what came after the state was saved are not taken for new ones.
+  constexpr std::uint64_t unsaved = 1000;
+  changes_ = x.changes + unsaved;
+  collisions_ = x.collisions;
+  missed_ = x.missed;
+  dropped_ = x.dropped;
+  moved_ = x.moved;
+  random_.seed(options_.seed + changes_);
+  checker_.reset();
+}
+
 ArmState ArmBody::state() const {
   ArmState result;
   result.time = time().count();

@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace castor::manipulation {
 
@@ -29,6 +30,18 @@ struct ArmBodyOptions {
   /// Probability that a thing that was grasped is lost within `dropped_within` seconds.
   double dropped = 0;
   double dropped_within = 4;
+};
+
+/// What outlives the process that simulates an arm: all but speeds and the motion it is on.
+struct SavedArm {
+  Configuration positions;
+  double opening = 0;
+  std::uint64_t changes = 0;
+  std::int64_t collisions = 0;
+  std::int64_t missed = 0;
+  std::int64_t dropped = 0;
+  double moved = 0;
+  std::vector<WorldThing> things;
 };
 
 /// An arm at a table, in steps of equal length. What it does depends on the options, the commands
@@ -71,6 +84,12 @@ public:
   double opening() const { return opening_; }
   /// Number of changes of what a camera sees.
   std::uint64_t changes() const { return changes_; }
+
+  SavedArm saved() const;
+
+  /// Goes on, at rest, from where another one was.
+  /// \throws std::invalid_argument if that is no state of this arm and table.
+  void resume(const SavedArm& x);
 
   /// Fault injection: from now on that joint, of those that move, does not move.
   void stick(std::size_t joint) { stuck_ = joint; }

@@ -211,6 +211,19 @@ std::optional<std::string> TableWorld::open_gripper() {
   return name;
 }
 
+void TableWorld::restore(const std::vector<WorldThing>& things, const Pose& tool) {
+  const auto have_one_name = [](const WorldThing& a, const WorldThing& b) {
+    return a.thing.name == b.thing.name;
+  };
+  if (!std::ranges::equal(things_, things, have_one_name))
+    throw std::invalid_argument("there are other things on " + table_.name);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    things_[i].thing.pose = things[i].thing.pose;
+    things_[i].support = things[i].support;
+  }
+  tool_ = tool;
+}
+
 void TableWorld::settle(const std::vector<std::size_t>& from_below) {
   // Nobody rests on what falls itself.
   for (auto index : from_below)
@@ -220,7 +233,7 @@ void TableWorld::settle(const std::vector<std::size_t>& from_below) {
 }
 
 void TableWorld::fall(WorldThing& falling) const {
-  auto& [name, solid, pose] = falling.thing;
+  auto& pose = falling.thing.pose;
   pose.rotation = resting(falling.thing);
   const double half = height_of_middle(falling.thing);
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();

@@ -52,6 +52,10 @@ public:
   /// \throws std::invalid_argument if there is none of this name.
   bool push(const std::string& name, double x, double y);
 
+  /// Puts all things where those of the same names in an earlier `things()` were, and the tool.
+  /// \throws std::invalid_argument if there are others.
+  void restore(const std::vector<WorldThing>& things, const Pose& tool);
+
   /// In the order in which they were added.
   const std::vector<WorldThing>& things() const { return things_; }
 

@@ -1,8 +1,10 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/base/named_file.hpp"
+#include "castor/base/text_file.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
 #include "castor/planning/body/arm_body.hpp"
 #include "castor/planning/body/kept_arms.hpp"
+#include "castor/planning/body/saved_arm_text.hpp"
 #include "castor/planning/body/table_things.hpp"
 #include "castor/planning/manipulation/arm_file.hpp"
 #include "castor/planning/manipulation/arm_placement.hpp"
@@ -70,13 +72,7 @@ class SimulatedArm final : public StandaloneComponent {
   }
 
   void start() override {
-    // The world does not begin anew if the component that simulates it fails.
-    const auto kept = KeptArms::instance().find(component_name());
-    if (kept.body && kept.time <= now() && kept.time >= now() - lost_after && now() >= 500ms) {
-      body_ = kept.body;
-      body_->release();
-      info("goes on where it was {} ms ago", (now() - kept.time) / 1ms);
-    }
+    restore();
     begun_ = now() - body_->time();
     provide<ArmState>([this] { return state(); });
     provide<ArmStatus>([this] { return status(); });
@@ -93,6 +89,45 @@ class SimulatedArm final : public StandaloneComponent {
     on_command<ArmCommand>([this](const ArmCommand& x) { obey(x); }, [this] { take_safe_state(); },
                            terms);
     every(step_ * state_steps_, [this] { advance(); });
+  }
+
+  /// The world does not begin anew if the component that simulates it fails, nor, with a state
+  /// file, if its process does.
+  void restore() {
+    if (!state_file_->empty()) {
+      restore_from_file();
+      return;
+    }
+    const auto kept = KeptArms::instance().find(component_name());
+    if (!kept.body || !is_of_this_run(kept.time))
+      return;
+    body_ = kept.body;
+    body_->release();
+    info("goes on where it was {} ms ago", (now() - kept.time) / 1ms);
+  }
+
+  void restore_from_file() {
+    std::optional<TimedArm> saved;
+    try {
+      saved = parse_saved_arm(load_text(state_file_.get()));
+    } catch (const TextFileError&) {
+      // There is none yet.
+      return;
+    }
+    if (!saved || !is_of_this_run(std::chrono::microseconds{saved->time}))
+      return;
+    try {
+      body_->resume(saved->state);
+      reported_collisions_ = saved->state.collisions;
+      info("goes on where it was {} ms ago",
+           (now() - std::chrono::microseconds{saved->time}) / 1ms);
+    } catch (const std::invalid_argument& e) {
+      warning("{}: {}; begins anew", state_file_.get(), e.what());
+    }
+  }
+
+  bool is_of_this_run(Timestamp saved) const {
+    return saved <= now() && saved >= now() - lost_after && now() >= 500ms;
   }
 
   static Address address_of(const std::string& text) {
@@ -140,7 +175,25 @@ class SimulatedArm final : public StandaloneComponent {
       }
     }
     report_collisions();
-    KeptArms::instance().keep(component_name(), {body_, now()});
+    if (state_file_->empty())
+      KeptArms::instance().keep(component_name(), {body_, now()});
+    else
+      save();
+  }
+
+  void save() {
+    const auto since = now() - saved_at_;
+    const bool has_changed = body_->changes() != saved_changes_;
+    if (since < (has_changed ? changed_save_period : save_period))
+      return;
+    saved_at_ = now();
+    saved_changes_ = body_->changes();
+    try {
+      save_text(state_file_.get(), saved_arm_text({saved_at_.count(), body_->saved()}));
+    } catch (const TextFileError& e) {
+      if (!std::exchange(is_unsaved_, true))
+        warning("{}", e.what());
+    }
   }
 
   void report_collisions() {
@@ -178,6 +231,9 @@ class SimulatedArm final : public StandaloneComponent {
 
   /// A world that was kept that long ago is one of another run.
   static constexpr std::chrono::seconds lost_after{60};
+  /// Time between two savings, while nothing moves and while something does.
+  static constexpr std::chrono::milliseconds save_period{500};
+  static constexpr std::chrono::milliseconds changed_save_period{100};
 
   Option<std::string> scene_{this, "scene", "", "file of the table's scene"};
   Option<std::string> arm_file_{this, "arm", "arms/katana.arm", "file of the arm"};
@@ -207,6 +263,10 @@ class SimulatedArm final : public StandaloneComponent {
   Option<std::chrono::milliseconds> delay_{this, "delay", 0ms,
                                            "fault: the controller obeys so much later"};
 
+  Option<std::string> state_file_{
+    this, "state", "",
+    "file that keeps where the arm and the things are, for when its process is restarted"};
+
   std::optional<TableThings> things_;
   std::shared_ptr<ArmBody> body_;
   std::chrono::microseconds step_{0};
@@ -215,6 +275,9 @@ class SimulatedArm final : public StandaloneComponent {
   std::deque<WaitingCommand> waiting_;
   Timestamp begun_{0};
   std::int64_t reported_collisions_ = 0;
+  Timestamp saved_at_{0};
+  std::uint64_t saved_changes_ = 0;
+  bool is_unsaved_ = false;
 };
 
 CASTOR_COMPONENT(SimulatedArm, "an arm at a simulated table, which a TableCamera sees")

@@ -6,6 +6,7 @@
 #include "castor/planning/manipulation/motion_window.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/tests/planning/body/arm_at_table.hpp"
+#include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
 #include <gmock/gmock.h>
@@ -193,6 +194,27 @@ TEST_F(SimulatedArmSystem, IsWhereItWasWhenItsComponentIsStartedAgain) {
   system_->expect_back("commander");
   system_->wait_until("the commander goes on", [] { return told().is_over.load(); });
   EXPECT_TRUE(told().after.rests);
+  EXPECT_EQ(told().after.positions, before);
+  EXPECT_NE(before, aside());
+}
+
+TEST_F(SimulatedArmSystem, IsWhereItWasByItsStateFile) {
+  const castor::test::TemporaryFolder folder;
+  start("FailingCommander", "--state " + (folder.path() / "arm.state").string());
+  system_->wait_until("the arm moves", [] { return told().is_moving.load(); });
+  system_->inject("crash commander");
+  system_->expect_back("commander");
+  wait_until_over();
+  const auto before = told().after.positions;
+  system_->advance(500ms);
+  told().is_over = false;
+  system_->inject("crash arm");
+  system_->expect_back("arm");
+  system_->inject("crash commander");
+  system_->expect_back("commander", 3);
+  system_->wait_until("the commander goes on", [] { return told().is_over.load(); });
+  EXPECT_TRUE(told().after.rests);
+  EXPECT_EQ(told().after.motion, 0) << "it was made anew, from the file";
   EXPECT_EQ(told().after.positions, before);
   EXPECT_NE(before, aside());
 }
