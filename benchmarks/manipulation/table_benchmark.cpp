@@ -5,7 +5,8 @@
 //
 // FOLDER is for film strips, SEED/action-1.png.
 //
-// A task is solvable if there is a plan for it by the true places of things.
+// A task is solvable if there is a plan for it by the true places of things. In the end, it says
+// how far off vision is, before anything is moved.
 
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
@@ -16,6 +17,7 @@
 #include "castor/planning/body/table_things.hpp"
 #include "castor/planning/manipulation/arm_file.hpp"
 #include "castor/planning/manipulation/arm_placement.hpp"
+#include "castor/planning/manipulation/components/sees_table.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/tools/testing/test_system.hpp"
@@ -133,8 +135,20 @@ std::string unsolvable(const std::string& scene, const std::string& arm_file, co
   return failure ? failure->text : std::string{};
 }
 
+/// How a thing is seen.
+struct SeenError {
+  std::string shape;
+  /// As vision names it.
+  std::string seen_as;
+  /// Seen minus true, metres.
+  double width = 0;
+  double height = 0;
+  /// Horizontal distance of the middles, metres.
+  double off = 0;
+};
+
 struct Result {
-  bool is_over = false;
+  std::vector<SeenError> seen;
   std::string reason;
   bool is_reached = false;
   double seconds = 0;
@@ -154,7 +168,7 @@ Asked& asked() {
   return instance;
 }
 
-class TaskRequester final : public UnmanagedComponent {
+class TaskRequester final : public SeesTable<UnmanagedComponent> {
   void run() override {
     auto& result = asked().result;
     const auto& task = asked().task;
@@ -179,6 +193,7 @@ class TaskRequester final : public UnmanagedComponent {
     if (what.what.address.id.empty()) {
       result.reason = "vision does not see it";
     } else {
+      result.seen = seen_errors(task);
       const auto begun = now();
       const auto end = perform("manipulation", what).wait(600s);
       result.seconds = std::chrono::duration<double>(now() - begun).count();
@@ -193,6 +208,24 @@ class TaskRequester final : public UnmanagedComponent {
       if (x.name == name)
         result.error = std::hypot(x.pose.position.x - task.x, x.pose.position.y - task.y);
     asked().is_over = true;
+  }
+
+  std::vector<SeenError> seen_errors(const Task& task) {
+    const auto at = arm_placement(arm_at);
+    const auto seen = look_at_table(at);
+    std::vector<SeenError> errors;
+    for (const auto& x : task.things) {
+      const auto middle =
+        geometry::transform(geometry::inverse(at, arm_frame), Point3{x.x, x.y, 0});
+      for (const auto& [id, colour, shape, thing] : seen) {
+        const double off = distance_on_table(thing.pose.position, middle);
+        const double height = x.shape == "cylinder" ? x.height : x.size;
+        if (off < 0.04)
+          errors.push_back(
+            {x.shape, shape, thing.solid.size.x - x.size, thing.solid.size.z - height, off});
+      }
+    }
+    return errors;
   }
 };
 CASTOR_COMPONENT(TaskRequester, "has a thing put somewhere")
@@ -244,6 +277,30 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
+void print_seen(const std::vector<SeenError>& seen) {
+  for (const std::string shape : {"cube", "sphere", "cylinder"}) {
+    std::vector<double> widths;
+    std::vector<double> heights;
+    std::vector<double> off;
+    int others = 0;
+    for (const auto& x : seen)
+      if (x.shape == shape) {
+        others += x.seen_as != shape;
+        widths.push_back(1000 * x.width);
+        heights.push_back(1000 * x.height);
+        off.push_back(1000 * x.off);
+      }
+    if (off.empty())
+      continue;
+    const auto [least_width, most_width] = std::ranges::minmax(widths);
+    const auto [least_height, most_height] = std::ranges::minmax(heights);
+    fmt::print("{} {}s seen, median (least to most) mm: {:.1f} ({:.1f} to {:.1f}) too wide, {:.1f} "
+               "({:.1f} to {:.1f}) too high, {:.1f} (to {:.1f}) off; {} seen as another shape\n",
+               off.size(), shape, median(widths), least_width, most_width, median(heights),
+               least_height, most_height, median(off), std::ranges::max(off), others);
+  }
+}
+
 int measure(const Settings& settings) {
   const auto scene_file =
     std::filesystem::temp_directory_path() / fmt::format("table-{}.scene", getpid());
@@ -253,6 +310,7 @@ int measure(const Settings& settings) {
   std::int64_t tries = 0;
   std::vector<double> seconds;
   std::vector<double> errors;
+  std::vector<SeenError> seen;
   for (int i = 0; i < settings.tables; ++i) {
     const auto seed = settings.first_seed + static_cast<std::uint64_t>(i);
     const auto task = random_task(seed);
@@ -261,6 +319,7 @@ int measure(const Settings& settings) {
     const auto why_not = unsolvable(scene, CASTOR_CONFIGS "/arms/katana.arm", task);
     const auto result = run(task, scene_file.string(), settings, seed);
     collisions += result.truth.collisions;
+    seen.insert(seen.end(), result.seen.begin(), result.seen.end());
     solvable += why_not.empty();
     if (why_not.empty()) {
       succeeded += result.is_reached;
@@ -286,6 +345,7 @@ int measure(const Settings& settings) {
              settings.tables, solvable, succeeded, collisions,
              solvable > 0 ? static_cast<double>(tries) / solvable : 0, median(seconds),
              errors.empty() ? 0 : std::ranges::max(errors));
+  print_seen(seen);
   return 0;
 }
 

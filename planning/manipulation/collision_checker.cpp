@@ -130,10 +130,11 @@ struct CollisionChecker::World {
   }
 
   void add_scene(const Scene& scene, const CollisionOptions& options) {
-    for (const auto& [name, solid, pose] : scene.things) {
-      things.push_back(std::make_unique<Object>(geometry_of(solid, 0), to_isometry(pose)));
-      names.push_back(name);
-      const bool may_touch = std::ranges::count(options.may_touch, name) > 0;
+    for (const auto& thing : scene.things) {
+      things.push_back(std::make_unique<Object>(geometry_of(thing.solid, thing.uncertainty),
+                                                to_isometry(thing.pose)));
+      names.push_back(thing.name);
+      const bool may_touch = std::ranges::count(options.may_touch, thing.name) > 0;
       things.back()->setUserData(may_touch ? this : nullptr);
       manager.registerObject(things.back().get());
     }
@@ -142,9 +143,9 @@ struct CollisionChecker::World {
   }
 
   void add_part(std::string name, std::size_t link, std::size_t joints, bool is_gripper,
-                const Solid& solid, const Eigen::Isometry3d& on_link) {
-    parts.push_back(
-      {std::move(name), link, joints, is_gripper, on_link, Object(geometry_of(solid, margin))});
+                const Solid& solid, const Eigen::Isometry3d& on_link, double uncertainty = 0) {
+    parts.push_back({std::move(name), link, joints, is_gripper, on_link,
+                     Object(geometry_of(solid, margin + uncertainty))});
     // FCL leaves it undefined.
     parts.back().object.setUserData(nullptr);
   }
@@ -168,7 +169,7 @@ struct CollisionChecker::World {
                chain.tool_on_link() * to_isometry(finger.pose));
     if (scene.held)
       add_part(scene.held->name, last, chain.size(), true, scene.held->solid,
-               chain.tool_on_link() * to_isometry(scene.held->pose));
+               chain.tool_on_link() * to_isometry(scene.held->pose), scene.held->uncertainty);
   }
 
   void find_pairs(const ArmModel& arm) {

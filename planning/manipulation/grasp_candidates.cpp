@@ -1,5 +1,6 @@
 #include "castor/planning/manipulation/grasp_candidates.hpp"
 
+#include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/manipulation/kinematic_chain.hpp"
 
 #include <algorithm>
@@ -141,6 +142,16 @@ private:
 };
 
 } // namespace
+
+double way_out(const ArmModel& arm, const NamedSolid& thing, const Pose& tool,
+               const GraspOptions& options) {
+  const auto z_axis = geometry::rotate(tool.rotation, Point3{0, 0, 1});
+  const Vector3d axis = geometry::to_eigen(z_axis);
+  const double past_middle =
+    (geometry::to_eigen(tool.position) - geometry::to_eigen(thing.pose.position)).dot(axis);
+  const double beside = past_middle + arm.gripper->beyond + half_extent(thing, z_axis);
+  return std::max(options.approach, beside + options.gap + thing.uncertainty);
+}
 
 double half_extent(const NamedSolid& thing, const Point3& direction) {
   // The rotation that brings the direction up.

@@ -24,7 +24,7 @@ struct GraspOptions {
   double spare = 0.012;
   /// Metres between palm and thing, and between fingers and what it stands on.
   double gap = 0.007;
-  /// Metres from where the tool begins to approach.
+  /// Metres from where the tool begins to approach, at least.
   double approach = 0.05;
   /// Shares of clearance, of the distance of joints from their limits, and of steepness in the
   /// score.
@@ -50,6 +50,11 @@ struct GraspCandidate {
 /// ClosedFormKinematics do
 std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,
                                              bool follows_turret, const GraspOptions& options = {});
+
+/// How far the tool has to go back along its own z axis until its fingers are no longer beside the
+/// thing that they are around, at least `options.approach`; metres.
+double way_out(const ArmModel& arm, const NamedSolid& thing, const Pose& tool,
+               const GraspOptions& options);
 
 /// Half of the thing's extent along a direction of length 1, metres.
 double half_extent(const NamedSolid& thing, const Point3& direction);

@@ -5,6 +5,7 @@
 #include "castor/planning/manipulation/straight_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -100,10 +101,10 @@ private:
         contacts_.push_back(*std::move(contact));
         continue;
       }
-      auto before = candidate.tool;
-      before.position = geometry::transform(candidate.tool, Point3{0, 0, -options_.approach});
       // Backwards, from where it ends.
-      auto approach = straight_motion(arm_, inverse_, checker, solution, before);
+      auto approach =
+        way_back(arm_, inverse_, checker, solution, candidate.tool,
+                 std::array{way_out(arm_, thing_, candidate.tool, options_), options_.approach});
       if (!approach)
         continue;
       std::ranges::reverse(*approach);

@@ -7,6 +7,7 @@
 #include "castor/planning/manipulation/straight_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -241,9 +242,10 @@ ManipulationPlanner::landings(const Scene& scene, const Pose& tool, const PlaceG
       const double open = std::min(arm_.gripper->widest, opening + options_.grasps.spare);
       const auto there = released(scene, at);
       auto open_hand = checker(there, open, {held.name, goal.support});
-      auto back = at;
-      back.position = geometry::transform(at, Point3{0, 0, -options_.grasps.approach});
-      auto away = straight_motion(arm_, inverse_, open_hand, solution, back);
+      const auto& grasps = options_.grasps;
+      auto away =
+        way_back(arm_, inverse_, open_hand, solution, at,
+                 std::array{way_out(arm_, there.things.back(), at, grasps), grasps.approach});
       if (!away)
         continue;
       result.push_back({*std::move(down), *std::move(away), there.things.back().pose});

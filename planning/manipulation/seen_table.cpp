@@ -14,6 +14,15 @@ namespace {
 
 // Outlines that fit worse are those of other shapes, or of several things; pixels.
 constexpr double worst_fit = 6;
+// Outlines that fit worse may be those of another shape than vision says, pixels.
+constexpr double good_fit = 1.5;
+// How far surfaces are off at most, where the outline fits; metres. Of 193 things on random tables
+// few were more than that larger than seen, and those higher only.
+constexpr double fitted_uncertainty = 0.002;
+// More for each pixel that the outline is off, metres.
+constexpr double pixel_uncertainty = 0.001;
+// Of what is known by its box only.
+constexpr double box_uncertainty = 0.005;
 // The surface that the arm stands on, metres.
 constexpr double table_length = 4;
 
@@ -30,14 +39,22 @@ std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntrie
     const auto region = entries.regions.find(id);
     if (region == entries.regions.end() || !entries.camera || entries.camera->is_assumed)
       continue;
-    auto fitted = seen_solid(x.shape.value, region->second.contour, *entries.camera);
+    const auto& contour = region->second.contour;
+    auto fitted = seen_solid(x.shape.value, contour, *entries.camera);
+    if (!fitted || fitted->error > good_fit)
+      for (const char* shape : {"cylinder", "box"})
+        if (auto other = seen_solid(shape, contour, *entries.camera);
+            other && (!fitted || other->error < fitted->error))
+          fitted = std::move(other);
     if (fitted && fitted->error <= worst_fit)
       return fitted;
   }
   const auto& size = x.box.size;
   if (!(size.x > 0 && size.y > 0 && size.z > 0))
     return {};
-  return SeenSolid{box(size.x, size.y, size.z), {x.box.centroid, {}, x.box.frame}, 0};
+  return SeenSolid{box(size.x, size.y, size.z),
+                   {x.box.centroid, {}, x.box.frame},
+                   (box_uncertainty - fitted_uncertainty) / pixel_uncertainty};
 }
 
 } // namespace
@@ -57,7 +74,8 @@ std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm) 
     result.push_back({id,
                       object.colour.value,
                       object.shape.value,
-                      {std::move(name), seen->solid, std::move(pose)}});
+                      {std::move(name), seen->solid, std::move(pose),
+                       fitted_uncertainty + pixel_uncertainty * seen->error}});
   }
   return result;
 }

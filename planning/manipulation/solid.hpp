@@ -46,6 +46,9 @@ struct NamedSolid {
   std::string name;
   Solid solid;
   Pose pose;
+  /// How much further its surface may be out than the solid says; metres. Who moves past it keeps
+  /// that much more away.
+  double uncertainty = 0;
 };
 
 /// Distance from the origin of a solid to the farthest of its points, metres.

@@ -38,4 +38,16 @@ straight_motion(const ArmModel& arm, const InverseKinematics& inverse, Collision
   return result;
 }
 
+std::optional<std::vector<Configuration>>
+way_back(const ArmModel& arm, const InverseKinematics& inverse, CollisionChecker& checker,
+         const Configuration& from, const Pose& tool, std::span<const double> distances) {
+  for (const double distance : distances) {
+    auto back = tool;
+    back.position = geometry::transform(tool, Point3{0, 0, -distance});
+    if (auto way = straight_motion(arm, inverse, checker, from, back))
+      return way;
+  }
+  return {};
+}
+
 } // namespace castor::manipulation

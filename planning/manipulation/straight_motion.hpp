@@ -4,6 +4,7 @@
 #include "castor/planning/manipulation/inverse_kinematics.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace castor::manipulation {
@@ -15,5 +16,11 @@ namespace castor::manipulation {
 std::optional<std::vector<Configuration>>
 straight_motion(const ArmModel& arm, const InverseKinematics& inverse, CollisionChecker& checker,
                 const Configuration& from, const Pose& tool, double spacing = 0.01);
+
+/// The tool goes back from `tool`, where it is with the joints `from`, along its own z axis: by the
+/// first of these distances, metres, for which it can. Nothing if it can for none.
+std::optional<std::vector<Configuration>>
+way_back(const ArmModel& arm, const InverseKinematics& inverse, CollisionChecker& checker,
+         const Configuration& from, const Pose& tool, std::span<const double> distances);
 
 } // namespace castor::manipulation

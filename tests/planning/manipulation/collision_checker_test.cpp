@@ -48,6 +48,16 @@ TEST(CollisionChecker, KnowsAllKindsOfSolids) {
   }
 }
 
+TEST(CollisionChecker, KeepsAwayFromWhatIsNotKnownExactly) {
+  // 9.4 mm away.
+  auto it = thing("it", box(0.06, 0.06, 0.06), 0.26, 0, 0.2015 + 0.0275 + 0.0394);
+  EXPECT_TRUE(CollisionChecker(katana(), {{it}, {}}).is_free(forward));
+  it.uncertainty = 0.004;
+  EXPECT_TRUE(CollisionChecker(katana(), {{it}, {}}).is_free(forward));
+  it.uncertainty = 0.005;
+  EXPECT_FALSE(CollisionChecker(katana(), {{it}, {}}).is_free(forward));
+}
+
 TEST(CollisionChecker, TheArmMayNotTouchItself) {
   CollisionChecker checker(katana(), {});
   EXPECT_TRUE(checker.is_free(katana().home));
