@@ -50,13 +50,11 @@ class ArmExecutor final : public ExecutesManipulation {
     while (is_running() && !state())
       sleep_for(period());
     // A predecessor may have left the arm in the picture, with something in the gripper.
-    if (is_running() && state()->holds) {
-      held_ = NamedSolid{"the thing in the gripper", sphere(unknown_thing), {{}, {}, "tool"}};
-      held_thing_ = {{}, vision::Hypothesis{}.value, vision::Hypothesis{}.value, *held_};
-    }
+    if (is_running() && state()->holds)
+      take_over();
     if (is_running() && !is_at_rest()) {
       inhibit_vision();
-      begin("go home", {});
+      begin("go home", EntryPointer<vision::SceneObject>{Address{vision(), held_thing_.id}});
       finish(withdraw());
     }
     while (is_running())

@@ -61,6 +61,7 @@ protected:
     ++motion_;
     auto progress_at = now();
     double progress = -1;
+    bool is_taken_up = false;
     while (true) {
       if (!goes_on()) {
         halt();
@@ -75,11 +76,14 @@ protected:
         progress_at = std::min(progress_at, now());
       wait();
       if (!state_ || state_->motion != motion_) {
+        if (is_taken_up)
+          return {StageEnd::Kind::fault, "the arm was started again meanwhile"};
         if (now() - progress_at > patience_.get())
           return {StageEnd::Kind::fault,
                   "the arm does not obey" + (refusal().empty() ? std::string{} : ": " + refusal())};
         continue;
       }
+      is_taken_up = true;
       if (!state_->fault.empty())
         return {StageEnd::Kind::fault, state_->fault};
       const bool is_over = state_->motion_time >= stage.trajectory.duration() && state_->rests;

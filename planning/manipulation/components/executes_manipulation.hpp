@@ -9,6 +9,7 @@
 #include "castor/planning/manipulation/manipulation_planner.hpp"
 #include "castor/planning/manipulation/types.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -156,6 +157,28 @@ protected:
       held_ = stage.takes;
       std::erase_if(things_, [&](const auto& x) { return x.thing.name == held_->name; });
     }
+  }
+
+  /// What a predecessor has taken is in the gripper: it has said what that is, and vision may still
+  /// know of what size.
+  void take_over() {
+    NamedSolid thing{"the thing in the gripper", sphere(unknown_thing), {{}, {}, "tool"}};
+    held_thing_ = {{}, vision::Hypothesis{}.value, vision::Hypothesis{}.value, thing};
+    if (const auto entry = here(component_name()); exists(entry)) {
+      const auto before = read<Manipulation>(entry);
+      held_thing_.id = before->what.address.id;
+      if (!before->holds.empty())
+        thing.name = before->holds;
+      for (const auto& x : look_at_table(placement()))
+        if (x.id == held_thing_.id) {
+          const auto& size = x.thing.solid.size;
+          held_thing_ = x;
+          thing.name = x.thing.name;
+          // However it is turned.
+          thing.solid = sphere(std::max({size.x, size.y, size.z}));
+        }
+    }
+    held_ = thing;
   }
 
   /// Goes where the arm rests.
