@@ -111,6 +111,12 @@ TEST_F(PlayMateIsAsked, ToPutAThingBesideAnother) {
   system_->expect_nobody_else_down();
 }
 
+TEST_F(PlayMateIsAsked, WhatItDoesAndWhy) {
+  say("Put the blue ball to the right of the red cube. What are you doing?", "because");
+  EXPECT_THAT(said(), testing::Contains(testing::HasSubstr(
+                        "because you said 'Put the blue ball to the right of the red cube'")));
+}
+
 TEST_F(PlayMateIsAsked, AndSaysWhyItCannot) {
   say("Put the blue ball to the right of the red cube.", "I cannot", {{"missed_grasp", "1"}});
   EXPECT_THAT(said(), testing::Contains(testing::StartsWith(
