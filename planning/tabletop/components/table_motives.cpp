@@ -1,15 +1,11 @@
-#include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/registry.hpp"
-#include "castor/communication/types.hpp"
 #include "castor/planning/manipulation/types.hpp"
+#include "castor/planning/motivation/components/hears_requests.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
-#include "castor/planning/motivation/types.hpp"
 #include "castor/planning/tabletop/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <deque>
 #include <string>
 #include <utility>
@@ -27,27 +23,18 @@ using communication::MoveReferents;
 
 /// Makes a motive of each step of what people ask to do with things on a table, when the one before
 /// is done. Stops, pauses and resumes the arm at once.
-class TableMotives final : public ManagedComponent {
+class TableMotives final : public HearsRequests {
   struct Step {
     EntryPointer<DialogueMove> move;
     DirectiveStep what;
   };
 
   void start() override {
-    on_change(added<MoveReferents>().in(communication_),
-              [this](const ChangeEvent& event) { arrived_.push_back(event.address); });
     on_change(overwritten<Motive>(), [](const ChangeEvent&) {});
-    try {
-      heard_ = read<RequestsHeard>(heard_address())->turn;
-    } catch (const DoesNotExistOnWM&) {
-      add(heard_address(), RequestsHeard{});
-    }
-    // What a predecessor did not get to.
-    auto all = read_all_in<MoveReferents>(communication_);
-    std::ranges::sort(all, {}, [](const auto& x) { return x->turn; });
-    for (const auto& x : all)
-      arrived_.push_back(x.address);
+    follow_requests();
   }
+
+  void arrived(const Address& referents) override { arrived_.push_back(referents); }
 
   void run() override {
     while (is_running()) {
@@ -58,27 +45,6 @@ class TableMotives final : public ManagedComponent {
       }
       go_on();
       wait_for_changes();
-    }
-  }
-
-  Address heard_address() const { return here("requests that " + component_name() + " has heard"); }
-
-  void hear(const Address& address) {
-    try {
-      const auto referents = read<MoveReferents>(address);
-      if (referents->turn <= heard_)
-        return;
-      const auto move = follow(referents->move);
-      if (move->problem.empty() && !referents->is_unclear) {
-        if (referents->asks_whether_possible)
-          answer(*referents);
-        else
-          hear(*referents, *move);
-      }
-      heard_ = referents->turn;
-      put(heard_address(), RequestsHeard{heard_});
-    } catch (const DoesNotExistOnWM& e) {
-      debug("{}", e.what());
     }
   }
 
@@ -101,7 +67,9 @@ class TableMotives final : public ManagedComponent {
     }
   }
 
-  void hear(const MoveReferents& referents, const DialogueMove& move) {
+  void heard(const MoveReferents& referents, const DialogueMove& move) override {
+    if (referents.asks_whether_possible)
+      return answer(referents);
     if (referents.steps.empty() && move.type == DialogueMoveType::action_directive)
       reply(referents.move, MotiveReply::impossible, "I do not know how to do that.");
     for (const auto& x : referents.steps)
@@ -152,7 +120,8 @@ class TableMotives final : public ManagedComponent {
         } else if (motive->status == MotiveStatus::rejected ||
                    motive->status == MotiveStatus::dropped) {
           reply(step_.move, MotiveReply::impossible, explained(motive->words, problem(*motive)));
-          std::erase_if(steps_, [&](const Step& x) { return x.move.address == step_.move.address; });
+          std::erase_if(steps_,
+                        [&](const Step& x) { return x.move.address == step_.move.address; });
         } else {
           return;
         }
@@ -187,7 +156,7 @@ class TableMotives final : public ManagedComponent {
     motive.goal = std::move(asked.goal);
     motive.words = std::move(asked.words);
     result_ = std::move(asked.result);
-    motive.because = speaker_.get() + " said '" + said(step.move) + "'";
+    motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
     // Who asked is told here, by what is seen, so that nobody is named as the asker.
     motive.cause = step.move;
     motive.resources = {"arm"};
@@ -195,20 +164,10 @@ class TableMotives final : public ManagedComponent {
     motive_ = add(std::move(motive));
   }
 
-  std::string said(const EntryPointer<DialogueMove>& move) {
-    auto text = follow(follow(move)->utterance)->word_sequence;
-    while (text.ends_with('.') || text.ends_with('!') || text.ends_with('?'))
-      text.pop_back();
-    return text;
-  }
-
-  Option<SubarchitectureName> communication_{this, "communication", "communication",
-                                             "the subarchitecture that hears requests"};
   Option<SubarchitectureName> table_{this, "table", "table",
                                      "the subarchitecture with a TableExecutor"};
   Option<SubarchitectureName> manipulation_{this, "manipulation", "manipulation",
                                             "the subarchitecture with an ArmExecutor"};
-  Option<std::string> speaker_{this, "speaker", "you", "who speaks, as the robot calls them"};
   Option<std::chrono::milliseconds> patience_{this, "patience", 10s,
                                               "how long it waits for the arm and for a goal"};
 
@@ -218,8 +177,6 @@ class TableMotives final : public ManagedComponent {
   Step step_;
   Address motive_;
   std::string result_;
-  /// Turn of the last move that was looked at.
-  std::int32_t heard_ = -1;
 };
 
 CASTOR_COMPONENT(TableMotives, "makes motives of what people ask to do with things on a table")
