@@ -1,5 +1,6 @@
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/values_of.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/mapping/map_components/keyframe_poses.hpp"
 #include "castor/mapping/map_components/map_files.hpp"
@@ -49,10 +50,7 @@ class MapExporter final : public UnmanagedComponent {
 
   template <class T>
   std::vector<T> all(const SubarchitectureName& where) {
-    std::vector<T> result;
-    for (auto& x : read_all_in<T>(where.empty() ? subarchitecture() : std::string{where}))
-      result.push_back(*x);
-    return result;
+    return values_of(read_all_in<T>(where.empty() ? subarchitecture() : std::string{where}));
   }
 
   Option<std::string> output_{this, "output", "",

@@ -1,5 +1,6 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/values_of.hpp"
 #include "castor/mapping/movement/components/executes_movement.hpp"
 #include "castor/mapping/movement/graph_routes.hpp"
 #include "castor/mapping/people/types.hpp"
@@ -73,9 +74,9 @@ class Navigator final : public ExecutesMovement {
   std::vector<SeenPerson> people_in_sight() {
     std::vector<SeenPerson> result;
     constexpr double in_sight = 0.5;
-    for (const auto& x : entries_in<Person>(people_.get()))
-      if (x.visibility >= in_sight)
-        result.push_back({x.id, {x.x, x.y}, x.heading, x.speed});
+    for (const auto& x : read_all_in<Person>(people_.get()))
+      if (x->visibility >= in_sight)
+        result.push_back({x->id, {x->x, x->y}, x->heading, x->speed});
     return result;
   }
 
@@ -90,15 +91,7 @@ class Navigator final : public ExecutesMovement {
 
   template <class T>
   std::vector<T> entries() {
-    return entries_in<T>(graph_.get());
-  }
-
-  template <class T>
-  std::vector<T> entries_in(const std::string& subarchitecture) {
-    std::vector<T> result;
-    for (auto& x : read_all_in<T>(subarchitecture))
-      result.push_back(*x);
-    return result;
+    return values_of(read_all_in<T>(graph_.get()));
   }
 
   /// Doors are few and change rarely: all are read again when one has changed.

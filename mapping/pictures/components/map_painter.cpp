@@ -1,5 +1,6 @@
 #include "castor/actors/component/option.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/values_of.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/mapping/grid/cell_map.hpp"
 #include "castor/mapping/map_components/keyframe_poses.hpp"
@@ -115,10 +116,7 @@ class MapPainter final : public UnmanagedComponent {
 
   template <class T>
   std::vector<T> all(const SubarchitectureName& place) {
-    std::vector<T> result;
-    for (auto& x : read_all_in<T>(where(place)))
-      result.push_back(*x);
-    return result;
+    return values_of(read_all_in<T>(where(place)));
   }
 
   Option<std::string> output_{this, "output", "",

@@ -1,9 +1,9 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/values_of.hpp"
 #include "castor/planning/contributors/graph_facts.hpp"
 
 #include <string>
-#include <vector>
 
 namespace castor::planning {
 
@@ -25,21 +25,13 @@ class GraphContributor final : public ManagedComponent {
   void start() override {
     on_call<StateRequest>([this](const StateRequest&) {
       GraphEntries graph;
-      graph.nodes = values<mapping::GraphNode>();
-      graph.edges = values<mapping::GraphEdge>();
-      graph.areas = values<mapping::Area>();
-      for (const auto& x : values<mapping::RobotArea>())
-        graph.robot = x;
+      graph.nodes = values_of(read_all<mapping::GraphNode>());
+      graph.edges = values_of(read_all<mapping::GraphEdge>());
+      graph.areas = values_of(read_all<mapping::Area>());
+      for (const auto& x : read_all<mapping::RobotArea>())
+        graph.robot = *x;
       return facts_of(graph, terms_);
     });
-  }
-
-  template <class T>
-  std::vector<T> values() {
-    std::vector<T> result;
-    for (const auto& x : read_all<T>())
-      result.push_back(*x);
-    return result;
   }
 
   Option<std::string> agent_{this, "agent", "robot", "the robot as an object"};
