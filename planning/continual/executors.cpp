@@ -1,5 +1,6 @@
 #include "castor/planning/continual/executors.hpp"
 
+#include "castor/base/name_and_value.hpp"
 #include "castor/base/text.hpp"
 
 #include <stdexcept>
@@ -10,12 +11,12 @@ namespace castor::planning {
 Executors::Executors(const std::vector<std::string>& rules, std::string standard)
   : standard_(std::move(standard)) {
   for (const auto& rule : rules) {
-    const auto equals = rule.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == rule.size())
+    auto parts = name_and_value(rule);
+    if (!parts)
       throw std::invalid_argument("the executor " + in_quotes(rule) +
                                   " is not understood: write ACTION=SUBARCHITECTURE");
-    auto name = lower_case(rule.substr(0, equals));
-    auto executor = rule.substr(equals + 1);
+    auto& [action, executor] = *parts;
+    auto name = lower_case(action);
     if (name.back() == '*') {
       name.pop_back();
       prefixes_[name] = std::move(executor);

@@ -1,5 +1,6 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/name_and_value.hpp"
 #include "castor/planning/contributors/union_facts.hpp"
 
 #include <chrono>
@@ -34,10 +35,10 @@ class UnionContributor final : public ManagedComponent {
   pairs(const std::vector<std::string>& rules) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& rule : rules) {
-      const auto equals = rule.find('=');
-      if (equals == std::string::npos || equals == 0 || equals + 1 == rule.size())
+      auto parts = name_and_value(rule);
+      if (!parts)
         throw std::invalid_argument("'" + rule + "' is not understood: write NAME=PREDICATE");
-      result.emplace_back(rule.substr(0, equals), rule.substr(equals + 1));
+      result.push_back(std::move(*parts));
     }
     return result;
   }

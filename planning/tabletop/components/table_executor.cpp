@@ -1,5 +1,6 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/base/name_and_value.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
@@ -40,11 +41,11 @@ class TableExecutor final : public ManagedComponent {
   void configure() override {
     std::map<std::string, std::string> nouns;
     for (const auto& rule : nouns_.get()) {
-      const auto equals = rule.find('=');
-      if (equals == std::string::npos || equals == 0 || equals + 1 == rule.size())
+      auto parts = name_and_value(rule);
+      if (!parts)
         throw std::invalid_argument("the noun '" + rule +
                                     "' is not understood: write SHAPE=NOUN, such as sphere=ball");
-      nouns[rule.substr(0, equals)] = rule.substr(equals + 1);
+      nouns.insert_or_assign(parts->first, std::move(parts->second));
     }
     memory_ = TableMemory(agent_, std::move(nouns));
   }
@@ -54,8 +55,7 @@ class TableExecutor final : public ManagedComponent {
       see();
       return memory_.state(request.goal, places(parts_in(request.goal)));
     });
-    on_call<TableGoalRequest>(
-      [this](const TableGoalRequest& request) { return goal(request); });
+    on_call<TableGoalRequest>([this](const TableGoalRequest& request) { return goal(request); });
     on_action<PlannedAction>([this](ActionInProgress& action, const PlannedAction& step) {
       auto result = act(action, step);
       if (result.outcome == ActionOutcome::failed)
@@ -266,9 +266,8 @@ class TableExecutor final : public ManagedComponent {
   }
 
   /// @param reason becomes that why there are none
-  std::vector<manipulation::TablePlace> targets_of(const TableMemory::Thing& thing,
-                                                   const std::string& waypoint,
-                                                   std::string& reason) {
+  std::vector<manipulation::TablePlace>
+  targets_of(const TableMemory::Thing& thing, const std::string& waypoint, std::string& reason) {
     const auto wanted = memory_.chosen(waypoint);
     if (wanted.empty()) {
       const auto* place = memory_.place(waypoint);
