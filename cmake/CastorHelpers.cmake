@@ -153,21 +153,30 @@ function(castor_executable target)
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} castor_build_options)
 endfunction()
 
-# castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [LABELS <label>...] [TIMEOUT <seconds>])
+# castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [CORE | DETERMINISTIC] [TIMEOUT <seconds>])
 #
 # A GoogleTest executable whose every test is known to CTest; a test may take TIMEOUT, 120 by default.
+# CORE tests are run under sanitizers, too: the target core_tests builds them, and they have the label
+# core. Those that are DETERMINISTIC have neither threads nor a clock. They are CORE, and otherwise
+# left out without CASTOR_DETERMINISTIC_TESTS, as one build of them is enough.
 function(castor_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "CORE;DETERMINISTIC" "TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
   castor_executable(${name} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} GTest::gtest_main)
-  if(NOT ARG_LABELS)
-    set(ARG_LABELS tests)
+  if(ARG_DETERMINISTIC AND NOT CASTOR_DETERMINISTIC_TESTS)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
+  endif()
+  set(label tests)
+  if(ARG_CORE OR ARG_DETERMINISTIC)
+    set(label core)
+    set_property(GLOBAL APPEND PROPERTY CASTOR_CORE_TESTS ${name})
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
   gtest_discover_tests(${name}
     DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+    PROPERTIES LABELS ${label} TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
 # castor_fuzzed(<name> <folder> <source>...)

@@ -76,7 +76,7 @@ TEST(MapScene, LabelsAnAreaAtThePlaceNearestToItsMiddle) {
   auto x = knowledge();
   x.areas[0].x = -5;
   x.areas[0].y = 7;
-  const auto& label = map_scene(x).marks[3];
+  const auto label = map_scene(x).marks[3];
   EXPECT_EQ(label.text, "area 0");
   EXPECT_EQ(label.place.x, 0);
   EXPECT_EQ(label.place.y, 0);
