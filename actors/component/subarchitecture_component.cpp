@@ -75,6 +75,10 @@ std::vector<Version> SubarchitectureComponent::write(const WriteBatch& batch) {
 
 // -- reading
 
+EntryPtr SubarchitectureComponent::read_entry(const Address& address) {
+  return operations().read_now(address);
+}
+
 Pending<EntryPtr> SubarchitectureComponent::read_entry_async(const Address& address) {
   return operations().read(address);
 }

@@ -312,7 +312,7 @@ private:
   Operations& operations() const;
   LockGuard guard(const Address& address) const;
   const Address& require_target(const Address& address) const;
-  EntryPtr read_entry(const Address& address) { return read_entry_async(address).get(); }
+  EntryPtr read_entry(const Address& address);
   Pending<EntryPtr> read_entry_async(const Address& address);
   std::vector<EntryPtr> read_entries(TypeQuery query);
   [[noreturn]] void wrong_type(const Entry& entry, const TypeDescriptor& wanted) const;

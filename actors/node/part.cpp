@@ -263,6 +263,7 @@ void SystemPart::end_others(const std::map<std::string, std::uint64_t>& wanted) 
   std::erase_if(working_memories_, [&](auto& x) {
     if (is_wanted(working_memory_of(x.first), x.second.incarnation))
       return false;
+    services_->readable_memories.remove(x.first);
     caf::anon_send_exit(x.second.actor, caf::exit_reason::user_shutdown);
     return true;
   });
@@ -297,6 +298,11 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.incarnation = incarnation;
   options.journal = journal_options(wm_class, name, plan, incarnation);
   options.opened_journal = std::move(journal);
+  // What a journal may lose in a crash is told to nobody before it is safe there.
+  if (options.journal.mode == JournalMode::off) {
+    options.store.entries = std::make_shared<EntryTable>();
+    services_->readable_memories.set(name, {options.store.entries, options.readers});
+  }
   auto actor = spawn_.working_memory(system_, std::move(options));
   working_memories_[name] = {actor, incarnation};
   // It may meet the unit of the component that ran it last until its own end.

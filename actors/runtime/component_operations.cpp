@@ -14,12 +14,13 @@ namespace {
 /// Gives a reply's slot back when nobody takes the reply.
 class Claim {
 public:
-  Claim(OperationsClient& client, std::uint64_t id) : client_(client), id_(id) {}
+  Claim(OperationsClient& client, std::uint64_t id, Address address)
+    : client_(client), id_(id), address_(std::move(address)) {}
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
   ~Claim() {
     if (id_ != 0)
-      client_.abandon(id_);
+      client_.abandon(id_, address_);
   }
 
   std::uint64_t take() { return std::exchange(id_, 0); }
@@ -27,6 +28,7 @@ public:
 private:
   OperationsClient& client_;
   std::uint64_t id_;
+  Address address_;
 };
 
 } // namespace
@@ -81,7 +83,7 @@ Pending<Version> ComponentOperations::write(Operation operation, const Address& 
   // The next operation in the pipeline counts on this one; should it fail, so will they.
   if (last_seen)
     seen_.set(address, *last_seen + 1, true);
-  auto claim = std::make_shared<Claim>(parts_.client, id);
+  auto claim = std::make_shared<Claim>(parts_.client, id, address);
   return Pending<Version>{[this, claim, operation, address, last_seen, expected] {
     auto seen_meanwhile = seen_.find(address);
     auto outcome = parts_.client.finish<Version>(claim->take(), address);
@@ -119,8 +121,8 @@ std::vector<Version> ComponentOperations::write(const WriteBatch& batch) {
 
 Pending<EntryPtr> ComponentOperations::read(const Address& address) {
   auto patience = parts_.client.patience(parts_.context.deadline());
-  auto claim =
-    std::make_shared<Claim>(parts_.client, parts_.client.begin(ReadRequest{address, patience}));
+  auto claim = std::make_shared<Claim>(
+    parts_.client, parts_.client.begin(ReadRequest{address, patience}), address);
   return Pending<EntryPtr>{[this, claim, address, patience] {
     WaitEdge wait;
     wait.kind = WaitEdge::Kind::read;
@@ -136,6 +138,15 @@ Pending<EntryPtr> ComponentOperations::read(const Address& address) {
     seen_.set(address, (*outcome)->version);
     return *outcome;
   }};
+}
+
+EntryPtr ComponentOperations::read_now(const Address& address) {
+  auto entry = parts_.client.read_here(address);
+  if (!entry)
+    return read(address).get();
+  ++parts_.context.counters().reads;
+  seen_.set(address, entry->version);
+  return entry;
 }
 
 std::vector<EntryPtr> ComponentOperations::query(TypeQuery query) {

@@ -37,6 +37,7 @@ public:
                          std::optional<EntryLife> life) override;
   std::vector<Version> write(const WriteBatch& batch) override;
   Pending<EntryPtr> read(const Address& address) override;
+  EntryPtr read_now(const Address& address) override;
   std::vector<EntryPtr> query(TypeQuery query) override;
   bool exists(const Address& address) override;
   Version version(const Address& address) override;

@@ -223,6 +223,13 @@ void OperationRecorder::end(std::uint64_t id, const Outcome<std::vector<EntryPtr
   });
 }
 
+void OperationRecorder::read_here(const EntryPtr& entry, Clock::time_point since) {
+  // No request has that id.
+  constexpr std::uint64_t id = 0;
+  sent(id, {since, {write_begin(begin_line("read", entry->address, since))}});
+  end(id, Outcome<EntryPtr>{entry});
+}
+
 void OperationRecorder::end(std::uint64_t id, const Outcome<bool>& x) {
   end_all(id, x, [&](Line& line, std::size_t) { line["exists"] = *x; });
 }

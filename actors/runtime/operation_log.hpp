@@ -90,6 +90,9 @@ public:
     return {};
   }
 
+  /// An entry that was read without a request.
+  void read_here(const EntryPtr& entry, Clock::time_point since);
+
   // Of an effector.
   /// @param lease the entry whose lease it demands; null for none
   void obeys(const std::string& type, const Client& commander, LeaseToken token,

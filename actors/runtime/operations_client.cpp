@@ -9,7 +9,9 @@
 
 namespace castor {
 
-OperationsClient::OperationsClient(const Parts& parts) : parts_(parts) {
+OperationsClient::OperationsClient(const Parts& parts)
+  : parts_(parts),
+    reader_(parts.context.services().readable_memories, parts.context.client()) {
   if (auto& log = parts_.context.services().operations)
     recorder_.emplace(*log, parts_.context.client());
 }
@@ -108,6 +110,10 @@ Outcome<caf::mailbox_element_ptr> OperationsClient::wait_for(std::uint64_t id,
   bool answered = false;
   AtExit leave{[&] {
     actor.close_slot(id);
+    if (answered)
+      unanswered_.answered(id, address.subarchitecture);
+    else
+      unanswered_.abandoned(id, address.subarchitecture);
     if (wait && !answered && !parts_.life.is_working_memory_lost())
       send(CancelWait{wait->address, wait->waiter, wait->number});
   }};
@@ -126,6 +132,29 @@ Outcome<caf::mailbox_element_ptr> OperationsClient::wait_for(std::uint64_t id,
                        ". Its --deadline can be raised";
   failure->address = address;
   return *failure;
+}
+
+EntryPtr OperationsClient::read_here(const Address& address) {
+  // Seldom enough to cost little, and often enough for a stop to be seen within microseconds.
+  constexpr std::uint64_t reads_between = 64;
+  if (++read_here_ % reads_between == 0)
+    show_progress();
+  check_may_operate();
+  if (parts_.life.is_working_memory_lost() || !unanswered_.are_handled(address.subarchitecture))
+    return nullptr;
+  if (!recorder_)
+    return reader_.read(address);
+  auto since = Clock::now();
+  auto entry = reader_.read(address);
+  if (entry)
+    recorder_->read_here(entry, since);
+  return entry;
+}
+
+void OperationsClient::show_progress() {
+  UserCode::Pause pause{parts_.code};
+  parts_.actor.file_arrived();
+  parts_.faults.at_runtime();
 }
 
 void OperationsClient::receive_probe(DeadlockProbe probe) {

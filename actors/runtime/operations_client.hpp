@@ -1,9 +1,11 @@
 #pragma once
 
 #include "castor/actors/runtime/component_context.hpp"
+#include "castor/actors/runtime/entry_reader.hpp"
 #include "castor/actors/runtime/life_cycle.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
 #include "castor/actors/runtime/operation_log.hpp"
+#include "castor/actors/runtime/unanswered_requests.hpp"
 #include "castor/actors/runtime/user_code.hpp"
 #include "castor/wm/leases/deadlock_probe.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
@@ -54,12 +56,20 @@ public:
       id = parts_.actor.request(working_memory(), caf::infinite, request).id().integer_value();
     });
     parts_.actor.open_slot(id);
+    unanswered_.begun();
     if (open)
       recorder_->sent(id, *std::move(open));
     return id;
   }
 
-  void abandon(std::uint64_t id) { parts_.actor.close_slot(id); }
+  void abandon(std::uint64_t id, const Address& address) {
+    parts_.actor.close_slot(id);
+    unanswered_.abandoned(id, address.subarchitecture);
+  }
+
+  /// The entry, if it can be read without a message to its working memory, as all earlier requests
+  /// there were handled and nobody keeps others from reading it; else null.
+  EntryPtr read_here(const Address& address);
 
   template <class Reply>
   Outcome<Reply> finish(std::uint64_t id, const Address& address) {
@@ -135,7 +145,14 @@ private:
                                              const WaitEdge* wait);
   Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
 
+  /// Lets the runtime and those who watch the component see that it still does something.
+  void show_progress();
+
   Parts parts_;
+  EntryReader reader_;
+  UnansweredRequests unanswered_;
+  /// Number of entries read without a message.
+  std::uint64_t read_here_ = 0;
   /// Set if operations are logged.
   std::optional<OperationRecorder> recorder_;
   WaitNumber last_wait_ = 0;

@@ -4,6 +4,7 @@
 #include "castor/actors/runtime/caller_runs.hpp"
 #include "castor/actors/runtime/operation_log.hpp"
 #include "castor/actors/runtime/push_recorder.hpp"
+#include "castor/actors/runtime/readable_memories.hpp"
 #include "castor/actors/runtime/record.hpp"
 #include "castor/wm/clock/simulated_clock.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
@@ -35,6 +36,9 @@ struct ComponentServices {
   /// The working memories of this process, sorted by address: the last list is that of now. A list
   /// never changes, since components' threads look at the one that there was when they were made.
   std::deque<std::vector<caf::resumable*>> working_memories;
+
+  /// Those of them whose entries components read without a message.
+  ReadableMemories readable_memories;
 
   /// A working memory refers to the unit that ran it last even after that component is gone, so
   /// these stay until the end.

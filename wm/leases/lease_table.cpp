@@ -27,6 +27,7 @@ std::optional<Lease> LeaseTable::try_lock(const std::string& id, const ClientPtr
     return std::nullopt;
   holding->levels.push_back(level);
   holding->lease.level = std::max(holding->lease.level, level);
+  note_exclusion(row);
   return holding->lease;
 }
 
@@ -71,6 +72,7 @@ bool LeaseTable::unlock(const std::string& id, const Client& client, LeaseToken 
     return true;
   }
   holding.lease.level = *std::max_element(holding.levels.begin(), holding.levels.end());
+  note_exclusion(row);
   serve_reads(row->second);
   return true;
 }
@@ -80,7 +82,7 @@ bool LeaseTable::renew(const std::string& id, const Client& client, LeaseToken t
   auto row = rows_.find(id);
   if (row == rows_.end() || !is_holder(row->second, client, token))
     return false;
-  auto& [holding, queue, expiry] = row->second;
+  auto& [holding, queue, expiry, is_excluded] = row->second;
   holding->lease.expires = now + options_.duration;
   auto node = expiries_.extract(expiry);
   node.key() = holding->lease.expires;
@@ -93,7 +95,7 @@ void LeaseTable::cancel(const std::string& id, const Client& client, WaitNumber 
   auto row = rows_.find(id);
   if (row == rows_.end())
     return;
-  auto& [holding, queue, expiry] = row->second;
+  auto& [holding, queue, expiry, is_excluded] = row->second;
   if (holding && holding->number == number && *holding->holder == client) {
     end_lease(row, now);
     return;
@@ -168,20 +170,29 @@ bool LeaseTable::is_holder(const Row& row, const Client& client, LeaseToken toke
 
 const Lease& LeaseTable::grant(Rows::iterator row, const ClientPtr& client, LockLevel level,
                                WaitNumber number, Timestamp now) {
-  auto& [holding, queue, expiry] = row->second;
+  auto& [holding, queue, expiry, is_excluded] = row->second;
   holding = Holding{{next_token_++, level, now + options_.duration}, client, number, {level}};
   expiry = expiries_.emplace_hint(expiries_.end(), holding->lease.expires, row->first);
+  note_exclusion(row);
   return holding->lease;
 }
 
 void LeaseTable::end_lease(Rows::iterator row, Timestamp now) {
   row->second.holding.reset();
   expiries_.erase(row->second.expiry);
+  note_exclusion(row);
   serve(row, now);
 }
 
+void LeaseTable::note_exclusion(Rows::iterator row) {
+  auto& [holding, queue, expiry, was_excluded] = row->second;
+  bool is_excluded = holding && holding->lease.level == LockLevel::odr;
+  if (std::exchange(was_excluded, is_excluded) != is_excluded && options_.on_exclusion)
+    options_.on_exclusion(row->first, is_excluded);
+}
+
 void LeaseTable::serve(Rows::iterator row, Timestamp now) {
-  auto& [holding, queue, expiry] = row->second;
+  auto& [holding, queue, expiry, is_excluded] = row->second;
   while (!queue.empty() && !holding) {
     auto waiter = std::move(queue.front());
     queue.pop_front();

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,11 +18,17 @@
 
 namespace castor {
 
+/// Called when an entry gets a lease that keeps others from reading it, and when that ends.
+using ExclusionObserver = std::function<void(const std::string& id, bool is_excluded)>;
+
 struct LeaseTableOptions {
   /// Duration of a lease without renewal.
   Timestamp duration = std::chrono::seconds{2};
   /// First token; tokens increase. A table that replaces another one starts above its tokens.
   LeaseToken first_token = 1;
+  /// Called before the lease is returned or its wait settled; not when the entry is deleted. May be
+  /// empty.
+  ExclusionObserver on_exclusion = {};
 };
 
 /// Result of a wait that has ended.
@@ -72,9 +79,8 @@ public:
     stale,
   };
 
-  explicit LeaseTable(LeaseTableOptions options = {}) : options_(options) {
-    next_token_ = options.first_token;
-  }
+  explicit LeaseTable(LeaseTableOptions options = {})
+    : options_(std::move(options)), next_token_(options_.first_token) {}
 
   /// The tables point into one another, so a lease table moves but is never copied.
   LeaseTable(LeaseTable&&) = default;
@@ -144,6 +150,8 @@ private:
     std::deque<Waiter> queue;
     /// Valid while there is a holding.
     std::multimap<Timestamp, std::string>::iterator expiry;
+    /// As the observer was told last.
+    bool is_excluded = false;
   };
   using Rows = std::unordered_map<std::string, Row>;
 
@@ -151,6 +159,8 @@ private:
   const Lease& grant(Rows::iterator row, const ClientPtr& client, LockLevel level,
                      WaitNumber number, Timestamp now);
   void end_lease(Rows::iterator row, Timestamp now);
+  /// Tells the observer if that has changed.
+  void note_exclusion(Rows::iterator row);
   void serve(Rows::iterator row, Timestamp now);
   /// Serves the reads that the lease allows.
   void serve_reads(Row& row);

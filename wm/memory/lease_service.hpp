@@ -35,7 +35,7 @@ public:
   using Entries = std::vector<EntryPtr>;
 
   LeaseService(const EntryStore& store, LeaseTableOptions options)
-    : store_(store), table_(options) {}
+    : store_(store), table_(std::move(options)) {}
 
   /// Waits refer to the service.
   LeaseService(const LeaseService&) = delete;

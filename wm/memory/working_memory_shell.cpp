@@ -25,8 +25,11 @@ EntryStoreOptions store_options(const WorkingMemoryOptions& options) {
   return result;
 }
 
-LeaseTableOptions lease_options(const WorkingMemoryOptions& options) {
+LeaseTableOptions lease_options(const WorkingMemoryOptions& options, EntryTable& entries) {
   auto result = options.leases;
+  result.on_exclusion = [&entries](const std::string& id, bool is_excluded) {
+    entries.change(id, [&](EntryTable::Slot& x) { x.is_excluded = is_excluded; });
+  };
   // Of whatever session: a lease's token is never that of another.
   result.first_token =
     (has_journal(options) ? options.opened_journal->session * numbers_per_incarnation
@@ -40,7 +43,7 @@ LeaseTableOptions lease_options(const WorkingMemoryOptions& options) {
 WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
                                        const WorkingMemoryOptions& options)
   : self_(self), store_(options.subarchitecture, store_options(options)),
-    leases_(store_, lease_options(options)), events_(self, outbox_, monitored_, usage_, options),
+    leases_(store_, lease_options(options, store_.entries())), events_(self, outbox_, monitored_, usage_, options),
     epoch_(options.epoch), clock_(options.clock) {
   allow_writers(options.writers);
   store_.access().set_readers(options.readers);
@@ -54,6 +57,7 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
 }
 
 WorkingMemoryShell::~WorkingMemoryShell() {
+  store_.entries().close();
   if (clock_)
     clock_->forget(system_alarm_key_);
 }
@@ -98,6 +102,9 @@ void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
   auto time = now();
   std::vector<CommittedChange> changes;
   changes.reserve(effects.size());
+  bool are_several = effects.size() > 1;
+  if (are_several)
+    store_.entries().begin_atomic();
   for (auto& effect : effects) {
     if (effect.owner)
       remember_client(effect.owner);
@@ -111,6 +118,8 @@ void WorkingMemoryShell::commit(std::vector<EntryStore::Effect> effects) {
       leases_.erase(change.event->address.id);
     changes.push_back(std::move(change));
   }
+  if (are_several)
+    store_.entries().end_atomic();
   outbox_.write(changes);
   events_.dispatch(changes);
   leases_.settle();
@@ -395,6 +404,15 @@ void WorkingMemoryShell::count_read(const ClientPtr& client, const Entry& entry)
   if (client)
     usage_.record(client->component, entry.address.subarchitecture, entry.type_name(),
                   &Usage::reads);
+}
+
+UsageReport WorkingMemoryShell::usage() const {
+  auto result = usage_;
+  store_.entries().counts().for_each(
+    [&](const std::string& component, const std::string& type, std::uint64_t count) {
+      result.record(component, store_.subarchitecture(), type, &Usage::reads, count);
+    });
+  return {result.all()};
 }
 
 WorkingMemoryStatus WorkingMemoryShell::status() const {

@@ -70,7 +70,7 @@ public:
   void end(const caf::actor_addr& who);
 
   WorkingMemoryStatus status() const;
-  UsageReport usage() const { return {usage_.all()}; }
+  UsageReport usage() const;
 
   EventDispatcher& events() { return events_; }
   JournalOutbox& outbox() { return outbox_; }

@@ -40,8 +40,10 @@ Failure outdated(const WriteRequest& request, const Entry& there) {
 } // namespace
 
 EntryStore::EntryStore(std::string subarchitecture, EntryStoreOptions options)
-  : subarchitecture_(std::move(subarchitecture)), options_(options), access_(subarchitecture_),
-    tombstones_(options.remembered_deletions, options.first_version) {}
+  : subarchitecture_(std::move(subarchitecture)), options_(std::move(options)),
+    access_(subarchitecture_),
+    entries_(options_.entries ? options_.entries : std::make_shared<EntryTable>()),
+    tombstones_(options_.remembered_deletions, options_.first_version) {}
 
 void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) {
   for (auto& x : image.entries) {
@@ -57,7 +59,7 @@ void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) 
       lifetimes_.add(id, time_to_live, nullptr, now - std::max(Timestamp{0}, time - x.time));
     if (ephemeral)
       lifetimes_.orphan(id, now);
-    entries_[id] = {x.entry, x.sequence, table.recency.begin(), may_end};
+    entries_->insert(id, {x.entry, x.sequence, table.recency.begin(), may_end});
   }
   for (auto& [id, version] : image.deleted)
     tombstones_.add(id, version, image.sequence);
@@ -78,12 +80,12 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
                      " WRITES " + subarchitecture_ +
                      " into the system's .cast file, or run it with --open-access",
                    address};
-  auto i = entries_.find(address.id);
+  auto* there = entries_->find(address.id);
   if (request.operation == Operation::add) {
-    if (i != entries_.end())
+    if (there)
       return Failure{FailureKind::already_exists,
                      to_string(client) + " cannot add " + to_string(address) + ": " +
-                       i->second.entry->writer + " put a " + i->second.entry->type_name() +
+                       there->entry->writer + " put a " + there->entry->type_name() +
                        " there. Overwrite it, or add under a new id",
                      address};
     if (auto failure = check_value(request))
@@ -106,14 +108,14 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
       request.last_will ? request.client : nullptr,
       request.last_will};
   }
-  if (i == entries_.end())
+  if (!there)
     return missing(request);
-  auto& old = *i->second.entry;
+  auto& old = *there->entry;
   if (request.operation == Operation::remove) {
     // Components delete whatever is there; operators may name the version that they mean.
     if (request.last_seen && *request.last_seen != old.version)
       return outdated(request, old);
-    return Effect{Operation::remove, i->second.entry, client.component};
+    return Effect{Operation::remove, there->entry, client.component};
   }
   if (!request.last_seen)
     return Failure{FailureKind::inconsistent,
@@ -145,7 +147,7 @@ Outcome<EntryStore::Effect> EntryStore::prepare(const WriteRequest& request) con
     std::make_shared<const Entry>(Entry{address, old.version + 1, request.value, client.component,
                                         request.life.value_or(old.life)}),
     client.component,
-    i->second.entry,
+    there->entry,
     {},
     request.last_will ? request.client : nullptr,
     request.last_will};
@@ -195,32 +197,35 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
         lifetimes_.add(id, time_to_live, std::move(effect.owner), now);
       if (effect.last_will)
         lifetimes_.set_will(id, std::move(effect.testator), *std::move(effect.last_will));
-      entries_[id] = {entry, sequence_, table.recency.begin(), may_end};
+      entries_->insert(id, {entry, sequence_, table.recency.begin(), may_end});
       break;
     }
     case Operation::overwrite: {
-      auto& slot = entries_[id];
-      *slot.position = entry;
-      table.recency.splice(table.recency.begin(), table.recency, slot.position);
-      slot.entry = entry;
-      slot.written = sequence_;
       auto time_to_live = entry->life.time_to_live;
-      slot.may_end = slot.may_end || time_to_live.count() > 0 || effect.last_will;
+      bool may_end = false;
+      entries_->change(id, [&](EntryTable::Slot& slot) {
+        *slot.position = entry;
+        table.recency.splice(table.recency.begin(), table.recency, slot.position);
+        slot.entry = entry;
+        slot.written = sequence_;
+        slot.may_end = slot.may_end || time_to_live.count() > 0 || effect.last_will;
+        may_end = slot.may_end;
+      });
       if (event->source == last_will_source)
         lifetimes_.fulfil(id, time_to_live, now);
-      else if (slot.may_end)
+      else if (may_end)
         lifetimes_.restart(id, time_to_live, now);
       if (effect.last_will)
         lifetimes_.set_will(id, std::move(effect.testator), *std::move(effect.last_will));
       break;
     }
     case Operation::remove: {
-      auto i = entries_.find(id);
-      table.recency.erase(i->second.position);
-      if (i->second.may_end)
+      auto* slot = entries_->find(id);
+      table.recency.erase(slot->position);
+      if (slot->may_end)
         lifetimes_.erase(id);
       tombstones_.add(id, entry->version, sequence_);
-      entries_.erase(i);
+      entries_->erase(id);
       break;
     }
   }
@@ -228,7 +233,7 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
 }
 
 EntryStore::Effect EntryStore::prepare_due(const std::string& id) const {
-  auto& there = entries_.at(id).entry;
+  auto there = entries_->find(id)->entry;
   auto* will = lifetimes_.due_will(id);
   if (!will)
     return {Operation::remove, there, lifetimes_.source(id)};
@@ -255,14 +260,13 @@ bool EntryStore::may_write(const WriteRequest& request) const {
     return true;
   if (request.operation != Operation::overwrite || writer == operators)
     return false;
-  auto i = entries_.find(request.address.id);
-  return i != entries_.end() && i->second.entry->life.writable_by_all;
+  auto* there = entries_->find(request.address.id);
+  return there && there->entry->life.writable_by_all;
 }
 
 Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
-  auto i = entries_.find(id);
-  if (i != entries_.end())
-    return i->second.entry;
+  if (auto* there = entries_->find(id))
+    return there->entry;
   Address address{subarchitecture_, id};
   return Failure{FailureKind::does_not_exist,
                  "there is no entry " + to_string(address) + " to read: " + absence(id), address};
@@ -283,7 +287,7 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
       ++cursor.at;
     if (cursor.at == cursor.list->end())
       return;
-    cursor.written = entries_.at((*cursor.at)->address.id).written;
+    cursor.written = entries_->find((*cursor.at)->address.id)->written;
     cursors.push(std::move(cursor));
   };
   for (auto& [name, table] : types_) {
@@ -307,8 +311,8 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
 }
 
 Outcome<Version> EntryStore::version(const std::string& id) const {
-  if (auto i = entries_.find(id); i != entries_.end())
-    return i->second.entry->version;
+  if (auto* there = entries_->find(id))
+    return there->entry->version;
   if (auto last = tombstones_.version(id))
     return *last;
   Address address{subarchitecture_, id};

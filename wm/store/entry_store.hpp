@@ -5,6 +5,7 @@
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/store/access_rules.hpp"
+#include "castor/wm/store/entry_table.hpp"
 #include "castor/wm/store/lifetimes.hpp"
 #include "castor/wm/store/store_image.hpp"
 #include "castor/wm/store/tombstones.hpp"
@@ -12,7 +13,6 @@
 #include "castor/wm/store/write_request.hpp"
 
 #include <cstddef>
-#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +29,8 @@ struct EntryStoreOptions {
   std::size_t largest_value = std::size_t{256} << 20;
   /// Version of the first entry of every id.
   Version first_version = 0;
+  /// Table for the entries, from which other threads read; null for one that nobody else has.
+  std::shared_ptr<EntryTable> entries = {};
 };
 
 /// Entries of a working memory, and the rules for changing them.
@@ -92,34 +94,27 @@ public:
 
   // -- reading
 
+  /// The entries, as other threads read them.
+  EntryTable& entries() const { return *entries_; }
+
   Outcome<EntryPtr> read(const std::string& id) const;
 
   /// The most recently written entries first.
   std::vector<EntryPtr> read_by_type(const TypeQuery& query) const;
 
-  bool exists(const std::string& id) const { return entries_.count(id) > 0; }
+  bool exists(const std::string& id) const { return entries_->find(id) != nullptr; }
 
   /// The entry's version, or the last one before its deletion. Fails if it never existed (or was
   /// deleted too long ago to be remembered).
   Outcome<Version> version(const std::string& id) const;
 
-  std::size_t size() const { return entries_.size(); }
+  std::size_t size() const { return entries_->size(); }
 
   /// Number of events so far.
   std::uint64_t sequence() const { return sequence_; }
 
 private:
-  /// Most recently written first.
-  using Recency = std::list<EntryPtr>;
-
-  struct Slot {
-    EntryPtr entry;
-    /// Number of its last write.
-    std::uint64_t written = 0;
-    Recency::iterator position;
-    /// Whether it is in `lifetimes_`.
-    bool may_end = false;
-  };
+  using Recency = EntryTable::Recency;
 
   struct TypeTable {
     TypeDescriptorPtr type;
@@ -138,7 +133,7 @@ private:
   std::string subarchitecture_;
   EntryStoreOptions options_;
   AccessRules access_;
-  std::unordered_map<std::string, Slot> entries_;
+  std::shared_ptr<EntryTable> entries_;
   std::unordered_map<std::string, TypeTable> types_;
   Tombstones tombstones_;
   Lifetimes lifetimes_;

@@ -31,9 +31,9 @@ struct Usage {
 /// Counts of operations by component, subarchitecture and type.
 class UsageLog {
 public:
-  /// Increments one counter.
+  /// Adds to one counter.
   void record(std::string_view component, std::string_view subarchitecture, std::string_view type,
-              std::uint64_t Usage::*what) {
+              std::uint64_t Usage::*what, std::uint64_t count = 1) {
     auto key = std::tie(component, subarchitecture, type);
     auto i = usages_.lower_bound(key);
     if (i == usages_.end() || key_of(i->second) != key) {
@@ -43,7 +43,7 @@ public:
       x.type = type;
       i = usages_.emplace_hint(i, Key{x.component, x.subarchitecture, x.type}, x);
     }
-    ++(i->second.*what);
+    i->second.*what += count;
   }
 
   /// Sorted by component, subarchitecture and type.

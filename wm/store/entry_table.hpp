@@ -1,0 +1,108 @@
+#pragma once
+
+#include "castor/wm/entries/entry.hpp"
+#include "castor/wm/store/read_counts.hpp"
+#include "castor/wm/store/spin_lock.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace castor {
+
+/// The entries of a working memory by id. It belongs to the thread that runs the working memory;
+/// other threads of the process read entries without a message to it, where the answer would be the
+/// same.
+///
+/// Reads are linearizable with the operations that the working memory answers: a change is in the
+/// table before it is answered or sent to anybody, an entry is excluded before a lease of level ODR
+/// is granted, and the changes of an atomic write are seen together or not at all. Each part of the
+/// table has a lock, which readers and the owner hold for a few instructions.
+class EntryTable {
+public:
+  /// Most recently written first.
+  using Recency = std::list<EntryPtr>;
+
+  struct Slot {
+    EntryPtr entry;
+    /// Number of its last write.
+    std::uint64_t written = 0;
+    Recency::iterator position;
+    /// Whether it may end by itself.
+    bool may_end = false;
+    /// Whether somebody has a lease that keeps others from reading it.
+    bool is_excluded = false;
+  };
+
+  EntryTable() = default;
+  EntryTable(const EntryTable&) = delete;
+  EntryTable& operator=(const EntryTable&) = delete;
+
+  // -- for other threads
+
+  /// The entry, if it is there and its working memory would tell everybody so at once; otherwise
+  /// null, and the working memory has to be asked.
+  EntryPtr read(const std::string& id) const;
+
+  /// Counts of the entries that were read in this way; for any thread.
+  ReadCounts& counts() const { return counts_; }
+
+  // -- for the owner
+
+  /// Null if there is none.
+  const Slot* find(const std::string& id) const {
+    auto& slots = part_of(id).slots;
+    auto i = slots.find(id);
+    return i == slots.end() ? nullptr : &i->second;
+  }
+
+  std::size_t size() const { return size_; }
+
+  /// The id must be new.
+  void insert(const std::string& id, Slot slot);
+
+  /// Calls `f` with the slot of an id that must be there.
+  template <class F>
+  void change(const std::string& id, F&& f) {
+    auto& part = part_of(id);
+    std::lock_guard guard{part.lock};
+    f(part.slots.at(id));
+  }
+
+  /// The id must be there.
+  void erase(const std::string& id);
+
+  /// Keeps other threads from reading while several changes are made that belong together.
+  void begin_atomic() { is_held_.store(true, std::memory_order_release); }
+  void end_atomic() { is_held_.store(false, std::memory_order_release); }
+
+  /// No other thread reads here any more, and the entries are freed: the working memory has ended.
+  void close();
+
+private:
+  struct alignas(64) Part {
+    mutable SpinLock lock;
+    std::unordered_map<std::string, Slot> slots;
+  };
+  static constexpr std::size_t part_count = 64;
+
+  const Part& part_of(std::string_view id) const {
+    // Not the low bits, by which each part orders its own ids.
+    return parts_[(std::hash<std::string_view>{}(id) >> 48) % part_count];
+  }
+  Part& part_of(std::string_view id) { return const_cast<Part&>(std::as_const(*this).part_of(id)); }
+
+  std::array<Part, part_count> parts_;
+  std::atomic<bool> is_held_{false};
+  std::size_t size_ = 0;
+  mutable ReadCounts counts_;
+};
+
+} // namespace castor
