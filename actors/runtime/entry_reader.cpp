@@ -2,6 +2,8 @@
 
 #include "castor/wm/store/access_rules.hpp"
 
+#include <chrono>
+
 namespace castor {
 
 EntryPtr EntryReader::read(const Address& address) {
@@ -10,7 +12,7 @@ EntryPtr EntryReader::read(const Address& address) {
   for (auto& x : known_) {
     if (x.subarchitecture != address.subarchitecture)
       continue;
-    auto entry = x.entries->read(address.id);
+    auto entry = x.entries->read(address.id, std::chrono::steady_clock::now);
     if (entry)
       x.counts->add(entry->value.type_ptr());
     return entry;

@@ -93,10 +93,11 @@ private:
       options.leases.duration = lease_duration;
       // No token of one working memory is ever the right one in another by chance.
       options.leases.first_token = static_cast<LeaseToken>(i + 1) * 1'000'000;
+      auto entries = options.store.entries = std::make_shared<EntryTable>();
       auto name = options.subarchitecture;
       auto actor = system.spawn(working_memory, std::move(options));
       peers.working_memories[name] = caf::actor_cast<caf::strong_actor_ptr>(actor);
-      world.working_memories.push_back({name, std::move(actor)});
+      world.working_memories.push_back({name, std::move(actor), std::move(entries)});
     }
     for (auto& wm : world.working_memories)
       caf::anon_send(wm.actor, peers);

@@ -179,20 +179,9 @@ void SimulatedClient::begin(std::uint32_t entry, OperationKind kind) {
       x.token = choice_.token_to_show(view, entry);
       unlock(x);
       break;
-    case OperationKind::read: {
-      auto record = recorder.invoked(x);
-      auto number = ++last_wait_;
-      ask<EntryPtr>(
-        route_to(entry), ReadRequest{address, patience(number)}, {record}, number,
-        [this, record, &view](const Outstanding&, const Outcome<EntryPtr>& answer) {
-          if (!answer)
-            return failed(record, answer.failure());
-          view.present = true;
-          view.seen = (*answer)->version;
-          world_.recorder.returned(record, {Status::ok, (*answer)->version, content_of(**answer)});
-        });
+    case OperationKind::read:
+      read(entry);
       break;
-    }
     case OperationKind::exists: {
       auto record = recorder.invoked(x);
       ask<bool>(route_to(entry), ExistsQuery{address}, {record}, 0,
@@ -214,6 +203,48 @@ void SimulatedClient::begin(std::uint32_t entry, OperationKind kind) {
                    });
     }
   }
+}
+
+void SimulatedClient::read(std::uint32_t entry) {
+  if (read_here(entry))
+    return;
+  OperationRecord x;
+  x.client = number_;
+  x.entry = entry;
+  x.kind = OperationKind::read;
+  auto record = world_.recorder.invoked(x);
+  auto number = ++last_wait_;
+  ask<EntryPtr>(route_to(entry), ReadRequest{world_.entries[entry].address, patience(number)},
+                {record}, number,
+                [this, record](const Outstanding&, const Outcome<EntryPtr>& answer) {
+                  if (answer)
+                    was_read(record, **answer);
+                  else
+                    failed(record, answer.failure());
+                });
+}
+
+bool SimulatedClient::read_here(std::uint32_t entry) {
+  auto& table = world_.working_memories[world_.entries[entry].owner].entries;
+  // As components do: no read overtakes an earlier operation.
+  if (!table || outstanding_.size() > 0 || world_.chance(30))
+    return false;
+  auto found = table->read(world_.entries[entry].address.id, [this] { return clock().now(); });
+  if (!found)
+    return false;
+  OperationRecord x;
+  x.client = number_;
+  x.entry = entry;
+  x.kind = OperationKind::read;
+  was_read(world_.recorder.invoked(x), *found);
+  return true;
+}
+
+void SimulatedClient::was_read(Index record, const Entry& entry) {
+  auto& view = views_[world_.recorder[record].entry];
+  view.present = true;
+  view.seen = entry.version;
+  world_.recorder.returned(record, {Status::ok, entry.version, content_of(entry)});
 }
 
 void SimulatedClient::write(std::uint32_t entry, OperationKind kind) {

@@ -75,6 +75,9 @@ private:
   // -- operations
   void begin(std::uint32_t entry, OperationKind kind);
   void write(std::uint32_t entry, OperationKind kind);
+  void read(std::uint32_t entry);
+  /// Without a message. False if the working memory has to be asked.
+  bool read_here(std::uint32_t entry);
   void write_several();
   void read_all();
   OperationRecord planned_write(std::uint32_t entry, OperationKind kind);
@@ -101,6 +104,7 @@ private:
 
   // -- what came of it
   void wrote(Index record, Version version);
+  void was_read(Index record, const Entry& entry);
   void failed(Index record, const Failure& failure);
 
   SimulatedWorld& world_;

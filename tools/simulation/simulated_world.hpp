@@ -2,9 +2,11 @@
 
 #include "castor/tools/simulation/recorder.hpp"
 #include "castor/wm/memory/working_memory_protocol.hpp"
+#include "castor/wm/store/entry_table.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,6 +18,8 @@ struct SimulatedWorld {
   struct WorkingMemory {
     std::string subarchitecture;
     WorkingMemoryActor actor;
+    /// From which clients read without a message, too; null if they do not.
+    std::shared_ptr<EntryTable> entries = {};
   };
   struct SimulatedEntry {
     Address address;

@@ -280,6 +280,14 @@ void WorkingMemoryShell::catch_up() {
   if (auto due = store_.lifetimes().next_due(); due && *due <= time)
     delete_due(time);
   settle();
+  tell_readers();
+}
+
+void WorkingMemoryShell::tell_readers() {
+  // No clock gets there.
+  constexpr Timestamp never = std::chrono::hours{24 * 365 * 100};
+  auto next = leases_.next_deadline().value_or(never);
+  store_.entries().set_due(next < never ? epoch_ + (next - clock_jump_) : EntryTable::Time::max());
 }
 
 void WorkingMemoryShell::delete_due(Timestamp now) {
@@ -301,6 +309,7 @@ void WorkingMemoryShell::settle() {
 }
 
 void WorkingMemoryShell::set_alarm() {
+  tell_readers();
   auto leases = leases_.next_deadline().value_or(Timestamp::max());
   auto lifetimes = store_.lifetimes().next_due().value_or(Timestamp::max());
   if (!clock_) {

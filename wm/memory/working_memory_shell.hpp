@@ -86,6 +86,8 @@ private:
 
   /// Ends leases, waits and entries that are due. Every operation begins with it.
   void catch_up();
+  /// Until when those who read without a message need not ask.
+  void tell_readers();
   void delete_due(Timestamp now);
 
   /// Applies effects that were prepared together, and sends their events.

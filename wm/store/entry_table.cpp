@@ -2,7 +2,7 @@
 
 namespace castor {
 
-EntryPtr EntryTable::read(const std::string& id) const {
+EntryPtr EntryTable::read_in_time(const std::string& id) const {
   EntryPtr result;
   {
     auto& part = part_of(id);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <list>
@@ -23,10 +24,13 @@ namespace castor {
 ///
 /// Reads are linearizable with the operations that the working memory answers: a change is in the
 /// table before it is answered or sent to anybody, an entry is excluded before a lease of level ODR
-/// is granted, and the changes of an atomic write are seen together or not at all. Each part of the
+/// is granted, and the changes of an atomic write are seen together or not at all. Where time has
+/// ended a lease and the working memory has not noticed yet, it has to be asked. Each part of the
 /// table has a lock, which readers and the owner hold for a few instructions.
 class EntryTable {
 public:
+  using Time = std::chrono::steady_clock::time_point;
+
   /// Most recently written first.
   using Recency = std::list<EntryPtr>;
 
@@ -48,8 +52,14 @@ public:
   // -- for other threads
 
   /// The entry, if it is there and its working memory would tell everybody so at once; otherwise
-  /// null, and the working memory has to be asked.
-  EntryPtr read(const std::string& id) const;
+  /// null, and the working memory has to be asked. `now` tells the time of the clock of leases.
+  template <class F>
+  EntryPtr read(const std::string& id, F&& now) const {
+    auto due = due_.load(std::memory_order_acquire);
+    if (due != never && Time{now()}.time_since_epoch().count() >= due)
+      return nullptr;
+    return read_in_time(id);
+  }
 
   /// Counts of the entries that were read in this way; for any thread.
   ReadCounts& counts() const { return counts_; }
@@ -79,6 +89,9 @@ public:
   /// The id must be there.
   void erase(const std::string& id);
 
+  /// The next lease or wait ends at that time, unless something happens before.
+  void set_due(Time x) { due_.store(x.time_since_epoch().count(), std::memory_order_release); }
+
   /// Keeps other threads from reading while several changes are made that belong together.
   void begin_atomic() { is_held_.store(true, std::memory_order_release); }
   void end_atomic() { is_held_.store(false, std::memory_order_release); }
@@ -92,6 +105,9 @@ private:
     std::unordered_map<std::string, Slot> slots;
   };
   static constexpr std::size_t part_count = 64;
+  static constexpr auto never = Time::max().time_since_epoch().count();
+
+  EntryPtr read_in_time(const std::string& id) const;
 
   const Part& part_of(std::string_view id) const {
     // Not the low bits, by which each part orders its own ids.
@@ -101,6 +117,8 @@ private:
 
   std::array<Part, part_count> parts_;
   std::atomic<bool> is_held_{false};
+  /// As ticks of the clock; `never` if there is none.
+  std::atomic<Time::rep> due_{never};
   std::size_t size_ = 0;
   mutable ReadCounts counts_;
 };

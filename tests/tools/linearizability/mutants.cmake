@@ -58,6 +58,24 @@ castor_mutant(reads_pass_locks wm/leases/lease_table.cpp
   FROM "return !x || x->lease.level != LockLevel::odr || *x->holder == client;"
   TO "return true;")
 
+castor_mutant(entries_are_read_here_in_spite_of_locks wm/store/entry_table.cpp
+  FROM "i->second.may_end || i->second.is_excluded"
+  TO "i->second.may_end")
+
+castor_mutant(reads_here_miss_ends_of_leases wm/memory/working_memory_shell.cpp
+  FROM "next < never ? epoch_ + (next - clock_jump_) : EntryTable::Time::max()"
+  TO "EntryTable::Time::max()")
+
+castor_mutant(locks_exclude_too_late wm/leases/lease_table.cpp
+  FROM "row->first);
+  note_exclusion(row);"
+  TO "row->first);")
+
+castor_mutant(nested_locks_do_not_exclude wm/leases/lease_table.cpp
+  FROM "std::max(holding->lease.level, level);
+  note_exclusion(row);"
+  TO "std::max(holding->lease.level, level);")
+
 castor_mutant(reads_overtake_odr_locks wm/leases/lease_table.cpp
   FROM "if (holding.lease.level == LockLevel::odr && !(*waiter.client == *holding.holder))
       return false;"
