@@ -17,13 +17,14 @@ protected:
 
   /// Runs one component of subarchitecture a, beside an empty subarchitecture b; the body ends the
   /// system by returning.
-  void run_component(std::function<void(UnmanagedScript&)> body, const std::string& head = {}) {
+  void run_component(std::function<void(UnmanagedScript&)> body, const std::string& head = {},
+                     const std::string& others = {}) {
     UnmanagedScript::scripts()["c"].run = [body](auto& self) {
       body(self);
       self.end_system(0, "done");
     };
     System system{
-      architecture(head + subarchitecture("b") + subarchitecture("a") + "CPP UM c Unmanaged\n")};
+      architecture(head + subarchitecture("b") + subarchitecture("a") + "CPP UM c Unmanaged\n" + others)};
     ASSERT_TRUE(system.start());
     ASSERT_EQ(system.wait({30s, {}}), EndReason::ended_by_component)
       << system.summary().components.back().failure;
@@ -60,6 +61,41 @@ TEST_F(Operations, WhatIsWrittenCanBeRead) {
     self.add(address, Note{3, "three"});
     EXPECT_EQ(self.version(address), 2u);
   });
+}
+
+TEST_F(Operations, ReadsDoNotOvertakeWritesWhoseAnswersNobodyWaitsFor) {
+  // Keeps both working memories busy, so that the requests of others wait.
+  UnmanagedScript::scripts()["busy"].run = [](auto& self) {
+    for (std::string where : {"a", "b"})
+      self.add(Address{where, "busy"}, Note{0});
+    while (self.is_running())
+      for (std::string where : {"a", "b"})
+        self.overwrite(Address{where, "busy"}, Note{1});
+  };
+  run_component(
+    [](auto& self) {
+      for (std::string where : {"a", "b"}) {
+        Address address{where, "x"};
+        self.add(address, Note{0});
+        for (int i = 1; i <= 2000; ++i) {
+          self.overwrite_async(address, Note{i});
+          ASSERT_EQ(self.template read<Note>(address)->number, i) << where;
+        }
+      }
+    },
+    "ACCESS a WRITES b\n", "CPP UM busy Unmanaged\n");
+}
+
+TEST_F(Operations, AStopIsSeenInAnEndlessLoopOfReads) {
+  UnmanagedScript::scripts()["c"].run = [](auto& self) {
+    auto address = self.add(Note{1});
+    self.end_system(0, "done");
+    for (;;)
+      self.template read<Note>(address);
+  };
+  System system{architecture(subarchitecture("a") + "CPP UM c Unmanaged\n")};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_TRUE(system.summary().stuck.empty());
 }
 
 TEST_F(Operations, NewIdsAreAllDifferent) {
