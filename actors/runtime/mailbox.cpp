@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace castor {
@@ -28,8 +29,10 @@ PumpedActor::PumpedActor(caf::actor_config& config, std::shared_ptr<SimulatedClo
 
 // -- waiting
 
-bool PumpedActor::pump(Clock::time_point until) {
-  if (mailbox().empty() && !park(until))
+bool PumpedActor::pump(Clock::time_point until, Expected expected) {
+  bool is_here =
+    !mailbox().empty() || (expected == Expected::soon && !clock_ && comes_soon(until));
+  if (!is_here && !park(until))
     return false;
   file_arrived();
   return true;
@@ -65,6 +68,17 @@ SimulatedClock::Key PumpedActor::wake_at(Timestamp time, std::uint64_t order) {
   return clock_->wake_at(time, order, [self = caf::strong_actor_ptr{ctrl()}] {
     self->enqueue(nullptr, caf::make_message_id(), caf::make_message(WokenAtom::value), nullptr);
   });
+}
+
+bool PumpedActor::comes_soon(Clock::time_point until) {
+  // Longer than most answers take, and shorter than it takes to sleep and to be woken.
+  constexpr std::chrono::microseconds worth_waiting{5};
+  for (auto end = std::min(until, Clock::now() + worth_waiting); Clock::now() < end;) {
+    std::this_thread::yield();
+    if (!mailbox().empty())
+      return true;
+  }
+  return false;
 }
 
 bool PumpedActor::await_arrival(Clock::time_point until) {

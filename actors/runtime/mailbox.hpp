@@ -40,9 +40,12 @@ public:
   using blocking_actor::enqueue;
   void enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) override;
 
+  /// When something may be expected to arrive. What comes soon is not worth sleeping for.
+  enum class Expected : std::uint8_t { soon, later };
+
   /// Files what has arrived; if nothing has, waits for it. False once `until`, which is real time,
   /// has passed without any.
-  bool pump(Clock::time_point until);
+  bool pump(Clock::time_point until, Expected expected = Expected::later);
 
   /// The same until a simulated time; for ever if it is `Timestamp::max()`. Only with a simulated
   /// clock.
@@ -93,6 +96,8 @@ private:
   /// Waits until something has arrived; false once `until` has passed without any.
   bool park(Clock::time_point until);
   bool await_arrival(Clock::time_point until);
+  /// Whether something arrives within microseconds.
+  bool comes_soon(Clock::time_point until);
   SimulatedClock::Key wake_at(Timestamp time, std::uint64_t order);
 
   const std::shared_ptr<SimulatedClock> clock_;
