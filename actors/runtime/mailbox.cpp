@@ -82,6 +82,11 @@ bool PumpedActor::comes_soon(Clock::time_point until) {
 }
 
 bool PumpedActor::await_arrival(Clock::time_point until) {
+  // Without a deadline nothing wakes an idle component.
+  if (until == Clock::time_point::max()) {
+    await_data();
+    return true;
+  }
   // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a jump
   // of that clock delays nothing for long.
   constexpr Clock::duration longest_step = std::chrono::seconds{1};

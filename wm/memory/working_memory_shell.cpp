@@ -428,8 +428,7 @@ WorkingMemoryStatus WorkingMemoryShell::status() const {
   WorkingMemoryStatus result;
   result.subarchitecture = store_.subarchitecture();
   result.entries = store_.size();
-  for (auto& entry : store_.read_by_type({}))
-    ++result.entries_by_type[entry->type_name()];
+  result.entries_by_type = store_.counts_by_type();
   result.events = store_.sequence();
   result.last_event = last_event_;
   result.refused = refused_;

@@ -310,6 +310,14 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
   return result;
 }
 
+std::map<std::string, std::uint64_t> EntryStore::counts_by_type() const {
+  std::map<std::string, std::uint64_t> result;
+  for (auto& [name, table] : types_)
+    if (!table.recency.empty())
+      result[name] = table.recency.size();
+  return result;
+}
+
 Outcome<Version> EntryStore::version(const std::string& id) const {
   if (auto* there = entries_->find(id))
     return there->entry->version;

@@ -13,6 +13,7 @@
 #include "castor/wm/store/write_request.hpp"
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -101,6 +102,9 @@ public:
 
   /// The most recently written entries first.
   std::vector<EntryPtr> read_by_type(const TypeQuery& query) const;
+
+  /// How many entries there are of each type of which there are any.
+  std::map<std::string, std::uint64_t> counts_by_type() const;
 
   bool exists(const std::string& id) const { return entries_->find(id) != nullptr; }
 
