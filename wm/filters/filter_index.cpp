@@ -1,6 +1,7 @@
 #include "castor/wm/filters/filter_index.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -49,21 +50,16 @@ std::uint64_t key_of(const ChangeFilter& x) {
                 hash(x.subarchitecture.value_or("")), hash(x.type));
 }
 
-/// The hashes of all that filters may ask of an event.
+/// The hashes of what filters may ask of an event, but for its super types.
 struct EventHashes {
   explicit EventHashes(const ChangeEvent& event)
     : id(hash(event.address.id)), source(hash(event.source)),
-      subarchitecture(hash(event.address.subarchitecture)) {
-    types.push_back(hash(event.type->name()));
-    for (auto& super_type : event.type->super_types)
-      types.push_back(hash(super_type));
-  }
+      subarchitecture(hash(event.address.subarchitecture)), type(hash(event.type->name())) {}
 
   std::uint64_t id;
   std::uint64_t source;
   std::uint64_t subarchitecture;
-  /// The type itself first.
-  std::vector<std::uint64_t> types;
+  std::uint64_t type;
 };
 
 /// Of the pair as a whole.
@@ -80,19 +76,36 @@ void for_each_group(unsigned shape, const ChangeEvent& event, const EventHashes&
   auto look_up = [&](std::uint64_t type) {
     f(key_of(shape, event.operation, hashes.id, hashes.source, hashes.subarchitecture, type));
   };
-  look_up(hashes.types.front());
+  look_up(hashes.type);
   if (shape & Asks::type)
-    for (std::size_t i = 1; i < hashes.types.size(); ++i)
-      look_up(hashes.types[i]);
+    for (auto& super_type : event.type->super_types)
+      look_up(hash(super_type));
+}
+
+/// Calls `f` with the shape of each table in the set.
+template <class F>
+void for_each_shape(std::uint32_t set, F&& f) {
+  for (; set != 0; set &= set - 1)
+    f(static_cast<unsigned>(std::countr_zero(set)));
 }
 
 } // namespace
 
 void FilterIndex::insert(Key key, const ChangeFilter& filter) {
   auto i = filters_.emplace(hash(key, filter), RegisteredFilter{key, filter, {}, 0});
-  auto& table = tables_[shape_of(filter)];
+  auto shape = shape_of(filter);
+  auto& table = tables_[shape];
   table.groups[key_of(filter)].insert(&i->second);
   table.asking_for_changes += filter.changing.empty() ? 0 : 1;
+  note_use(shape);
+}
+
+void FilterIndex::note_use(unsigned shape) {
+  auto note = [bit = std::uint32_t{1} << shape](std::uint32_t& set, bool is_in) {
+    set = is_in ? set | bit : set & ~bit;
+  };
+  note(used_, !tables_[shape].groups.empty());
+  note(asking_, tables_[shape].asking_for_changes > 0);
 }
 
 bool FilterIndex::erase(Key key, const ChangeFilter& filter) {
@@ -101,23 +114,25 @@ bool FilterIndex::erase(Key key, const ChangeFilter& filter) {
                         [&](auto& x) { return x.second.key == key && x.second.filter == filter; });
   if (i == last)
     return false;
-  auto& table = tables_[shape_of(filter)];
+  auto shape = shape_of(filter);
+  auto& table = tables_[shape];
   auto group = table.groups.find(key_of(filter));
   group->second.erase(&i->second);
   if (group->second.empty())
     table.groups.erase(group);
   table.asking_for_changes -= filter.changing.empty() ? 0 : 1;
+  note_use(shape);
   filters_.erase(i);
   return true;
 }
 
 void FilterIndex::match(const ChangeEvent& event, const Value& content, std::vector<Key>& out) {
+  if (used_ == 0)
+    return;
   EventHashes hashes{event};
   ++searches_;
-  for (unsigned shape = 0; shape < shapes; ++shape) {
+  for_each_shape(used_, [&](unsigned shape) {
     auto& groups = tables_[shape].groups;
-    if (groups.empty())
-      continue;
     for_each_group(shape, event, hashes, [&](std::uint64_t key) {
       auto group = groups.find(key);
       if (group == groups.end())
@@ -127,23 +142,21 @@ void FilterIndex::match(const ChangeEvent& event, const Value& content, std::vec
           out.push_back(x.key);
       });
     });
-  }
+  });
 }
 
 bool FilterIndex::wants_changed_fields(const ChangeEvent& event) const {
-  if (event.operation != Operation::overwrite)
+  if (event.operation != Operation::overwrite || asking_ == 0)
     return false;
   EventHashes hashes{event};
   bool result = false;
-  for (unsigned shape = 0; shape < shapes; ++shape) {
-    auto& table = tables_[shape];
-    if (table.asking_for_changes == 0)
-      continue;
+  for_each_shape(asking_, [&](unsigned shape) {
+    auto& groups = tables_[shape].groups;
     for_each_group(shape, event, hashes, [&](std::uint64_t key) {
-      auto group = table.groups.find(key);
-      result = result || (group != table.groups.end() && group->second.asks_for_changes());
+      auto group = groups.find(key);
+      result = result || (group != groups.end() && group->second.asks_for_changes());
     });
-  }
+  });
   return result;
 }
 

@@ -44,6 +44,9 @@ public:
 private:
   static constexpr std::size_t shapes = 32;
 
+  /// The table has changed.
+  void note_use(unsigned shape);
+
   struct Table {
     /// By a hash of the required values, so the filters found are only likely to match.
     std::unordered_map<std::uint64_t, FilterGroup> groups;
@@ -55,6 +58,9 @@ private:
   std::unordered_multimap<std::uint64_t, RegisteredFilter> filters_;
   /// One for each set of required fields.
   std::array<Table, shapes> tables_;
+  /// Of these, as sets of bits, those with filters, and those with a condition on changed fields.
+  std::uint32_t used_ = 0;
+  std::uint32_t asking_ = 0;
   std::uint64_t searches_ = 0;
 };
 
