@@ -1,5 +1,6 @@
 #include "castor/planning/contributors/graph_facts.hpp"
 
+#include "castor/mapping/graph/adjoining_areas.hpp"
 #include "castor/planning/continual/object_name.hpp"
 
 #include <cstdint>
@@ -15,34 +16,6 @@ using mapping::Area;
 
 std::string name_of(std::int64_t area) {
   return "area-" + std::to_string(area);
-}
-
-/// The areas that each gateway leads to, and pairs of areas with places next to each other.
-std::set<std::pair<std::int64_t, std::int64_t>> ways(const GraphEntries& graph) {
-  std::map<std::int64_t, const mapping::GraphNode*> nodes;
-  for (const auto& x : graph.nodes)
-    nodes[x.id] = &x;
-  std::set<std::pair<std::int64_t, std::int64_t>> result;
-  std::map<std::int64_t, std::set<std::int64_t>> sides;
-  const auto note_side = [&](const mapping::GraphNode& gateway, const mapping::GraphNode& place) {
-    if (gateway.kind == mapping::NodeKind::gateway && place.area >= 0)
-      sides[gateway.id].insert(place.area);
-  };
-  for (const auto& x : graph.edges) {
-    const auto a = nodes.find(x.a);
-    const auto b = nodes.find(x.b);
-    if (a == nodes.end() || b == nodes.end())
-      continue;
-    note_side(*a->second, *b->second);
-    note_side(*b->second, *a->second);
-    if (a->second->area >= 0 && b->second->area >= 0)
-      result.emplace(a->second->area, b->second->area);
-  }
-  for (const auto& [gateway, areas] : sides)
-    for (const auto a : areas)
-      for (const auto b : areas)
-        result.emplace(a, b);
-  return result;
 }
 
 } // namespace
@@ -68,9 +41,9 @@ StateReply facts_of(const GraphEntries& graph, const GraphFactTerms& terms) {
       result.facts.push_back("(= (" + terms.label + " " + label + ") " + name_of(*areas.begin()) +
                              ")");
   }
-  for (const auto& [a, b] : ways(graph))
+  for (const auto& [a, b] : mapping::adjoining_areas(graph.nodes, graph.edges))
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
-      if (from != to && known.contains(from) && known.contains(to))
+      if (known.contains(from) && known.contains(to))
         result.facts.push_back("(" + terms.connected + " " + name_of(from) + " " + name_of(to) +
                                ")");
   std::set<std::string> distinct(result.facts.begin(), result.facts.end());
