@@ -1,14 +1,12 @@
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/inspection_command.hpp"
 #include "castor/tools/cli/running_system.hpp"
+#include "castor/wm/filters/change_filter_parser.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 
 #include <nlohmann/json.hpp>
-
-#include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <memory>
 #include <string>
@@ -28,7 +26,7 @@ struct EventsArguments {
 int events(const EventsArguments& arguments) {
   return print_changes(choose_system(arguments.system),
                        {{"do", "events"},
-                        {"filter", fmt::format("{}", fmt::join(arguments.filter, " "))},
+                        {"filter", change_filter_text(arguments.filter)},
                         {"wait", arguments.wait}},
                        arguments.json);
 }
@@ -49,6 +47,7 @@ void add_events(CLI::App& app, Action& chosen) {
   command->footer("Examples: castor events\n"
                   "          castor events overwritten SceneObject in vision changing colour\n"
                   "          castor events added ROI where 'area > 400'\n"
+                  "          castor events in mapping at \"tile 3 -1\"\n"
                   "Events are filtered at their source. For a slow reader they are merged.");
   on_call(*command, chosen, arguments, events);
 }

@@ -192,7 +192,7 @@ int list_journals(const JournalArguments& arguments) {
 class Sieve {
 public:
   explicit Sieve(const std::vector<std::string>& words)
-    : filter_(parse_change_filter(fmt::format("{}", fmt::join(words, " ")))) {}
+    : filter_(parse_change_filter(change_filter_text(words))) {}
 
   bool lets_pass(const ChangeEvent& event, const Value& value) {
     auto& last = contents_[event.address];
@@ -307,6 +307,7 @@ void add_journal(CLI::App& app, Action& chosen) {
     "Examples: castor journal show journals/vision.castor-journal\n"
     "          castor journal show journals/vision.castor-journal overwritten SceneObject "
     "where 'confidence < 0.5'\n"
+    "          castor journal show journals/mapping.castor-journal at \"tile 3 -1\"\n"
     "          castor journal show journals/vision.castor-journal --entries --json");
 
   add_journal_export(*journal, chosen);

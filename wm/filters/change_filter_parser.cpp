@@ -12,6 +12,8 @@ namespace castor {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
+constexpr char quote = '"';
+constexpr char escape = '\\';
 
 class Words {
 public:
@@ -28,6 +30,24 @@ public:
   std::string_view peek() {
     skip();
     return rest_.substr(0, rest_.find_first_of(blanks));
+  }
+
+  /// A word, or in quotes any text: "two words"; `\"` and `\\` in it are the character.
+  std::string next_name() {
+    skip();
+    if (!rest_.starts_with(quote))
+      return std::string{next()};
+    std::string result;
+    for (std::size_t i = 1; i < rest_.size(); ++i) {
+      if (rest_[i] == quote) {
+        rest_.remove_prefix(i + 1);
+        return result;
+      }
+      if (rest_[i] == escape && i + 1 < rest_.size())
+        ++i;
+      result += rest_[i];
+    }
+    throw ChangeFilterError("there is no quote at the end of " + std::string{rest_});
   }
 
   std::string_view rest() { return std::exchange(rest_, {}); }
@@ -78,20 +98,43 @@ void read_clause(Words& words, ChangeFilter& filter) {
     }
     return;
   }
-  auto word = words.next();
+  auto word = words.next_name();
   if (word.empty())
     throw ChangeFilterError("there is nothing behind " + quoted(clause));
   if (clause == "in")
-    filter.subarchitecture = std::string{word};
+    filter.subarchitecture = std::move(word);
   else if (clause == "from")
-    filter.source = word;
+    filter.source = std::move(word);
   else if (clause == "at")
-    filter.id = word;
+    filter.id = std::move(word);
   else
     filter = filter.changing_any(fields(word));
 }
 
 } // namespace
+
+std::string change_filter_word(std::string_view x) {
+  if (x.find_first_of(blanks) == std::string_view::npos && !x.starts_with(quote))
+    return std::string{x};
+  std::string result{quote};
+  for (const char c : x) {
+    if (c == quote || c == escape)
+      result += escape;
+    result += c;
+  }
+  return result + quote;
+}
+
+std::string change_filter_text(const std::vector<std::string>& arguments) {
+  std::string result;
+  bool names_id = false;
+  for (auto& x : arguments) {
+    const bool is_quoted = x.starts_with(quote);
+    result += (result.empty() ? "" : " ") + (names_id && !is_quoted ? change_filter_word(x) : x);
+    names_id = x == "at";
+  }
+  return result;
+}
 
 ChangeFilter parse_change_filter(std::string_view text) {
   ChangeFilter result;
@@ -121,7 +164,7 @@ std::string change_filter_text(const ChangeFilter& x) {
   add(" ", x.type);
   add(" in ", x.subarchitecture.value_or(""));
   add(" from ", x.source);
-  add(" at ", x.id);
+  add(" at ", change_filter_word(x.id));
   std::string names;
   for (auto& name : x.changing)
     names += (names.empty() ? "" : ",") + name;

@@ -48,7 +48,8 @@ TEST(ParseChangeFilter, ReadsAllThereIs) {
 
 TEST(ChangeFilterText, IsReadAsTheSameFilter) {
   for (auto text : {"changed", "added Ball", "changed Ball", "deleted", "changed in vision",
-                    "changed at 0:3", "changed where x > 1",
+                    "changed at 0:3", "changed at \"tile 3 -1\" where x > 1",
+                    "changed at \"a \\\"b\\\" \\\\ c\"", "changed where x > 1",
                     "overwritten SceneObject in vision from tracker at 0:3 changing label,pose "
                     "where confidence > 0.8 && label == \"in box\""})
     EXPECT_EQ(change_filter_text(parse_change_filter(text)), text);
@@ -59,6 +60,26 @@ TEST(ParseChangeFilter, EverythingMayBeMissing) {
   EXPECT_EQ(parse_change_filter("in vision").subarchitecture, "vision");
   EXPECT_TRUE(parse_change_filter("in vision").type.empty());
   EXPECT_EQ(parse_change_filter("where x > 1").predicate, Predicate::parse("x > 1"));
+}
+
+TEST(ParseChangeFilter, HasIdsWithBlanksInQuotes) {
+  EXPECT_EQ(parse_change_filter("at \"tile 3 -1\" where x > 1").id, "tile 3 -1");
+  EXPECT_EQ(parse_change_filter("Tile at \"say \\\"in\\\" here\" in maps").id, "say \"in\" here");
+  EXPECT_EQ(parse_change_filter("at tile").id, "tile");
+  EXPECT_NE(why_not("at \"tile 3").find("no quote at the end of \"tile 3"), std::string::npos);
+  EXPECT_NE(why_not("at \"\"").find("nothing behind \"at\""), std::string::npos);
+}
+
+TEST(ChangeFilterText, IsOfArgumentsOfWhichOneIsAnId) {
+  const auto id = [](const std::vector<std::string>& arguments) {
+    return parse_change_filter(change_filter_text(arguments)).id;
+  };
+  EXPECT_EQ(id({"Tile", "at", "tile 3 -1", "where", "x > 1"}), "tile 3 -1");
+  EXPECT_EQ(id({"Tile", "at", "\"tile 3 -1\""}), "tile 3 -1");
+  EXPECT_EQ(id({"Tile at \"tile 3 -1\" in maps"}), "tile 3 -1");
+  EXPECT_EQ(id({"Tile", "at", "0:3"}), "0:3");
+  EXPECT_EQ(parse_change_filter(change_filter_text({"added", "Ball", "where", "x > 1"})),
+            parse_change_filter("added Ball where x > 1"));
 }
 
 TEST(ParseChangeFilter, SaysWhatIsWrong) {
