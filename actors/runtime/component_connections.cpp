@@ -200,8 +200,6 @@ bool ComponentConnections::handle(caf::mailbox_element& x) {
   auto& content = x.content();
   if (content.match_elements<PullRequest>())
     handle_pull(x, content.get_as<PullRequest>(0));
-  else if (content.match_elements<PushRequest>())
-    handle_push_request(x, content.get_as<PushRequest>(0));
   else if (content.match_elements<Pushed>())
     handle_push(x, content.get_as<Pushed>(0));
   else if (content.match_elements<HandOut>())

@@ -55,6 +55,10 @@ public:
   /// A subscriber has ended.
   void forget(const caf::actor_addr& subscriber);
 
+  /// As soon as it has arrived, whatever the component does: who subscribes when it starts does not
+  /// wait for those that start after it.
+  void handle_push_request(caf::mailbox_element& x, const PushRequest& request);
+
   /// Handles the message if it concerns connections; otherwise returns false.
   bool handle(caf::mailbox_element& x);
 
@@ -92,7 +96,6 @@ private:
   Provision* find_provision(const std::string& type, const TypeDescriptor* argument);
   void handle_hand_out(caf::mailbox_element& x, const HandOut& order);
   void handle_pull(caf::mailbox_element& x, const PullRequest& request);
-  void handle_push_request(caf::mailbox_element& x, const PushRequest& request);
   void handle_push(const caf::mailbox_element& x, const Pushed& pushed);
   void send(const Subscriber& to, Value x);
   PushRequest push_request(const TypeDescriptorPtr& type) const;

@@ -68,6 +68,14 @@ caf::actor ProviderClient::await(const std::string& name, const caf::actor_addr&
                              " can be raised");
 }
 
+std::string ProviderClient::remedy_at_start(const std::string& provider) const {
+  const auto& self = parts_.context.identity().full_name();
+  if (parts_.context.record().state() != ComponentState::configured)
+    return {};
+  return "; if " + provider + " starts after " + self + ", put its COMPONENT line before that of " +
+         self + " in the .cast file";
+}
+
 caf::mailbox_element_ptr ProviderClient::send(const std::string& name, const caf::actor& provider,
                                               const caf::message& request, const std::string& task,
                                               Clock::time_point until) const {
@@ -87,7 +95,7 @@ caf::mailbox_element_ptr ProviderClient::send(const std::string& name, const caf
                           (failure->kind == FailureKind::no_answer
                              ? parts_.context.identity().full_name() + " got no answer within " +
                                  detail::print_option(parts_.context.deadline()) +
-                                 ". Its --deadline can be raised"
+                                 ". Its --deadline can be raised" + remedy_at_start(name)
                              : failure->message));
   return nullptr;
 }

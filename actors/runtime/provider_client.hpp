@@ -89,6 +89,10 @@ private:
                                 const caf::message& request, const std::string& task,
                                 Clock::time_point until) const;
 
+  /// What to do if this component, which starts, may wait for one that starts after it; empty if it
+  /// runs already.
+  std::string remedy_at_start(const std::string& provider) const;
+
   template <class Reply>
   Reply take(caf::mailbox_element& x, const std::string& name, const std::string& task) const {
     auto outcome = parts_.client.take<Outcome<Reply>>(x, {name, {}});

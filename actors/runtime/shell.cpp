@@ -255,6 +255,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
     life_.stop();
   } else if (content.match_elements<caf::down_msg>()) {
     file_down(std::move(x));
+  } else if (content.match_elements<PushRequest>()) {
+    connections_.handle_push_request(*x, content.get_as<PushRequest>(0));
   } else if (content.match_elements<PushesTaken>()) {
     connections_.taken(x->sender, content.get_as<PushesTaken>(0));
   } else if (content.match_elements<CommandDone>()) {

@@ -89,6 +89,42 @@ TEST_F(Connections, AClientPullsInStartBecauseServersStartFirst) {
   EXPECT_EQ(got, 7);
 }
 
+TEST_F(Connections, AReceiverMayStartBeforeWhoPushes) {
+  std::atomic<bool> has_started{false};
+  StandaloneScript::scripts()["early"].start = [&](auto& self) {
+    self.template on_push<Note>("server", [&](const std::shared_ptr<const Note>& x) {
+      EXPECT_TRUE(has_started);
+      self.end_system(0, x->text);
+    });
+    EXPECT_FALSE(has_started);
+  };
+  StandaloneScript::scripts()["server"].start = [&](auto& self) {
+    has_started = true;
+    self.push(Note{1, "pushed"});
+  };
+  // Much less than the deadline of ten seconds.
+  System system{architecture("HOST localhost\nCOMPONENT CPP early Standalone\n"
+                             "COMPONENT CPP server Standalone\n"),
+                without_restarts()};
+  EXPECT_EQ(run(system), 0);
+}
+
+TEST_F(Connections, WhoPullsFromOneThatStartsLaterIsToldTheRemedy) {
+  std::string failure;
+  StandaloneScript::scripts()["early"].start = [&](auto& self) {
+    failure = message_of([&] { self.template pull<Note>("server"); });
+    self.end_system(0, "done");
+  };
+  System system{architecture("HOST localhost\nCOMPONENT CPP early Standalone --deadline 20ms\n"
+                             "COMPONENT CPP server Standalone\n"),
+                without_restarts()};
+  EXPECT_EQ(run(system), 0);
+  EXPECT_NE(failure.find("early got no answer within 20ms"), std::string::npos) << failure;
+  EXPECT_NE(failure.find("if server starts after early, put its COMPONENT line before that of early"),
+            std::string::npos)
+    << failure;
+}
+
 TEST_F(Connections, PushesArriveInOrder) {
   StandaloneScript::scripts()["server"].run = [](auto& self) {
     for (int i = 0; self.sleep_for(1ms); ++i)
