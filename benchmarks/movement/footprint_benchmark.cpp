@@ -4,7 +4,8 @@
 //     footprint_benchmark [WORLD] [VARIABLE=NUMBER...]
 //
 // WORLD is the file of a building (the office by default) or the .yaml of a map. Variables: first
-// (1) and seeds (1), goals (30, of each seed). A robot of 1.2 by 0.5 m that turns on the spot and a
+// (1) and seeds (1), goals (30, of each seed), guard (1: commands pass the rules of the SafetyGuard),
+// laser (180: its field of view, degrees). A robot of 1.2 by 0.5 m that turns on the spot and a
 // car of 0.7 by 0.44 m that drives circles of 0.5 m go to goals with headings that are drawn of
 // poses where they fit. Planned ways are checked with the obstacles of the building itself, not by
 // its map.
@@ -12,6 +13,7 @@
 #include "castor/benchmarks/movement/movement_world.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/movement/pose_pursuit.hpp"
+#include "castor/mapping/safety/safety_rules.hpp"
 
 #include <fmt/core.h>
 
@@ -56,6 +58,13 @@ struct Tally {
   double least_gap = std::numeric_limits<double>::infinity();
   /// Seconds.
   std::vector<double> planning;
+  /// How long it was slowed down by the guard, seconds.
+  double guarded = 0;
+};
+
+struct RunOptions {
+  bool guard = true;
+  int laser = 180;
 };
 
 double quantile(std::vector<double> x, double share) {
@@ -94,9 +103,9 @@ double gap_along(const PosePath& path, const Footprint& footprint, const Obstacl
 
 class Run {
 public:
-  Run(const MovementWorld& world, const Robot& robot, std::uint64_t seed)
-    : robot_(robot), options_(options_of(robot)), map_(options_.plan.cells), random_(seed),
-      body_options_(body_options(robot, seed)), checked_(world.surroundings(body_options_)),
+  Run(const MovementWorld& world, const Robot& robot, std::uint64_t seed, const RunOptions& how)
+    : robot_(robot), how_(how), options_(options_of(robot)), map_(options_.plan.cells),
+      random_(seed), body_options_(body_options(robot, seed, how)), checked_(world.surroundings(body_options_)),
       body_(world.surroundings(body_options_), body_options_) {
     map_.update(world.map(), 0);
   }
@@ -106,14 +115,23 @@ public:
       go_to(drawn_goal(), tally);
     tally.time += static_cast<double>(body_.time().count()) / 1e6;
     tally.driven += body_.status().driven;
+    tally.guarded += guarded_;
   }
 
 private:
-  static BodyOptions body_options(const Robot& robot, std::uint64_t seed) {
+  static BodyOptions body_options(const Robot& robot, std::uint64_t seed, const RunOptions& how) {
     BodyOptions result;
+    result.laser.field_of_view = how.laser;
     result.seed = seed;
     result.footprint = robot.footprint;
     result.drive.turning_radius = robot.turning_radius;
+    return result;
+  }
+
+  static SafetyOptions safety_options(const Robot& robot) {
+    SafetyOptions result;
+    result.footprint = robot.footprint;
+    result.turning_radius = robot.turning_radius;
     return result;
   }
 
@@ -164,11 +182,13 @@ private:
       const auto pose = body_.status().pose;
       if (body_.steps() % 10 == 0)
         seen_.add(body_.scan(), pose);
+      guard(last.velocity);
       if (body_.steps() % 5 != 0)
         continue;
       const auto seen = seen_.points();
       last = pursuit.step(body_.time().count(), pose, {map_, seen});
-      body_.command(last.velocity);
+      if (!how_.guard)
+        body_.command(last.velocity);
       if (body_.time().count() - begin > longest)
         return {{}, MovementStatus::failed, {}, "it took too long"};
     }
@@ -176,7 +196,23 @@ private:
     return last;
   }
 
+  /// As often as the SafetyGuard decides.
+  void guard(const Twist2& wanted) {
+    constexpr int period = 2; // steps
+    constexpr double seconds = 0.02;
+    if (!how_.guard || body_.steps() % period != 0)
+      return;
+    const auto now = body_.time().count();
+    rules_.add(body_.odometry(), now);
+    if (body_.steps() % 10 == 0)
+      rules_.add(body_.scan(), now);
+    const auto verdict = rules_.verdict(wanted, now);
+    guarded_ += verdict.reason == SafetyReason::none ? 0 : seconds;
+    body_.command(verdict.velocity);
+  }
+
   const Robot& robot_;
+  RunOptions how_;
   PosePursuitOptions options_;
   PlanningMap map_;
   std::mt19937_64 random_;
@@ -185,6 +221,8 @@ private:
   BodySurroundings checked_;
   SimulatedBody body_;
   SeenObstacles seen_;
+  SafetyRules rules_{safety_options(robot_)};
+  double guarded_ = 0;
 };
 
 void run(const std::string& world_name, const std::map<std::string, int>& variables) {
@@ -196,15 +234,17 @@ void run(const std::string& world_name, const std::map<std::string, int>& variab
     for (int i = 0; i < variables.at("seeds"); ++i) {
       const auto seed = static_cast<std::uint64_t>(variables.at("first") + i);
       const MovementWorld world(world_name, seed);
-      Run(world, robot, seed).go(variables.at("goals"), x);
+      Run(world, robot, seed, {variables.at("guard") != 0, variables.at("laser")})
+        .go(variables.at("goals"), x);
     }
     fmt::print("{}: {} goals, {} planned, {} cannot be reached, {} not found; gap of plans at "
                "least {:.3f} m; plan p50 {:.1f} ms, p95 {:.1f} ms, most {:.1f} ms; {} reached, {} "
-               "collisions, {} new plans on the way, {:.0f} m in {:.0f} s\n",
+               "collisions, {} new plans on the way, {:.0f} m in {:.0f} s, slowed down by the guard "
+               "for {:.0f} s\n",
                robot.name, x.goals, x.planned, x.proved, x.not_found, x.least_gap,
                1000 * quantile(x.planning, 0.5), 1000 * quantile(x.planning, 0.95),
                1000 * quantile(x.planning, 1), x.reached, x.collisions, x.new_plans, x.driven,
-               x.time);
+               x.time, x.guarded);
     std::fflush(stdout);
   }
 }
@@ -215,7 +255,7 @@ void run(const std::string& world_name, const std::map<std::string, int>& variab
 
 int main(int argc, char** argv) {
   std::string world = CASTOR_CONFIGS "/buildings/office.building";
-  std::map<std::string, int> variables{{"first", 1}, {"seeds", 1}, {"goals", 30}};
+  std::map<std::string, int> variables{{"first", 1}, {"seeds", 1}, {"goals", 30}, {"guard", 1}, {"laser", 180}};
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string word = argv[i];

@@ -25,6 +25,8 @@ constexpr std::size_t compared = 2;
 constexpr double slow = 0.05;
 /// What was seen at the edge of the field of view may be beside it now: the wheels slip. Radians.
 constexpr double edge = 0.1;
+/// Of the margin, which a robot that creeps keeps.
+constexpr double creeping_share = 3;
 
 std::vector<Point2> points_of(const LaserScan& x) {
   std::vector<Point2> result;
@@ -36,6 +38,17 @@ std::vector<Point2> points_of(const LaserScan& x) {
 }
 
 } // namespace
+
+SafetyRules::SafetyRules(const SafetyOptions& options) : options_(options) {
+  if (!options_.footprint)
+    return;
+  outline_ = options_.footprint->outline();
+  if (signed_area(outline_) < 0)
+    std::ranges::reverse(outline_);
+  for (auto i = outline_.rbegin(); i != outline_.rend(); ++i)
+    mirrored_outline_.push_back({-i->x, i->y});
+  options_.radius = options_.footprint->outer_radius();
+}
 
 void SafetyRules::add(const LaserScan& x, std::int64_t now) {
   if (scan_ && x.time <= scan_->time)
@@ -68,6 +81,14 @@ void SafetyRules::add(const Odometry& x, std::int64_t now) {
   odometry_time_ = std::min(x.time, now);
 }
 
+Twist2 SafetyRules::drivable(Twist2 x) const {
+  if (options_.turning_radius > 0) {
+    const double most = std::abs(x.forward) / options_.turning_radius;
+    x.turn = std::clamp(x.turn, -most, most);
+  }
+  return x;
+}
+
 SafetyReason SafetyRules::failure(std::int64_t now) const {
   if (now - odometry_time_ > options_.odometry_patience.count())
     return SafetyReason::odometry_silent;
@@ -97,7 +118,7 @@ void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
     const auto seen = transform(scanner, x.point);
     const auto on_robot = transform(robot, x.point);
     return next.time - x.time > options_.memory.count() ||
-           std::hypot(on_robot.x, on_robot.y) > options_.memory_range ||
+           std::hypot(on_robot.x, on_robot.y) > options_.radius + options_.memory_range ||
            sees(next, std::atan2(seen.y, seen.x) + next.mount.heading, edge);
   });
 }
@@ -159,10 +180,40 @@ SafetyRules::View SafetyRules::view_now(const Pose2& wheels) const {
   return result;
 }
 
-double SafetyRules::way(const std::vector<Point2>& points, double curvature, double radius) const {
+SafetyRules::View SafetyRules::mirrored(View x) {
+  x.side = -x.side;
+  for (auto* part : {&x.points, &x.moving, &x.before})
+    for (auto& p : *part)
+      p.x = -p.x;
+  return x;
+}
+
+double SafetyRules::way(const std::vector<Point2>& points, double curvature, double gap,
+                        double side) const {
   double result = scan_->max_range;
+  if (outline_.empty()) {
+    for (const auto& x : points)
+      result = std::min(result, way_to_contact(x, curvature, options_.radius + gap));
+    return result;
+  }
+  // Its outermost point moves at most so far on a metre of way.
+  const double farthest = 1 + std::abs(curvature) * options_.radius;
   for (const auto& x : points)
-    result = std::min(result, way_to_contact(x, curvature, radius));
+    if (distance(x, Point2{}) - options_.radius - gap < result * farthest)
+      result = std::min(
+        result, way_to_contact(x, curvature, side > 0 ? outline_ : mirrored_outline_, gap));
+  return result;
+}
+
+double SafetyRules::turn(const View& view, bool is_left, double gap, double gap_of_moving) const {
+  double result = std::numbers::pi;
+  const auto look = [&](const std::vector<Point2>& points, double kept) {
+    for (const auto& x : points)
+      if (distance(x, Point2{}) < options_.radius + kept)
+        result = std::min(result, turn_to_contact(x, is_left, outline_, kept));
+  };
+  look(view.points, gap);
+  look(view.moving, gap_of_moving);
   return result;
 }
 
@@ -171,7 +222,7 @@ double SafetyRules::approach(const View& view, double curvature) const {
     return 0;
   constexpr double microsecond = 1e-6;
   const double nearer =
-    way(view.before, curvature, options_.radius) - way(view.points, curvature, options_.radius);
+    way(view.before, curvature, 0, view.side) - way(view.points, curvature, 0, view.side);
   const double speed =
     nearer / (static_cast<double>(scan_->time - earlier_.front().scan.time) * microsecond);
   // What is nearer still was hidden before, or has come from the side.
@@ -181,18 +232,69 @@ double SafetyRules::approach(const View& view, double curvature) const {
 double SafetyRules::speed_along(const View& view, double curvature) const {
   // What approaches goes on while the robot reacts, and while it brakes.
   const double nearing = approach(view, curvature);
-  const auto within = [&](double radius, double of_moving) {
-    const double left =
-      std::min(way(view.points, curvature, radius), way(view.moving, curvature, of_moving));
+  // What has corners stops turning within some angle, and its corners may be faster than its middle.
+  const double bend = outline_.empty() ? 0 : std::abs(curvature);
+  const double braking = options_.turn_braking < bend * options_.braking
+                           ? options_.turn_braking / bend
+                           : options_.braking;
+  const double creeping = options_.creeping / std::max(1.0, bend * options_.radius);
+  const auto within = [&](double gap, double gap_of_moving) {
+    const double left = std::min(way(view.points, curvature, gap, view.side),
+                                 way(view.moving, curvature, gap_of_moving, view.side));
     return speed_to_stop_within(left - nearing * options_.latency,
-                                options_.latency + nearing / options_.braking, options_.braking);
+                                options_.latency + nearing / braking, braking);
   };
-  const double edge_of_margin = options_.radius + options_.margin;
-  const double speed = within(edge_of_margin, edge_of_margin + options_.moving_margin);
-  if (speed >= options_.creeping)
+  const double speed = within(options_.margin, options_.margin + options_.moving_margin);
+  if (speed >= creeping)
     return speed;
-  const double nearest = options_.radius + options_.margin / 3;
-  return std::min(options_.creeping, within(nearest, edge_of_margin));
+  return std::min(creeping, within(options_.margin / creeping_share, options_.margin));
+}
+
+double SafetyRules::turn_speed(const View& view, bool is_left) const {
+  const auto within = [&](double gap, double gap_of_moving) {
+    return speed_to_stop_within(turn(view, is_left, gap, gap_of_moving), options_.latency,
+                                options_.turn_braking);
+  };
+  const double creeping = options_.creeping / options_.radius;
+  const double speed = within(options_.margin, options_.margin + options_.moving_margin);
+  if (speed >= creeping)
+    return speed;
+  return std::min(creeping, within(options_.margin / creeping_share, options_.margin));
+}
+
+double SafetyRules::unseen_share(const Twist2& velocity) const {
+  constexpr double step = 0.1; // metres
+  double fastest = 0;
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    const Segment side{outline_[i], outline_[(i + 1) % outline_.size()]};
+    const double whole = length(side);
+    const int pieces = static_cast<int>(std::ceil(whole / step));
+    for (int k = 0; k <= pieces && whole > 0; ++k) {
+      const auto p = point_at(side, static_cast<double>(k) / pieces);
+      const double outwards =
+        ((velocity.forward - velocity.turn * p.y) * (side.to.y - side.from.y) -
+         velocity.turn * p.x * (side.to.x - side.from.x)) /
+        whole;
+      if (outwards > fastest &&
+          !sees(*scan_, std::atan2(p.y - scan_->mount.y, p.x - scan_->mount.x)))
+        fastest = outwards;
+    }
+  }
+  return fastest > options_.unseen ? options_.unseen / fastest : 1;
+}
+
+SafetyRules::Verdict SafetyRules::with_corners(Verdict x, const View& view) const {
+  if (x.velocity.forward == 0 && x.velocity.turn != 0)
+    if (const double most = turn_speed(view, x.velocity.turn > 0);
+        most < std::abs(x.velocity.turn)) {
+      x.velocity.turn = std::copysign(most, x.velocity.turn);
+      x.reason = SafetyReason::obstacle;
+    }
+  if (const double share = unseen_share(x.velocity); share < 1) {
+    x.velocity = {share * x.velocity.forward, share * x.velocity.turn};
+    x.reason = SafetyReason::unseen_side;
+  }
+  return x;
 }
 
 double SafetyRules::turn_while_braking(View view, const Twist2& driven,
@@ -203,10 +305,10 @@ double SafetyRules::turn_while_braking(View view, const Twist2& driven,
   if (fast < slow || (goes_on && std::abs(allowed.forward) > fast - little))
     return allowed.turn;
   const double side = driven.forward > 0 ? 1 : -1;
-  for (auto& x : view.points)
-    x.x *= side;
+  if (side < 0)
+    view = mirrored(std::move(view));
   const auto way_with = [&](double turn) {
-    return way(view.points, side * turn / fast, options_.radius + options_.margin);
+    return way(view.points, side * turn / fast, options_.margin, side);
   };
   if (way_with(allowed.turn) >= fast * options_.latency + fast * fast / (2 * options_.braking))
     return allowed.turn;
@@ -217,31 +319,29 @@ double SafetyRules::turn_while_braking(View view, const Twist2& driven,
   return result;
 }
 
-SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded,
+SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& command,
                                           std::int64_t now) const {
-  if (!commanded)
+  if (!command)
     return {{}, SafetyReason::no_command, 0};
   if (const auto reason = failure(now); reason != SafetyReason::none)
     return {{}, reason, 0};
-  if (!std::isfinite(commanded->forward) || !std::isfinite(commanded->turn))
+  if (!std::isfinite(command->forward) || !std::isfinite(command->turn))
     return {{}, SafetyReason::no_command, 0};
-  Verdict result{*commanded, SafetyReason::none, scan_->max_range};
-  const double wanted = std::abs(commanded->forward);
+  const auto commanded = drivable(*command);
+  Verdict result{commanded, SafetyReason::none, scan_->max_range};
+  const double wanted = std::abs(commanded.forward);
   const auto wheels = wheels_now(now);
   const auto seen = view_now(wheels);
   const auto velocity = odometry_.newest()->velocity;
   if (wanted == 0) {
     result.velocity.turn = turn_while_braking(seen, velocity, result.velocity);
-    return result;
+    return outline_.empty() ? result : with_corners(result, seen);
   }
   // Driving backwards is driving forwards in a mirror behind the robot.
-  const double side = commanded->forward > 0 ? 1 : -1;
-  auto view = seen;
-  for (auto* part : {&view.points, &view.moving, &view.before})
-    for (auto& x : *part)
-      x.x *= side;
-  const double curvature = side * commanded->turn / wanted;
-  result.free_way = way(view.points, curvature, options_.radius);
+  const double side = commanded.forward > 0 ? 1 : -1;
+  const auto view = side > 0 ? seen : mirrored(seen);
+  const double curvature = side * commanded.turn / wanted;
+  result.free_way = way(view.points, curvature, 0, side);
   double speed = speed_along(view, curvature);
   if (const double driven = side * velocity.forward; driven > slow) {
     // It leaves the arc that it drives only by and by.
@@ -251,7 +351,7 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
   }
   if (speed < wanted)
     result.reason = SafetyReason::obstacle;
-  if (!sees(*scan_, side > 0 ? 0 : std::numbers::pi) && options_.unseen < std::min(speed, wanted)) {
+  if (outline_.empty() && !sees(*scan_, side > 0 ? 0 : std::numbers::pi) && options_.unseen < std::min(speed, wanted)) {
     speed = options_.unseen;
     result.reason = SafetyReason::unseen_side;
   }
@@ -261,7 +361,8 @@ SafetyRules::Verdict SafetyRules::verdict(const std::optional<Twist2>& commanded
       result.velocity.turn *= speed / wanted;
   }
   result.velocity.turn = turn_while_braking(seen, velocity, result.velocity);
-  return result;
+  result.velocity = drivable(result.velocity);
+  return outline_.empty() ? result : with_corners(result, seen);
 }
 
 } // namespace castor::mapping

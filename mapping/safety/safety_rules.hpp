@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/mapping/body/footprint.hpp"
 #include "castor/mapping/planar/odometry_history.hpp"
 #include "castor/mapping/planar/poses.hpp"
 #include "castor/mapping/safety/types.hpp"
@@ -16,10 +17,16 @@ namespace castor::mapping {
 struct SafetyOptions {
   /// Footprint of the robot, a disc; metres.
   double radius = 0.25;
+  /// In place of the disc.
+  std::optional<Footprint> footprint = {};
+  /// Of the smallest circle that it drives, as a car does, metres; 0: it turns on the spot.
+  double turning_radius = 0;
   /// What it keeps away from what the laser sees, beside that; metres.
   double margin = 0.05;
   /// How hard the base brakes at least, m/s^2.
   double braking = 0.6;
+  /// The same for its turning, rad/s^2; counts for what is no disc.
+  double turn_braking = 1.5;
   /// From the moment that something can be seen until the base brakes, seconds: the time between
   /// two scans, and that of the messages.
   double latency = 0.15;
@@ -31,9 +38,9 @@ struct SafetyOptions {
   /// Greatest speed to where the laser does not see, m/s.
   double unseen = 0.1;
   /// What a laser that does not look all around has seen stays known for that long, and that near
-  /// to the robot, metres.
+  /// to the robot's edge, metres.
   std::chrono::microseconds memory{10'000'000};
-  double memory_range = 1;
+  double memory_range = 0.75;
   /// A laser or wheels that say nothing for longer are silent. Of a laser with 10 Hz, one scan may
   /// be lost.
   std::chrono::microseconds laser_patience{230'000};
@@ -46,8 +53,8 @@ struct SafetyOptions {
 /// Decides how fast a robot may drive, from what its laser and its wheels say. Without clocks:
 /// times are microseconds since the system began, as in scans.
 ///
-/// It is for discs that turn on the spot: turning without driving is always allowed, unless the
-/// sensors fail.
+/// A disc may always turn on the spot, unless the sensors fail; what has corners only as far as they
+/// touch nothing, and as slowly as that permits.
 class SafetyRules {
 public:
   struct Verdict {
@@ -60,7 +67,7 @@ public:
     friend bool operator==(const Verdict&, const Verdict&) = default;
   };
 
-  explicit SafetyRules(const SafetyOptions& options) : options_(options) {}
+  explicit SafetyRules(const SafetyOptions& options);
 
   /// A scan that is not newer than the last is ignored.
   /// @param now when it arrived
@@ -69,7 +76,7 @@ public:
 
   /// Velocity that the robot may have: never faster than commanded, along the same arc, or turning
   /// on the spot where it must not drive on; none if a sensor fails.
-  Verdict verdict(const std::optional<Twist2>& commanded, std::int64_t now) const;
+  Verdict verdict(const std::optional<Twist2>& command, std::int64_t now) const;
 
 private:
   struct Seen {
@@ -84,16 +91,23 @@ private:
     /// Those of `points` that have moved to where they are.
     std::vector<Point2> moving;
     std::vector<Point2> before;
+    /// -1: of a robot in a mirror, which drives forwards where the robot drives backwards.
+    double side = 1;
   };
 
   SafetyReason failure(std::int64_t now) const;
+  /// As the base can obey: a car drives no smaller circle than it can.
+  Twist2 drivable(Twist2 x) const;
   /// Whether the laser looks there, from where it is mounted, and so far within its field of view,
   /// radians.
   static bool sees(const LaserScan& scan, double direction, double inset = 0);
   /// Remembers what the laser saw and no longer looks at.
   void remember(const LaserScan& next, const Pose2& pose);
-  /// Way until the robot touches something.
-  double way(const std::vector<Point2>& points, double curvature, double radius) const;
+  static View mirrored(View x);
+  /// Way until the robot is as near to something as the gap; `side` is that of the view.
+  double way(const std::vector<Point2>& points, double curvature, double gap, double side) const;
+  /// How far it may turn on the spot until then, radians.
+  double turn(const View& view, bool is_left, double gap, double gap_of_moving) const;
   /// Pose of the wheels now.
   Pose2 wheels_now(std::int64_t now) const;
   /// What the newest scan shows where the laser has looked through a few scans before, on the robot
@@ -105,6 +119,13 @@ private:
   double approach(const View& view, double curvature) const;
   /// Greatest speed along the arc.
   double speed_along(const View& view, double curvature) const;
+  /// Greatest rate at which it may turn on the spot, rad/s.
+  double turn_speed(const View& view, bool is_left) const;
+  /// Share of a velocity with which no point of the outline that the laser does not see comes
+  /// outwards faster than what is permitted unseen.
+  double unseen_share(const Twist2& velocity) const;
+  /// What has corners, as slow as it has to be where the laser does not look, and where it turns.
+  Verdict with_corners(Verdict x, const View& view) const;
   /// How a robot may turn that is faster than it may be, or drives the other way still: as it is
   /// allowed to when it stands, unless by that it would touch something while it brakes.
   double turn_while_braking(View view, const Twist2& driven, const Twist2& allowed) const;
@@ -112,6 +133,9 @@ private:
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min() / 2;
 
   SafetyOptions options_;
+  /// Of the footprint, anticlockwise, and in the mirror; empty for a disc.
+  Polygon outline_;
+  Polygon mirrored_outline_;
   struct Remembered {
     /// In the frame of the wheels.
     Point2 point;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/mapping/building/polygon.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 namespace castor::mapping {
@@ -9,5 +10,14 @@ namespace castor::mapping {
 /// circle of that curvature, 1/m, to the left if it is positive. If it touches the point already:
 /// 0, or infinity if it moves away from it.
 double way_to_contact(const Point2& p, double curvature, double radius);
+
+/// The same for what has corners, until it is as near to `p` as `gap`, metres. If it is that near
+/// already: 0 if it comes nearer still, or else the way until it will be as near again.
+/// @param outline anticlockwise, of what begins with its middle at the origin
+double way_to_contact(const Point2& p, double curvature, const Polygon& outline, double gap);
+
+/// How far it turns about its middle until then, radians; infinity if it never comes that near.
+/// @param is_left whether it turns to the left
+double turn_to_contact(const Point2& p, bool is_left, const Polygon& outline, double gap);
 
 } // namespace castor::mapping

@@ -21,6 +21,10 @@ class SafetyGuard final : public StandaloneComponent {
   void configure() override {
     SafetyOptions options;
     options.radius = radius_;
+    if (!footprint_->empty())
+      options.footprint = parse_footprint(footprint_.get(), "--footprint");
+    options.turning_radius = turning_radius_;
+    options.turn_braking = turn_braking_;
     options.margin = margin_;
     options.braking = braking_;
     options.latency = std::chrono::duration<double>(latency_.get()).count();
@@ -132,6 +136,13 @@ class SafetyGuard final : public StandaloneComponent {
   Option<std::chrono::milliseconds> state_period_{this, "state-period", 100ms,
                                                   "time between pushes of SafetyState"};
   Option<double> radius_{this, "radius", 0.25, "footprint of the robot, a disc; metres"};
+  Option<std::string> footprint_{
+    this, "footprint", "", "corners of a robot that is no disc, X Y, X Y, ..., metres; empty: a disc"};
+  Option<double> turning_radius_{
+    this, "turning-radius", 0,
+    "of the smallest circle that a robot drives as a car does, metres; 0: it turns on the spot"};
+  Option<double> turn_braking_{this, "turn-braking", 1.5,
+                               "how hard a robot that is no disc stops turning at least, rad/s^2"};
   Option<double> margin_{this, "margin", 0.05, "what it keeps away from obstacles, metres"};
   Option<double> braking_{this, "braking", 0.6, "how hard the robot brakes at least, m/s^2"};
   Option<std::chrono::milliseconds> latency_{

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -31,15 +32,28 @@ struct Drive {
   double least_clearance = 0;
 };
 
+struct Robot {
+  int field_of_view = 180;
+  /// Greatest speed backwards, m/s.
+  double backwards = 0;
+  std::optional<Footprint> footprint = {};
+  double turning_radius = 0;
+};
+
 /// Three minutes of random commands, each for up to two seconds.
-Drive drive_recklessly(std::uint64_t seed, int field_of_view, double backwards) {
+Drive drive_recklessly(std::uint64_t seed, const Robot& robot) {
   auto read = parse_building(furnished, "furnished.building");
   BodyOptions options;
   options.people = true;
   options.seed = seed;
-  options.laser.field_of_view = field_of_view;
+  options.laser.field_of_view = robot.field_of_view;
+  options.footprint = robot.footprint;
+  options.drive.turning_radius = robot.turning_radius;
   SimulatedBody body{surroundings_in(read.building, options), options};
-  SafetyRules rules{{}};
+  SafetyOptions safety;
+  safety.footprint = robot.footprint;
+  safety.turning_radius = robot.turning_radius;
+  SafetyRules rules{safety};
   std::mt19937_64 random{seed};
   auto within = [&](double low, double high) {
     return std::uniform_real_distribution<double>{low, high}(random);
@@ -56,7 +70,7 @@ Drive drive_recklessly(std::uint64_t seed, int field_of_view, double backwards) 
     if (step % 10 == 0)
       rules.add(body.scan(), now);
     if (now >= until) {
-      commanded = {within(-backwards, 0.8), within(-1.6, 1.6)};
+      commanded = {within(-robot.backwards, 0.8), within(-1.6, 1.6)};
       if (within(0, 1) < 0.3)
         commanded.turn = 0;
       until = now + static_cast<std::int64_t>(within(100'000, 2'000'000));
@@ -76,7 +90,7 @@ Drive drive_recklessly(std::uint64_t seed, int field_of_view, double backwards) 
 
 TEST(GuardedRobot, DoesNotCollideForwards) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const auto x = drive_recklessly(seed, 180, 0);
+    const auto x = drive_recklessly(seed, {});
     EXPECT_EQ(x.collisions, 0) << "seed " << seed;
     EXPECT_GT(x.driven, 5) << "seed " << seed;
   }
@@ -85,9 +99,27 @@ TEST(GuardedRobot, DoesNotCollideForwards) {
 TEST(GuardedRobot, DoesNotCollideBackwardsIfItsLaserLooksAllAround) {
   // With the last two, somebody walks beside it, and comes nearer by and by.
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 21, 68}) {
-    const auto x = drive_recklessly(seed, 360, 0.8);
+    const auto x = drive_recklessly(seed, {360, 0.8});
     EXPECT_EQ(x.collisions, 0) << "seed " << seed;
     EXPECT_GT(x.driven, 5) << "seed " << seed;
+  }
+}
+
+TEST(GuardedRobot, DoesNotCollideIfItHasCorners) {
+  const Footprint footprint{{{0.45, 0.25}, {-0.45, 0.25}, {-0.45, -0.25}, {0.45, -0.25}}};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto x = drive_recklessly(seed, {360, 0.8, footprint});
+    EXPECT_EQ(x.collisions, 0) << "seed " << seed;
+    EXPECT_GT(x.driven, 3) << "seed " << seed;
+  }
+}
+
+TEST(GuardedRobot, DoesNotCollideAsACar) {
+  const Footprint footprint{{{0.55, 0.22}, {-0.15, 0.22}, {-0.15, -0.22}, {0.55, -0.22}}};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto x = drive_recklessly(seed, {360, 0.8, footprint, 0.5});
+    EXPECT_EQ(x.collisions, 0) << "seed " << seed;
+    EXPECT_GT(x.driven, 3) << "seed " << seed;
   }
 }
 

@@ -298,4 +298,63 @@ RC_GTEST_PROP(SafetyRulesProperties, NeverAllowMoreThanWasCommanded, ()) {
     RC_ASSERT(x.velocity == Twist2{});
 }
 
+/// 1.2 by 0.5 m, whose laser is in its middle.
+class SafetyOfCornersTest : public SafetyRulesTest {
+protected:
+  SafetyOfCornersTest() {
+    options_.footprint = Footprint{{{0.6, 0.25}, {-0.6, 0.25}, {-0.6, -0.25}, {0.6, -0.25}}};
+    rules_ = SafetyRules{options_};
+  }
+
+  /// All around, everything far away but for that.
+  LaserScan scan_with(std::int64_t time, const Point2& p) {
+    auto result = scan_at(time, 5);
+    result.ranges.assign(360, 5);
+    result.ranges[0] += static_cast<float>(time % 997) * 1e-5F;
+    const double beam = (std::atan2(p.y, p.x) - result.first_angle) / result.angle_step;
+    result.ranges[static_cast<std::size_t>(std::lround(beam + 360)) % 360] =
+      static_cast<float>(std::hypot(p.x, p.y));
+    return result;
+  }
+};
+
+TEST_F(SafetyOfCornersTest, TurnsOnlyAsFarAsItTouchesNothing) {
+  sense(0, scan_with(0, {5, 0}));
+  EXPECT_EQ(rules_.verdict(Twist2{0, 1}, 0).velocity, (Twist2{0, 1}));
+  // Beside its middle, where its corners will be.
+  sense(100 * millisecond, scan_with(100 * millisecond, {0.3, 0.33}));
+  const auto x = rules_.verdict(Twist2{0, 1}, 100 * millisecond);
+  EXPECT_EQ(x.reason, Reason::obstacle);
+  EXPECT_LT(x.velocity.turn, 0.5);
+  EXPECT_GT(x.velocity.turn, 0);
+  // The other way round, there is more room.
+  EXPECT_GT(std::abs(rules_.verdict(Twist2{0, -1}, 100 * millisecond).velocity.turn),
+            x.velocity.turn);
+  // Along it.
+  EXPECT_EQ(rules_.verdict(Twist2{0.5, 0}, 100 * millisecond).reason, Reason::none);
+}
+
+TEST_F(SafetyOfCornersTest, StopsBeforeItsFrontTouches) {
+  sense(0, scan_with(0, {0.75, 0.2}));
+  const auto x = rules_.verdict(Twist2{0.5, 0}, 0);
+  EXPECT_EQ(x.reason, Reason::obstacle);
+  EXPECT_NEAR(x.free_way, 0.15, 0.01);
+  EXPECT_LT(x.velocity.forward, 0.3);
+  EXPECT_EQ(rules_.verdict(Twist2{-0.5, 0}, 0).reason, Reason::none);
+}
+
+TEST_F(SafetyOfCornersTest, SwingsItsTailSlowlyWhereTheLaserDoesNotLook) {
+  sense(0, scan_at(0, 5));
+  const auto turning = rules_.verdict(Twist2{0, 1}, 0);
+  EXPECT_EQ(turning.reason, Reason::unseen_side);
+  EXPECT_NEAR(turning.velocity.turn * 0.6, options_.unseen, 0.01);
+  const auto backwards = rules_.verdict(Twist2{-0.5, 0}, 0);
+  EXPECT_EQ(backwards.reason, Reason::unseen_side);
+  EXPECT_NEAR(backwards.velocity.forward, -options_.unseen, 1e-9);
+  EXPECT_EQ(rules_.verdict(Twist2{0.5, 0}, 0).reason, Reason::none);
+  const auto arc = rules_.verdict(Twist2{0.5, 0.5}, 0);
+  EXPECT_EQ(arc.reason, Reason::unseen_side);
+  EXPECT_NEAR(arc.velocity.turn / arc.velocity.forward, 1, 1e-9);
+}
+
 } // namespace castor::mapping
