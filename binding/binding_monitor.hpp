@@ -93,9 +93,11 @@ protected:
 
   /// Declares that this subarchitecture knows what there is of a kind, a concept such as "room": it
   /// tells of all of that by its proxies. With `answers_calls` it is called with a KnowledgeRequest
-  /// whenever somebody asks, and serves that by `on_call`.
-  void declare_knowledge_of(const std::string& kind, bool answers_calls = false) {
-    competences_[kind] = {subarchitecture(), kind, answers_calls};
+  /// whenever somebody asks, and with `learns_names` with a ToldName when somebody says what
+  /// something is called; it serves these by `on_call`.
+  void declare_knowledge_of(const std::string& kind, bool answers_calls = false,
+                            bool learns_names = false) {
+    competences_[kind] = {subarchitecture(), kind, answers_calls, learns_names};
     write_competences();
   }
 

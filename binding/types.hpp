@@ -303,6 +303,9 @@ struct KnowledgeCompetence {
   /// Whether the subarchitecture is called with a KnowledgeRequest whenever somebody asks for the
   /// kind; else its proxies are always all it knows.
   bool answers_calls = false;
+  /// Whether the subarchitecture takes note of what people call things of the kind: it is called
+  /// with a ToldName then, and binding is not told of it.
+  bool learns_names = false;
 
   friend bool operator==(const KnowledgeCompetence&, const KnowledgeCompetence&) = default;
 };
@@ -310,6 +313,18 @@ struct KnowledgeCompetence {
 /// Request of a call to who is competent: what there is of a kind now.
 struct KnowledgeRequest {
   std::string kind;
+};
+
+/// Request of a call to who learns names: somebody calls what is here so.
+struct ToldName {
+  /// A concept, such as "kitchen".
+  std::string name;
+};
+
+/// What becomes of a name.
+struct ToldNameReply {
+  /// Said in reply.
+  std::string words;
 };
 
 /// Several unions fit a proxy equally well; it was bound to the first of them.
@@ -460,8 +475,10 @@ CASTOR_REFLECT(ReferenceRequest, descriptions, kinds, known_ontology)
 CASTOR_REFLECT(KnownUnion, id, proxy, features)
 CASTOR_REFLECT(DescriptionReferents, readings)
 CASTOR_REFLECT(ConceptStatements, source, statements)
-CASTOR_REFLECT(KnowledgeCompetence, subarchitecture, kind, answers_calls)
+CASTOR_REFLECT(KnowledgeCompetence, subarchitecture, kind, answers_calls, learns_names)
 CASTOR_REFLECT(KnowledgeRequest, kind)
+CASTOR_REFLECT(ToldName, name)
+CASTOR_REFLECT(ToldNameReply, words)
 CASTOR_REFLECT(ReferenceReply, referents, unions, relations, competences, ontology,
                ontology_version)
 CASTOR_REFLECT(KnowledgeReply, things, relations)

@@ -76,6 +76,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
       return respond(meant.move, meant.antecedents, scene);
     });
+    if (const auto text = about_name(reading_of(meant.move, response.reading)))
+      response = {RhetoricalRelation::acceptance, {}, *text, {}};
     questions_->note(meant, response);
     // What is not clear is asked back, and not asked of who does it.
     if (const auto text = referents.is_unclear ? std::nullopt : about_motives(move, referents))
@@ -113,6 +115,26 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
         .words;
     } catch (const WorkingMemoryException& e) {
       warning("motivation does not answer: {}", e.what());
+      return std::nullopt;
+    }
+  }
+
+  /// What who takes note of names says of one. None if the move tells of no such name, or nobody
+  /// answers.
+  std::optional<std::string> about_name(const DialogueMove& move) {
+    if (move.type != DialogueMoveType::assertion || !move.problem.empty())
+      return std::nullopt;
+    const auto told = with_scene(
+      binding_.get(), [&](SceneKnowledge& scene) { return name_told(move.content, scene); });
+    if (!told)
+      return std::nullopt;
+    try {
+      return call<binding::ToldName, binding::ToldNameReply>(
+               told->subarchitecture, {told->name}, {.timeout = std::chrono::seconds{3}})
+        .words;
+    } catch (const WorkingMemoryException& e) {
+      warning("{} does not take note of the name {}: {}", told->subarchitecture, told->name,
+              e.what());
       return std::nullopt;
     }
   }

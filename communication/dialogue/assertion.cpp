@@ -1,6 +1,7 @@
 #include "castor/communication/dialogue/assertion.hpp"
 
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -152,7 +153,7 @@ Told told_by(const DialogueMove& move, const MoveReferents& referents, SceneKnow
   for (std::size_t reading = 0; reading <= move.alternatives.size(); ++reading) {
     const auto& form = reading == 0 ? move.content : move.alternatives[reading - 1];
     const auto* root = find_nominal(form, form.root);
-    if (root == nullptr)
+    if (root == nullptr || name_told(form, scene))
       return {};
     Told result{telling_of(*root, form), {}};
     const auto verdict = verdict_on(form, *root, from_entry(referents.pronouns), scene);

@@ -37,7 +37,8 @@ struct Told {
 };
 
 /// What an assertion tells binding: nothing if what is seen contradicts it, if it is not clear what
-/// it is about, or if there is nothing that it says of one thing.
+/// it is about, if it is a name of which somebody else takes note (`name_told`), or if there is
+/// nothing that it says of one thing.
 ///
 /// \param referents of the move
 /// \pre asked again, as long as `scene` has open questions

@@ -269,6 +269,12 @@ LogicalForm myself() {
   return single("person", "i");
 }
 
+LogicalForm participant(const Nominal& phrase) {
+  if (phrase.proposition == "you")
+    return myself();
+  return single("person", phrase.proposition == "i" ? "you" : phrase.proposition);
+}
+
 LogicalForm i_cannot_do_that() {
   auto form = perception("do");
   root_of(form).features.push_back({"Polarity", "neg"});

@@ -107,6 +107,10 @@ LogicalForm i_know_nothing_of(const std::string& noun);
 /// "I", the robot.
 LogicalForm myself();
 
+/// What a phrase for who takes part in the dialogue becomes in the answer: "I" for "you", "you" for
+/// "I", "we" for "we".
+LogicalForm participant(const Nominal& phrase);
+
 /// "I cannot do that."
 LogicalForm i_cannot_do_that();
 

@@ -248,6 +248,11 @@ bool is_deictic(const Nominal& nominal) {
   return is_pronoun(nominal) && nominal.proposition != "it" && nominal.proposition != "they";
 }
 
+bool is_participant(const Nominal& nominal) {
+  return nominal.sort == "person" &&
+         (nominal.proposition == "i" || nominal.proposition == "you" || nominal.proposition == "we");
+}
+
 std::size_t place_of_word(const Nominal& nominal) {
   std::size_t place = 0;
   const auto digits = nominal.name.substr(std::min<std::size_t>(1, nominal.name.size()));

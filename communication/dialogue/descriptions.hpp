@@ -46,6 +46,9 @@ bool is_pronoun(const Nominal& nominal);
 /// "This", "that": things that are shown rather than spoken of.
 bool is_deictic(const Nominal& nominal);
 
+/// "I", "you", "we": who takes part in the dialogue.
+bool is_participant(const Nominal& nominal);
+
 /// The place of the word in its sentence that introduced a nominal, by its name: 3 for "w3".
 std::size_t place_of_word(const Nominal& nominal);
 

@@ -93,7 +93,8 @@ public:
   /// \param among the phrase that the thing is one of; null if any
   Truth is(const std::string& id, const Nominal& scope, const Nominal* among = nullptr);
 
-  /// Whether the phrase stands for who is spoken to, of whom somebody tells.
+  /// Whether the phrase stands for who is spoken to, of whom somebody tells, or for who is with
+  /// them: "you", "we", "I".
   bool is_addressee(const Nominal& phrase);
 
   /// The things that a definite phrase means, which exist: one if it is singular. None while

@@ -103,7 +103,8 @@ const Evaluation::Things& Evaluation::candidates(const Nominal& phrase) {
 }
 
 bool Evaluation::is_addressee(const Nominal& phrase) {
-  return phrase.sort == "person" && phrase.proposition == "you" && !scene_.addressee().empty();
+  // Who speaks is where the robot is.
+  return is_participant(phrase) && !scene_.addressee().empty();
 }
 
 bool Evaluation::is_pointed_at(const Nominal& phrase) const {
@@ -113,6 +114,9 @@ bool Evaluation::is_pointed_at(const Nominal& phrase) const {
 Fitting Evaluation::members_pointed_at(const Nominal& phrase) {
   using Reason = Uninterpretable::Reason;
   auto things = antecedents_of(phrase.name + std::string{pointed_at});
+  // It may be the room that the robot is in, of which nobody has told yet.
+  if (things.empty())
+    scene_.addressee();
   if (!scene_.open_questions().empty())
     return {};
   if (things.empty())

@@ -133,6 +133,12 @@ Response Responder::about(const Nominal& asked) {
   const auto* scope = root().sort == "ascription" ? dependent(form_, root(), "Cop-Scope") : nullptr;
   if (asks_for_number(asked))
     return count(found, asked, scope);
+  // "Which room is this?"
+  const auto* subject = root().sort == "ascription" ? dependent(form_, root(), "Cop-Restr") : nullptr;
+  for (const auto* shown : {subject, scope})
+    if (shown != nullptr && shown != &asked && is_deictic(*shown) && found.certain.size() == 1 &&
+        !scene_.is_thing(found.certain.front()))
+      return what(*shown);
   // Of things that are as large as one another, any may be the largest.
   const bool is_about_order =
     scope != nullptr &&
@@ -155,7 +161,7 @@ std::optional<LogicalForm> Responder::where_it_is(const Fitting& found, const No
   const bool is_addressee = evaluation_.is_addressee(*subject);
   if (!is_addressee && (!is_definite(*subject) || is_plural(*subject)))
     return std::nullopt;
-  return ascribe(is_addressee ? myself() : pronoun("it"),
+  return ascribe(is_addressee ? participant(*subject) : pronoun("it"),
                  region(scope->proposition, referring_expression(scene_, found.certain.front())));
 }
 
@@ -322,7 +328,7 @@ Response Responder::where(const Nominal& phrase) {
   if (things.empty())
     throw Uninterpretable{Uninterpretable::Reason::nothing_like, phrase.name};
   for (auto& id : things) {
-    auto thing = is_addressee         ? myself()
+    auto thing = is_addressee         ? participant(phrase)
                  : things.size() == 1 ? pronoun("it")
                                       : referring_expression(scene_, id);
     const auto place = place_of(id);

@@ -94,6 +94,15 @@ bool SceneKnowledge::is_kind_known(const std::string& noun) const {
          });
 }
 
+std::string SceneKnowledge::learner_of(const std::string& noun) {
+  things();
+  const auto& name = vocabulary_->concept_of(noun);
+  const auto found = std::ranges::find_if(scene_.competences, [&](auto& x) {
+    return x.learns_names && name != x.kind && vocabulary_->ontology().is_kind_of(name, x.kind);
+  });
+  return found == scene_.competences.end() ? std::string{} : found->subarchitecture;
+}
+
 std::vector<std::string> SceneKnowledge::addressee() {
   const auto& name = vocabulary_->addressee();
   std::vector<std::string> result;

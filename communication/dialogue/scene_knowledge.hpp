@@ -116,6 +116,10 @@ public:
   /// Whether somebody knows what there is of the kind that a noun stands for.
   bool is_kind_known(const std::string& noun) const;
 
+  /// The subarchitecture that takes note of names such as this noun, which is no name for all of
+  /// their kind; empty if there is none, or while it is an open question.
+  std::string learner_of(const std::string& noun);
+
   /// Who is spoken to; empty if nobody tells of it.
   std::vector<std::string> addressee();
 

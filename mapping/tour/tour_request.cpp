@@ -1,5 +1,7 @@
 #include "castor/mapping/tour/tour_request.hpp"
 
+#include "castor/mapping/tour/area_knowledge.hpp"
+
 #include <algorithm>
 #include <string_view>
 
@@ -36,38 +38,15 @@ std::optional<std::string> name_of(const Nominal* thing) {
   if (thing == nullptr || thing->sort != "thing" || thing->proposition.empty() ||
       is_denied(*thing) || has(*thing, "Number", "pl") || !thing->relations.empty())
     return std::nullopt;
-  auto result = thing->proposition;
-  std::ranges::replace(result, '_', ' ');
-  return result;
+  return label_of_concept(thing->proposition);
 }
 
-/// "This", "that", "this room"; "it" may be anything that was spoken of.
-bool is_here(const Nominal& x) {
-  const bool is_shown = x.proposition == "this" || x.proposition == "that";
-  return x.sort == "thing" &&
-         (is_shown || (x.proposition == "room" && has(x, "Proximity", "proximal")));
-}
-
-/// "In the kitchen", "to the kitchen".
+/// "To the kitchen".
 const Nominal* anchor_of(const LogicalForm& form, const Nominal* place, std::string_view sort,
                          std::string_view relation) {
   if (place == nullptr || place->sort != sort || place->proposition != relation)
     return nullptr;
   return dependent(form, *place, "Anchor");
-}
-
-std::optional<std::string> place_named(const LogicalForm& form, const Nominal& root) {
-  if (root.sort != "ascription" || is_denied(root))
-    return std::nullopt;
-  const auto* subject = dependent(form, root, "Cop-Restr");
-  const auto* said = dependent(form, root, "Cop-Scope");
-  if (subject == nullptr || said == nullptr)
-    return std::nullopt;
-  if (is_here(*subject))
-    return name_of(said);
-  const bool is_one_of_us =
-    subject->sort == "person" && (subject->proposition == "we" || subject->proposition == "you");
-  return is_one_of_us ? name_of(anchor_of(form, said, "region", "in")) : std::nullopt;
 }
 
 std::optional<TourRequest> directive(const LogicalForm& form, const Nominal& root) {
@@ -93,22 +72,15 @@ std::optional<TourRequest> directive(const LogicalForm& form, const Nominal& roo
 std::optional<TourRequest> tour_request(const DialogueMove& move) {
   const auto& form = move.content;
   const auto* root = find(form, form.root);
-  if (root == nullptr)
+  if (root == nullptr || move.type != DialogueMoveType::action_directive)
     return std::nullopt;
-  if (move.type == DialogueMoveType::action_directive)
-    return directive(form, *root);
-  if (move.type == DialogueMoveType::assertion)
-    if (auto place = place_named(form, *root))
-      return TourRequest{TourWish::name_place, *std::move(place)};
-  return std::nullopt;
+  return directive(form, *root);
 }
 
 std::string reply_to(const std::optional<TourRequest>& request, bool is_known) {
   if (!request)
     return "I can not do that.";
   switch (request->wish) {
-    case TourWish::name_place:
-      break;
     case TourWish::go:
       return is_known ? "I go to the " + request->place + "."
                       : "I do not know where the " + request->place + " is.";

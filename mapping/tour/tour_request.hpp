@@ -8,8 +8,6 @@
 namespace castor::mapping {
 
 enum class TourWish {
-  /// "This is the kitchen", "we are in the kitchen": the place here is called so.
-  name_place,
   /// "Go to the kitchen."
   go,
   /// "Follow me."
@@ -27,8 +25,8 @@ struct TourRequest {
   friend bool operator==(const TourRequest&, const TourRequest&) = default;
 };
 
-/// What a dialogue move asks for; nothing if it is about something else. What is denied ("this is
-/// not the kitchen"), and what more than a name is said of ("the red kitchen"), names no place.
+/// What a directive asks for; nothing if it is about something else, or if more than a name is said
+/// of the place ("the red kitchen").
 std::optional<TourRequest> tour_request(const communication::DialogueMove& move);
 
 /// Sentence in reply to a directive.

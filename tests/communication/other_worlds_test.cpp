@@ -2,7 +2,10 @@
 
 #include "castor/base/ontology_reader.hpp"
 #include "castor/binding/references.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"
+#include "castor/communication/parsing/parser.hpp"
 #include "castor/tests/binding/proxies.hpp"
 #include "castor/tests/binding/reference/binding_core.hpp"
 #include "castor/tests/communication/shared_vocabulary.hpp"
@@ -12,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +45,14 @@ public:
               binding::test::relation_from("world", label, from, to));
   }
 
-  void know(const std::string& kind) { competences_.push_back({"world", kind, false}); }
+  void know(const std::string& kind) { competences_.push_back({"world", kind, false, false}); }
+
+  void learn_names_of(const std::string& kind) {
+    for (auto& x : competences_)
+      x.learns_names = x.learns_names || x.kind == kind;
+  }
+
+  const std::shared_ptr<const Vocabulary>& words() const { return vocabulary_; }
 
   TableTalk talk() {
     return TableTalk{
@@ -51,6 +62,18 @@ public:
                           binding::test::proxy_from("communication", std::move(features)), 1));
       },
       vocabulary_};
+  }
+
+  binding::ReferenceReply reply(const binding::ReferenceRequest& request) const {
+    binding::ReferenceReply result;
+    for (auto& x : request.descriptions)
+      result.referents.push_back(
+        {binding::distinct_referents(find_referents(x, core_.unions(), core_.comparator()))});
+    for (auto& [id, x] : core_.unions())
+      result.unions.push_back({id, x.proxy_ids.front(), x.features});
+    result.relations = relations_between(core_.unions());
+    result.competences = competences_;
+    return result;
   }
 
 private:
@@ -73,18 +96,6 @@ private:
     return result;
   }
 
-  binding::ReferenceReply reply(const binding::ReferenceRequest& request) const {
-    binding::ReferenceReply result;
-    for (auto& x : request.descriptions)
-      result.referents.push_back(
-        {binding::distinct_referents(find_referents(x, core_.unions(), core_.comparator()))});
-    for (auto& [id, x] : core_.unions())
-      result.unions.push_back({id, x.proxy_ids.front(), x.features});
-    result.relations = relations_between(core_.unions());
-    result.competences = competences_;
-    return result;
-  }
-
   std::shared_ptr<const Vocabulary> vocabulary_;
   binding::BindingCore core_;
   std::vector<binding::KnowledgeCompetence> competences_;
@@ -92,7 +103,10 @@ private:
 
 constexpr auto words_of_rooms = R"(
 nouns Thing
-  kitchen office pantry room
+  kitchen office pantry room place
+
+words IsThere
+  do_you_know
 )";
 
 constexpr auto concepts_of_rooms = R"(
@@ -149,7 +163,7 @@ TEST_F(Rooms, AreWhereTheRobotAndThingsAre) {
   EXPECT_EQ(talk.say("What is in this room?").text, "There is nothing.");
   EXPECT_EQ(talk.say("Is this the kitchen?").text, "No.");
   EXPECT_EQ(talk.say("What is this room?").text, "It is a room.");
-  EXPECT_EQ(talk.say("What room is this?").text, "There is a room.");
+  EXPECT_EQ(talk.say("What room is this?").text, "It is a room.");
   EXPECT_EQ(talk.say("Which room are you in?").text, "I am in a room.");
   EXPECT_EQ(talk.say("Which room is the ball in?").text, "It is in the kitchen.");
   EXPECT_EQ(talk.say("Is the ball here?").text, "No.");
@@ -175,6 +189,85 @@ TEST_F(Rooms, AreNamedByPeople) {
   EXPECT_EQ(talk.say("Is the ball in the office?").text, "No.");
   EXPECT_EQ(talk.say("Is this the office?").text, "Yes.");
   EXPECT_EQ(talk.say("This is the kitchen.").text, "No, it is an office.");
+}
+
+TEST_F(Rooms, AreWhereWhoTalksIs) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("Where are we?").text, "We are in a room.");
+  EXPECT_EQ(talk.say("Where am I?").text, "You are in a room.");
+  EXPECT_EQ(talk.say("Are we in the kitchen?").text, "No.");
+  EXPECT_EQ(talk.say("Is this the kitchen or the office?").text, "I do not know.");
+  EXPECT_EQ(talk.say("We are in the office.").text, "Ok.");
+  EXPECT_EQ(talk.say("What room are we in?").text, "We are in the office.");
+  EXPECT_EQ(talk.say("Is this the kitchen or the office?").text, "It is the office.");
+  EXPECT_EQ(talk.say("What is this place?").text, "It is an office.");
+  EXPECT_EQ(talk.say("What is this room called?").text, "It is an office.");
+  EXPECT_EQ(talk.say("What's the name of this room?").text, "It is an office.");
+  EXPECT_EQ(talk.say("Which rooms do you know?").text, "There is a kitchen and an office.");
+}
+
+TEST(OtherWorlds, MayHaveNothingButRooms) {
+  ToldWorld world(words_of_rooms, concepts_of_rooms);
+  world.put("office", {concept_of("room"), concept_of("office")});
+  world.put("robot", {concept_of("self")});
+  world.relate("in", "robot", "office");
+  world.relate("near", "office", "corridor");
+  world.relate("near", "corridor", "office");
+  world.put("corridor", {concept_of("room"), concept_of("corridor")});
+  world.know("room");
+  world.know("self");
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("What is this?").text, "It is an office.");
+  EXPECT_EQ(talk.say("Where is the corridor?").text, "It is near the office.");
+  EXPECT_EQ(talk.say("Is the corridor next to the office?").text, "Yes.");
+  EXPECT_EQ(talk.say("The corridor is here.").text, "No, it is an office.");
+}
+
+/// Somebody takes note of what rooms are called.
+struct NamedRooms : Rooms {
+  NamedRooms() { world.learn_names_of("room"); }
+
+  std::optional<NameTold> heard(const std::string& sentence) {
+    const auto& words = world.words();
+    Parser parser{words->lexicon()};
+    const auto readings = parser.readings(sentence);
+    EXPECT_FALSE(readings.empty()) << sentence;
+    if (readings.empty())
+      return std::nullopt;
+    DialogueMove move;
+    move.content = readings.front();
+    move.type = dialogue_move_type(move.content);
+    if (move.type != DialogueMoveType::assertion)
+      return std::nullopt;
+    move = with_names_told(std::move(move), *words);
+    return with_knowledge(
+      words, [this](auto& request) { return world.reply(request); },
+      [&](SceneKnowledge& scene) { return name_told(move.content, scene); });
+  }
+};
+
+TEST_F(NamedRooms, AreToldOf) {
+  for (auto* sentence :
+       {"this is the office", "this room is the office", "this room is an office",
+        "this is my office", "we are in the office", "you are in the office now",
+        "I am in the office", "now we are in the office", "the office is here",
+        "that is the office", "this room is called the office", "we call this room the office"})
+    EXPECT_EQ(heard(sentence), (NameTold{"world", "office"})) << sentence;
+}
+
+TEST_F(NamedRooms, AreNotToldOfByWhatIsDeniedOrAskedOrElsewhere) {
+  for (auto* sentence :
+       {"this is not the office", "is this the office", "what is this", "this is the red office",
+        "the ball is in the office", "this is red", "we are not in the office",
+        "these are the rooms", "this is a room", "this is a ball", "we are in this room"})
+    EXPECT_EQ(heard(sentence), std::nullopt) << sentence;
+}
+
+TEST_F(NamedRooms, AreNamesThatBindingIsNotTold) {
+  auto talk = world.talk();
+  EXPECT_EQ(talk.say("This is the office.").text, "Ok.");
+  // Nobody has taken note of it.
+  EXPECT_EQ(talk.say("Where are you?").text, "I am in a room.");
 }
 
 TEST(OtherWorlds, AreSaidNotToBeKnown) {

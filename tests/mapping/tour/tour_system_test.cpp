@@ -27,8 +27,10 @@ namespace castor::mapping::test {
 struct TourEnd {
   double x = 0;
   double y = 0;
+  /// Replies that were not as expected.
+  std::string surprises;
 };
-CASTOR_REFLECT(TourEnd, x, y)
+CASTOR_REFLECT(TourEnd, x, y, surprises)
 
 namespace {
 
@@ -62,13 +64,19 @@ class Leader final : public UnmanagedComponent {
     say("Follow me.");
     // In the middle of a room, where the robot has followed.
     wait_for([this] { return is_robot_in(1, 5, 3.2, 5.2); });
-    say("This is the kitchen.");
+    expect(ask("This is the kitchen."), "kitchen");
+    wait_for([this] { return is_named("kitchen"); });
+    expect(ask("Where are we?"), "We are in the kitchen.");
+    expect(ask("What is this room?"), "It is a kitchen.");
+    expect(ask("This is the kitchen."), "Yes, this is the kitchen.");
     wait_for([this] { return is_robot_in(7, 11, 3.2, 5.2); });
-    say("This is the office.");
-    wait_for([this] { return is_named("kitchen") && is_named("office"); });
-    say("Go to the kitchen.");
+    expect(ask("We are in the office."), "office");
+    wait_for([this] { return is_named("office"); });
+    expect(ask("Is this the kitchen?"), "No.");
+    expect(ask("Where is the kitchen?"), "It is near a room.");
+    expect(ask("Go to the kitchen."), "I go to the kitchen.");
     wait_for([this] { return is_arrived(); });
-    add(TourEnd{status_->pose.x, status_->pose.y});
+    add(TourEnd{status_->pose.x, status_->pose.y, surprises_});
   }
 
   template <class Condition>
@@ -105,6 +113,27 @@ class Leader final : public UnmanagedComponent {
     add(Address{"communication", "said " + std::to_string(x.turn)}, x);
   }
 
+  /// What the robot replies.
+  std::string ask(const std::string& sentence) {
+    const auto utterance = "said " + std::to_string(turn_);
+    say(sentence);
+    std::string result;
+    wait_for([&] {
+      for (auto& x : read_all_in<communication::SpokenOutputItem>("communication"))
+        if (x->utterance.address.id == utterance)
+          result = x->text;
+      return !result.empty();
+    });
+    return result;
+  }
+
+  /// @param part of the reply
+  void expect(const std::string& reply, const std::string& part) {
+    if (reply.find(part) == reply.npos)
+      surprises_ += '"' + reply + "\" does not say \"" + part + "\"\n";
+  }
+
+  std::string surprises_;
   std::shared_ptr<const BodyStatus> status_;
   std::int32_t turn_ = 0;
 };
@@ -128,6 +157,7 @@ TEST(GuidedTour, FollowsLearnsNamesAndGoesToOneOfThem) {
                                               "CPP UM leader Leader\n",
                     options};
   const auto end = system.expect_entry("TourEnd in guide")->value.as<TourEnd>();
+  EXPECT_EQ(end->surprises, "");
   // The left room of the building.
   EXPECT_LT(end->x, 6);
   EXPECT_GT(end->y, 2);
