@@ -96,7 +96,7 @@ TEST(AreaKnowledge, HasConceptsForAllWordsForRooms) {
   for (std::string line; std::getline(words, line) && !line.starts_with("words ");)
     if (line.starts_with("  "))
       for (auto [noun, rest] = std::pair{std::string{}, std::istringstream{line}}; rest >> noun;) {
-        EXPECT_TRUE(vocabulary.ontology().is_kind_of(vocabulary.concept_of(noun), "room")) << noun;
+        EXPECT_TRUE(vocabulary.ontology().is_kind_of(vocabulary.concept_of(noun), "place")) << noun;
         EXPECT_EQ(concept_of_label(label_of_concept(noun)), noun);
         ++nouns;
       }
