@@ -4,10 +4,10 @@
 //
 // RUNS (10) of SECONDS (120) of simulated time, with the seeds from SEED (1) on, of somebody who
 // walks along the corridor, through lounge and laboratory, and again: alone; pausing at the
-// corners; and among four others. The robot begins 1.5 m behind, follows whom it sees first, and
-// again after it has given up. It knows its pose. Distances are those of the true middles, from the
-// tenth second on; so is the share of the time in which it follows somebody else by mistake. WALK
-// is alone, pauses or others; without, all three.
+// corners; among four others; and among four who walk through one another. The robot begins 1.5 m
+// behind, follows whom it sees first, and again after it has given up. It knows its pose. Distances
+// are those of the true middles, from the tenth second on; so is the share of the time in which it
+// follows somebody else by mistake. WALK is alone, pauses, others or heedless; without, all four.
 #include "castor/benchmarks/people/scenes.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
@@ -154,6 +154,7 @@ void measure(const std::string& name, std::uint64_t seed, int runs, double secon
     BodyOptions options;
     options.people = true;
     options.legs = true;
+    options.considerate = name != "heedless";
     options.laser.beams_per_degree = 2;
     options.seed = seed + static_cast<std::uint64_t>(i);
     FollowingRobot robot{walk_to_follow(name, options.seed), options};
@@ -166,7 +167,7 @@ void measure(const std::string& name, std::uint64_t seed, int runs, double secon
   };
   constexpr double near = 2.5; // metres
   const auto with = std::ranges::upper_bound(all, near) - all.begin();
-  fmt::print("{:<8}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>14.1f}{:>12.1f}{:>10}{:>11}{:>10.0f}\n", name,
+  fmt::print("{:<9}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>14.1f}{:>12.1f}{:>10}{:>11}{:>10.0f}\n", name,
              std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size()),
              quantile(0.5), quantile(0.95), all.front(),
              100.0 * static_cast<double>(with) / static_cast<double>(all.size()),
@@ -183,10 +184,10 @@ int main(int argc, char** argv) {
   const auto seed = static_cast<std::uint64_t>(argc > 1 ? std::max(0LL, std::atoll(argv[1])) : 1);
   const int runs = argc > 2 ? std::max(1, std::atoi(argv[2])) : 10;
   const double seconds = argc > 3 ? std::max(20.0, std::atof(argv[3])) : 120;
-  fmt::print("{:<8}{:>8}{:>8}{:>8}{:>8}{:>14}{:>12}{:>10}{:>11}{:>10}\n", "", "mean m", "median",
+  fmt::print("{:<9}{:>8}{:>8}{:>8}{:>8}{:>14}{:>12}{:>10}{:>11}{:>10}\n", "", "mean m", "median",
              "p95", "least", "within 2.5 m %", "mistaken %", "given up", "collisions", "driven m");
   const std::string walk = argc > 4 ? argv[4] : "";
-  for (const auto* name : {"alone", "pauses", "others"})
+  for (const auto* name : {"alone", "pauses", "others", "heedless"})
     if (walk.empty() || walk == name)
       castor::benchmark::measure(name, seed, runs, seconds);
 }

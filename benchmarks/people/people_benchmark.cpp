@@ -1,11 +1,12 @@
 // How well people are tracked in the scans of a simulated robot, which knows the truth.
 //
-//   people_benchmark [SCENE|all [SEED [RUNS [SECONDS [legs|discs [BEAMS]]]]]]
+//   people_benchmark [SCENE|all [SEED [RUNS [SECONDS [legs|discs [BEAMS
+//     [considerate|heedless]]]]]]]
 //
 // RUNS (10) of SECONDS (60) of simulated time in each scene (scenes.hpp), with the seeds from SEED
 // (1) on: they determine routes, speeds and noise. A laser of 180 degrees, BEAMS (2) a degree,
-// 10 Hz, sees people's legs, or discs. A person is visible if the middle of the body is, within 8 m
-// of the laser and its field of view.
+// 10 Hz, sees people's legs, or discs. They keep clear of one another, or walk through one another.
+// A person is visible if the middle of the body is, within 8 m of the laser and its field of view.
 #include "castor/benchmarks/people/scenes.hpp"
 #include "castor/benchmarks/people/tracking_score.hpp"
 #include "castor/mapping/body/path_follower.hpp"
@@ -127,6 +128,7 @@ struct Settings {
   double seconds = 60;
   bool legs = true;
   int beams = 2;
+  bool considerate = true;
 };
 
 void measure(const std::string& name, const Settings& settings) {
@@ -135,6 +137,7 @@ void measure(const std::string& name, const Settings& settings) {
     BodyOptions options;
     options.people = true;
     options.legs = settings.legs;
+    options.considerate = settings.considerate;
     options.laser.beams_per_degree = settings.beams;
     options.seed = settings.seed + static_cast<std::uint64_t>(i);
     run(scene(name, options.seed), options, settings.seconds, result);
@@ -165,6 +168,8 @@ int run_all(int argc, char** argv) {
     settings.legs = std::string{argv[5]} != "discs";
   if (argc > 6)
     settings.beams = std::max(1, std::atoi(argv[6]));
+  if (argc > 7)
+    settings.considerate = std::string{argv[7]} != "heedless";
   if (which != "all")
     scene(which, settings.seed); // refuses unknown names
   fmt::print("{:<10}{:>10}{:>8}{:>10}{:>14}{:>11}{:>9}{:>9}{:>11}\n", "", "crossings", "kept %",

@@ -249,7 +249,7 @@ Building walk_to_follow(const std::string& name, std::uint64_t seed) {
   if (name == "pauses")
     person.pause = random.between(1, 5);
   result.people = {std::move(person)};
-  if (name == "others")
+  if (name == "others" || name == "heedless")
     add_corridor_walkers(result, random);
   result.start = {2.5, 5.1, 0};
   return result;

@@ -48,7 +48,7 @@ SimulatedBody::SimulatedBody(BodySurroundings surroundings, const BodyOptions& o
   : options_(options), surroundings_(std::move(surroundings)),
     // Seeds of its parts, so that one of them draws the same whatever the others do.
     drive_(options.drive, options.seed * 2), laser_(options.laser, options.seed * 2 + 1),
-    people_(surroundings_.people), pose_(surroundings_.start), odometry_(options.odometry_start) {
+    people_(surroundings_.people, options.considerate), pose_(surroundings_.start), odometry_(options.odometry_start) {
   if (!(options.radius > 0) || options.step.count() <= 0 ||
       options.drive.max_forward * seconds(options.step) > options.radius)
     throw std::invalid_argument("a robot has to have a radius, and to drive less than that within "

@@ -27,6 +27,8 @@ struct BodyOptions {
   bool people = false;
   /// Whether the laser sees their legs; else it sees them as discs.
   bool legs = false;
+  /// Whether they keep clear of one another and of the robot, or walk through one another.
+  bool considerate = false;
   /// Where odometry begins; that it is at the robot's start makes it easy to compare.
   Pose2 odometry_start;
   /// Of the noise.

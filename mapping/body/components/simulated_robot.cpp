@@ -49,6 +49,7 @@ class SimulatedRobot final : public StandaloneComponent {
     options.seed = static_cast<std::uint64_t>(seed_.get());
     options.people = people_;
     options.legs = legs_;
+    options.considerate = considerate_;
     options.laser.field_of_view = laser_;
     options.laser.beams_per_degree = beams_per_degree_;
     options.laser.max_range = max_range_;
@@ -324,6 +325,9 @@ class SimulatedRobot final : public StandaloneComponent {
   Option<std::vector<std::string>> opened_{this, "open", {}, "names of doors to open"};
   Option<bool> people_{this, "people", false, "whether people walk along their routes"};
   Option<bool> legs_{this, "legs", false, "whether the laser sees people's legs, not discs"};
+  Option<bool> considerate_{this, "considerate", false,
+                            "whether people keep clear of one another; else they walk through one "
+                            "another"};
   Option<std::string> lease_{
     this, "lease", "",
     "SUBARCHITECTURE/ID of the entry whose lease holder it obeys; empty: anybody"};
