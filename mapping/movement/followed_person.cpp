@@ -21,7 +21,7 @@ Point2 FollowedPerson::expected(const Sight& x) const {
 }
 
 FollowedPerson::People::iterator FollowedPerson::find_successor(People people) const {
-  if (!is_in_doubt_ || time_ - steady_.front().time > options_.doubt)
+  if (!is_in_doubt_ || time_ - doubt_since_ > options_.doubt)
     return people.end();
   const auto place = expected(steady_.front());
   return std::ranges::find_if(people, [&](const SeenPerson& x) {
@@ -30,18 +30,19 @@ FollowedPerson::People::iterator FollowedPerson::find_successor(People people) c
   });
 }
 
+bool FollowedPerson::comes_back(const SeenPerson& x) const {
+  constexpr double opposite = 2; // radians
+  const auto& last = last_->person;
+  return time_ - last_->time < options_.turns_after && x.speed > options_.walking &&
+         last.speed > options_.walking && std::abs(normalised(x.heading - last.heading)) > opposite;
+}
+
 FollowedPerson::People::iterator FollowedPerson::find_lost(People people) const {
   const double away = static_cast<double>(time_ - last_->time) * 1e-6;
   const auto& last = last_->person;
   const auto place = expected(*last_);
   const auto off = [&](const SeenPerson& x) {
     return std::min(distance(x.place, place), distance(x.place, last.place));
-  };
-  const auto comes_back = [&](const SeenPerson& x) {
-    constexpr double opposite = 2; // radians
-    return time_ - last_->time < options_.turns_after && x.speed > options_.walking &&
-           last.speed > options_.walking &&
-           std::abs(normalised(x.heading - last.heading)) > opposite;
   };
   auto result = people.end();
   double nearest = std::min(options_.farthest, options_.reach + options_.growth * away);
@@ -54,9 +55,14 @@ FollowedPerson::People::iterator FollowedPerson::find_lost(People people) const 
 }
 
 void FollowedPerson::remember(const SeenPerson& x) {
-  if (!steady_.empty() && time_ - steady_.front().time > options_.doubt)
+  if (!steady_.empty() && !is_in_doubt_ && time_ - steady_.back().time > options_.doubt)
     steady_.clear();
+  if (is_in_doubt_ && time_ - doubt_since_ > options_.doubt)
+    steady_.clear();
+  const bool was_in_doubt = is_in_doubt_;
   is_in_doubt_ = !steady_.empty() && !goes_on(x);
+  if (is_in_doubt_ && !was_in_doubt)
+    doubt_since_ = time_;
   if (is_in_doubt_)
     return;
   steady_.push_back({time_, x});
@@ -67,6 +73,14 @@ void FollowedPerson::remember(const SeenPerson& x) {
 std::optional<SeenPerson> FollowedPerson::find(People people, std::int64_t time) {
   time_ = time;
   auto found = std::ranges::find(people, id_, &SeenPerson::id);
+  // The tracker took somebody else for the person, who was hidden.
+  constexpr std::int64_t hidden = 300'000; // microseconds
+  if (found != people.end() && last_ && time - last_->time > hidden && comes_back(*found)) {
+    others_.insert(id_);
+    found = people.end();
+  } else if (others_.contains(id_)) {
+    found = people.end();
+  }
   if (const auto successor = find_successor(people); successor != people.end())
     found = successor;
   else if (found == people.end() && last_)

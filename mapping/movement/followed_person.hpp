@@ -29,10 +29,10 @@ struct FollowedPersonOptions {
   /// Slower people do not walk, m/s.
   double walking = 0.3;
   /// Somebody who was lost does not come back the other way within that time; microseconds.
-  std::int64_t turns_after = 5'000'000;
+  std::int64_t turns_after = 10'000'000;
   /// A track that within `window` slows down to half its speed, or turns by more than that, may
-  /// have been lost to something else: for so long after the beginning of the window, somebody new
-  /// who walks on where it would be is the person. Radians, microseconds.
+  /// have been lost to something else: for so long after that, somebody new who walks on where it
+  /// would be is the person. Radians, microseconds.
   double turn = 1.2;
   std::int64_t window = 1'000'000;
   std::int64_t doubt = 4'000'000;
@@ -68,6 +68,8 @@ private:
   People::iterator find_successor(People people) const;
   /// Somebody new who may be the person who was lost.
   People::iterator find_lost(People people) const;
+  /// Whether somebody who comes into sight again walks the other way, as the person would not.
+  bool comes_back(const SeenPerson& x) const;
 
   std::int64_t id_;
   FollowedPersonOptions options_;
@@ -75,6 +77,8 @@ private:
   /// The window, oldest first, up to when the track went on as before.
   std::deque<Sight> steady_;
   bool is_in_doubt_ = false;
+  /// Since when, microseconds.
+  std::int64_t doubt_since_ = 0;
   std::int64_t time_ = 0;
   /// Who was in sight together with the person, and so is somebody else.
   std::set<std::int64_t> others_;
