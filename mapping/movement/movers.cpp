@@ -32,12 +32,13 @@ bool is_safe(const Pose2& robot, const Twist2& velocity, std::span<const Mover> 
   return true;
 }
 
-/// Whether the robot drives towards somebody, or that one towards the robot. Who has passed does
-/// not count.
-bool comes_nearer(const Pose2& robot, const Twist2& wanted, const Mover& x) {
+/// Whether somebody is behind a robot that drives on, and the two part.
+bool has_passed(const Pose2& robot, const Twist2& wanted, const Mover& x) {
   const auto soon = moved(robot, wanted, time_step);
   const auto place = place_after(x, time_step);
-  return distance(place, {soon.x, soon.y}) < distance(x.place, {robot.x, robot.y});
+  const auto from_robot = transform(inverse(robot), x.place);
+  return from_robot.x * wanted.forward < 0 &&
+         distance(place, {soon.x, soon.y}) > distance(x.place, {robot.x, robot.y});
 }
 
 } // namespace
@@ -52,7 +53,7 @@ double share_among_movers(const Pose2& robot, const Twist2& wanted, std::span<co
   for (const auto& x : movers) {
     const double away =
       distance(x.place, {robot.x, robot.y}) - options.robot_radius - options.mover_radius;
-    if (away < options.near && comes_nearer(robot, wanted, x))
+    if (away < options.near && !has_passed(robot, wanted, x))
       limit = std::min(limit, options.near_speed / fast);
     if (x.speed() >= options.least_speed && away < (fast + x.speed()) * options.horizon)
       near.push_back(x);

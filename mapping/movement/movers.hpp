@@ -25,8 +25,8 @@ struct MoverOptions {
   double gap = 0.2;
   /// How far it looks ahead, seconds.
   double horizon = 2.5;
-  /// Within that distance from somebody, edge to edge, the robot drives at most so fast as long as
-  /// the two come nearer; metres, m/s.
+  /// Within that distance from somebody, edge to edge, the robot drives at most so fast unless that
+  /// one is behind it and the two part; metres, m/s.
   double near = 1;
   double near_speed = 0.3;
 };

@@ -38,6 +38,7 @@ double direction(const Point2& from, const Point2& to) {
 PursuitOptions pursuit_options(const FollowPersonOptions& options) {
   auto result = options.pursuit;
   result.follow.speed = options.speed;
+  result.narrow_speed = options.narrow_speed;
   result.patience = options.patience;
   return result;
 }

@@ -19,6 +19,8 @@ struct FollowPersonOptions {
   double nearest = 0.8;
   /// At most, m/s.
   double speed = 1;
+  /// The same where there is little room, as in doors that the person has just walked through.
+  double narrow_speed = 0.5;
   /// How fast it makes up for a distance that is too large, 1/s.
   double gain = 1;
   /// It looks so far beyond where the person was seen last, in the direction of walking, metres.

@@ -39,6 +39,10 @@ TEST(Movers, IsSlowNearSomebodyWhoStands) {
   EXPECT_NEAR(share({{{0.5, 1}, {0, 0}}}) * 0.5, MoverOptions{}.near_speed, 1e-9);
 }
 
+TEST(Movers, IsNotSlowNearSomebodyWhoHasPassed) {
+  EXPECT_EQ(share({{{-0.3, 0.9}, {-0.8, 0}}}), 1);
+}
+
 TEST(Movers, DrivesAwayFromSomebodyBehindIt) {
   EXPECT_GT(share({{{-0.7, 0}, {0.4, 0}}}), 0);
 }

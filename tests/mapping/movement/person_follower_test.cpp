@@ -208,4 +208,29 @@ TEST(FollowedPerson, WhoComesTheOtherWayIsSomebodyElse) {
   EXPECT_EQ(followed.find(std::vector{SeenPerson{10, {3, 0}, 0.2, 0.6}}, 2'000'000)->id, 10);
 }
 
+TEST(FollowedPerson, WhoComesOutOfHidingTheOtherWayIsSomebodyElseWithTheSameId) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  const SeenPerson comes{7, {2.5, 0}, 3, 0.6};
+  EXPECT_FALSE(followed.find(std::vector{comes}, 2'000'000));
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{7, {2.5, 0}, 0, 0}}, 2'100'000))
+    << "and remains somebody else";
+  EXPECT_EQ(followed.find(std::vector{comes, SeenPerson{9, {3.2, 0}, 0, 0.6}}, 2'500'000)->id, 9);
+}
+
+TEST(FollowedPerson, WhoTurnsBackInSightIsStillThePerson) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 3, 0.6}}, 200'000)->id, 7);
+}
+
+TEST(FollowedPerson, DoubtBeginsWhenTheTrackTurnsNotWhenThePersonWasSeenLast) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  const SeenPerson aside{7, {2.5, 0.5}, 1.6, 0.6};
+  EXPECT_EQ(followed.find(std::vector{aside}, 3'500'000)->id, 7);
+  const std::vector<SeenPerson> after{aside, {9, {3.9, 0}, 0, 0.6}};
+  EXPECT_EQ(followed.find(after, 4'500'000)->id, 9);
+}
+
 } // namespace castor::mapping
