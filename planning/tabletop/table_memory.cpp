@@ -82,7 +82,7 @@ std::string TableMemory::new_waypoint(GroundPoint place) {
   return name;
 }
 
-void TableMemory::see(const std::vector<ThingOnTable>& things) {
+void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete) {
   std::vector<const ThingOnTable*> others;
   std::set<std::string> seen;
   for (const auto& x : things)
@@ -108,7 +108,7 @@ void TableMemory::see(const std::vector<ThingOnTable>& things) {
     };
     const auto nearest = std::ranges::min_element(others, {}, gap);
     if (nearest == others.end() || std::isinf(gap(*nearest)))
-      return !is_loaded;
+      return is_complete && !is_loaded;
     if (is_loaded)
       x.seen.id = (*nearest)->id;
     else
@@ -292,6 +292,13 @@ void TableMemory::taken(const std::string& name) {
     x->is_held = true;
     x->on.clear();
   }
+}
+
+void TableMemory::holds(std::string_view id) {
+  for (auto& x : things_)
+    x.is_held = x.is_held && x.seen.id == id;
+  if (const auto* x = with_id(id); x != nullptr && !x->is_held)
+    taken(x->name);
 }
 
 void TableMemory::released() {

@@ -3,6 +3,7 @@
 #include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/tabletop/types.hpp"
 
 #include <cstddef>
 #include <map>
@@ -54,7 +55,16 @@ public:
 
   /// All that is seen now. What is not seen any more, and is neither held nor on another thing, is
   /// taken for something new that looks like it, or is forgotten.
-  void see(const std::vector<ThingOnTable>& things);
+  /// @param is_complete false while others do not know yet all that vision sees: nothing is
+  /// forgotten then
+  void see(const std::vector<ThingOnTable>& things, bool is_complete = true);
+
+  // -- for a successor
+
+  RememberedTable remembered() const;
+  /// Knows what a predecessor did, and nothing else. What refers to something that is not in it is
+  /// left out.
+  void recall(const RememberedTable& x);
 
   // -- what is asked for
 
@@ -87,6 +97,9 @@ public:
   void moved(const std::string& name, const std::string& waypoint, const std::string& id,
              spatial::GroundPoint place);
   void taken(const std::string& name);
+  /// The thing that was seen as that SceneObject is in the gripper, whoever has taken it; nothing
+  /// else is.
+  void holds(std::string_view id);
   /// Nothing is held any more, wherever it is.
   void released();
   void pushed(const std::string& name);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "castor/communication/types.hpp"
+#include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/wm/values/reflect.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 /// Entry types of requests about things on a table.
 namespace castor::planning {
@@ -35,8 +38,70 @@ struct TableProblem {
 
 inline constexpr const char* table_problem = "table problem";
 
+/// A colour, a shape or a size.
+struct RememberedQuality {
+  std::string kind;
+  std::string value;
+
+  friend bool operator==(const RememberedQuality&, const RememberedQuality&) = default;
+};
+
+/// A thing as it was seen last; metres, in the table's frame.
+struct RememberedThing {
+  std::string name;
+  /// Of its SceneObject and of its proxy.
+  std::string id;
+  std::string proxy;
+  std::vector<RememberedQuality> qualities;
+  spatial::GroundPoint place;
+  double radius = 0;
+  std::string waypoint;
+  std::string waypoint_before;
+  bool is_held = false;
+  /// Name of the thing that it stands on; empty for the table.
+  std::string on;
+
+  friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
+};
+
+struct RememberedWaypoint {
+  std::string name;
+  spatial::GroundPoint place;
+
+  friend bool operator==(const RememberedWaypoint&, const RememberedWaypoint&) = default;
+};
+
+/// A waypoint that a plan has chosen, and where nothing is yet.
+struct RememberedChoice {
+  std::string waypoint;
+  std::vector<spatial::WantedPlace> wanted;
+
+  friend bool operator==(const RememberedChoice&, const RememberedChoice&) = default;
+};
+
+/// Entry: what a TableExecutor knows of the table that is not to be seen, so that its successor
+/// knows it too. Its id is `remembered_table`.
+struct RememberedTable {
+  std::vector<RememberedThing> things;
+  std::vector<RememberedWaypoint> waypoints;
+  std::vector<RememberedChoice> chosen;
+  /// Facts of the goal that nobody sees.
+  std::vector<std::string> done;
+  std::uint64_t next_waypoint = 1;
+
+  friend bool operator==(const RememberedTable&, const RememberedTable&) = default;
+};
+
+inline constexpr const char* remembered_table = "remembered table";
+
 CASTOR_REFLECT(TableProblem, reason)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result)
+CASTOR_REFLECT(RememberedQuality, kind, value)
+CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, waypoint,
+               waypoint_before, is_held, on)
+CASTOR_REFLECT(RememberedWaypoint, name, place)
+CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
+CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)
 
 } // namespace castor::planning

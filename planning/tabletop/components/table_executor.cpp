@@ -51,6 +51,8 @@ class TableExecutor final : public ManagedComponent {
   }
 
   void start() override {
+    if (const auto entry = here(remembered_table); exists(entry))
+      memory_.recall(*read<RememberedTable>(entry));
     on_call<StateRequest>([this](const StateRequest& request) {
       see();
       return memory_.state(request.goal, places(parts_in(request.goal)));
@@ -58,6 +60,7 @@ class TableExecutor final : public ManagedComponent {
     on_call<TableGoalRequest>([this](const TableGoalRequest& request) { return goal(request); });
     on_action<PlannedAction>([this](ActionInProgress& action, const PlannedAction& step) {
       auto result = act(action, step);
+      remember();
       if (result.outcome == ActionOutcome::failed)
         put(here(table_problem), TableProblem{result.reason});
       return result;
@@ -68,7 +71,10 @@ class TableExecutor final : public ManagedComponent {
 
   /// Looks at what vision, binding and spatial know now.
   void see() {
-    if (!is_holding())
+    const auto told = read_all_in<manipulation::Manipulation>(manipulation_, 1);
+    if (!told.empty() && !told.front()->holds.empty())
+      memory_.holds(told.front()->held.address.id);
+    else if (!told.empty())
       memory_.released();
     locations_.clear();
     for (const auto& x : read_all_in<SpatialLocation>(spatial_))
@@ -77,12 +83,20 @@ class TableExecutor final : public ManagedComponent {
     for (const auto& x : read_all_in<BindingProxy>(binding_))
       if (auto thing = thing_of(x.address.id, *x))
         things.push_back(std::move(*thing));
-    memory_.see(things);
+    const bool is_complete = is_up_to_date();
+    if (is_complete)
+      up_to_date_ = now();
+    memory_.see(things, is_complete || now() - up_to_date_ > forget_.get());
+    remember();
   }
 
-  bool is_holding() {
-    const auto told = read_all_in<manipulation::Manipulation>(manipulation_, 1);
-    return !told.empty() && !told.front()->holds.empty();
+  /// For a successor.
+  void remember() {
+    auto known = memory_.remembered();
+    if (remembered_ == known)
+      return;
+    put(here(remembered_table), known);
+    remembered_ = std::move(known);
   }
 
   /// Nothing for proxies of something else, such as places.
@@ -172,8 +186,10 @@ class TableExecutor final : public ManagedComponent {
     if (goal.wish != TableWish::goal)
       return {goal.words, {}, {}, {}};
     auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};
-    if (request.begins)
+    if (request.begins) {
+      remember();
       put(here(table_problem), TableProblem{});
+    }
     return {{}, std::move(reached), std::move(goal.words), std::move(goal.result)};
   }
 
@@ -244,10 +260,8 @@ class TableExecutor final : public ManagedComponent {
     for (const auto& x : result.became_true)
       if (x.starts_with(seen))
         id = x.substr(x.rfind('/') + 1);
-    result = settled(action, std::move(result));
     memory_.moved(name, waypoint, id, place_of(id, targets.front()));
-    see();
-    return result;
+    return settled(action, std::move(result));
   }
 
   /// Where it is seen, or was to be put.
@@ -358,7 +372,15 @@ class TableExecutor final : public ManagedComponent {
   Option<std::chrono::milliseconds> safe_end_{this, "safe-end", 10s,
                                               "how long it waits for a cancelled action to end"};
 
+  Option<std::chrono::milliseconds> forget_{
+    this, "forget", 30s,
+    "things that are not seen are kept for so long while others do not know all that vision sees"};
+
   TableMemory memory_{"robot"};
+  /// As it was written last.
+  RememberedTable remembered_;
+  /// When others knew all that vision sees.
+  Timestamp up_to_date_{0};
   /// Locations by SceneObjects.
   std::map<std::string, std::string> locations_;
 };

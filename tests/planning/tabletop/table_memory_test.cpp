@@ -127,6 +127,56 @@ TEST_F(TableMemoryTest, WhatIsHeldIsKeptUntilItIsLost) {
   EXPECT_EQ(memory.thing("p1"), nullptr);
 }
 
+TEST_F(TableMemoryTest, WhatAnybodyHasTakenIsHeld) {
+  memory.holds("o1");
+  memory.see({box});
+  EXPECT_THAT(facts(), Contains("(= (pos p1) hand)"));
+  EXPECT_EQ(memory.thing("p1")->waypoint_before, "place-1");
+  // The gripper holds something that is not known.
+  memory.holds("");
+  EXPECT_FALSE(memory.thing("p1")->is_held);
+}
+
+TEST_F(TableMemoryTest, NothingIsForgottenWhileNotAllIsKnownThatIsSeen) {
+  memory.see({box}, false);
+  EXPECT_NE(memory.thing("p1"), nullptr);
+  memory.see({box, seen_as(ball, "o7", {0.2, 0.1})}, false);
+  EXPECT_EQ(memory.thing("p1")->seen.id, "o7");
+  memory.see({box});
+  EXPECT_EQ(memory.thing("p1"), nullptr);
+}
+
+TEST_F(TableMemoryTest, ASuccessorKnowsWhatItKnew) {
+  const auto place = new_place(2);
+  memory.choose("reposition-on", {place, "p2"});
+  memory.moved("p1", place, {}, box.place);
+  memory.pushed("p2");
+  memory.choose("reposition-right", {"place-9", "p2"});
+  memory.taken("p2");
+  const auto before = memory.remembered();
+  TableMemory successor{"robot", {{"sphere", "ball"}}};
+  successor.recall(before);
+  EXPECT_EQ(successor.remembered(), before);
+  EXPECT_EQ(successor.state({}, {}).facts, facts());
+  EXPECT_EQ(successor.thing("p1")->on, "p2");
+  EXPECT_EQ(successor.thing("p1")->waypoint_before, "place-1");
+  EXPECT_TRUE(successor.thing("p2")->is_held);
+  EXPECT_EQ(successor.things({}).front().words, "the blue ball");
+  EXPECT_EQ(successor.chosen("place-9"), memory.chosen("place-9"));
+}
+
+TEST_F(TableMemoryTest, WhatRefersToNothingIsNotRecalled) {
+  auto damaged = memory.remembered();
+  damaged.things[0].on = "p9";
+  damaged.things[1].waypoint = "place-9";
+  memory.recall(damaged);
+  ASSERT_NE(memory.thing("p1"), nullptr);
+  EXPECT_EQ(memory.thing("p1")->on, "");
+  EXPECT_EQ(memory.thing("p2"), nullptr);
+  memory.see({ball, box});
+  EXPECT_NE(memory.thing("p2"), nullptr);
+}
+
 TEST_F(TableMemoryTest, ANewGoalForgetsWhatWasChosenAndDone) {
   const auto place = new_place();
   memory.choose("reposition-free", {place});

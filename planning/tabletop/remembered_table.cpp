@@ -1,0 +1,50 @@
+#include "castor/planning/tabletop/table_memory.hpp"
+
+#include <string>
+#include <utility>
+
+namespace castor::planning {
+
+RememberedTable TableMemory::remembered() const {
+  RememberedTable result;
+  for (const auto& x : things_) {
+    RememberedThing thing{x.name,   x.seen.id,         x.seen.proxy, {}, x.seen.place, x.seen.radius,
+                          x.waypoint, x.waypoint_before, x.is_held,    x.on};
+    for (const auto& [kind, value] : x.seen.qualities)
+      thing.qualities.push_back({kind, value});
+    result.things.push_back(std::move(thing));
+  }
+  for (const auto& [name, place] : waypoints_)
+    result.waypoints.push_back({name, place});
+  for (const auto& [waypoint, wanted] : chosen_)
+    result.chosen.push_back({waypoint, wanted});
+  result.done.assign(done_.begin(), done_.end());
+  result.next_waypoint = next_waypoint_;
+  return result;
+}
+
+void TableMemory::recall(const RememberedTable& x) {
+  things_.clear();
+  waypoints_.clear();
+  chosen_.clear();
+  done_ = {x.done.begin(), x.done.end()};
+  next_waypoint_ = x.next_waypoint;
+  for (const auto& waypoint : x.waypoints)
+    waypoints_[waypoint.name] = waypoint.place;
+  for (const auto& choice : x.chosen)
+    chosen_[choice.waypoint] = choice.wanted;
+  for (const auto& thing : x.things) {
+    if (!waypoints_.contains(thing.waypoint))
+      continue;
+    ThingOnTable seen{thing.id, thing.proxy, {}, thing.place, thing.radius};
+    for (const auto& quality : thing.qualities)
+      seen.qualities.emplace(quality.kind, quality.value);
+    things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
+                       thing.is_held, thing.on});
+  }
+  for (auto& y : things_)
+    if (thing(y.on) == nullptr)
+      y.on.clear();
+}
+
+} // namespace castor::planning
