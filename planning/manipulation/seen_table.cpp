@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace castor::manipulation {
@@ -99,6 +102,28 @@ const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing
         (!best || rank(y) < rank(*best)))
       best = &y;
   return best;
+}
+
+std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width) {
+  // For the fingers, metres.
+  constexpr double gap = 0.04;
+  std::vector<std::pair<double, Point3>> found;
+  for (const double distance : {0.28, 0.32, 0.36, 0.40, 0.44})
+    for (const double degrees : {0.0, -12.0, 12.0, -24.0, 24.0}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const Point3 place{distance * std::cos(angle), distance * std::sin(angle), 0};
+      double room = std::numeric_limits<double>::infinity();
+      for (const auto& x : things)
+        room = std::min(room, distance_on_table(x.thing.pose.position, place) -
+                                outer_radius(x.thing.solid) - width / 2);
+      if (room >= gap)
+        found.emplace_back(room, place);
+    }
+  std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, Point3>::first);
+  std::vector<Point3> result;
+  for (const auto& x : found)
+    result.push_back(x.second);
+  return result;
 }
 
 double distance_on_table(const Point3& a, const Point3& b) {

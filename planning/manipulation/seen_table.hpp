@@ -44,6 +44,11 @@ Scene scene_of(const std::vector<SeenThing>& things);
 const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing& x,
                            const Point3& place, double within);
 
+/// Places of the table before an arm, in its frame, where a thing has room between those that are
+/// seen; the one with the most room first.
+/// @param width of the thing, metres
+std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width);
+
 /// Horizontal distance, metres.
 double distance_on_table(const Point3& a, const Point3& b);
 

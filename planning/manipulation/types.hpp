@@ -3,6 +3,7 @@
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/mapping/geometry/types.hpp"
 #include "castor/perception/vision/types.hpp"
+#include "castor/planning/manipulation/solid.hpp"
 #include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
@@ -112,12 +113,28 @@ struct Manipulation {
   EntryPointer<vision::SceneObject> seen;
   /// Description of what the gripper holds: "the blue sphere"; empty if it holds nothing.
   std::string holds;
+  /// The same thing as it was seen before it was taken; unset if that is not known.
+  EntryPointer<vision::SceneObject> held;
   /// Why it failed, was cancelled, or tried again.
   std::string reason;
   /// Numbers of this action: motions planned, grasps that were tried, and time spent on planning.
   std::int64_t plans = 0;
   std::int64_t tries = 0;
   double planning_time = 0;
+};
+
+/// Entry: what an ArmExecutor has grasped, or is about to grasp, so that its successor knows what
+/// the gripper holds. Its id is the component's name and " holds".
+struct HeldThing {
+  EntryPointer<vision::SceneObject> what;
+  /// Description, and as vision names it.
+  std::string name;
+  std::string colour;
+  std::string shape;
+  Solid solid;
+  /// In the tool's frame.
+  geometry::Pose pose;
+  double uncertainty = 0;
 };
 
 CASTOR_REFLECT_ENUM(ManipulationPriority, normal, high)
@@ -132,8 +149,11 @@ CASTOR_REFLECT(PauseArm)
 CASTOR_REFLECT(ResumeArm)
 CASTOR_REFLECT_ENUM(ManipulationStatus, idle, looking, planning, moving, grasping, releasing,
                     pushing, paused, confirming, succeeded, failed, cancelled)
-CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, reason, plans, tries,
-               planning_time)
+CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, reason, plans,
+               tries, planning_time)
+CASTOR_REFLECT_ENUM(SolidKind, box, cylinder, capsule, sphere)
+CASTOR_REFLECT(Solid, kind, size)
+CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty)
 
 // -- the arm
 

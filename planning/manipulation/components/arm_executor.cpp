@@ -49,17 +49,38 @@ class ArmExecutor final : public ExecutesManipulation {
     take_seat();
     while (is_running() && !state())
       sleep_for(period());
-    // A predecessor may have left the arm in the picture, with something in the gripper.
-    if (is_running() && state()->holds)
-      take_over();
-    if (is_running() && !is_at_rest()) {
-      inhibit_vision();
-      begin("go home", EntryPointer<vision::SceneObject>{Address{vision(), held_thing_.id}});
-      finish(withdraw());
-    }
+    if (is_running())
+      resume();
     while (is_running())
       wait_for_changes();
     leave_seat();
+  }
+
+  /// A predecessor may have left the arm in the picture, with something in the gripper.
+  void resume() {
+    const bool is_known = !state()->holds || take_over();
+    if (is_at_rest() && is_known)
+      return tell(ManipulationStatus::idle, "rests");
+    inhibit_vision();
+    begin(is_known ? "go home" : "put down " + held_->name, {});
+    finish(is_known ? withdraw() : put_down_anywhere());
+  }
+
+  /// What nobody knows, where it stands by itself: there vision sees what it is.
+  ActionResult put_down_anywhere() {
+    if (auto end = look())
+      return *end;
+    for (const auto& x : free_places(things_, held_->solid.size.x)) {
+      const auto plan = planned([&] {
+        return planner_->place(scene(), {x, 0, "the table", "a free place"}, state()->positions);
+      });
+      if (!plan)
+        continue;
+      const auto carried = carry_out_all(*plan);
+      return carried.is_done ? ActionResult::succeeded()
+                             : carried.end.value_or(ActionResult::failed(told_.reason));
+    }
+    return ActionResult::failed("there is no free place for " + held_->name);
   }
 
   // -- actions
@@ -280,7 +301,7 @@ class ArmExecutor final : public ExecutesManipulation {
   }
 
   ActionResult succeeded_at(const SeenThing& seen) {
-    told_.seen = EntryPointer<vision::SceneObject>{Address{vision(), seen.id}};
+    told_.seen = seen_as(seen.id);
     return ActionResult::succeeded({"seen " + vision() + '/' + seen.id});
   }
 

@@ -39,13 +39,11 @@ protected:
     told_ = {};
     told_.task = task;
     told_.what = what;
-    told_.holds = held_ ? held_->name : std::string{};
     tell(ManipulationStatus::looking, "looks at the table");
   }
 
   ActionResult finish(ActionResult result) {
     told_.reason = result.reason;
-    told_.holds = held_ ? held_->name : std::string{};
     tell(result.outcome == ActionOutcome::succeeded   ? ManipulationStatus::succeeded
          : result.outcome == ActionOutcome::cancelled ? ManipulationStatus::cancelled
                                                       : ManipulationStatus::failed,
@@ -57,7 +55,44 @@ protected:
     told_.status = status;
     told_.step = step;
     told_.time = now().count();
+    told_.holds = held_ ? held_->name : std::string{};
+    told_.held = {};
+    if (held_ && !held_thing_.id.empty())
+      told_.held = seen_as(held_thing_.id);
     put(here(component_name()), told_);
+    if (held_)
+      remember(*held_);
+    else if (exists(held_entry()))
+      delete_entry(held_entry());
+  }
+
+  EntryPointer<vision::SceneObject> seen_as(const std::string& id) const {
+    return EntryPointer<vision::SceneObject>{Address{vision(), id}};
+  }
+
+  // -- for a successor
+
+  Address held_entry() const { return here(component_name() + " holds"); }
+
+  void remember(const NamedSolid& thing) {
+    const auto& x = held_thing_;
+    put(held_entry(), HeldThing{seen_as(x.id), thing.name, x.colour, x.shape, thing.solid,
+                                thing.pose, thing.uncertainty});
+  }
+
+  /// What a predecessor has taken is in the gripper. False if it did not say what that is.
+  bool take_over() {
+    if (!exists(held_entry())) {
+      // So large that it does not press on the table where it is put down.
+      held_ = {"the thing in the gripper", sphere(arm().gripper->widest), {{}, {}, "tool"}};
+      const auto unknown = vision::Hypothesis{}.value;
+      held_thing_ = {{}, unknown, unknown, *held_};
+      return false;
+    }
+    const auto before = read<HeldThing>(held_entry());
+    held_ = {before->name, before->solid, before->pose, before->uncertainty};
+    held_thing_ = {before->what.address.id, before->colour, before->shape, *held_};
+    return true;
   }
 
   // -- looking
@@ -136,6 +171,8 @@ protected:
       if (action_)
         action_->progress(done++ / static_cast<double>(plan.stages.size() + 1));
       tell(stage.status, stage.text);
+      if (stage.takes)
+        remember(*stage.takes);
       auto end = carry_out(
         stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
       note_changes(stage, plan);
@@ -157,28 +194,6 @@ protected:
       held_ = stage.takes;
       std::erase_if(things_, [&](const auto& x) { return x.thing.name == held_->name; });
     }
-  }
-
-  /// What a predecessor has taken is in the gripper: it has said what that is, and vision may still
-  /// know of what size.
-  void take_over() {
-    NamedSolid thing{"the thing in the gripper", sphere(unknown_thing), {{}, {}, "tool"}};
-    held_thing_ = {{}, vision::Hypothesis{}.value, vision::Hypothesis{}.value, thing};
-    if (const auto entry = here(component_name()); exists(entry)) {
-      const auto before = read<Manipulation>(entry);
-      held_thing_.id = before->what.address.id;
-      if (!before->holds.empty())
-        thing.name = before->holds;
-      for (const auto& x : look_at_table(placement()))
-        if (x.id == held_thing_.id) {
-          const auto& size = x.thing.solid.size;
-          held_thing_ = x;
-          thing.name = x.thing.name;
-          // However it is turned.
-          thing.solid = sphere(std::max({size.x, size.y, size.z}));
-        }
-    }
-    held_ = thing;
   }
 
   /// Goes where the arm rests.
@@ -226,9 +241,6 @@ protected:
 
   ArmActionQueue queue_;
   bool is_paused_ = false;
-  /// Diameter of a thing that a predecessor has taken, metres.
-  static constexpr double unknown_thing = 0.06;
-
   std::optional<ManipulationPlanner> planner_;
   /// The one that runs, or null.
   ActionInProgress* action_ = nullptr;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace castor::manipulation {
 
 namespace {
@@ -52,6 +54,26 @@ TEST(SeenTable, ThingsWithoutAPlaceAreLeftOut) {
   entries.objects["1"] = object("red", "cube", 0.1, 0);
   entries.objects["1"].box = {};
   EXPECT_TRUE(seen_things(entries, before_the_table).empty());
+}
+
+TEST(SeenTable, FreePlacesAreAwayFromWhatIsSeen) {
+  const auto all = free_places({}, 0.1);
+  ASSERT_FALSE(all.empty());
+  SeenEntries entries;
+  entries.objects["1"] = object("red", "cube", 0.1, 0);
+  entries.objects["2"] = object("blue", "cube", -0.05, 0.05);
+  const auto things = seen_things(entries, before_the_table);
+  const auto free = free_places(things, 0.1);
+  ASSERT_FALSE(free.empty());
+  EXPECT_LT(free.size(), all.size());
+  for (const auto& place : free)
+    for (const auto& x : things)
+      EXPECT_GT(distance_on_table(place, x.thing.pose.position), 0.1 / 2 + 0.025 + 0.04);
+  const auto nearest = [&](const Point3& place) {
+    return std::min(distance_on_table(place, things[0].thing.pose.position),
+                    distance_on_table(place, things[1].thing.pose.position));
+  };
+  EXPECT_GT(nearest(free.front()), nearest(free.back()));
 }
 
 TEST(SeenTable, FindsTheNearestOfThatColourAndRatherOfThatShape) {
