@@ -38,7 +38,8 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
         objects_[id.substr(object_prefix.size())];
     for (auto& x : read_all<SceneObject>())
       objects_[x.address.id];
-    for (auto& [id, place] : objects_)
+    // A copy: those that are not there any more are forgotten.
+    for (const auto& [id, place] : std::map(objects_))
       look(here(id));
     publish();
   }
