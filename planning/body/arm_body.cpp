@@ -104,7 +104,13 @@ void ArmBody::step() {
   move_joints(seconds);
   if (goes_on())
     move_fingers(seconds);
+  uncommanded_ = is_still() || time() < commanded_until_ ? 0 : uncommanded_ + seconds;
+  longest_uncommanded_ = std::max(longest_uncommanded_, uncommanded_);
   ++steps_;
+}
+
+bool ArmBody::is_still() const {
+  return std::ranges::all_of(speeds_, [](double x) { return std::abs(x) < rest_speed; });
 }
 
 void ArmBody::move_joints(double seconds) {
@@ -280,10 +286,8 @@ ArmState ArmBody::state() const {
   result.holds = world_.held() != nullptr;
   result.motion = motion_;
   result.motion_time = reference_.time();
-  const bool is_still =
-    std::ranges::all_of(speeds_, [](double x) { return std::abs(x) < rest_speed; });
   const bool fingers_rest = opening_ == wanted_opening_ || world_.held() || !goes_on();
-  result.rests = is_still && fingers_rest;
+  result.rests = is_still() && fingers_rest;
   result.fault = fault_;
   return result;
 }
@@ -298,6 +302,7 @@ ArmStatus ArmBody::status() const {
   result.missed = missed_;
   result.dropped = dropped_;
   result.moved = moved_;
+  result.uncommanded = longest_uncommanded_;
   return result;
 }
 

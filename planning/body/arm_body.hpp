@@ -96,6 +96,7 @@ public:
 
 private:
   bool goes_on() const;
+  bool is_still() const;
   void move_joints(double seconds);
   void move_fingers(double seconds);
   /// Moves things that the gripper pushes there. Returns what it touches all the same.
@@ -133,6 +134,9 @@ private:
   std::int64_t missed_ = 0;
   std::int64_t dropped_ = 0;
   double moved_ = 0;
+  /// Seconds since the last command expired, while joints still move; and most of that so far.
+  double uncommanded_ = 0;
+  double longest_uncommanded_ = 0;
   std::uint64_t changes_ = 1;
   /// Made anew when the scene or the opening has changed.
   std::optional<CollisionChecker> checker_;

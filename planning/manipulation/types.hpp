@@ -221,12 +221,14 @@ struct ArmStatus {
   std::int64_t dropped = 0;
   /// Way of the joints so far, radians.
   double moved = 0;
+  /// Longest time so far that joints moved after the last command had expired, seconds.
+  double uncommanded = 0;
 };
 
 CASTOR_REFLECT(ArmSeat, commander)
 CASTOR_REFLECT(ArmCommand, motion, begin, interval, positions, opening, pushes)
 CASTOR_REFLECT(ArmState, time, positions, speeds, opening, holds, motion, motion_time, rests, fault)
 CASTOR_REFLECT(TrueThing, name, pose, support)
-CASTOR_REFLECT(ArmStatus, time, things, collisions, collision, missed, dropped, moved)
+CASTOR_REFLECT(ArmStatus, time, things, collisions, collision, missed, dropped, moved, uncommanded)
 
 } // namespace castor::manipulation

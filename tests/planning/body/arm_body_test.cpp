@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -76,6 +77,7 @@ TEST(ArmBody, ComesToRestOnItsMotionWhenCommandsStop) {
       ++steps;
     }
     EXPECT_LE(steps, 30 + 80 + 20) << "after " << after << " steps";
+    EXPECT_NEAR(body.status().uncommanded, std::max(0, steps - 30) * 0.01, 0.02);
     const auto wanted = stage.trajectory.at(body.state().motion_time).positions;
     EXPECT_LT(distance(wanted, body.configuration()), 0.01);
   }
