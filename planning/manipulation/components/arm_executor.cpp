@@ -26,14 +26,6 @@ class ArmExecutor final : public ExecutesManipulation {
     const auto anything =
       added<Action>().anywhere().where(field(&Action::subarchitecture) == subarchitecture());
     on_change(anything, [this](const ChangeEvent& event) { queue_.arrive(event.address); });
-    execute<PickAndPlace>("the thing is in reach, and so is a free place for it",
-                          [this](auto& x) { return pick_and_place(x); });
-    execute<Pick>("the thing is in reach, and the gripper is empty",
-                  [this](auto& x) { return pick(x); });
-    execute<Place>("the gripper holds something", [this](auto& x) { return place(x); });
-    execute<PushAside>("there is room beside the thing, in reach",
-                       [this](auto& x) { return push_aside(x); });
-    execute<GoHome>({}, [this](auto&) { return go_home(); });
     at_once<StopArm>(true, [this] {
       queue_.stop();
       halt();
@@ -45,20 +37,49 @@ class ArmExecutor final : public ExecutesManipulation {
     at_once<ResumeArm>(false, [this] { is_paused_ = false; });
   }
 
+  /// When it is known what a predecessor has left.
+  void offer_actions() {
+    execute<PickAndPlace>("the thing is in reach, and so is a free place for it",
+                          [this](auto& x) { return pick_and_place(x); });
+    execute<Pick>("the thing is in reach, and the gripper is empty",
+                  [this](auto& x) { return pick(x); });
+    execute<Place>("the gripper holds something", [this](auto& x) { return place(x); });
+    execute<PushAside>("there is room beside the thing, in reach",
+                       [this](auto& x) { return push_aside(x); });
+    execute<GoHome>({}, [this](auto&) { return go_home(); });
+  }
+
   void run() override {
     take_seat();
-    while (is_running() && !state())
+    const auto given_up = now() + arm_within_.get();
+    while (is_running() && !state() && now() < given_up)
       sleep_for(period());
-    if (is_running())
+    if (state())
       resume();
-    while (is_running())
-      wait_for_changes();
+    offer_actions();
+    while (is_running()) {
+      if (state() && !is_resumed_)
+        resume();
+      if (is_resumed_)
+        wait_for_changes();
+      else
+        wait_for_changes(look_for_arm);
+    }
     leave_seat();
   }
 
   /// A predecessor may have left the arm in the picture, with something in the gripper.
   void resume() {
+    is_resumed_ = is_resuming_ = true;
+    resume_at_rest();
+    is_resuming_ = false;
+  }
+
+  void resume_at_rest() {
     const bool is_known = !state()->holds || take_over();
+    // As they were before the arm came into the picture.
+    things_ = look_at_table(placement());
+    std::erase_if(things_, [&](const auto& x) { return held_ && x.id == held_thing_.id; });
     if (is_at_rest() && is_known)
       return tell(ManipulationStatus::idle, "rests");
     inhibit_vision();
@@ -94,6 +115,8 @@ class ArmExecutor final : public ExecutesManipulation {
       [this, handler](ActionInProgress& action, const T& what) {
         if (!queue_.begin(action.address()))
           return ActionResult::cancelled("the arm was stopped");
+        if (is_resuming_)
+          return ActionResult::failed("the arm has been down, and has to go home first");
         action_ = &action;
         auto result = handler(what);
         action_ = nullptr;
@@ -305,9 +328,17 @@ class ArmExecutor final : public ExecutesManipulation {
     return ActionResult::succeeded({"seen " + vision() + '/' + seen.id});
   }
 
+  static constexpr auto look_for_arm = 500ms;
+
+  Option<std::chrono::milliseconds> arm_within_{
+    this, "arm-within", 10s, "it fails what it is asked for if the arm has not told for so long"};
   Option<int> tries_{this, "tries", 3, "how often an action is tried"};
   Option<double> near_{this, "near", 0.035,
                        "a thing that is seen so near to its place is there, metres"};
+
+  /// What a predecessor has left was dealt with, or is dealt with just now.
+  bool is_resumed_ = false;
+  bool is_resuming_ = false;
 };
 
 CASTOR_COMPONENT(ArmExecutor, "moves an arm: takes things, puts them down, pushes them aside")
