@@ -94,9 +94,34 @@ struct RememberedTable {
 
 inline constexpr const char* remembered_table = "remembered table";
 
+/// A step of what somebody has asked for.
+struct RequestedStep {
+  EntryPointer<communication::DialogueMove> move;
+  communication::DirectiveStep what;
+
+  friend bool operator==(const RequestedStep&, const RequestedStep&) = default;
+};
+
+/// Entry: the steps that a TableMotives has to see to, so that its successor does. Its id is
+/// `requested_steps`.
+struct RequestedSteps {
+  std::vector<RequestedStep> waiting;
+  /// The step that is done now, its motive, and what to say when it is done. Without an id there is
+  /// none.
+  RequestedStep current;
+  Address motive;
+  std::string result;
+
+  friend bool operator==(const RequestedSteps&, const RequestedSteps&) = default;
+};
+
+inline constexpr const char* requested_steps = "requested steps";
+
 CASTOR_REFLECT(TableProblem, reason)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result)
+CASTOR_REFLECT(RequestedStep, move, what)
+CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, waypoint,
                waypoint_before, is_held, on)

@@ -18,20 +18,35 @@ namespace {
 using namespace std::chrono_literals;
 using communication::DialogueMove;
 using communication::DialogueMoveType;
-using communication::DirectiveStep;
 using communication::MoveReferents;
 
 /// Makes a motive of each step of what people ask to do with things on a table, when the one before
 /// is done. Stops, pauses and resumes the arm at once.
 class TableMotives final : public HearsRequests {
-  struct Step {
-    EntryPointer<DialogueMove> move;
-    DirectiveStep what;
-  };
-
   void start() override {
+    resume();
     on_change(overwritten<Motive>(), [](const ChangeEvent&) {});
     follow_requests();
+  }
+
+  /// A predecessor may have left steps, one of them under way.
+  void resume() {
+    const auto entry = here(requested_steps);
+    if (!exists(entry))
+      return;
+    known_ = told_ = *read<RequestedSteps>(entry);
+    if (!known_.motive.id.empty() && !exists(known_.motive)) {
+      known_.waiting.insert(known_.waiting.begin(), known_.current);
+      known_.motive = {};
+    }
+  }
+
+  /// For a successor.
+  void remember() {
+    if (known_ == told_)
+      return;
+    put(here(requested_steps), known_);
+    told_ = known_;
   }
 
   void arrived(const Address& referents) override { arrived_.push_back(referents); }
@@ -44,6 +59,7 @@ class TableMotives final : public HearsRequests {
         hear(address);
       }
       go_on();
+      remember();
       wait_for_changes();
     }
   }
@@ -80,18 +96,20 @@ class TableMotives final : public HearsRequests {
       else if (x.action == "GoOn")
         command(referents.move, manipulation::ResumeArm{}, "I go on.");
       else
-        steps_.push_back({referents.move, x});
+        known_.waiting.push_back({referents.move, x});
+    remember();
   }
 
   void end(const EntryPointer<DialogueMove>& move) {
-    steps_.clear();
-    if (!motive_.id.empty())
+    known_.waiting.clear();
+    if (!known_.motive.id.empty())
       try {
-        delete_entry(motive_);
+        delete_entry(known_.motive);
       } catch (const DoesNotExistOnWM& e) {
         debug("{}", e.what());
       }
-    motive_ = {};
+    known_.motive = {};
+    remember();
     command(move, manipulation::StopArm{}, "I have stopped.");
   }
 
@@ -110,30 +128,37 @@ class TableMotives final : public HearsRequests {
   /// The next step, when the one before is done. What comes after one that is not done is not done
   /// either.
   void go_on() {
-    if (!motive_.id.empty())
+    const auto& move = known_.current.move;
+    if (!known_.motive.id.empty())
       try {
-        const auto motive = read<Motive>(motive_);
+        const auto motive = read<Motive>(known_.motive);
         if (motive->status == MotiveStatus::completed) {
           const bool was_so = !motive->history.back().why.empty();
-          reply(step_.move, was_so ? MotiveReply::already_so : MotiveReply::done,
-                was_so ? "It is so already." : result_);
+          reply(move, was_so ? MotiveReply::already_so : MotiveReply::done,
+                was_so ? "It is so already." : known_.result);
         } else if (motive->status == MotiveStatus::rejected ||
                    motive->status == MotiveStatus::dropped) {
-          reply(step_.move, MotiveReply::impossible, explained(motive->words, problem(*motive)));
-          std::erase_if(steps_,
-                        [&](const Step& x) { return x.move.address == step_.move.address; });
+          reply(move, MotiveReply::impossible, explained(motive->words, problem(*motive)));
+          drop_steps_of(move);
         } else {
           return;
         }
       } catch (const DoesNotExistOnWM& e) {
         debug("{}", e.what());
+        reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
+        drop_steps_of(move);
       }
-    motive_ = {};
-    while (motive_.id.empty() && !steps_.empty()) {
-      step_ = std::move(steps_.front());
-      steps_.pop_front();
-      begin(step_);
+    known_.motive = {};
+    while (known_.motive.id.empty() && !known_.waiting.empty()) {
+      known_.current = std::move(known_.waiting.front());
+      known_.waiting.erase(known_.waiting.begin());
+      begin(known_.current);
     }
+  }
+
+  void drop_steps_of(const EntryPointer<DialogueMove>& move) {
+    std::erase_if(known_.waiting,
+                  [&](const RequestedStep& x) { return x.move.address == move.address; });
   }
 
   /// Why the last step of a plan failed, or there was no plan.
@@ -147,7 +172,7 @@ class TableMotives final : public HearsRequests {
     return motive.history.back().why;
   }
 
-  void begin(const Step& step) {
+  void begin(const RequestedStep& step) {
     auto asked = goal_of({step.what, true});
     if (!asked.refusal.empty())
       return reply(step.move, MotiveReply::impossible, asked.refusal);
@@ -155,13 +180,16 @@ class TableMotives final : public HearsRequests {
     motive.kind = "table";
     motive.goal = std::move(asked.goal);
     motive.words = std::move(asked.words);
-    result_ = std::move(asked.result);
+    known_.result = std::move(asked.result);
     motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
     // Who asked is told here, by what is seen, so that nobody is named as the asker.
     motive.cause = step.move;
     motive.resources = {"arm"};
     reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.');
-    motive_ = add(std::move(motive));
+    known_.motive = here(new_id());
+    // First, so that a successor knows what it is for.
+    remember();
+    add(known_.motive, std::move(motive));
   }
 
   Option<SubarchitectureName> table_{this, "table", "table",
@@ -172,11 +200,9 @@ class TableMotives final : public HearsRequests {
                                               "how long it waits for the arm and for a goal"};
 
   std::deque<Address> arrived_;
-  std::deque<Step> steps_;
-  /// The step that is done now, its motive, and what to say when it is done.
-  Step step_;
-  Address motive_;
-  std::string result_;
+  RequestedSteps known_;
+  /// As it was written last.
+  RequestedSteps told_;
 };
 
 CASTOR_COMPONENT(TableMotives, "makes motives of what people ask to do with things on a table")
