@@ -37,6 +37,8 @@ struct Told {
   /// How far the joints have gone after they had stopped, radians.
   double went_on = 0;
   ArmStatus truth;
+  /// Where vision sees it in the end.
+  geometry::Point3 seen;
   std::atomic<bool> is_over = false;
 };
 
@@ -140,12 +142,27 @@ class HomeGoer final : public Asks {
 };
 CASTOR_COMPONENT(HomeGoer, "sees the executor fail")
 
+class Taker final : public Asks {
+  void ask() override {
+    Pick pick;
+    pick.what = thing("blue");
+    told().first = perform("manipulation", pick).wait(120s);
+    told().is_over = true;
+    sleep_for(60s);
+    for (const auto& x : read_all_in<vision::SceneObject>("vision"))
+      if (x->colour.value == "blue")
+        told().seen = x->box.centroid;
+  }
+};
+CASTOR_COMPONENT(Taker, "holds a thing that is forgotten")
+
 class PlayMateWithArm : public testing::Test {
 protected:
   std::unique_ptr<TestSystem> system_with(const std::string& asker,
                                           std::map<std::string, std::string> variables = {}) {
     told().first = told().second = told().third = {};
     told().stopped = {};
+    told().seen = {};
     told().is_over = false;
     variables["arm"] = "true";
     auto options = playmate_options(std::move(variables));
@@ -243,6 +260,21 @@ TEST_F(PlayMateWithArm, ComesToRestWhenItsExecutorFailsAndIsTakenHome) {
   EXPECT_EQ(told().first.outcome, ActionOutcome::failed);
   EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
   EXPECT_TRUE(told().stopped.rests);
+}
+
+TEST_F(PlayMateWithArm, PutsDownWhereItSeesItWhatNobodyKnowsAnyMore) {
+  system_ = system_with("Taker");
+  system_->wait_until("the gripper holds the ball", [] { return told().is_over.load(); });
+  ASSERT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  told().is_over = false;
+  // Without a journal it comes back empty.
+  system_->inject("crash manipulation_wm");
+  system_->wait_until("a minute is over", [] { return told().is_over.load(); });
+  const auto ball = truth("the blue sphere");
+  EXPECT_EQ(ball.support, "the table");
+  EXPECT_NEAR(told().seen.x, ball.pose.position.x, 0.02);
+  EXPECT_NEAR(told().seen.y, ball.pose.position.y, 0.02);
+  EXPECT_EQ(told().truth.collisions, 0) << told().truth.collision;
 }
 
 } // namespace

@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::manipulation {
 
@@ -87,21 +90,35 @@ class ArmExecutor final : public ExecutesManipulation {
     finish(is_known ? withdraw() : put_down_anywhere());
   }
 
-  /// What nobody knows, where it stands by itself: there vision sees what it is.
+  /// Where there is room.
   ActionResult put_down_anywhere() {
     if (auto end = look())
       return *end;
-    for (const auto& x : free_places(things_, held_->solid.size.x)) {
-      const auto plan = planned([&] {
-        return planner_->place(scene(), {x, 0, "the table", "a free place"}, state()->positions);
-      });
-      if (!plan)
-        continue;
-      const auto carried = carry_out_all(*plan);
-      return carried.is_done ? ActionResult::succeeded()
-                             : carried.end.value_or(ActionResult::failed(told_.reason));
-    }
+    for (const auto& pose : poses_held())
+      for (const auto& x : free_places(things_, held_->solid.size.x)) {
+        held_->pose = pose;
+        const PlaceGoal goal{x, 0, "the table", "a free place"};
+        const auto plan =
+          planned([&] { return planner_->place(scene(), goal, state()->positions); });
+        if (!plan)
+          continue;
+        const auto carried = carry_out_all(*plan);
+        return carried.is_done ? ActionResult::succeeded()
+                               : carried.end.value_or(ActionResult::failed(told_.reason));
+      }
     return ActionResult::failed("there is no free place for " + held_->name);
+  }
+
+  /// How it may be held: of what nobody knows, in any way that it can be put down.
+  std::vector<Pose> poses_held() const {
+    if (!held_thing_.id.empty())
+      return {held_->pose};
+    std::vector<Pose> result;
+    for (const double degrees : {180.0, 150.0, 210.0, 120.0, 240.0}) {
+      const double half = degrees / 360 * std::numbers::pi;
+      result.push_back({{}, {std::cos(half), 0, std::sin(half), 0}, "tool"});
+    }
+    return result;
   }
 
   // -- actions
@@ -157,12 +174,24 @@ class ArmExecutor final : public ExecutesManipulation {
                  ? planner_->place(scene(), *goal, state()->positions)
                  : planner_->pick_and_place(scene(), thing.thing.name, *goal, state()->positions);
       });
+      if (!plan && holds)
+        return grasped_anew();
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
         return carried.end;
       return confirmed_at(thing, plan->goal, x.to);
     });
+  }
+
+  /// What is held in such a way that it cannot be put there is put down, to be tried again.
+  std::optional<ActionResult> grasped_anew() {
+    const auto reason = told_.reason;
+    const auto end = put_down_anywhere();
+    told_.reason = reason;
+    if (end.outcome == ActionOutcome::succeeded)
+      return std::nullopt;
+    return end.outcome == ActionOutcome::cancelled ? end : ActionResult::failed(reason);
   }
 
   ActionResult pick(const Pick& x) {

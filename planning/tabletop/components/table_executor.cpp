@@ -219,7 +219,9 @@ class TableExecutor final : public ManagedComponent {
     return ActionResult::failed("there is no step '" + step.name + "' for an arm");
   }
 
-  ActionResult take(ActionInProgress& action, const std::string& name,
+  // Names are copies: what is remembered may change while the arm moves.
+
+  ActionResult take(ActionInProgress& action, std::string name,
                     const EntryPointer<vision::SceneObject>& what) {
     auto result = done(action, manipulation::Pick{what});
     if (result.outcome == ActionOutcome::succeeded)
@@ -227,7 +229,7 @@ class TableExecutor final : public ManagedComponent {
     return settled(action, std::move(result));
   }
 
-  ActionResult push(ActionInProgress& action, const std::string& name,
+  ActionResult push(ActionInProgress& action, std::string name,
                     const EntryPointer<vision::SceneObject>& what) {
     manipulation::PushAside push;
     push.what = what;
