@@ -24,14 +24,18 @@ namespace {
 class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   void start() override {
     on_change(added<MoveReferents>(), [this](const ChangeEvent& event) { look(event.address); });
+    if (!motivation_->empty())
+      on_change(added<planning::MotiveAcknowledgement>().in(motivation_),
+                [this](const ChangeEvent& event) { tell(event.address); });
+  }
+
+  void run() override {
+    // What a predecessor did not get to. Binding, which is asked, may be started after this.
     for (auto& x : read_all<MoveReferents>())
       look(x.address);
-    if (motivation_->empty())
-      return;
-    on_change(added<planning::MotiveAcknowledgement>().in(motivation_),
-              [this](const ChangeEvent& event) { tell(event.address); });
-    for (auto& x : read_all_in<planning::MotiveAcknowledgement>(motivation_))
-      tell(x.address);
+    if (!motivation_->empty())
+      for (auto& x : read_all_in<planning::MotiveAcknowledgement>(motivation_))
+        tell(x.address);
   }
 
   /// What becomes of a request, as who decides on that says.
