@@ -8,8 +8,8 @@ namespace castor::planning {
 RememberedTable TableMemory::remembered() const {
   RememberedTable result;
   for (const auto& x : things_) {
-    RememberedThing thing{x.name,   x.seen.id,         x.seen.proxy, {}, x.seen.place, x.seen.radius,
-                          x.waypoint, x.waypoint_before, x.is_held,    x.on};
+    RememberedThing thing{x.name,        x.seen.id,  x.seen.proxy,      {},        x.seen.place,
+                          x.seen.radius, x.waypoint, x.waypoint_before, x.is_held, x.on};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));

@@ -206,10 +206,10 @@ StateReply TableMemory::state(std::string_view goal,
   for (const auto& x : things_)
     tell_thing(x, result);
   for (const auto& [name, place] : waypoints_) {
-    const bool is_wanted = contains_word(goal, name) ||
-                           std::ranges::any_of(things_, [&name = name](const Thing& x) {
-                             return x.waypoint_before == name;
-                           });
+    const bool is_wanted =
+      contains_word(goal, name) || std::ranges::any_of(things_, [&name = name](const Thing& x) {
+        return x.waypoint_before == name;
+      });
     if (is_wanted && is_free(name)) {
       result.objects.push_back({name, "waypoint"});
       result.facts.push_back("(used " + name + ')');

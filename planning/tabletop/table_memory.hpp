@@ -34,8 +34,8 @@ struct ThingAtPlace {
 };
 
 /// What a planner has to know of a table that is not to be seen: which thing is which after it was
-/// moved, what stands on another, what is held, and the places that were chosen but where nothing is
-/// yet. Names of objects are kept for as long as a thing is there.
+/// moved, what stands on another, what is held, and the places that were chosen but where nothing
+/// is yet. Names of objects are kept for as long as a thing is there.
 class TableMemory {
 public:
   struct Thing {

@@ -1,6 +1,6 @@
-// Something fails in the midst of what the PlayMate's arm was asked to do. CASTOR_ARM_KILLS makes that
-// many runs of each kind in place of one; CASTOR_ARM_KILLS_FILE keeps their results, and those that are
-// in it are not made again.
+// Something fails in the midst of what the PlayMate's arm was asked to do. CASTOR_ARM_KILLS makes
+// that many runs of each kind in place of one; CASTOR_ARM_KILLS_FILE keeps their results, and those
+// that are in it are not made again.
 
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
@@ -126,8 +126,7 @@ const std::vector<Failure>& failures() {
     {"arm's controller", {{"arm"}, {"arm", "executor"}}},
     {"planner", {{"continual"}, {"planner"}, {"requests"}, {"motives"}}},
     {"executor", {{"executor"}, {"table-executor"}, {"executor"}, {"manipulation_wm"}}},
-    {"vision",
-     {{"vision_wm"}, {"segmentor", "change-detector", "feature-extractor"}, {"camera"}}},
+    {"vision", {{"vision_wm"}, {"segmentor", "change-detector", "feature-extractor"}, {"camera"}}},
   };
   return result;
 }
@@ -235,7 +234,8 @@ protected:
     }
     told.has_failed = true;
     system.wait_until("the task is over", [] { return witnessed().is_over.load(); });
-    const bool is_commander = components.back() == "executor" || components.back() == "manipulation_wm";
+    const bool is_commander =
+      components.back() == "executor" || components.back() == "manipulation_wm";
     const auto found = problems(is_commander);
     auto line = fmt::format("{}\t{}\t{}\t{}\t{}\t{:.2f}\t{}\t{}", head, names, after.count(),
                             is_commander ? told.rested_after.load() : -1, told.over_after,

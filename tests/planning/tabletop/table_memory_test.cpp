@@ -14,8 +14,7 @@ using testing::Contains;
 using testing::IsEmpty;
 using testing::Not;
 
-const ThingOnTable ball{
-  "o1", "p1", {{"colour", "blue"}, {"shape", "sphere"}}, {-0.2, 0.0}, 0.03};
+const ThingOnTable ball{"o1", "p1", {{"colour", "blue"}, {"shape", "sphere"}}, {-0.2, 0.0}, 0.03};
 const ThingOnTable box{"o2", "p2", {{"colour", "red"}, {"shape", "cube"}}, {0.1, 0.0}, 0.03};
 
 ThingOnTable seen_as(ThingOnTable x, const std::string& id, spatial::GroundPoint place) {
@@ -97,8 +96,7 @@ TEST_F(TableMemoryTest, AChosenPlaceIsThereUntilAThingIsAtIt) {
   EXPECT_THAT(facts(), Not(Contains("(chosen " + place + ")")));
   // Only what is seen there counts now.
   EXPECT_THAT(facts(), Not(Contains("(wp-right-of " + place + " p2)")));
-  EXPECT_THAT(facts({}, {{"o9", {"right", {"o2"}}}}),
-              Contains("(wp-right-of " + place + " p2)"));
+  EXPECT_THAT(facts({}, {{"o9", {"right", {"o2"}}}}), Contains("(wp-right-of " + place + " p2)"));
   // Where it was, something can be put.
   EXPECT_THAT(facts(), Contains("(used place-1)"));
   EXPECT_EQ(*memory.place("place-1"), ball.place);
