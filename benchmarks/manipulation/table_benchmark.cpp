@@ -11,6 +11,7 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/benchmarks/manipulation/random_table.hpp"
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
 #include "castor/perception/vision/types.hpp"
@@ -33,10 +34,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <numbers>
 #include <random>
-#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,78 +45,31 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* arm_at = "0 -0.37 heading 90";
-constexpr const char* arm_rest = "90 -20 110 60 90";
-
-struct Thing {
-  std::string colour;
-  std::string shape;
-  double x = 0;
-  double y = 0;
-  double size = 0;
-  double height = 0;
-  double turned = 0;
-};
-
 struct Task {
-  std::vector<Thing> things;
+  std::vector<RandomThing> things;
   /// Where the first of them is to be put.
   double x = 0;
   double y = 0;
 };
 
-std::string scene_of(const Task& task) {
-  std::string result = "table wood\ncamera 0 -0.34 0.92  looking-at 0 0.02 0  fov 38\n";
-  for (const auto& x : task.things)
-    result += fmt::format("{} {} at {:.3f} {:.3f} size {:.3f}{} turned {:.0f}\n", x.colour, x.shape,
-                          x.x, x.y, x.size,
-                          x.shape == "cylinder" ? fmt::format(" {:.3f}", x.height) : "", x.turned);
-  return result;
-}
-
-/// Things of different colours, and a free place, in the part of the table that an arm like the
-/// Katana reaches.
+/// Things of different colours, and a free place.
 Task random_task(std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const auto any = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
-  std::vector<std::string> colours{"red", "green", "blue", "yellow", "purple", "orange"};
-  std::ranges::shuffle(colours, random);
-  const std::vector<std::string> shapes{"cube", "sphere", "cylinder"};
+  const auto colours = random_colours(random);
+  auto spots = random_spots(random, 4 + random() % 3);
   Task result;
-  struct Spot {
-    double x;
-    double y;
-  };
-  std::vector<Spot> spots;
-  const std::size_t count = 4 + random() % 3;
-  while (spots.size() < count) {
-    const double angle = any(-1.1, 1.1);
-    const double away = any(0.2, 0.42);
-    const Spot spot{away * std::sin(angle), -0.37 + away * std::cos(angle)};
-    const auto is_near = [&](const Spot& x) {
-      return std::hypot(x.x - spot.x, x.y - spot.y) < 0.1;
-    };
-    if (spot.y > -0.2 && std::abs(spot.x) < 0.3 && std::ranges::none_of(spots, is_near))
-      spots.push_back(spot);
-  }
   result.x = spots.back().x;
   result.y = spots.back().y;
   spots.pop_back();
-  for (std::size_t i = 0; i < spots.size(); ++i) {
-    Thing thing{colours[i], shapes[random() % 3], spots[i].x, spots[i].y, any(0.04, 0.06), 0,
-                any(0, 90)};
-    thing.height = any(0.05, 0.09);
-    result.things.push_back(thing);
-  }
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    result.things.push_back(random_thing(random, colours[i], spots[i]));
   return result;
 }
 
 /// Whether there is a plan by the true places; else why there is none.
 std::string unsolvable(const std::string& scene, const std::string& arm_file, const Task& task) {
   const auto parsed = vision::parse_tabletop_scene(scene, "scene");
-  const auto at = arm_placement(arm_at);
+  const auto at = arm_placement(benchmark_arm_at);
   const TableThings things(parsed.scene.at(vision::SceneTime{0}), at);
   const auto arm = load_arm(arm_file).arm;
   PlaceGoal goal;
@@ -129,8 +80,8 @@ std::string unsolvable(const std::string& scene, const std::string& arm_file, co
   options.grasps.spare = 0.024;
   const ManipulationPlanner planner(arm, options);
   const auto result = planner.pick_and_place(
-    things.world().scene(), "the " + task.things.front().colour + ' ' + task.things.front().shape,
-    goal, arm_posture(arm, arm_rest));
+    things.world().scene(), task.things.front().name(),
+    goal, arm_posture(arm, benchmark_arm_rest));
   const auto* failure = std::get_if<MotionFailure>(&result);
   return failure ? failure->text : std::string{};
 }
@@ -203,15 +154,14 @@ class TaskRequester final : public SeesTable<UnmanagedComponent> {
     for (const auto& x : read_all_in<Manipulation>("manipulation"))
       result.told = *x;
     result.truth = *pull<ArmStatus>("arm");
-    const auto name = "the " + wanted.colour + ' ' + wanted.shape;
     for (const auto& x : result.truth.things)
-      if (x.name == name)
+      if (x.name == wanted.name())
         result.error = std::hypot(x.pose.position.x - task.x, x.pose.position.y - task.y);
     asked().is_over = true;
   }
 
   std::vector<SeenError> seen_errors(const Task& task) {
-    const auto at = arm_placement(arm_at);
+    const auto at = arm_placement(benchmark_arm_at);
     const auto seen = look_at_table(at);
     std::vector<SeenError> errors;
     for (const auto& x : task.things) {
@@ -229,11 +179,6 @@ class TaskRequester final : public SeesTable<UnmanagedComponent> {
   }
 };
 CASTOR_COMPONENT(TaskRequester, "has a thing put somewhere")
-
-std::string text_of_file(const std::string& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 struct Settings {
   int tables = 50;
@@ -254,8 +199,8 @@ Result run(const Task& task, const std::string& scene_file, const Settings& sett
   options.patience = 1000s;
   options.variables = {{"arm", "true"},
                        {"table", scene_file},
-                       {"arm_at", arm_at},
-                       {"arm_rest", arm_rest},
+                       {"arm_at", benchmark_arm_at},
+                       {"arm_rest", benchmark_arm_rest},
                        {"missed_grasp", settings.missed},
                        {"dropped", settings.dropped},
                        {"output", settings.output.empty()
@@ -268,13 +213,6 @@ Result run(const Task& task, const std::string& scene_file, const Settings& sett
                     options);
   system.wait_until("the task is over", [] { return asked().is_over.load(); });
   return asked().result;
-}
-
-double median(std::vector<double> x) {
-  if (x.empty())
-    return 0;
-  std::ranges::sort(x);
-  return x[x.size() / 2];
 }
 
 void print_seen(const std::vector<SeenError>& seen) {
@@ -314,7 +252,7 @@ int measure(const Settings& settings) {
   for (int i = 0; i < settings.tables; ++i) {
     const auto seed = settings.first_seed + static_cast<std::uint64_t>(i);
     const auto task = random_task(seed);
-    const auto scene = scene_of(task);
+    const auto scene = scene_text(task.things);
     std::ofstream(scene_file) << scene;
     const auto why_not = unsolvable(scene, CASTOR_CONFIGS "/arms/katana.arm", task);
     const auto result = run(task, scene_file.string(), settings, seed);
