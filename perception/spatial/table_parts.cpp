@@ -65,13 +65,11 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
   const auto gap = gaps(area, centre, radius);
   const auto middle = area.middle();
   const double nearest = std::min({gap.left, gap.right, gap.front, gap.back});
-  if (nearest < -1e-9)
-    return 0;
   const double left = at_edge(gap.left);
   const double right = at_edge(gap.right);
   const double front = at_edge(gap.front);
   const double back = at_edge(gap.back);
-  const std::array<std::pair<std::string_view, double>, 16> fits{
+  const std::array<std::pair<std::string_view, double>, 17> fits{
     {{"left", beyond(middle.x - centre.x, radius)},
      {"right", beyond(centre.x - middle.x, radius)},
      {"front", beyond(middle.y - centre.y, radius)},
@@ -88,6 +86,7 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
      {"corner", std::min(std::max(left, right), std::max(front, back))},
      {"centre",
       1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 2 * edge_width)},
+     {"at-hand", 1 - gap.front / hand_reach},
      {"table", 1}}};
   for (const auto& [name, fit] : fits)
     if (name == part)

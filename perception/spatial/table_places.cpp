@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -130,13 +131,14 @@ std::vector<PlaceHeld> TablePlaces::all_held(std::span<const std::string> parts)
   return result;
 }
 
-bool TablePlaces::is_free(std::size_t object, const GroundPoint& centre) const {
+/// To the nearest other thing; infinite without one.
+double TablePlaces::least_gap(std::size_t object, const GroundPoint& centre) const {
   const double radius = objects_.at(object).radius;
+  double result = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (i != object &&
-        distance(centre, objects_[i].centre) < radius + objects_[i].radius + options_.clearance)
-      return false;
-  return true;
+    if (i != object)
+      result = std::min(result, distance(centre, objects_[i].centre) - radius - objects_[i].radius);
+  return result;
 }
 
 PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted> places) const {
@@ -163,10 +165,14 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
   const auto& x = objects_.at(object);
   struct Candidate {
     GroundPoint centre;
+    /// Of the fit alone, and with how far away it is.
+    double fit = 0;
     double value = 0;
   };
   std::vector<Candidate> candidates;
   bool is_somewhere = false;
+  bool is_reached = false;
+  bool is_free_somewhere = false;
   const auto& area = options_.area;
   const auto cells = [this](double low, double high, double radius) {
     return static_cast<int>(std::floor((high - low - 2 * radius) / options_.step + 1e-9));
@@ -177,30 +183,55 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
     for (int row = 0; row <= rows; ++row) {
       const GroundPoint centre{area.low.x + x.radius + column * options_.step,
                                area.low.y + x.radius + row * options_.step};
-      double value = 1;
-      for (const auto& place : places)
-        value = std::min(value, fit(place, object, centre));
-      if (value <= 0)
+      const double fit = worst_fit(places, object, centre);
+      if (fit <= 0)
         continue;
       is_somewhere = true;
+      const bool is_in_reach = !options_.reaches || options_.reaches(centre);
+      const double gap = least_gap(object, centre);
+      const bool has_room = gap >= options_.clearance;
+      is_reached = is_reached || is_in_reach;
+      is_free_somewhere = is_free_somewhere || has_room;
+      if (!is_in_reach || !has_room)
+        continue;
       // Of equally good ones, the nearest to where it is.
-      if (is_free(object, centre))
-        candidates.push_back({centre, value - 0.2 * distance(centre, x.centre)});
+      const double far = 0.2 * distance(centre, x.centre);
+      const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
+      const double border = fits_around(places, object, centre) ? 0 : 1;
+      candidates.push_back({centre, fit, fit - far - narrow - border});
     }
   PlacesFound result;
   while (result.targets.size() < count && !candidates.empty()) {
     const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
-    double value = 1;
-    for (const auto& place : places)
-      value = std::min(value, fit(place, object, best.centre));
-    result.targets.push_back({best.centre, value, {}});
+    result.targets.push_back({best.centre, best.fit, {}});
     std::erase_if(candidates, [&](const Candidate& y) {
       return distance(y.centre, best.centre) < 2 * x.radius + options_.clearance;
     });
   }
   if (result.targets.empty())
-    result.reason = is_somewhere ? "there is no room" : "there is no such place on the table";
+    result.reason = !is_somewhere        ? "there is no such place on the table"
+                    : !is_reached        ? "I do not reach any such place with it"
+                    : !is_free_somewhere ? "there is no room"
+                                         : "there is no room where I reach";
   return result;
+}
+
+double TablePlaces::worst_fit(std::span<const PlaceWanted> places, std::size_t object,
+                              const GroundPoint& centre) const {
+  double result = 1;
+  for (const auto& place : places)
+    result = std::min(result, fit(place, object, centre));
+  return result;
+}
+
+/// Whether it still is there if it is put a little beside.
+bool TablePlaces::fits_around(std::span<const PlaceWanted> places, std::size_t object,
+                              const GroundPoint& centre) const {
+  const double off = options_.inaccuracy;
+  for (const auto& [x, y] : {std::pair{off, 0.0}, {-off, 0.0}, {0.0, off}, {0.0, -off}})
+    if (worst_fit(places, object, {centre.x + x, centre.y + y}) <= 0)
+      return false;
+  return true;
 }
 
 } // namespace castor::spatial

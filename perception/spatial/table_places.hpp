@@ -4,6 +4,7 @@
 #include "castor/perception/spatial/table_parts.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,10 +37,17 @@ struct PlacingOptions {
   TableArea area;
   /// Between things on the table, metres.
   double clearance = 0.02;
+  /// More than that is better, up to here: room for a hand, metres.
+  double ample_clearance = 0.06;
   /// Step between the positions that are looked at, metres.
   double step = 0.01;
   /// Gap up to which something is near a landmark, metres.
   double near_gap = 0.10;
+  /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
+  /// are not exact.
+  double inaccuracy = 0.015;
+  /// Whether the object that is to be put somewhere can be put at a point; everywhere, if not set.
+  std::function<bool(const GroundPoint&)> reaches = {};
 };
 
 /// Places found, the best first, or the reason why there are none.
@@ -72,7 +80,8 @@ public:
   /// Where all objects are: in relations to one or two others, and in some parts of the table.
   std::vector<PlaceHeld> all_held(std::span<const std::string> parts) const;
 
-  /// Positions for an object where all places fit and nothing else stands, apart from each other.
+  /// Positions for an object where all places fit, nothing else stands, and it can be put, apart
+  /// from each other.
   PlacesFound find(std::size_t object, std::span<const PlaceWanted> places,
                    std::size_t count = 1) const;
 
@@ -81,7 +90,11 @@ private:
                          const GroundPoint& centre) const;
   double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
   double between(const PlaceWanted& place, const GroundPoint& centre) const;
-  bool is_free(std::size_t object, const GroundPoint& centre) const;
+  double least_gap(std::size_t object, const GroundPoint& centre) const;
+  double worst_fit(std::span<const PlaceWanted> places, std::size_t object,
+                   const GroundPoint& centre) const;
+  bool fits_around(std::span<const PlaceWanted> places, std::size_t object,
+                   const GroundPoint& centre) const;
   PlacesFound on_top(std::size_t object, std::span<const PlaceWanted> places) const;
 
   std::vector<TableObject> objects_;

@@ -94,8 +94,8 @@ struct SpatialRelationshipTargetQuery {
   std::vector<TargetPosition> targets;
 };
 
-/// Where something is to be: in a relation to landmarks (near, left, right, front, back, between, on,
-/// away), or in a part of the table (left, left-edge, front-left-corner, centre, edge, corner,
+/// Where something is to be: in a relation to landmarks (near, left, right, front, back, between,
+/// on, away), or in a part of the table (left, left-edge, front-left-corner, centre, edge, corner,
 /// elsewhere, table, strip-1-of-3).
 struct WantedPlace {
   std::string relation;
@@ -122,6 +122,27 @@ struct PlacementQuery {
   std::string reason;
   /// Of the disc that what is in no scene fits in, metres.
   double radius = 0.03;
+  /// Of what is in no scene, metres.
+  double height = 0.05;
+};
+
+/// Entry: where on the table somebody, such as an arm, can take things and put them down; on a grid
+/// of points, by the height of things. A thing can be put from one point to another only if there
+/// is a way to hold it that will do at both.
+struct ReachableTable {
+  /// The point of the first column and row, and how far points are apart, metres.
+  GroundPoint low;
+  double step = 0.02;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  /// Of things, metres, ascending.
+  std::vector<double> heights;
+  /// A bit for each way to hold a thing; by heights, then rows, then columns.
+  std::vector<std::uint32_t> ways;
+  /// Those in which what is held now may be held.
+  std::uint32_t held_ways = ~std::uint32_t{0};
+
+  friend bool operator==(const ReachableTable&, const ReachableTable&) = default;
 };
 
 /// Something that is where it could have been wanted.
@@ -154,7 +175,9 @@ CASTOR_REFLECT(TargetPosition, position, value, frame)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
                targets)
 CASTOR_REFLECT(WantedPlace, relation, landmarks)
-CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason, radius)
+CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason, radius,
+               height)
+CASTOR_REFLECT(ReachableTable, low, step, columns, rows, heights, ways, held_ways)
 CASTOR_REFLECT(HeldPlace, thing, place)
 CASTOR_REFLECT(HeldPlacesQuery, parts, scene, held)
 

@@ -1,6 +1,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/perception/spatial/components/field_settings.hpp"
+#include "castor/perception/spatial/reach.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
 #include "castor/perception/spatial/table_places.hpp"
 #include "castor/perception/spatial/types.hpp"
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -66,11 +69,13 @@ class TargetFinder final : public UnmanagedComponent {
         wanted.landmarks.push_back(index_of(id));
     }
     const auto thing = query.thing.empty() ? objects.size() : index_of(query.thing);
+    auto options = placing_options();
+    options.reaches = reaches(query, scene, thing);
     // In the way of nothing.
     constexpr GroundPoint far_away{100, 100};
     if (thing == objects.size())
       objects.push_back({far_away, query.radius, true});
-    const auto found = table(scene, objects).find(thing, places, query.requested_targets);
+    const auto found = table(scene, objects, options).find(thing, places, query.requested_targets);
     query.targets = found.targets;
     for (auto& target : query.targets)
       target.frame = scene.viewer.frame;
@@ -79,12 +84,36 @@ class TargetFinder final : public UnmanagedComponent {
     return query;
   }
 
+  /// Where the arm can put the thing, which it takes from where it is or holds; not set without an
+  /// arm.
+  std::function<bool(const GroundPoint&)> reaches(const PlacementQuery& query,
+                                                  const SpatialScene& scene, std::size_t thing) {
+    if (reach_->empty())
+      return {};
+    const auto told = read_all_in<ReachableTable>(reach_.get(), 1);
+    if (told.empty())
+      return {};
+    double height = query.height;
+    auto ways = told.front()->held_ways;
+    if (thing < scene.locations.size()) {
+      const auto box = read<SpatialLocation>(here(scene.locations[thing]))->box;
+      height = box.size.z;
+      ways = ways_at(*told.front(), ground_point(box), height);
+      // What is seen beyond the arm's reach may be within.
+      if (ways == 0)
+        ways = ~ways;
+    }
+    return [reach = *told.front(), height, ways](const GroundPoint& x) {
+      return (ways_at(reach, x, height) & ways) != 0;
+    };
+  }
+
   HeldPlacesQuery look(HeldPlacesQuery query) {
     const auto scene = scene_of(query);
     query.held.clear();
-    for (const auto& x : table(scene, objects_of(scene)).all_held(query.parts)) {
-      auto& held = query.held.emplace_back(
-        HeldPlace{scene.locations[x.object], {x.place.relation, {}}});
+    for (const auto& x : table(scene, objects_of(scene), placing_options()).all_held(query.parts)) {
+      auto& held =
+        query.held.emplace_back(HeldPlace{scene.locations[x.object], {x.place.relation, {}}});
       for (const auto i : x.place.landmarks)
         held.place.landmarks.push_back(scene.locations[i]);
     }
@@ -98,10 +127,15 @@ class TargetFinder final : public UnmanagedComponent {
     return result;
   }
 
-  TablePlaces table(const SpatialScene& scene, const std::vector<TableObject>& objects) const {
-    PlacingOptions options;
-    options.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
-    options.clearance = clearance_;
+  PlacingOptions placing_options() const {
+    PlacingOptions result;
+    result.area = {{-width_ / 2, -depth_ / 2}, {width_ / 2, depth_ / 2}};
+    result.clearance = clearance_;
+    return result;
+  }
+
+  static TablePlaces table(const SpatialScene& scene, const std::vector<TableObject>& objects,
+                           const PlacingOptions& options) {
     return TablePlaces{objects, {scene.viewer.position.x, scene.viewer.position.y}, options};
   }
 
@@ -121,6 +155,9 @@ class TargetFinder final : public UnmanagedComponent {
   Option<double> depth_{this, "table-depth", 0.52, "where things may be put, metres"};
   Option<double> clearance_{this, "clearance", PlacingOptions{}.clearance,
                             "between things that are put somewhere and others, metres"};
+  Option<SubarchitectureName> reach_{
+    this, "reach", "",
+    "the subarchitecture with the ReachableTable of an arm, where things are put; empty: anywhere"};
 };
 
 CASTOR_COMPONENT(TargetFinder, "finds positions that are left of, near ... a landmark")

@@ -54,6 +54,7 @@ class ArmExecutor final : public ExecutesManipulation {
 
   void run() override {
     take_seat();
+    tell_reach();
     const auto given_up = now() + arm_within_.get();
     while (is_running() && !state() && now() < given_up)
       sleep_for(period());

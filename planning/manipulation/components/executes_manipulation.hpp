@@ -7,6 +7,7 @@
 #include "castor/planning/manipulation/components/sees_table.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/reach_map.hpp"
 #include "castor/planning/manipulation/types.hpp"
 
 #include <algorithm>
@@ -31,6 +32,12 @@ protected:
     options.motions.time_limit = planning_time_;
     options.motions.algorithm = planning_algorithm(algorithm_.get());
     planner_.emplace(arm(), options);
+    ReachMapOptions reach;
+    reach.width = table_width_;
+    reach.depth = table_depth_;
+    reach.grasps = options.grasps;
+    grasps_ = options.grasps;
+    reach_ = reach_map(arm(), InverseKinematics(arm()), placement(), reach);
   }
 
   // -- what it says
@@ -42,7 +49,15 @@ protected:
     tell(ManipulationStatus::looking, "looks at the table");
   }
 
+  /// Where the arm reaches with what it holds now.
+  void tell_reach() {
+    reach_.held_ways =
+      held_ ? ways_held(held_->pose, grasps_) : spatial::ReachableTable{}.held_ways;
+    put(here(reach_entry), reach_);
+  }
+
   ActionResult finish(ActionResult result) {
+    tell_reach();
     told_.reason = result.reason;
     tell(result.outcome == ActionOutcome::succeeded   ? ManipulationStatus::succeeded
          : result.outcome == ActionOutcome::cancelled ? ManipulationStatus::cancelled
@@ -139,6 +154,7 @@ protected:
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (auto* failure = std::get_if<MotionFailure>(&result)) {
       told_.reason = failure->text;
+      told_.in_way = failure->obstacles;
       return {};
     }
     auto& found = std::get<ManipulationPlan>(result);
@@ -156,6 +172,7 @@ protected:
   Carried carry_out_all(const ManipulationPlan& plan) {
     inhibit_vision();
     told_.reason.clear();
+    told_.in_way.clear();
     const auto end = stages_of(plan);
     if (end.kind == StageEnd::Kind::cancelled)
       return {false, ActionResult::cancelled(end.why)};
@@ -252,6 +269,15 @@ protected:
   Manipulation told_;
 
 private:
+  static constexpr const char* reach_entry = "reach";
+
+  GraspOptions grasps_;
+  spatial::ReachableTable reach_;
+
+  Option<double> table_width_{this, "table-width", ReachMapOptions{}.width,
+                              "where it is told what the arm reaches, metres"};
+  Option<double> table_depth_{this, "table-depth", ReachMapOptions{}.depth,
+                              "where it is told what the arm reaches, metres"};
   Option<double> spare_{this, "spare", 0.024,
                         "how much wider than a thing the gripper is opened, metres"};
   Option<double> speed_{this, "speed", 0.6, "share of the joints' speeds"};

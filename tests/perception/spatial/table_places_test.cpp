@@ -95,6 +95,15 @@ TEST(TablePlaces, PartsOfTheTable) {
   EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
 }
 
+TEST(TablePlaces, WhatIsBeyondTheEdgeIsOnThatSideOfTheTable) {
+  const std::vector<TableObject> beyond{{{-0.29, -0.1}, 0.03}};
+  const TablePlaces table{beyond, seat};
+  for (const auto* part : {"left", "left-edge", "edge", "front", "strip-1-of-3", "table"})
+    EXPECT_TRUE(table.holds({part, {}}, 0)) << part;
+  for (const auto* part : {"right", "right-edge", "centre", "back"})
+    EXPECT_FALSE(table.holds({part, {}}, 0)) << part;
+}
+
 TEST(TablePlaces, AllThatIsWantedHolds) {
   const TablePlaces table{three, seat};
   const std::vector<PlaceWanted> wanted{PlaceWanted{"right", {blue_box}},

@@ -1,0 +1,54 @@
+#include "castor/perception/spatial/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+namespace castor::spatial {
+
+namespace {
+
+/// On both sides, or the same twice where it is on one.
+using Sides = std::pair<std::size_t, std::size_t>;
+
+constexpr double rounding = 1e-6;
+
+Sides sides(double cell) {
+  const auto below = static_cast<std::size_t>(std::floor(cell + rounding));
+  return {below, static_cast<std::size_t>(std::ceil(cell - rounding))};
+}
+
+Sides heights_beside(const ReachableTable& reach, double height) {
+  const auto above = std::ranges::lower_bound(reach.heights, height - rounding);
+  const auto index = static_cast<std::size_t>(above - reach.heights.begin());
+  if (index == reach.heights.size())
+    return {index - 1, index - 1};
+  return {index == 0 || *above < height + rounding ? index : index - 1, index};
+}
+
+} // namespace
+
+std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, double height) {
+  if (reach.ways.size() != reach.heights.size() * reach.rows * reach.columns ||
+      reach.heights.empty())
+    throw std::invalid_argument("a reachable table does not have as many ways as points and "
+                                "heights");
+  const double x = (point.x - reach.low.x) / reach.step;
+  const double y = (point.y - reach.low.y) / reach.step;
+  if (!(x >= -rounding && y >= -rounding && x <= reach.columns - 1 + rounding &&
+        y <= reach.rows - 1 + rounding))
+    return 0;
+  const auto columns = sides(x);
+  const auto rows = sides(y);
+  const auto heights = heights_beside(reach, height);
+  auto result = ~std::uint32_t{0};
+  for (const auto layer : {heights.first, heights.second})
+    for (const auto row : {rows.first, rows.second})
+      for (const auto column : {columns.first, columns.second})
+        result &= reach.ways[(layer * reach.rows + row) * reach.columns + column];
+  return result;
+}
+
+} // namespace castor::spatial

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "castor/perception/spatial/types.hpp"
+
+#include <cstdint>
+
+namespace castor::spatial {
+
+/// Ways in which a thing of that height can be held at a point, wherever it is between the points
+/// of the grid: a bit for each. None beyond the grid; beyond its heights, those of the nearest.
+/// \throws std::invalid_argument if there are not as many ways as points and heights.
+std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, double height);
+
+} // namespace castor::spatial

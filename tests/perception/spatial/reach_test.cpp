@@ -1,0 +1,81 @@
+#include "castor/perception/spatial/reach.hpp"
+
+#include "castor/perception/spatial/table_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace castor::spatial {
+
+namespace {
+
+/// Two heights, two rows, three columns, 10 cm apart, from the middle of the table.
+ReachableTable reach() {
+  ReachableTable result;
+  result.step = 0.1;
+  result.columns = 3;
+  result.rows = 2;
+  result.heights = {0.02, 0.06};
+  result.ways = {0b111, 0b011, 0b001, 0b111, 0b010, 0b000,  // low
+                 0b110, 0b110, 0b110, 0b110, 0b110, 0b110}; // high
+  return result;
+}
+
+} // namespace
+
+TEST(Reach, WaysAreThoseOfAllPointsAndHeightsAround) {
+  const auto x = reach();
+  EXPECT_EQ(ways_at(x, {0, 0}, 0.02), 0b111U);
+  EXPECT_EQ(ways_at(x, {0.05, 0}, 0.02), 0b011U);
+  EXPECT_EQ(ways_at(x, {0.05, 0.05}, 0.02), 0b010U);
+  EXPECT_EQ(ways_at(x, {0.15, 0.05}, 0.02), 0U);
+  EXPECT_EQ(ways_at(x, {0.15, 0.05}, 0.06), 0b110U);
+  EXPECT_EQ(ways_at(x, {0, 0}, 0.04), 0b110U);
+  EXPECT_EQ(ways_at(x, {0.2, 0.1}, 0.06), 0b110U);
+}
+
+TEST(Reach, BeyondTheHeightsTheNearestCountAndBeyondTheGridNothing) {
+  const auto x = reach();
+  EXPECT_EQ(ways_at(x, {0, 0}, 0.01), 0b111U);
+  EXPECT_EQ(ways_at(x, {0, 0}, 0.2), 0b110U);
+  for (const auto& beyond : {GroundPoint{-0.01, 0}, {0.21, 0}, {0, -0.01}, {0, 0.11}})
+    EXPECT_EQ(ways_at(x, beyond, 0.02), 0U);
+}
+
+TEST(Reach, NeedsAWayForEachPoint) {
+  auto x = reach();
+  x.ways.pop_back();
+  EXPECT_THROW(ways_at(x, {0, 0}, 0.02), std::invalid_argument);
+  EXPECT_THROW(ways_at({}, {0, 0}, 0.02), std::invalid_argument);
+}
+
+TEST(Reach, ThingsArePutWhereItIs) {
+  const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0, 0}, 0.03}};
+  const std::vector wanted{PlaceWanted{"right", {1}}};
+  PlacingOptions options;
+  const auto anywhere = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 3);
+  options.reaches = [](const GroundPoint& x) { return x.x > 0.15; };
+  const auto reached = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 3);
+  ASSERT_FALSE(anywhere.targets.empty());
+  EXPECT_LT(anywhere.targets.front().position.x, 0.15);
+  ASSERT_FALSE(reached.targets.empty());
+  for (const auto& x : reached.targets)
+    EXPECT_GT(x.position.x, 0.15);
+}
+
+TEST(Reach, ItIsSaidThatItIsWhatLacks) {
+  const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0.1, 0}, 0.2}};
+  const std::vector right{PlaceWanted{"right", {}}};
+  PlacingOptions options;
+  options.reaches = [](const GroundPoint& x) { return x.x < 0; };
+  EXPECT_EQ((TablePlaces{objects, {0, -0.6}, options}.find(0, right).reason),
+            "I do not reach any such place with it");
+  // What stands there leaves room at the corners only.
+  options.reaches = [](const GroundPoint& x) { return distance(x, {0.1, 0}) < 0.2; };
+  EXPECT_EQ((TablePlaces{objects, {0, -0.6}, options}.find(0, right).reason),
+            "there is no room where I reach");
+}
+
+} // namespace castor::spatial
