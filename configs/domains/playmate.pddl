@@ -3,8 +3,9 @@
 ; can be chosen: relative to things, in a part of the table, or anywhere; in several ways, if all are to hold.
 (define (domain playmate)
   (:requirements :mapl :typing :derived-predicates :negative-preconditions)
-  (:types agent thing waypoint part - object)
-  (:constants hand - waypoint)
+  (:types agent thing waypoint part relation - object)
+  (:constants hand - waypoint
+    rel-left rel-right rel-front rel-back rel-near rel-away rel-between rel-on rel-in - relation)
   (:state-variables (pos ?t - thing) - waypoint)
   (:predicates
     (wp-left-of ?w - waypoint ?t - thing)
@@ -22,6 +23,9 @@
     (taken ?w - waypoint)
     ; It has been chosen in some way, or something was at it.
     (chosen ?w - waypoint) (used ?w - waypoint)
+    ; The goal does not speak of it: no places are chosen in that relation, and nothing is put where
+    ; something was before.
+    (unasked ?r - relation) (unwanted ?w - waypoint)
     ; Things that nothing can stand on.
     (no-flat-top ?t - thing))
 
@@ -51,7 +55,7 @@
   (:action move
     :agent (?a - agent) :parameters (?t - thing ?to - waypoint)
     :precondition (and (K ?a (pos ?t)) (not (taken ?to)) (not (loaded ?t))
-                       (not (= ?to hand)) (or (chosen ?to) (used ?to))
+                       (not (= ?to hand)) (or (chosen ?to) (and (used ?to) (not (unwanted ?to))))
                        (or (= (pos ?t) hand) (not (taken hand))))
     :effect (and (forall (?w - waypoint)
                    (and (when (= (pos ?t) ?w) (used ?w))
@@ -78,50 +82,50 @@
   ; A waypoint that nothing has been at is chosen.
   (:action reposition-left
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-left)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-left-of ?target ?landmark)))
   (:action reposition-right
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-right)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-right-of ?target ?landmark)))
   (:action reposition-front
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-front)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-front-of ?target ?landmark)))
   (:action reposition-back
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-back)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-back-of ?target ?landmark)))
   (:action reposition-near
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-near)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-near ?target ?landmark)))
   (:action reposition-away
     :agent (?a - agent) :parameters (?target - waypoint ?landmark - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-away)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (held ?landmark)))
     :effect (and (chosen ?target) (wp-away-from ?target ?landmark)))
   (:action reposition-between
     :agent (?a - agent) :parameters (?target - waypoint ?one ?other - thing)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-between)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)) (not (= ?one ?other)) (not (held ?one))
                        (not (held ?other)))
     :effect (and (chosen ?target) (wp-between ?target ?one ?other)
                  (wp-between ?target ?other ?one)))
   (:action reposition-on
     :agent (?a - agent) :parameters (?target - waypoint ?below - thing)
-    :precondition (and (not (chosen ?target)) (not (taken ?target)) (not (used ?target))
-                       (not (= ?target hand))
+    :precondition (and (not (unasked rel-on)) (not (chosen ?target)) (not (taken ?target))
+                       (not (used ?target)) (not (= ?target hand))
                        (not (loaded ?below)) (not (no-flat-top ?below)) (not (held ?below)))
     :effect (and (chosen ?target) (wp-on ?target ?below)))
   (:action reposition-in
     :agent (?a - agent) :parameters (?target - waypoint ?where - part)
-    :precondition (and (not (taken ?target)) (not (used ?target))
+    :precondition (and (not (unasked rel-in)) (not (taken ?target)) (not (used ?target))
                        (not (= ?target hand)))
     :effect (and (chosen ?target) (wp-in ?target ?where)))
   (:action reposition-free

@@ -139,8 +139,8 @@ private:
       formula += ' ' + x;
     std::ranges::sort(parts_);
     parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
-    return {TableWish::goal, formula + ')', std::move(parts_), places_ + 1, std::move(words),
-            sentence(std::move(result))};
+    return {TableWish::goal, formula + ')',    std::move(parts_),
+            places_ + 1,     std::move(words), sentence(std::move(result))};
   }
 
   std::string in_part(const TableThing& x, std::string part) {
@@ -163,9 +163,9 @@ private:
       return refusal("I can hold one thing only.");
     for (const auto* x : things_)
       facts_.push_back('(' + predicate + ' ' + x->object + ')');
-    return goal(verb + ' ' + listed(things_),
-                predicate == "held" ? "I hold " + listed(things_) + " now"
-                                    : "I have pushed " + listed(things_));
+    return goal(verb + ' ' + listed(things_), predicate == "held"
+                                                ? "I hold " + listed(things_) + " now"
+                                                : "I have pushed " + listed(things_));
   }
 
   TableGoal give() {
@@ -177,7 +177,7 @@ private:
     choose();
     // Who speaks sits in front.
     for (const auto* x : things_)
-      facts_.push_back(in_part(*x, "front-edge"));
+      facts_.push_back(in_part(*x, "at-hand"));
     return goal("give you " + listed(things_), "here you are: " + listed(things_));
   }
 
@@ -263,8 +263,7 @@ private:
     for (std::size_t i = 0; i < from_left.size(); ++i)
       for (const auto* x : from_left[i].second)
         facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
-    return goal("sort the things by " + step_.by,
-                "the things are sorted by " + step_.by + " now");
+    return goal("sort the things by " + step_.by, "the things are sorted by " + step_.by + " now");
   }
 
   // -- put
@@ -336,6 +335,19 @@ private:
 
 TableGoal goal_of(const DirectiveStep& step, std::span<const TableThing> table) {
   return GoalMaker{step, table}.make();
+}
+
+std::vector<std::string> unasked_relations(std::string_view formula) {
+  std::vector<std::string> result;
+  const auto note = [&](std::string_view predicate, std::string_view relation) {
+    if (formula.find('(' + std::string{predicate} + ' ') == std::string_view::npos)
+      result.push_back("(unasked rel-" + std::string{relation} + ')');
+  };
+  note("in-part", "in");
+  for (const auto& x : relation_words)
+    if (x.relation != "in")
+      note(x.predicate, x.relation);
+  return result;
 }
 
 std::string explained(std::string_view action, std::string_view reason) {

@@ -61,6 +61,10 @@ struct TableGoal {
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };
 
+/// Facts for the planner: relations that the goal's formula does not speak of, "(unasked
+/// rel-left)", so that no places are chosen in them.
+std::vector<std::string> unasked_relations(std::string_view formula);
+
 /// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
 /// first is taken.
 TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table);

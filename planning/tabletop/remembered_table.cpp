@@ -8,8 +8,9 @@ namespace castor::planning {
 RememberedTable TableMemory::remembered() const {
   RememberedTable result;
   for (const auto& x : things_) {
-    RememberedThing thing{x.name,        x.seen.id,  x.seen.proxy,      {},        x.seen.place,
-                          x.seen.radius, x.waypoint, x.waypoint_before, x.is_held, x.on};
+    RememberedThing thing{
+      x.name,        x.seen.id,  x.seen.proxy,      {},        x.seen.place, x.seen.radius,
+      x.seen.height, x.waypoint, x.waypoint_before, x.is_held, x.on};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -36,7 +37,7 @@ void TableMemory::recall(const RememberedTable& x) {
   for (const auto& thing : x.things) {
     if (!waypoints_.contains(thing.waypoint))
       continue;
-    ThingOnTable seen{thing.id, thing.proxy, {}, thing.place, thing.radius};
+    ThingOnTable seen{thing.id, thing.proxy, {}, thing.place, thing.radius, thing.height};
     for (const auto& quality : thing.qualities)
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,

@@ -18,6 +18,9 @@ using spatial::WantedPlace;
 /// A thing that is so far from its waypoint was moved by somebody, metres.
 constexpr double moved_distance = 0.04;
 
+/// Something stood there before; that is not free any more if another thing is nearer, metres.
+constexpr double least_room = 0.03;
+
 constexpr std::string_view choosing = "reposition-";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> predicates{
@@ -52,6 +55,12 @@ bool contains_word(std::string_view text, std::string_view word) {
       return true;
   }
   return false;
+}
+
+/// Of "(wp-in place-4 elsewhere)".
+std::string_view part_of(std::string_view fact) {
+  const auto begin = fact.rfind(' ') + 1;
+  return fact.substr(begin, fact.size() - begin - 1);
 }
 
 } // namespace
@@ -160,10 +169,9 @@ AchieveGoal TableMemory::begin(const TableGoal& goal) {
 
 bool TableMemory::is_free(const std::string& waypoint) const {
   const auto place = waypoints_.at(waypoint);
-  // Room for a thing as large as what stands beside.
   return std::ranges::none_of(things_, [&](const Thing& x) {
     return !x.is_held &&
-           (x.waypoint == waypoint || distance(x.seen.place, place) < 2 * x.seen.radius);
+           (x.waypoint == waypoint || distance(x.seen.place, place) < x.seen.radius + least_room);
   });
 }
 
@@ -210,10 +218,16 @@ StateReply TableMemory::state(std::string_view goal,
       contains_word(goal, name) || std::ranges::any_of(things_, [&name = name](const Thing& x) {
         return x.waypoint_before == name;
       });
-    if (is_wanted && is_free(name)) {
+    const bool is_used = is_wanted && is_free(name);
+    if (is_wanted)
       result.objects.push_back({name, "waypoint"});
+    if (is_used)
       result.facts.push_back("(used " + name + ')');
-    }
+    const auto is_here = [&name = name](const Thing& x) {
+      return x.waypoint == name && !x.is_held;
+    };
+    if (!contains_word(goal, name) && (is_used || std::ranges::any_of(things_, is_here)))
+      result.facts.push_back("(unwanted " + name + ')');
   }
   for (const auto& at : places) {
     const auto* x = with_id(at.id);
@@ -232,10 +246,14 @@ StateReply TableMemory::state(std::string_view goal,
     result.objects.push_back({waypoint, "waypoint"});
     result.facts.push_back("(chosen " + waypoint + ')');
     for (const auto& place : wanted)
-      if (place.relation != "table" || contains_word(goal, "table"))
+      if (!place.landmarks.empty() || contains_word(goal, place.relation))
         tell_place(waypoint, place, result);
   }
-  result.facts.insert(result.facts.end(), done_.begin(), done_.end());
+  const auto unasked = unasked_relations(goal);
+  result.facts.insert(result.facts.end(), unasked.begin(), unasked.end());
+  for (const auto& x : done_)
+    if (!x.starts_with("(wp-in ") || contains_word(goal, part_of(x)))
+      result.facts.push_back(x);
   std::ranges::sort(result.facts);
   result.facts.erase(std::ranges::unique(result.facts).begin(), result.facts.end());
   std::ranges::sort(result.objects, {}, &StateObject::name);
@@ -249,7 +267,8 @@ void TableMemory::choose(const std::string& step, const std::vector<std::string>
   if (relation == "in")
     wanted.push_back({arguments.at(1), {}});
   else if (relation == "free")
-    wanted.push_back({"table", {}});
+    // Something else may be put where it is.
+    wanted.push_back({"elsewhere", {}});
   else
     wanted.push_back({std::move(relation), {arguments.begin() + 1, arguments.end()}});
 }
@@ -319,7 +338,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
     if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
       continue;
     auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
-    if (part != "elsewhere" && part != "aside" && part != "there")
+    // That it was given to somebody, too, is known by what was done.
+    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand")
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -25,6 +25,7 @@ struct ThingOnTable {
   spatial::GroundPoint place;
   /// Of the disc that it fits in.
   double radius = 0.03;
+  double height = 0.05;
 };
 
 /// Where something is; things by the ids of their SceneObjects.

@@ -30,10 +30,12 @@ struct TableGoalReply {
   std::string result;
 };
 
-/// Entry: why a step of the goal that is pursued has failed last. Its id is `table_problem`.
+/// Entry: why a step of the goal that is pursued could not be done. Its id is `table_problem`.
 struct TableProblem {
   /// A clause; empty if none has failed.
   std::string reason;
+  /// What would help, a sentence; may be empty.
+  std::string help;
 };
 
 inline constexpr const char* table_problem = "table problem";
@@ -55,6 +57,7 @@ struct RememberedThing {
   std::vector<RememberedQuality> qualities;
   spatial::GroundPoint place;
   double radius = 0;
+  double height = 0;
   std::string waypoint;
   std::string waypoint_before;
   bool is_held = false;
@@ -117,13 +120,13 @@ struct RequestedSteps {
 
 inline constexpr const char* requested_steps = "requested steps";
 
-CASTOR_REFLECT(TableProblem, reason)
+CASTOR_REFLECT(TableProblem, reason, help)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result)
 CASTOR_REFLECT(RequestedStep, move, what)
 CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result)
 CASTOR_REFLECT(RememberedQuality, kind, value)
-CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, waypoint,
+CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)

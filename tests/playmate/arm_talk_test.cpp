@@ -65,11 +65,10 @@ protected:
     variables["say"] = text;
     auto options = playmate_options(std::move(variables));
     options.patience = 600s;
-    system_ = std::make_unique<TestSystem>(playmate_cast() +
-                                             "SUBARCHITECTURE listening\n"
-                                             "CPP WM SubarchitectureWorkingMemory\n"
-                                             "CPP TM AlwaysPositiveTaskManager\n"
-                                             "CPP UM listener TableListener\n",
+    system_ = std::make_unique<TestSystem>(playmate_cast() + "SUBARCHITECTURE listening\n"
+                                                             "CPP WM SubarchitectureWorkingMemory\n"
+                                                             "CPP TM AlwaysPositiveTaskManager\n"
+                                                             "CPP UM listener TableListener\n",
                                            options);
     try {
       system_->wait_until(last, [] { return heard().is_over.load(); });
@@ -109,6 +108,31 @@ TEST_F(PlayMateIsAsked, ToPutAThingBesideAnother) {
   system_->wait_until("there is a film strip",
                       [&] { return std::filesystem::exists(folder.path() / "action-1.png"); });
   system_->expect_nobody_else_down();
+}
+
+TEST_F(PlayMateIsAsked, ToSwapTwoThings) {
+  say("Swap the red cube and the blue ball.", "have changed places");
+  const auto ball = place("the blue sphere");
+  const auto cube = place("the red cube");
+  EXPECT_LT(std::hypot(ball.x - 0.02, ball.y + 0.02), 0.04);
+  EXPECT_LT(std::hypot(cube.x + 0.16, cube.y + 0.09), 0.04);
+  EXPECT_EQ(heard().truth.collisions, 0) << heard().truth.collision;
+}
+
+TEST_F(PlayMateIsAsked, ToGiveAThing) {
+  say("Give me the green cube.", "ere you are");
+  // Nearer to who sits in front.
+  EXPECT_LT(place("the green cube").y, -0.06 - 0.03);
+  EXPECT_EQ(heard().truth.collisions, 0) << heard().truth.collision;
+}
+
+TEST_F(PlayMateIsAsked, ToPutDownWhatItHolds) {
+  say("Take the blue ball. Put it down.", "have put down");
+  EXPECT_THAT(said(), testing::Contains("I have put down the blue ball."));
+  const auto& things = heard().truth.things;
+  const auto ball = std::ranges::find(things, "the blue sphere", &TrueThing::name);
+  ASSERT_NE(ball, things.end());
+  EXPECT_EQ(ball->support, "the table");
 }
 
 TEST_F(PlayMateIsAsked, WhatItDoesAndWhy) {

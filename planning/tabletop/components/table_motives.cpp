@@ -138,7 +138,9 @@ class TableMotives final : public HearsRequests {
                 was_so ? "It is so already." : known_.result);
         } else if (motive->status == MotiveStatus::rejected ||
                    motive->status == MotiveStatus::dropped) {
-          reply(move, MotiveReply::impossible, explained(motive->words, problem(*motive)));
+          const auto [reason, help] = problem(*motive);
+          reply(move, MotiveReply::impossible,
+                explained(motive->words, reason) + (help.empty() ? "" : ' ' + help));
           drop_steps_of(move);
         } else {
           return;
@@ -161,15 +163,15 @@ class TableMotives final : public HearsRequests {
                   [&](const RequestedStep& x) { return x.move.address == move.address; });
   }
 
-  /// Why the last step of a plan failed, or there was no plan.
-  std::string problem(const Motive& motive) {
+  /// Why a step of a plan could not be done, or there was no plan.
+  TableProblem problem(const Motive& motive) {
     try {
       if (const auto told = read<TableProblem>({table_, table_problem}); !told->reason.empty())
-        return told->reason;
+        return *told;
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     }
-    return motive.history.back().why;
+    return {motive.history.back().why, {}};
   }
 
   void begin(const RequestedStep& step) {

@@ -23,7 +23,7 @@ std::string predicate(const std::string& relation) {
 }
 
 bool is_part_of_table(const std::string& part) {
-  return part != "elsewhere" && part != "aside" && part != "there";
+  return part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand";
 }
 
 } // namespace
@@ -154,6 +154,11 @@ std::string PretendedTable::problem(const TableGoal& goal) const {
               << things_[k].what.name << ')';
     }
   }
+  for (const auto& [name, place] : waypoints_)
+    if (goal.formula.find(' ' + name + ')') == std::string::npos)
+      out << " (unwanted " << name << ')';
+  for (const auto& fact : unasked_relations(goal.formula))
+    out << ' ' << fact;
   out << ")\n(:goal " << goal.formula << "))";
   return out.str();
 }
@@ -193,7 +198,7 @@ std::string PretendedTable::execute(const std::string& step) {
   if (action == "reposition-in")
     choose(words.at(2), words.at(3), {});
   else if (action == "reposition-free")
-    choose(words.at(2), "table", {});
+    choose(words.at(2), "elsewhere", {});
   else if (action == "reposition-on")
     choose(words.at(2), "on", {index(words.at(3))});
   else if (action == "reposition-between")

@@ -88,7 +88,7 @@ TEST(TableGoals, WhatIsHeldIsPutDown) {
   auto holding = table;
   holding.front().is_held = true;
   EXPECT_EQ(goal_of({"PutDown", {}, 0, {}, {}}, holding).formula, "(and (in-part a table))");
-  EXPECT_EQ(goal_of({"Give", {}, 0, {}, {}}, holding).formula, "(and (in-part a front-edge))");
+  EXPECT_EQ(goal_of({"Give", {}, 0, {}, {}}, holding).formula, "(and (in-part a at-hand))");
 }
 
 TEST(TableGoals, WhatCannotBeIsSaidWithTheReason) {

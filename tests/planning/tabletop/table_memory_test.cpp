@@ -39,7 +39,10 @@ protected:
 
   std::vector<std::string> facts(const std::string& goal = {},
                                  const std::vector<ThingAtPlace>& places = {}) const {
-    return memory.state(goal, places).facts;
+    auto result = memory.state(goal, places).facts;
+    // What the goal does not speak of.
+    std::erase_if(result, [](const auto& x) { return x.starts_with("(un"); });
+    return result;
   }
 
   std::string new_place(std::size_t count = 1) {
@@ -155,7 +158,7 @@ TEST_F(TableMemoryTest, ASuccessorKnowsWhatItKnew) {
   TableMemory successor{"robot", {{"sphere", "ball"}}};
   successor.recall(before);
   EXPECT_EQ(successor.remembered(), before);
-  EXPECT_EQ(successor.state({}, {}).facts, facts());
+  EXPECT_EQ(successor.state({}, {}).facts, memory.state({}, {}).facts);
   EXPECT_EQ(successor.thing("p1")->on, "p2");
   EXPECT_EQ(successor.thing("p1")->waypoint_before, "place-1");
   EXPECT_TRUE(successor.thing("p2")->is_held);
@@ -189,7 +192,8 @@ TEST_F(TableMemoryTest, ThatSomethingIsElsewhereIsKnownByWhatWasDone) {
   const auto place = new_place();
   memory.choose("reposition-in", {place, "elsewhere"});
   memory.moved("p1", place, "o1", {0.0, 0.2});
-  EXPECT_THAT(facts(), Contains("(wp-in " + place + " elsewhere)"));
+  EXPECT_THAT(facts("(in-part p1 elsewhere)"), Contains("(wp-in " + place + " elsewhere)"));
+  EXPECT_THAT(facts(), Not(Contains("(wp-in " + place + " elsewhere)")));
 }
 
 TEST(PartsIn, AreThoseThatCanBeSeen) {

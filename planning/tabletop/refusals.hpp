@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castor::planning {
+
+/// Why something could not be done in one way of several.
+struct Refusal {
+  /// A clause: "the box is in the arm's way at the ball".
+  std::string reason;
+  /// Names of things that are in the way.
+  std::vector<std::string> in_way = {};
+};
+
+/// Why it could not be done at all, and what would help.
+struct Explanation {
+  /// A clause; empty if nothing was refused.
+  std::string reason;
+  /// A sentence: "Take the box away first."; empty if nothing is known that would.
+  std::string help;
+
+  friend bool operator==(const Explanation&, const Explanation&) = default;
+};
+
+/// What explains most of the refusals: the thing that is in the way most often, if it is so in at
+/// least half of them, otherwise the most frequent reason. Of equals, the first.
+Explanation explanation_of(const std::vector<Refusal>& refusals);
+
+/// The text, with other words in place of some.
+/// @param words "ball" for "sphere"
+std::string with_words(std::string_view text, const std::map<std::string, std::string>& words);
+
+} // namespace castor::planning
