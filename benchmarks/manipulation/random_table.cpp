@@ -13,11 +13,11 @@ double any(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution(low, high)(random);
 }
 
-std::vector<Spot> random_spots(std::mt19937_64& random, std::size_t count) {
+std::vector<Spot> random_spots(std::mt19937_64& random, std::size_t count, double farthest) {
   std::vector<Spot> result;
   while (result.size() < count) {
     const double angle = any(random, -1.1, 1.1);
-    const double away = any(random, 0.2, 0.42);
+    const double away = any(random, 0.2, farthest);
     const Spot spot{away * std::sin(angle), -0.37 + away * std::cos(angle)};
     const auto is_near = [&](const Spot& x) {
       return std::hypot(x.x - spot.x, x.y - spot.y) < 0.1;

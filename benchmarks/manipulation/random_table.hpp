@@ -38,7 +38,8 @@ struct Spot {
 double any(std::mt19937_64& random, double low, double high);
 
 /// So many spots at least 10 cm apart.
-std::vector<Spot> random_spots(std::mt19937_64& random, std::size_t count);
+/// @param farthest from the arm, metres
+std::vector<Spot> random_spots(std::mt19937_64& random, std::size_t count, double farthest = 0.42);
 
 /// Six colours in a random order.
 std::vector<std::string> random_colours(std::mt19937_64& random);

@@ -79,9 +79,8 @@ std::string unsolvable(const std::string& scene, const std::string& arm_file, co
   ManipulationOptions options;
   options.grasps.spare = 0.024;
   const ManipulationPlanner planner(arm, options);
-  const auto result = planner.pick_and_place(
-    things.world().scene(), task.things.front().name(),
-    goal, arm_posture(arm, benchmark_arm_rest));
+  const auto result = planner.pick_and_place(things.world().scene(), task.things.front().name(),
+                                             goal, arm_posture(arm, benchmark_arm_rest));
   const auto* failure = std::get_if<MotionFailure>(&result);
   return failure ? failure->text : std::string{};
 }

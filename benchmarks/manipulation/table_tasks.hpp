@@ -20,7 +20,7 @@ struct TableTask {
   std::vector<RandomThing> things;
   /// Said to the robot. It is about the first thing, of `put` and `swap` also about the second.
   std::string sentence;
-  /// left, right, front, back or near of `put`, left, right, front or back of `clear`.
+  /// left, right, front, back or near of `put`, left or right of `clear`.
   std::string relation;
 };
 

@@ -1,11 +1,12 @@
 // What people ask to do with the things of random tables, as typed sentences, through the whole
-// PlayMate with its arm, in simulated time: put, take, sort, clear, swap; in two of five tables with
-// an injected fault.
+// PlayMate with its arm, in simulated time: put, take, sort, clear, swap; in two of five tables
+// with an injected fault.
 //
 //   table_tasks_benchmark [FROM] [COUNT] [FOLDER]
 //
-// Tables FROM, FROM + 1, ...; a line for each, so that a long run can be made in parts. Judged by the
-// true places of things, not by what the robot says. FOLDER is for film strips, TABLE/action-1.png.
+// Tables FROM, FROM + 1, ...; a line for each, so that a long run can be made in parts. Judged by
+// the true places of things, not by what the robot says. FOLDER is for film strips,
+// TABLE/action-1.png.
 
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
@@ -53,6 +54,8 @@ struct Result {
   /// Plans of the arm, and those of the planner after the first.
   int tries = 0;
   std::size_t replans = 0;
+  /// Steps that succeeded, and those of the last plan.
+  std::string steps;
   ArmStatus truth;
 };
 
@@ -104,8 +107,16 @@ class TaskListener final : public UnmanagedComponent {
     if (!is_over)
       result.said = "(nothing in the end)";
     result.seconds = std::chrono::duration<double>(now() - begun).count();
-    for (const auto& x : read_all_in<ContinualPlanning>("planning"))
-      result.replans += x->plans.empty() ? 0 : x->plans.size() - 1;
+    for (const auto& x : read_all_in<ContinualPlanning>("planning")) {
+      for (const auto& step : x->done)
+        result.steps += step + ", ";
+      if (x->plans.empty())
+        continue;
+      result.replans += x->plans.size() - 1;
+      result.steps += "then to";
+      for (const auto& step : x->plans.back().steps)
+        result.steps += ' ' + step.action + ',';
+    }
     result.truth = *pull<ArmStatus>("arm");
     asked().is_over = true;
   }
@@ -148,7 +159,7 @@ Result run(const TableTask& task, const std::string& scene_file, const std::stri
   TestSystemOptions options;
   options.file = CASTOR_CONFIGS "/playmate.cast";
   options.simulated_time = true;
-  options.patience = 1000s;
+  options.patience = 3000s;
   options.variables = fault_of(seed);
   options.variables.merge(std::map<std::string, std::string>{
     {"arm", "true"},
@@ -199,13 +210,16 @@ int measure(std::uint64_t from, int count, const std::string& output) {
     x.replans += result.replans;
     if (wrong.empty())
       x.seconds.push_back(result.seconds);
-    fmt::print("{}: {} [{}] {}{}: \"{}\"; {:.0f} s, {} tries, {} replans, {} missed, {} dropped, {} "
-               "collisions{}{}\n",
-               seed, task.sentence, words_of(fault_of(seed)), wrong.empty() ? "done" : "NOT done: ",
-               wrong, result.said, result.seconds, result.tries, result.replans,
-               result.truth.missed, result.truth.dropped, result.truth.collisions,
-               result.truth.collisions > 0 ? " (" + result.truth.collision + ")" : "",
-               why_not.empty() ? "" : "; not solvable: " + why_not);
+    fmt::print(
+      "{}: {} [{}] {}{}: \"{}\"; {:.0f} s, {} tries, {} replans, {} missed, {} dropped, {} "
+      "collisions{}{}\n",
+      seed, task.sentence, words_of(fault_of(seed)), wrong.empty() ? "done" : "NOT done: ", wrong,
+      result.said, result.seconds, result.tries, result.replans, result.truth.missed,
+      result.truth.dropped, result.truth.collisions,
+      result.truth.collisions > 0 ? " (" + result.truth.collision + ")" : "",
+      why_not.empty() ? "" : "; not solvable: " + why_not);
+    if (!wrong.empty())
+      fmt::print("  {}\n", result.steps);
     std::fflush(stdout);
   }
   std::filesystem::remove(scene_file);
@@ -227,7 +241,6 @@ int main(int argc, char** argv) {
   const auto argument = [&](int index, const char* otherwise) {
     return std::string(argc > index ? argv[index] : otherwise);
   };
-  return castor::manipulation::measure(
-    std::strtoull(argument(1, "1").c_str(), nullptr, 10), std::atoi(argument(2, "50").c_str()),
-    argument(3, ""));
+  return castor::manipulation::measure(std::strtoull(argument(1, "1").c_str(), nullptr, 10),
+                                       std::atoi(argument(2, "50").c_str()), argument(3, ""));
 }
