@@ -15,8 +15,6 @@
 #include <map>
 #include <numbers>
 #include <random>
-#include <set>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 

@@ -31,8 +31,8 @@
 #include <fstream>
 #include <map>
 #include <random>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::manipulation {
