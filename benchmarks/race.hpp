@@ -31,20 +31,44 @@ public:
                  const std::function<void()>& work) {
     std::vector<double> rates;
     for (int i = 0; i <= repetitions; ++i) {
-      prepare();
-      gate_.arrive_and_wait();
-      auto begin = Clock::now();
-      work();
-      gate_.arrive_and_wait();
-      auto seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      auto seconds = round(prepare, work);
       if (i > 0)
         rates.push_back(static_cast<double>(operations) * threads_ / seconds);
     }
     return thread == 0 ? median(rates) : 0;
   }
 
+  /// The same over as many rounds as take `duration` together (mean).
+  double measure_for(std::chrono::duration<double> duration, int thread, std::size_t operations,
+                     const std::function<void()>& prepare, const std::function<void()>& work) {
+    double seconds = 0;
+    double done = 0;
+    round(prepare, work);
+    for (bool goes_on = true; goes_on;) {
+      seconds += round(prepare, work);
+      done += static_cast<double>(operations) * threads_;
+      // All threads have to agree on whether there is another round.
+      if (thread == 0)
+        goes_on_ = seconds < duration.count();
+      gate_.arrive_and_wait();
+      goes_on = goes_on_;
+    }
+    return thread == 0 ? done / seconds : 0;
+  }
+
 private:
+  /// Seconds of one round.
+  double round(const std::function<void()>& prepare, const std::function<void()>& work) {
+    prepare();
+    gate_.arrive_and_wait();
+    auto begin = Clock::now();
+    work();
+    gate_.arrive_and_wait();
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
   int threads_;
+  bool goes_on_ = true;
   std::barrier<> gate_;
 };
 

@@ -13,6 +13,7 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/log.hpp"
+#include "castor/benchmarks/bare_config.hpp"
 #include "castor/benchmarks/own_process.hpp"
 #include "castor/benchmarks/race.hpp"
 
@@ -175,13 +176,8 @@ Rates castor_rates(const Endpoint& node, const Size& size, int clients) {
 using PutAtom = caf::atom_constant<caf::atom("put")>;
 using GetAtom = caf::atom_constant<caf::atom("get")>;
 
-struct BareConfig : caf::actor_system_config {
-  BareConfig() {
-    load<caf::io::middleman>();
-    set("scheduler.policy", caf::atom("sharing"));
-    set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
-    set("middleman.workers", 0);
-  }
+struct BareNetworkConfig : BareConfig {
+  BareNetworkConfig() { load<caf::io::middleman>(); }
 };
 
 caf::behavior bare_server(caf::stateful_actor<std::string>* self) {
@@ -195,7 +191,7 @@ caf::behavior bare_server(caf::stateful_actor<std::string>* self) {
 }
 
 Rates bare_rates(std::uint16_t port, const Size& size, int clients) {
-  BareConfig config;
+  BareNetworkConfig config;
   caf::actor_system system{config};
   auto server = *system.middleman().remote_actor("127.0.0.1", port);
   Rates result;
@@ -253,7 +249,7 @@ int serve() {
   options.socket = listen_at({"127.0.0.1", 0});
   auto node_port = port_of(options.socket);
   Node node{options};
-  BareConfig config;
+  BareNetworkConfig config;
   caf::actor_system system{config};
   auto server = system.spawn(bare_server);
   auto bare_port = *system.middleman().publish(server, 0, "127.0.0.1");

@@ -8,6 +8,7 @@
 #include "castor/actors/system/system.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/log.hpp"
+#include "castor/benchmarks/bare_config.hpp"
 #include "castor/benchmarks/race.hpp"
 
 #include <caf/scoped_actor.hpp>
@@ -166,13 +167,6 @@ void run(const std::string& components) {
   system.wait({});
   system.stop();
 }
-
-struct BareConfig : caf::actor_system_config {
-  BareConfig() {
-    set("scheduler.policy", caf::atom("sharing"));
-    set("scheduler.max-threads", std::max<std::size_t>(2, std::thread::hardware_concurrency()));
-  }
-};
 
 /// Blocking requests to one pooled actor, under the same scheduler settings, that carry the payload
 /// there (the message is shared, as a value is).
