@@ -27,8 +27,8 @@ def _distribution():
 
 def describe(tree):
     """What a reader has to know in order to compare figures. `tree` is the source tree."""
-    version = subprocess.run(["git", "-C", str(tree), "describe", "--always", "--dirty"], capture_output=True, text=True,
-                             check=False)
+    version = subprocess.run(["git", "-C", str(tree), "describe", "--always", "--dirty"], capture_output=True,
+                             text=True, check=False)
     return {
         "processor": _first("/proc/cpuinfo", "model name"),
         "cores": os.cpu_count(),

@@ -47,13 +47,13 @@ def _table(head, rows):
 def _machine(results):
     machine, load = results["machine"], results["load"]
     facts = [
-        ("processor", f"{machine['processor']}, {machine['cores']} cores" + (", virtual" if machine["virtual"] else "")),
+        ("processor", f"{machine['processor']}, {machine['cores']} cores{', virtual' if machine['virtual'] else ''}"),
         ("memory", machine["memory"]),
         ("system", f"{machine['system']}, Linux {machine['kernel']}"),
         ("Castor", machine["castor"]),
-        ("run", f"{results['started']}, {results['rounds']} interleaved rounds of {results['seconds']:g} s for each figure"),
-        ("load by others", f"{100 * load['before']:.0f} % of the machine before the run, then {100 * load['median']:.0f} % "
-                           f"(median), {100 * load['most']:.0f} % at most"),
+        ("run", f"{results['started']}, {results['rounds']} interleaved rounds, {results['seconds']:g} s for a figure"),
+        ("load by others", f"{100 * load['before']:.0f} % of the machine before the run, then "
+                           f"{100 * load['median']:.0f} % (median), {100 * load['most']:.0f} % at most"),
     ]
     items = "".join(f"<dt>{escape(name)}</dt><dd>{escape(text)}</dd>" for name, text in facts)
     return f"<dl>{items}</dl>"

@@ -156,8 +156,8 @@ def _contenders(*points):
 def _link_rows():
     yield Row(
         "link-writes", "Overwrites in another process, one at a time",
-        "100 B, over TCP on the loopback device, each acknowledged before the next: overwrites of an entry, requests to "
-        "an actor, SETs, and samples that the other process acknowledges with a sample.", "overwrites/s",
+        "100 B, on the loopback device, each acknowledged before the next: overwrites of an entry, requests to an actor, "
+        "SETs, and samples that the other process acknowledges with a sample.", "overwrites/s",
         _contenders(_link_writes(100, 1, "100 B")))
     yield Row(
         "link-pipelined", "Overwrites in another process, many in flight",
@@ -175,16 +175,17 @@ def _link_rows():
               for name, program in ((CASTOR, "castor"), (REDIS, "redis"), (DDS, "dds"))]
     yield Row(
         "link-events", "From an overwrite to a callback in another process",
-        "Time from the call of overwrite to the callback of a component in another process, which was asleep. Redis: SET "
-        "and PUBLISH to a subscriber; DDS: a write to a reader.", "us",
+        "Time from the call of overwrite to the callback of a component in another process, which was asleep. Redis: "
+        "SET and PUBLISH to a subscriber; DDS: a write to a reader.", "us",
         tuple(_line(name, [Point("median", x, "p50"), Point("99 %", x, "p99")]) for name, x in events),
         higher_is_better=False, aims=(Aim("at most", (CASTOR, "median"), 40.0),))
     yield Row(
         "link-readers", "Several readers of one value in another process",
         "Components of one process read an entry of 64 KB in another one each time that it was overwritten from here: "
         "bytes that come over the link for each of them.", "KB/reader",
-        (_line(CASTOR, [Point(_counted(n, "reader"), _castor("link_readers", readers=n, bytes=64 * KB), "bytes", 1 / KB)
-                        for n in (1, 2, 4, 8)]),), higher_is_better=False)
+        (_line(CASTOR, [
+            Point(_counted(n, "reader"), _castor("link_readers", readers=n, bytes=64 * KB), "bytes", 1 / KB)
+            for n in (1, 2, 4, 8)]),), higher_is_better=False)
 
 
 def _idle_rows():
@@ -220,7 +221,8 @@ def _entry_rows():
     yield Row(
         "entry-rates", "Operations among many entries",
         "Each of so many entries of 100 B is added, then read, then deleted, by one component.", "per second",
-        tuple(_line(name, [Point(label, x, name) for label, x in runs]) for name in ("add", "read", "delete")), slow=True)
+        tuple(_line(name, [Point(label, x, name) for label, x in runs]) for name in ("add", "read", "delete")),
+        slow=True)
 
 
 def _journal_row():
