@@ -156,8 +156,8 @@ def _contenders(*points):
 def _link_rows():
     yield Row(
         "link-writes", "Overwrites in another process, one at a time",
-        "100 B, on the loopback device, each acknowledged before the next: overwrites of an entry, requests to an actor, "
-        "SETs, and samples that the other process acknowledges with a sample.", "overwrites/s",
+        "100 B, on the loopback device, each acknowledged before the next: overwrites of an entry, requests to an "
+        "actor, SETs, and samples that the other process acknowledges with a sample.", "overwrites/s",
         _contenders(_link_writes(100, 1, "100 B")))
     yield Row(
         "link-pipelined", "Overwrites in another process, many in flight",

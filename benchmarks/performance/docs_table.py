@@ -1,0 +1,53 @@
+"""The table of measured figures in docs/performance.md. Pure."""
+
+from figures import figure_at, number
+from report import points_of, verdicts
+from rows import CASTOR
+
+BEGIN, END = "<!-- begin of figures: scripts/bench --update-docs -->", "<!-- end of figures -->"
+
+
+def _machine(results):
+    machine, load = results["machine"], results["load"]
+    virtual = "virtual, " if machine["virtual"] else ""
+    return (f"{machine['processor']} ({virtual}{machine['cores']} cores), {machine['system']}, "
+            f"Linux {machine['kernel']}; {results['rounds']} rounds of {results['seconds']:g} s, {results['started']}. "
+            f"Others used {100 * load['before']:.0f} % of the machine before the run, and "
+            f"{100 * load['median']:.0f} % (median; {100 * load['most']:.0f} % at most) during it.")
+
+
+def _cells(row, results):
+    """(figure, Castor's, those of peers) of a row."""
+    for label in dict.fromkeys(label for _, label in points_of(row)):
+        figures = [(line, figure_at(results, row.name, (line, label))) for line, x in points_of(row) if x == label]
+        texts = [(line, f"{number(x.median)} +- {100 * x.spread:.0f} %" if x.count > 1 else number(x.median))
+                 for line, x in figures if x]
+        if not texts:
+            continue
+        if not any(line == CASTOR for line, _ in texts):
+            yield from ((f"{label}, {line}", text, "") for line, text in texts)
+            continue
+        peers = ", ".join(f"{line} {text}" for line, text in texts if line != CASTOR)
+        yield label, dict(texts)[CASTOR], peers
+
+
+def docs_table(rows, results):
+    """Markdown."""
+    lines = [_machine(results), "", "| | Castor | others |", "|---|---|---|"]
+    for row in rows:
+        cells = list(_cells(row, results))
+        if not cells:
+            continue
+        aims = "; ".join(f"{x.text}: {x.outcome}" for _, x in verdicts([row], results))
+        lines.append(f"| **{row.title}**, {row.unit} | | {aims} |")
+        lines += [f"| {figure} | {castor} | {peers} |" for figure, castor, peers in cells]
+    return "\n".join(lines)
+
+
+def with_table(page, table):
+    """The page with the table between its marks. Throws ValueError if the marks are not there."""
+    before, begin, rest = page.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not begin or not end:
+        raise ValueError(f"there are no lines {BEGIN} and {END}")
+    return f"{before}{begin}\n\n{table}\n\n{end}{after}"
