@@ -57,7 +57,7 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
 }
 
 WorkingMemoryShell::~WorkingMemoryShell() {
-  store_.entries().close();
+  store_.entries().clear();
   if (clock_)
     clock_->forget(system_alarm_key_);
 }

@@ -13,7 +13,9 @@ EntryPtr EntryTable::read_in_time(const std::string& id) const {
     result = i->second.entry;
   }
   // If it is of an atomic write, all of that write is there once the table is not held.
-  return is_held_.load(std::memory_order_acquire) ? nullptr : result;
+  bool must_ask =
+    is_held_.load(std::memory_order_acquire) || is_closed_.load(std::memory_order_acquire);
+  return must_ask ? nullptr : result;
 }
 
 void EntryTable::insert(const std::string& id, Slot slot) {
@@ -32,7 +34,8 @@ void EntryTable::erase(const std::string& id) {
   size_ -= node.empty() ? 0 : 1;
 }
 
-void EntryTable::close() {
+void EntryTable::clear() {
+  close();
   for (auto& part : parts_) {
     std::unordered_map<std::string, Slot> slots;
     std::lock_guard guard{part.lock};

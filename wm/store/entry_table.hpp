@@ -64,6 +64,9 @@ public:
   /// Counts of the entries that were read in this way; for any thread.
   ReadCounts& counts() const { return counts_; }
 
+  /// Nobody reads here any more; for any thread. The owner may still be at work.
+  void close() { is_closed_.store(true, std::memory_order_release); }
+
   // -- for the owner
 
   /// Null if there is none.
@@ -96,8 +99,8 @@ public:
   void begin_atomic() { is_held_.store(true, std::memory_order_release); }
   void end_atomic() { is_held_.store(false, std::memory_order_release); }
 
-  /// No other thread reads here any more, and the entries are freed: the working memory has ended.
-  void close();
+  /// Closes the table and frees the entries.
+  void clear();
 
 private:
   struct alignas(64) Part {
@@ -116,6 +119,7 @@ private:
   Part& part_of(std::string_view id) { return const_cast<Part&>(std::as_const(*this).part_of(id)); }
 
   std::array<Part, part_count> parts_;
+  std::atomic<bool> is_closed_{false};
   std::atomic<bool> is_held_{false};
   /// As ticks of the clock; `never` if there is none.
   std::atomic<Time::rep> due_{never};

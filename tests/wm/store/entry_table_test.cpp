@@ -68,6 +68,8 @@ TEST(EntryTable, OthersAskWhereTheAnswerMayDiffer) {
   EXPECT_TRUE(read(table, "x"));
   table.close();
   EXPECT_FALSE(read(table, "x")) << "closed";
+  EXPECT_TRUE(table.find("x")) << "its owner may still be at work";
+  table.clear();
   EXPECT_EQ(table.size(), 0u);
 }
 
