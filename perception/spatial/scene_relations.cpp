@@ -52,11 +52,6 @@ GroundPoint ground_point(const geometry::AlignedBox& box) {
   return {box.centroid.x, box.centroid.y};
 }
 
-bool has_moved(const geometry::AlignedBox& before, const geometry::AlignedBox& now) {
-  return before.frame != now.frame ||
-         distance(ground_point(before), ground_point(now)) > now.size.x;
-}
-
 bool is_free(const GroundPoint& static_point, std::span<const GroundPoint> objects,
              double min_distance) {
   return std::none_of(objects.begin(), objects.end(), [&](const GroundPoint& object) {

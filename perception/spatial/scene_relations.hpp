@@ -31,9 +31,6 @@ const std::vector<SpatialRelationship>& list_of(const SpatialScene& scene,
 /// The centre of a box, from above.
 GroundPoint ground_point(const geometry::AlignedBox& box);
 
-/// Whether an object moved by more than its own width, so that relations may have changed.
-bool has_moved(const geometry::AlignedBox& before, const geometry::AlignedBox& now);
-
 /// Whether a static point is part of a scene: those closer than `min_distance` metres to an object
 /// are replaced by the object.
 bool is_free(const GroundPoint& static_point, std::span<const GroundPoint> objects,

@@ -1,4 +1,5 @@
 #include "castor/actors/component/registry.hpp"
+#include "castor/mapping/geometry/boxes.hpp"
 #include "castor/perception/spatial/scene_relations.hpp"
 #include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
@@ -43,7 +44,7 @@ class SceneManager final : public ManagedComponent {
     consider();
   }
 
-  /// Only what has moved by more than its own width makes a new scene.
+  /// Only what has moved, or turned out to be flat or not, makes a new scene.
   void look(const Address& address) {
     auto location = here(location_id(address));
     auto known = locations_.find(address);
@@ -51,7 +52,7 @@ class SceneManager final : public ManagedComponent {
       auto object = read<SceneObject>(address);
       if (object->box == geometry::AlignedBox{})
         return; // nobody knows yet where it is
-      if (known != locations_.end() && !has_moved(known->second, object->box))
+      if (known != locations_.end() && !geometry::has_moved(known->second, object->box))
         return;
       SpatialLocation now{{address}, object->box, {}};
       if (known == locations_.end()) {
@@ -60,7 +61,13 @@ class SceneManager final : public ManagedComponent {
         read<SpatialLocation>(location);
         overwrite(location, now);
       }
+      auto refined = known != locations_.end() && geometry::is_flat(known->second) != geometry::is_flat(object->box);
       locations_[address] = object->box;
+      dirty_ = true;
+      // Nothing has changed before the camera, so nobody says that this is seen to.
+      if (refined)
+        consider();
+      return;
     } catch (const DoesNotExistOnWM&) {
       if (known == locations_.end())
         return;

@@ -1,9 +1,9 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/binding/binding_monitor.hpp"
+#include "castor/mapping/geometry/boxes.hpp"
 #include "castor/perception/vision/types.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -55,7 +55,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   void tell_of(const std::string& id, const SceneObject& object) {
     auto& place = objects_[id];
     // A thing that is jostled is where it was.
-    if (has_moved(place, object.box))
+    if (geometry::has_moved(place, object.box))
       place = object.box;
     auto data = AnyEntryPointer{here(id), std::string{type_name<SceneObject>()}};
     auto thing = from_here();
@@ -140,12 +140,6 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     to.features.push_back(word.confidence < sure_
                             ? binding::uncertain_feature(kind, word.value, word.confidence)
                             : feature(kind, word.value));
-  }
-
-  static bool has_moved(const AlignedBox& before, const AlignedBox& now) {
-    return before.frame != now.frame ||
-           std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
-             std::min(before.size.x, now.size.x);
   }
 
   static constexpr std::string_view object_prefix = "vision/object/";

@@ -10,10 +10,6 @@ namespace {
 
 using enum SpatialRelation;
 
-geometry::AlignedBox box(double x, double y, double width) {
-  return {{x, y, 0.05}, {width, width, 0.1}};
-}
-
 TEST(SceneRelations, HoldAboveTheirThreshold) {
   const std::vector<ScenePlace> places{{"square", {0.15, 0}}, {"triangle", {-0.15, 0}}};
   EXPECT_TRUE(relationships(right, places, {0, -1}).empty());
@@ -39,16 +35,6 @@ TEST(SceneRelations, HaveAListEach) {
   EXPECT_EQ(scene.back.at(0).relation, back);
   EXPECT_EQ(scene.left.at(0).relation, left);
   EXPECT_EQ(scene.right.at(0).relation, right);
-}
-
-TEST(SceneRelations, AreLookedAtAnewWhenSomethingMovedByItsWidth) {
-  EXPECT_FALSE(has_moved(box(0, 0, 0.1), box(0.09, 0, 0.1)));
-  EXPECT_TRUE(has_moved(box(0, 0, 0.1), box(0.11, 0, 0.1)));
-  EXPECT_TRUE(has_moved(box(0, 0, 0.1), box(0.08, 0.08, 0.1)));
-  // Upwards does not count.
-  auto lifted = box(0, 0, 0.1);
-  lifted.centroid.z = 1;
-  EXPECT_FALSE(has_moved(box(0, 0, 0.1), lifted));
 }
 
 TEST(SceneRelations, LeaveOutStaticPointsWhereAnObjectIs) {
