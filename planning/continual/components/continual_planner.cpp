@@ -53,7 +53,7 @@ class ContinualPlanner final : public ManagedComponent {
       if (!action.wait_while_paused())
         plan.cancel("nobody wants the goal any more");
       else if (plan.phase() == PlanPhase::observing)
-        observe(plan);
+        observe(action, plan);
       else if (plan.phase() == PlanPhase::planning)
         find(action, plan);
       else
@@ -86,18 +86,31 @@ class ContinualPlanner final : public ManagedComponent {
     }
   }
 
-  void observe(ContinualPlan& plan) {
+  void observe(ActionInProgress& action, ContinualPlan& plan) {
     follow_goal(plan);
     std::vector<StateReply> replies;
+    const auto given_up = now() + outage_.get();
     for (const auto& name : contributors_.get()) {
-      try {
-        replies.push_back(
-          call<StateRequest, StateReply>(name, {plan.status().goal}, {.timeout = patience_.get()}));
-      } catch (const WorkingMemoryException& e) {
-        return plan.observation_failed(name + " did not say what it knows: " + e.what());
-      }
+      std::string failure;
+      while (!ask(name, plan, replies, failure))
+        // Whoever it asks itself may be started again just now.
+        if (now() >= given_up || !action.sleep_for(std::chrono::milliseconds{200}))
+          return plan.observation_failed(name + " did not say what it knows: " + failure);
     }
     plan.observed(replies);
+  }
+
+  /// Asks a contributor for what it knows; false, and why, if it does not say.
+  bool ask(const std::string& name, const ContinualPlan& plan, std::vector<StateReply>& replies,
+           std::string& failure) {
+    try {
+      replies.push_back(
+        call<StateRequest, StateReply>(name, {plan.status().goal}, {.timeout = patience_.get()}));
+      return true;
+    } catch (const WorkingMemoryException& e) {
+      failure = e.what();
+      return false;
+    }
   }
 
   /// Waits until the action that was asked for is over; false if this one is to end before.
@@ -193,6 +206,9 @@ class ContinualPlanner final : public ManagedComponent {
   Option<std::int64_t> most_steps_{this, "most-steps", 100,
                                    "steps for one goal, after which it gives up"};
   Option<std::int64_t> keep_{this, "keep", 20, "goals that are over whose entries it keeps"};
+  Option<std::chrono::milliseconds> outage_{
+    this, "outage", std::chrono::seconds{5},
+    "how long a contributor that fails is asked again, before that counts as a failure"};
   Option<std::chrono::milliseconds> patience_{
     this, "patience", 2s, "how long it waits for a contributor, and for a step to be accepted"};
   Option<std::chrono::milliseconds> safe_end_{this, "safe-end", 10s,
