@@ -48,6 +48,7 @@ class SceneManager final : public ManagedComponent {
   void look(const Address& address) {
     auto location = here(location_id(address));
     auto known = locations_.find(address);
+    bool is_refined = false;
     try {
       auto object = read<SceneObject>(address);
       if (object->box == geometry::AlignedBox{})
@@ -61,13 +62,9 @@ class SceneManager final : public ManagedComponent {
         read<SpatialLocation>(location);
         overwrite(location, now);
       }
-      auto refined = known != locations_.end() && geometry::is_flat(known->second) != geometry::is_flat(object->box);
+      is_refined = known != locations_.end() &&
+                   geometry::is_flat(known->second) != geometry::is_flat(object->box);
       locations_[address] = object->box;
-      dirty_ = true;
-      // Nothing has changed before the camera, so nobody says that this is seen to.
-      if (refined)
-        consider();
-      return;
     } catch (const DoesNotExistOnWM&) {
       if (known == locations_.end())
         return;
@@ -75,6 +72,9 @@ class SceneManager final : public ManagedComponent {
       delete_entry(location);
     }
     dirty_ = true;
+    // Nothing has changed before the camera, so nobody says that this is seen to.
+    if (is_refined)
+      consider();
   }
 
   /// Several objects that move together make one scene.
