@@ -288,6 +288,7 @@ void SystemPart::spawn_working_memory(const PartPlan& plan, const ComponentDescr
   options.epoch = services_->epoch;
   options.clock = services_->clock;
   options.broadcast = plan.broadcast;
+  options.without_components = health_subarchitecture;
   options.leases.duration = wm_class.lease.get();
   // Nobody hangs while others run, and renewals would change the order in which they do.
   if (is_one_at_a_time())

@@ -154,7 +154,8 @@ void ComponentShell::live() {
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
   await_phase(Phase::start);
-  if (services_->broadcast && !identity().subarchitecture.empty())
+  // Task managers have no filters.
+  if (services_->broadcast && dynamic_cast<SubarchitectureComponent*>(component_.get()))
     operations_.receive_broadcasts();
   code_.run(phase_name(Phase::start), [this] {
     faults_.in_phase(Phase::start);

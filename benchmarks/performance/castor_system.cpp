@@ -15,7 +15,10 @@ std::string subarchitecture_text(const std::string& name, const std::string& hos
 
 void run_system(const std::string& text, const SystemOptions& options,
                 const std::function<void(System&)>& before_stop) {
-  auto parsed = cast::parse_string("HOSTNAME far far\nACCESS * WRITES *\n" + text, "benchmark");
+  std::string hosts;
+  for (auto& [name, endpoint] : options.nodes)
+    hosts += fmt::format("HOSTNAME {0} {0}\n", name);
+  auto parsed = cast::parse_string(hosts + "ACCESS * WRITES *\n" + text, "benchmark");
   // Warnings, too: what is measured is what was meant.
   if (!parsed.architecture || !parsed.diagnostics.empty())
     throw std::runtime_error(render(parsed.diagnostics));

@@ -24,7 +24,7 @@ inline Payload payload_of(std::size_t bytes) {
 std::string subarchitecture_text(const std::string& name, const std::string& host = "localhost");
 
 /// Runs the system that a .cast file of this text describes until one of its components ends it.
-/// The text may place components at `[far]` (FarNode).
+/// The text may place components at the nodes of the options, by their names.
 /// `before_stop` may look at it, or do what there is to do without such a component.
 void run_system(const std::string& text, const SystemOptions& options = {},
                 const std::function<void(System&)>& before_stop = {});

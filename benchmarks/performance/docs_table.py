@@ -44,10 +44,10 @@ def docs_table(rows, results):
     return "\n".join(lines)
 
 
-def with_table(page, table):
+def with_table(page, table, begin_mark=BEGIN, end_mark=END):
     """The page with the table between its marks. Throws ValueError if the marks are not there."""
-    before, begin, rest = page.partition(BEGIN)
-    _, end, after = rest.partition(END)
+    before, begin, rest = page.partition(begin_mark)
+    _, end, after = rest.partition(end_mark)
     if not begin or not end:
-        raise ValueError(f"there are no lines {BEGIN} and {END}")
+        raise ValueError(f"there are no lines {begin_mark} and {end_mark}")
     return f"{before}{begin}\n\n{table}\n\n{end}{after}"

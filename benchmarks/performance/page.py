@@ -51,12 +51,18 @@ def _machine(results):
         ("memory", machine["memory"]),
         ("system", f"{machine['system']}, Linux {machine['kernel']}"),
         ("Castor", machine["castor"]),
-        ("run", f"{results['started']}, {results['rounds']} interleaved rounds, {results['seconds']:g} s for a figure"),
+        ("run", f"{results['started']}, {results['rounds']} interleaved rounds, {_length(results)}"),
         ("load by others", f"{100 * load['before']:.0f} % of the machine before the run, then "
                            f"{100 * load['median']:.0f} % (median), {100 * load['most']:.0f} % at most"),
     ]
     items = "".join(f"<dt>{escape(name)}</dt><dd>{escape(text)}</dd>" for name, text in facts)
     return f"<dl>{items}</dl>"
+
+
+def _length(results):
+    if "changes" in results:
+        return f"{results['changes']} changes by each component"
+    return f"{results['seconds']:g} s for a figure"
 
 
 def _warnings(results):
@@ -112,7 +118,7 @@ def _row(row, results, old):
             f"<details><summary>figures</summary>{_table(head, figures)}</details></section>")
 
 
-def page(rows, results, old=None):
+def page(rows, results, old=None, title="What Castor costs"):
     """HTML of the results, compared with older ones if there are any."""
     measured = [row for row in rows if results["rows"].get(row.name)]
     legend = "Bars are medians, the thin lines reach from the least to the most that a round gave; dashed: the aim"
@@ -120,7 +126,7 @@ def page(rows, results, old=None):
     return "\n".join([
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f"<title>What Castor costs</title>\n<style>{STYLES}</style></head><body><main>",
-        "<h1>What Castor costs</h1>", _machine(results), _warnings(results),
+        f"<title>{escape(title)}</title>\n<style>{STYLES}</style></head><body><main>",
+        f"<h1>{escape(title)}</h1>", _machine(results), _warnings(results),
         _changes(rows, results, old) if old else "", _summary(rows, results), f'<p class="soft">{legend}</p>',
         *(_row(row, results, old) for row in measured), "</main></body></html>\n"])

@@ -219,7 +219,7 @@ caf::result<Acknowledged> EventDispatcher::introduce(const Peers& peers) {
     std::optional<RouteNumber> route;
     if (auto i = peers.routes.find(name); i != peers.routes.end())
       route = find_or_add_route(i->second);
-    auto peer = peers_.add(name, route, readable_by_(name));
+    auto peer = peers_.add(name, route, broadcasts_to_(name));
     peer_actors_.push_back(caf::actor_cast<WorkingMemoryActor>(actor));
     for (auto& [from, interest] : std::exchange(early_interests_, {}))
       set_interest(from, interest);

@@ -29,8 +29,10 @@ public:
   EventDispatcher(WorkingMemoryActor::pointer self, JournalOutbox& outbox,
                   MonitoredActors& monitored, UsageLog& usage, const WorkingMemoryOptions& options);
 
-  /// Tells which subarchitectures may read here, for broadcasts; all of them until then.
-  void set_readable_by(std::function<bool(const std::string&)> f) { readable_by_ = std::move(f); }
+  /// Tells which subarchitectures get broadcasts; all of them until then.
+  void set_broadcasts_to(std::function<bool(const std::string&)> f) {
+    broadcasts_to_ = std::move(f);
+  }
 
   /// Sends the events of one write.
   void dispatch(const std::vector<CommittedChange>& changes);
@@ -104,7 +106,7 @@ private:
   std::map<std::pair<caf::actor_addr, EventStream>, Subscriptions::Number> subscriber_numbers_;
   std::unordered_map<Subscriptions::Number, caf::actor> subscriber_actors_;
 
-  std::function<bool(const std::string&)> readable_by_ = [](const std::string&) { return true; };
+  std::function<bool(const std::string&)> broadcasts_to_ = [](const std::string&) { return true; };
   PeerRoutes peers_;
   std::vector<WorkingMemoryActor> peer_actors_;
   /// Actors that forward events to the working memories of another process, by route.

@@ -19,12 +19,12 @@ PeerRoutes::RouteNumber PeerRoutes::add_route() {
 }
 
 PeerRoutes::PeerNumber PeerRoutes::add(const std::string& subarchitecture,
-                                       std::optional<RouteNumber> route, bool may_read) {
+                                       std::optional<RouteNumber> route, bool gets_broadcasts) {
   auto number = static_cast<PeerNumber>(peers_.size());
   auto& peer = peers_.emplace_back();
   peer.subarchitecture = subarchitecture;
   peer.route = route;
-  if (broadcast_ && may_read)
+  if (broadcast_ && gets_broadcasts)
     set_interest(number, {subarchitecture, nobody, any_change().anywhere(), true});
   return number;
 }

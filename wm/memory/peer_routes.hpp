@@ -49,9 +49,9 @@ public:
 
   RouteNumber add_route();
 
-  /// A peer without a route is in this process. One that may not read gets no broadcasts.
+  /// A peer without a route is in this process.
   PeerNumber add(const std::string& subarchitecture, std::optional<RouteNumber> route,
-                 bool may_read = true);
+                 bool gets_broadcasts = true);
 
   /// Removes a peer that has left the system; its name may be used again for another.
   void remove(PeerNumber peer);

@@ -38,6 +38,8 @@ struct WorkingMemoryOptions {
   std::shared_ptr<SimulatedClock> clock;
   /// Every event is sent to every other working memory, regardless of interests.
   bool broadcast = false;
+  /// Another subarchitecture that gets no broadcasts, since it has no components.
+  std::string without_components;
   /// Time limit for another working memory to register a filter.
   std::chrono::milliseconds peer_deadline{5000};
   EntryStoreOptions store;

@@ -47,7 +47,9 @@ WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
     epoch_(options.epoch), clock_(options.clock) {
   allow_writers(options.writers);
   store_.access().set_readers(options.readers);
-  events_.set_readable_by([this](const std::string& x) { return store_.access().may_read(x); });
+  events_.set_broadcasts_to([this, without = options.without_components](const std::string& x) {
+    return x != without && store_.access().may_read(x);
+  });
   if (!options.opened_journal)
     return;
   outbox_.open(options, now());

@@ -68,6 +68,16 @@ TEST_F(Broadcast, SendsEveryEventToEveryComponentWhichFiltersForItself) {
   EXPECT_EQ(status(system, "reader").events_rejected, 4u);
   EXPECT_EQ(status(system, "deaf").events_rejected, 10u);
   EXPECT_EQ(status(system, "writer").events_rejected, 10u);
+  std::uint64_t forwarded = 0;
+  auto summary = system.summary();
+  for (auto& x : summary.working_memories)
+    forwarded += x.forwarded;
+  EXPECT_EQ(forwarded, 10u) << "to b, and not to Castor's own working memory";
+  for (auto& x : summary.components) {
+    if (x.is_task_manager) {
+      EXPECT_EQ(x.events_received, 0u) << x.identity.name;
+    }
+  }
   system.stop();
 }
 
