@@ -11,7 +11,7 @@ namespace castor {
 namespace {
 
 /// With the version of everything that is said over a link.
-constexpr std::array<std::uint8_t, 8> magic{'C', 'A', 'S', 'T', 'O', 'R', 0, 1};
+constexpr std::array<std::uint8_t, 8> magic{'C', 'A', 'S', 'T', 'O', 'R', 0, 2};
 constexpr std::size_t version_at = 6;
 constexpr std::size_t longest = 4096;
 

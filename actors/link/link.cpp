@@ -21,7 +21,9 @@ namespace castor {
 
 namespace {
 
-constexpr std::size_t link_bytes_at_once = 128 * 1024;
+/// Most bytes read at once: few, as a buffer is kept for them, until more come.
+constexpr std::size_t few_bytes = 4 * 1024;
+constexpr std::size_t many_bytes = 128 * 1024;
 
 /// A socket that nobody has taken is closed.
 class DialledSocket {
@@ -81,6 +83,8 @@ public:
     return {
       [link](LinkMessage& x) { link->end_.send(std::move(x)); },
       [link](const caf::io::new_data_msg& x) {
+        if (x.buf.size() == few_bytes)
+          link->read_at_once(x.handle, many_bytes);
         link->end_.receive(x.handle.id(),
                            {reinterpret_cast<const std::uint8_t*>(x.buf.data()), x.buf.size()});
       },
@@ -119,7 +123,7 @@ public:
 
   void listen_to(Connection x) override {
     auto handle = connection_handle::from_int(x);
-    self_->configure_read(handle, caf::io::receive_policy::at_most(link_bytes_at_once));
+    read_at_once(handle, few_bytes);
     self_->ack_writes(handle, true);
     self_->trigger(handle);
   }
@@ -137,6 +141,10 @@ public:
   caf::execution_unit* context() override { return self_->context(); }
 
 private:
+  void read_at_once(connection_handle from, std::size_t bytes) {
+    self_->configure_read(from, caf::io::receive_policy::at_most(bytes));
+  }
+
   void dialled(const Dialled& x) {
     if (!x.socket)
       end_.not_dialled(x.problem);

@@ -15,10 +15,15 @@ using namespace std::chrono_literals;
 /// How much may be in the connection's own buffer, where nothing can overtake it any more.
 constexpr std::size_t buffered = 192 * 1024;
 
+/// How long a peer may want to rest.
+constexpr auto longest_promise = 60s;
+
 } // namespace
 
 void LinkEnd::begin() {
-  driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
+  auto now = driver_.now();
+  wake(now);
+  schedule_tick(now, parts_.options.heartbeat);
   if (parts_.dial)
     dial();
 }
@@ -94,6 +99,7 @@ void LinkEnd::disconnected(const std::string& why) {
     drop_connection();
   if (was_up) {
     down_since_ = driver_.now();
+    wake(down_since_);
     backoff_ = 20ms;
   }
   if (!has_ended_ && (was_up || why != reason_))
@@ -177,7 +183,10 @@ void LinkEnd::guarded(F&& f) {
 // -- injected faults
 
 void LinkEnd::inject(const LinkFault& x) {
-  auto until = driver_.now() + x.duration;
+  auto now = driver_.now();
+  auto until = now + x.duration;
+  wake(now);
+  awake_until_ = std::max(awake_until_, until);
   switch (x.kind) {
     case LinkFault::Kind::silence:
       silent_until_ = until;
@@ -277,6 +286,7 @@ void LinkEnd::established(const Hello& x) {
   incarnation_ = x.incarnation;
   session_.resume(x.received);
   greeted_ = true;
+  wake(driver_.now());
   backoff_ = 20ms;
   LinkRecord::add(record_->connections, 1);
   set_state(LinkState::up, {});
@@ -323,6 +333,7 @@ void LinkEnd::read_hello() {
 
 void LinkEnd::read(std::span<const std::uint8_t> bytes) {
   session_.receive(bytes, [this](IncomingMessage x) {
+    wake(last_input_);
     LinkRecord::add(record_->messages_in, 1);
     parts_.mesh->receive(parts_.peer, std::move(x), driver_.context());
   });
@@ -334,6 +345,7 @@ void LinkEnd::send(LinkMessage x) {
   if (has_ended_)
     return;
   guarded([&] {
+    wake(driver_.now());
     std::vector<TypeDescriptorPtr> unknown;
     for (auto& type : x.types)
       if (introduced_types_.insert(type->hash).second)
@@ -360,25 +372,71 @@ void LinkEnd::flush() {
   record_->unacknowledged.store(session_.unacknowledged(), std::memory_order_relaxed);
 }
 
+// -- signs of life
+
+bool LinkEnd::is_awake(Clock::time_point now) const {
+  return !greeted_ || now < awake_until_ || session_.unacknowledged() > 0 ||
+         session_.waiting() > 0;
+}
+
+void LinkEnd::wake(Clock::time_point now) {
+  if (!is_awake(now))
+    awake_since_ = now;
+  awake_until_ = std::max(awake_until_, now + parts_.options.rest_after);
+  if (next_tick_ > now + 2 * parts_.options.heartbeat)
+    schedule_tick(now, parts_.options.heartbeat);
+}
+
+LinkEnd::Milliseconds LinkEnd::resting_heartbeat() const {
+  auto is_coordinators = parts_.peer == 0 || parts_.mesh->self() == 0;
+  return is_coordinators ? parts_.options.silence / 3 : parts_.options.resting_heartbeat;
+}
+
+void LinkEnd::schedule_tick(Clock::time_point now, Milliseconds after) {
+  auto step = Clock::duration{parts_.options.heartbeat};
+  auto origin = driver_.origin();
+  next_tick_ = origin + (now + after - origin) / step * step;
+  if (next_tick_ <= now)
+    next_tick_ += step;
+  driver_.remind(LinkReminder::tick, std::chrono::ceil<Milliseconds>(next_tick_ - now));
+}
+
+bool LinkEnd::misses_peer(Clock::time_point now) const {
+  auto& options = parts_.options;
+  if (!greeted_)
+    return now - last_input_ > options.connecting;
+  // A peer that rests is woken by what is sent to it, and answers from then on.
+  if (is_awake(now))
+    return now - std::max(last_input_, awake_since_) > options.silence;
+  auto promise = std::min<Milliseconds>(session_.peer_promise(), longest_promise);
+  return now - last_input_ > std::max(options.silence, promise + options.silence / 2);
+}
+
 void LinkEnd::tick() {
-  if (has_ended_)
-    return;
-  driver_.remind(LinkReminder::tick, parts_.options.heartbeat);
   auto now = driver_.now();
+  // There are reminders from before the link was woken.
+  if (has_ended_ || now + 1ms < next_tick_)
+    return;
+  auto& options = parts_.options;
+  auto awake = is_awake(now);
+  schedule_tick(now, awake ? options.heartbeat : resting_heartbeat());
   if (connection_ && discarding_input_ && !is_silent())
     disconnected("sent data was not acknowledged");
   if (connection_) {
-    if (now - last_input_ > (greeted_ ? parts_.options.silence : parts_.options.connecting)) {
+    if (misses_peer(now)) {
       disconnected("no sign of life");
+    } else if (greeted_ && !awake) {
+      session_.announce(resting_heartbeat() + options.heartbeat);
+      flush();
     } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
-      session_.remind();
+      session_.remind(options.heartbeat);
       flush();
       wrote_since_tick_ = false;
     }
   }
-  if (!greeted_ && now - down_since_ > parts_.options.patience)
+  if (!greeted_ && now - down_since_ > options.patience)
     lost(fmt::format("it could not be reached for {:g} s{}",
-                     std::chrono::duration<double>(parts_.options.patience).count(),
+                     std::chrono::duration<double>(options.patience).count(),
                      reason_.empty() ? "" : " (" + reason_ + ")"));
 }
 

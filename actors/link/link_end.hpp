@@ -40,6 +40,9 @@ public:
   virtual ~LinkDriver() = default;
 
   virtual Clock::time_point now() const = 0;
+  /// Ends tick at whole heartbeats from here on: all those of a machine at the same time, so that
+  /// it has to wake up only once for them.
+  virtual Clock::time_point origin() const { return {}; }
   virtual void remind(LinkReminder of, std::chrono::milliseconds after) = 0;
   /// Tries to connect with the peer; to be followed by `LinkEnd::dialled` or `not_dialled`.
   virtual void dial() = 0;
@@ -112,7 +115,15 @@ private:
   void read_hello();
   void read(std::span<const std::uint8_t> bytes);
   void flush();
+
+  /// Whether messages pass, or may be answered soon, so that the peer is to be heard often.
+  bool is_awake(Clock::time_point now) const;
+  /// A message passes.
+  void wake(Clock::time_point now);
+  Milliseconds resting_heartbeat() const;
   void tick();
+  void schedule_tick(Clock::time_point now, Milliseconds after);
+  bool misses_peer(Clock::time_point now) const;
   void set_state(LinkState state, const std::string& why);
 
   LinkDriver& driver_;
@@ -135,6 +146,10 @@ private:
   std::unordered_set<std::uint64_t> introduced_types_;
   std::size_t in_buffer_ = 0;
   bool wrote_since_tick_ = false;
+  Clock::time_point next_tick_;
+  /// Since when the link does not rest, and when it may rest again.
+  Clock::time_point awake_since_;
+  Clock::time_point awake_until_;
   Clock::time_point last_input_;
   Clock::time_point down_since_;
   std::string reason_;

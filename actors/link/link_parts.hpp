@@ -15,9 +15,14 @@
 namespace castor {
 
 struct LinkOptions {
-  /// Longest time between two writes.
+  /// Longest time between two writes, while messages pass.
   std::chrono::milliseconds heartbeat{100};
-  /// Time without input after which the connection is closed and made anew.
+  /// Time without a message after which the link rests.
+  std::chrono::milliseconds rest_after{2000};
+  /// Longest time between two writes of a link that rests. Of one to or from the coordinator,
+  /// process 0, by which the loss of a process is noticed, it is a third of the silence.
+  std::chrono::milliseconds resting_heartbeat{5000};
+  /// Time without input that should have come after which the connection is closed and made anew.
   std::chrono::milliseconds silence{1000};
   /// Time without a connection after which the peer is lost.
   std::chrono::milliseconds patience{30'000};

@@ -280,8 +280,11 @@ void LinkSession::produce(std::vector<char>& out, std::size_t at_most) {
     ++rewritten_;
     reminded_ = false;
   }
-  if (std::exchange(reminded_, false))
-    put_header(out, FrameKind::ping, 0);
+  if (std::exchange(reminded_, false) || announced_) {
+    put_header(out, FrameKind::ping, sizeof(std::uint32_t));
+    put(out, static_cast<std::uint32_t>(promised_.count()));
+    announced_ = false;
+  }
   if (!goodbye_.empty()) {
     auto text = std::exchange(goodbye_, {}).substr(0, longest_goodbye);
     put_header(out, FrameKind::goodbye, text.size());
@@ -290,7 +293,7 @@ void LinkSession::produce(std::vector<char>& out, std::size_t at_most) {
 }
 
 bool LinkSession::has_output() const {
-  return reminded_ || !goodbye_.empty() || rewritten_ < sent_.size() ||
+  return reminded_ || announced_ || !goodbye_.empty() || rewritten_ < sent_.size() ||
          received_ - acknowledged_to_peer_ >= parts_per_ack || received_since_ >= bytes_per_ack ||
          (waiting() > 0 && unacknowledged_ < limits_.window);
 }
@@ -315,6 +318,7 @@ void LinkSession::resume(std::uint64_t received_by_peer) {
   acknowledge(received_by_peer);
   rewritten_ = 0;
   input_.clear();
+  peer_promise_ = {};
   acknowledged_to_peer_ = received_;
   received_since_ = 0;
 }
@@ -352,6 +356,7 @@ void LinkSession::take_frame(std::span<const std::uint8_t> frame,
       acknowledge(take<std::uint64_t>(frame));
       break;
     case FrameKind::ping:
+      peer_promise_ = std::chrono::milliseconds{take<std::uint32_t>(frame)};
       break;
     case FrameKind::goodbye:
       peer_goodbye_.assign(frame.begin(), frame.end());

@@ -3,6 +3,7 @@
 #include "castor/wm/values/type_descriptor.hpp"
 #include "castor/wm/values/value.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -70,7 +71,7 @@ struct SessionLimits {
 ///
 ///     part     u32 the message's number, u8 1 first | 2 last, bytes of the message
 ///     ack      u64 how many parts were received, since the session began
-///     ping     nothing: the peer is alive
+///     ping     u32 milliseconds until the next sign of life: the peer is alive
 ///     goodbye  the reason, as text: the peer ends the session
 ///
 /// A message begins with a u32 count and as many u64 lengths: of its head and of its contents. All
@@ -96,8 +97,21 @@ public:
   /// LinkError if the peer claims more than was sent, or less than it has acknowledged.
   void resume(std::uint64_t received_by_peer);
 
-  /// Heartbeat: the next `produce` writes a ping if there is nothing else to write.
-  void remind() { reminded_ = true; }
+  /// Heartbeat: the next `produce` writes a ping if there is nothing else to write. The ping says
+  /// that there will be another sign of life after `next` at the latest.
+  void remind(std::chrono::milliseconds next) {
+    reminded_ = true;
+    promised_ = next;
+  }
+
+  /// As `remind`, but a ping is written in any case.
+  void announce(std::chrono::milliseconds next) {
+    remind(next);
+    announced_ = true;
+  }
+
+  /// What the peer's last ping said; 0 without one since the connection was made.
+  std::chrono::milliseconds peer_promise() const { return peer_promise_; }
 
   /// Ends the session once `produce` was called.
   void say_goodbye(std::string reason) { goodbye_ = std::move(reason); }
@@ -159,6 +173,8 @@ private:
   /// Of `sent_`, how many were written to the present connection.
   std::size_t rewritten_ = 0;
   bool reminded_ = false;
+  bool announced_ = false;
+  std::chrono::milliseconds promised_{0};
   std::string goodbye_;
 
   // -- in
@@ -167,6 +183,7 @@ private:
   std::uint64_t received_ = 0;
   std::uint64_t acknowledged_to_peer_ = 0;
   std::size_t received_since_ = 0;
+  std::chrono::milliseconds peer_promise_{0};
   std::string peer_goodbye_;
 };
 

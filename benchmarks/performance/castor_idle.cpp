@@ -27,7 +27,7 @@ class Idler final : public UnmanagedComponent {
 CASTOR_COMPONENT(Idler, "waits for changes that never come")
 
 /// Time after which nothing is left of the start.
-constexpr auto settling = 2s;
+constexpr auto settling = 5s;
 
 /// Percent of a core that the processes take together, from now on.
 double idle_percent(const std::vector<pid_t>& processes, std::chrono::duration<double> duration) {

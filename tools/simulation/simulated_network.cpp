@@ -50,7 +50,7 @@ class SimulatedLink : public LinkDriver, public std::enable_shared_from_this<Sim
 public:
   SimulatedLink(caf::event_based_actor* self, SimulatedNetwork& network, Life life, LinkParts parts,
                 std::shared_ptr<LinkRecord> record, std::uint32_t seed)
-    : self_(self), network_(network), life_(life), peer_(parts.dial),
+    : self_(self), network_(network), life_(life), peer_(parts.dial), origin_(now()),
       end_(*this, std::move(parts), std::move(record), seed) {}
 
   caf::behavior begin() {
@@ -93,6 +93,7 @@ public:
   // -- for the end
 
   Clock::time_point now() const override { return self_->clock().now(); }
+  Clock::time_point origin() const override { return origin_; }
   void remind(LinkReminder of, std::chrono::milliseconds after) override {
     send_later(self_, after, of);
   }
@@ -132,6 +133,7 @@ private:
   SimulatedNetwork& network_;
   const Life life_;
   const std::optional<Endpoint> peer_;
+  const Clock::time_point origin_;
   std::vector<char> output_;
   Connection written_ = 0;
   LinkEnd end_;

@@ -54,7 +54,9 @@ struct End : LinkDriver {
   }
 
   Clock::time_point now() const override { return time; }
-  void remind(LinkReminder, std::chrono::milliseconds) override {}
+  void remind(LinkReminder of, std::chrono::milliseconds after) override {
+    reminders.emplace(time + after, of);
+  }
   void dial() override { ++dials; }
   void listen_to(Connection) override {}
   void close(Connection x) override { closed.push_back(x); }
@@ -72,12 +74,18 @@ struct End : LinkDriver {
   std::vector<char> out;
   std::vector<Connection> closed;
   int dials = 0;
+  int writes = 0;
+  std::multimap<Clock::time_point, LinkReminder> reminders;
   std::optional<LinkEnd> end;
 };
 
 class LinkEndTest : public testing::Test, protected simulation::TestingSystem {
 protected:
-  LinkEndTest() { connect(1); }
+  /// Between the coordinator and another process, or between two others.
+  explicit LinkEndTest(ProcessNumber first = 0, ProcessNumber second = 1)
+    : first_(first), second_(second) {
+    connect(1);
+  }
 
   ~LinkEndTest() override {
     for (auto* x : {&a, &b}) {
@@ -96,6 +104,7 @@ protected:
   void carry(LinkDriver::Connection x) {
     auto move = [&](End& from, End& to) {
       auto words = std::exchange(from.out, {});
+      from.writes += words.empty() ? 0 : 1;
       if (!words.empty())
         to.end->receive(x, {reinterpret_cast<const std::uint8_t*>(words.data()), words.size()});
       return !words.empty();
@@ -116,14 +125,33 @@ protected:
   }
 
   void say(const std::string& what) {
-    auto to = a.mesh->well_known(1, part_agent_number);
+    auto to = a.mesh->well_known(second_, part_agent_number);
     caf::anon_send(caf::actor_cast<caf::actor>(to), RetractTask{what});
     run();
   }
 
+  /// Lets time pass, with what both ends want to be reminded of, and what they say to each other
+  /// unless they are apart.
+  void pass(std::chrono::milliseconds duration, bool apart = false) {
+    for (auto end = time + duration; time < end; time += 1ms) {
+      for (auto* x : {&a, &b})
+        while (!x->reminders.empty() && x->reminders.begin()->first <= time)
+          x->end->remind(x->reminders.extract(x->reminders.begin()).mapped());
+      if (!apart)
+        carry(1);
+    }
+  }
+
+  const ProcessNumber first_, second_;
   LinkDriver::Clock::time_point time = LinkDriver::Clock::time_point{} + 1h;
-  End a{system, 0, 1, time};
-  End b{system, 1, 0, time};
+  End a{system, first_, second_, time};
+  End b{system, second_, first_, time};
+};
+
+/// A link that the loss of a process is not noticed by.
+class LinkAtRest : public LinkEndTest {
+protected:
+  LinkAtRest() : LinkEndTest(1, 2) { pass(10s); }
 };
 
 TEST_F(LinkEndTest, HearsWhatIsSaid) {
@@ -145,6 +173,63 @@ TEST_F(LinkEndTest, AfterAGapNothingIsHeardBeforeThereIsAnotherConnection) {
   a.end->closed(1);
   connect(2);
   EXPECT_THAT(b.heard, ElementsAre("lost", "after the gap"));
+}
+
+TEST_F(LinkEndTest, TheCoordinatorIsHeardOften) {
+  pass(10s);
+  auto before = b.writes;
+  pass(10s);
+  EXPECT_NEAR(b.writes - before, 31, 3);
+  pass(1400ms, true);
+  EXPECT_THAT(a.closed, ElementsAre(1));
+  EXPECT_THAT(b.closed, ElementsAre(1));
+}
+
+TEST_F(LinkAtRest, HardlyWritesAndStays) {
+  a.writes = b.writes = 0;
+  pass(60s);
+  EXPECT_LE(a.writes, 13);
+  EXPECT_LE(b.writes, 13);
+  EXPECT_GE(a.writes, 11);
+  EXPECT_THAT(a.closed, IsEmpty());
+  EXPECT_THAT(b.closed, IsEmpty());
+}
+
+TEST_F(LinkAtRest, IsWokenByAMessage) {
+  for (int i = 0; i < 50; ++i) {
+    pass(std::chrono::milliseconds{3000 + 77 * i});
+    say(std::to_string(i));
+    carry(1);
+    ASSERT_EQ(b.heard.back(), std::to_string(i));
+    a.writes = b.writes = 0;
+    pass(1000ms);
+    EXPECT_NEAR(a.writes, 10, 2);
+    EXPECT_NEAR(b.writes, 10, 2) << "acknowledgements, and signs of life";
+  }
+  EXPECT_THAT(a.closed, IsEmpty());
+  EXPECT_THAT(b.closed, IsEmpty());
+}
+
+TEST_F(LinkAtRest, NoticesSoonThatAMessageIsNotHeard) {
+  say("lost");
+  pass(900ms, true);
+  EXPECT_THAT(a.closed, IsEmpty());
+  pass(300ms, true);
+  EXPECT_THAT(a.closed, ElementsAre(1));
+}
+
+TEST_F(LinkAtRest, NoticesLaterThatNobodyIsThere) {
+  pass(900ms, true);
+  EXPECT_THAT(a.closed, IsEmpty());
+  pass(9200ms, true);
+  EXPECT_THAT(a.closed, ElementsAre(1));
+  EXPECT_THAT(b.closed, ElementsAre(1));
+}
+
+TEST_F(LinkAtRest, NoticesAnInjectedSilenceSoon) {
+  b.end->inject({LinkFault::Kind::silence, 3s});
+  pass(1300ms);
+  EXPECT_THAT(b.closed, ElementsAre(1));
 }
 
 TEST_F(LinkEndTest, ARequestOfSomebodyUnknownHereIsNotDelivered) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <random>
 #include <string>
@@ -18,6 +19,8 @@ struct Picture {
 CASTOR_REFLECT(Picture, pixels)
 
 namespace {
+
+using namespace std::chrono_literals;
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -115,7 +118,7 @@ TEST(LinkSession, StopsWhenThePeerAcknowledgesNothing) {
   EXPECT_FALSE(a.has_output());
   auto got = heads(b, first).size();
   while (got < 100) {
-    b.remind();
+    b.remind(100ms);
     heads(a, everything(b));
     auto more = heads(b, everything(a)).size();
     ASSERT_GT(more, 0u);
@@ -131,21 +134,40 @@ TEST(LinkSession, TellsWhenAMessageHasArrived) {
   a.send({bytes("x"), {picture(100'000)}, 0, [&] { ++arrived; }});
   heads(b, everything(a));
   EXPECT_EQ(arrived, 0);
-  b.remind();
+  b.remind(100ms);
   heads(a, everything(b));
   EXPECT_EQ(arrived, 1);
   EXPECT_EQ(a.unacknowledged(), 0u);
 }
 
-TEST(LinkSession, AReminderSaysSomething) {
+TEST(LinkSession, AReminderSaysWhenTheNextSignOfLifeComes) {
   LinkSession a;
   LinkSession b;
   EXPECT_FALSE(a.has_output());
-  a.remind();
+  a.remind(100ms);
   auto said = everything(a);
   EXPECT_FALSE(said.empty());
   EXPECT_THAT(heads(b, said), ElementsAre());
+  EXPECT_EQ(b.peer_promise(), 100ms);
   EXPECT_EQ(everything(a), "");
+}
+
+TEST(LinkSession, AnAnnouncementIsWrittenBesideWhatElseThereIs) {
+  LinkSession a;
+  LinkSession b;
+  b.send({bytes("x")});
+  heads(a, everything(b));
+  a.remind(100ms);
+  heads(b, everything(a));
+  EXPECT_EQ(b.peer_promise(), 0ms) << "the acknowledgement was sign enough";
+  b.send({bytes("y")});
+  heads(a, everything(b));
+  a.announce(5s);
+  heads(b, everything(a));
+  EXPECT_EQ(b.peer_promise(), 5s);
+  EXPECT_EQ(b.unacknowledged(), 0u);
+  b.resume(2);
+  EXPECT_EQ(b.peer_promise(), 0ms);
 }
 
 TEST(LinkSession, AGoodbyeComesLast) {
@@ -175,7 +197,7 @@ TEST(LinkSession, RefusesWhatCannotBe) {
   EXPECT_THAT(problem(x, "\1\0\0\0\x9"sv), HasSubstr("unknown kind"));
   EXPECT_THAT(problem(x, "\3\0\0\0\1ab"sv), HasSubstr("too early"));
   EXPECT_THAT(problem(x, "\x9\0\0\0\1\1\0\0\0\0\0\0\0"sv), HasSubstr("never sent"));
-  EXPECT_THAT(problem(x, "\2\0\0\0\2x"sv), HasSubstr("longer than it should be"));
+  EXPECT_THAT(problem(x, "\6\0\0\0\2abcde"sv), HasSubstr("longer than it should be"));
   EXPECT_THAT(problem(x, "\6\0\0\0\0\1\0\0\0\0"sv), HasSubstr("out of order"));
   // A message of two pieces that take 2^64 bytes and some, and one of very many pieces.
   EXPECT_THAT(problem(x, "\x1a\0\0\0\0\1\0\0\0\1\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xff"
@@ -213,7 +235,7 @@ TEST(LinkSession, RefusesToResumeWhatNeverWas) {
   EXPECT_THROW(a.resume(1), LinkError);
   a.send({bytes("x")});
   heads(b, everything(a));
-  b.remind();
+  b.remind(100ms);
   heads(a, everything(b));
   EXPECT_THROW(a.resume(0), LinkError);
   EXPECT_NO_THROW(a.resume(1));
@@ -270,7 +292,7 @@ TEST_P(BadConnections, EverythingArrivesOnceAndInOrder) {
         return;
       }
       case 2:
-        from.session.remind();
+        from.session.remind(100ms);
         [[fallthrough]];
       case 3:
       case 4: {

@@ -23,16 +23,13 @@ protected:
     return "CPP UM carrier Carrier --diary " + diary() + options + "\n";
   }
 
-  /// Lets the sender of a subarchitecture ask for an action of b, once the system can be found.
-  static Answer add_scene(const std::string& where) {
-    Answer result{};
-    eventually([&] {
-      result =
-        ask({"wm", "add", "--wait", where, "Scene",
-             R"({"number": 1, "state": "running", "after_another": false, "executor": "b"})"});
-      return result.status == 0;
-    });
-    return result;
+  /// Lets the sender ask for an action of b, once it listens.
+  static Answer add_scene(const std::string& where, const std::string& sender = "sender") {
+    EXPECT_TRUE(eventually([&] {
+      return ask({"wm", "ls", where + "/Life"}).output.find(sender) != std::string::npos;
+    }));
+    return ask({"wm", "add", where, "Scene",
+                R"({"number": 1, "state": "running", "after_another": false, "executor": "b"})"});
   }
 
   static std::string actions() { return ask({"actions"}).output; }
@@ -87,7 +84,7 @@ TEST_F(ActionsOverProcesses, AreCancelledWhenTheRequestersNodeIsKilledWithItsWor
     << actions();
   one.process->send_signal(SIGKILL);
   // The executor is free for somebody else.
-  added = add_scene("b");
+  added = add_scene("b", "second");
   ASSERT_EQ(added.status, 0) << added.errors << castor.errors();
   EXPECT_TRUE(eventually([&] {
     auto now = actions();
