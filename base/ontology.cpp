@@ -33,7 +33,7 @@ void add_to(std::vector<std::string>& all, const std::string& x) {
     all.push_back(x);
 }
 
-std::string quoted(std::string_view name) {
+std::string double_quoted(std::string_view name) {
   return '"' + std::string{name} + '"';
 }
 
@@ -51,7 +51,7 @@ struct Ontology::Builder {
       if (made.concepts_.contains(word))
         return std::nullopt;
       auto meant = did_you_mean(word, made.names());
-      return OntologyProblem{number, word, quoted(word) + " is no concept",
+      return OntologyProblem{number, word, double_quoted(word) + " is no concept",
                              meant.empty() ? "State what it is: concept " + word : meant};
     };
     for (const auto* words : {&x.is_a, &x.disjoint_with})
@@ -147,11 +147,11 @@ struct Ontology::Builder {
   static std::string exclusion(const std::string& name, const std::string& a,
                                const std::string& b) {
     if (name != a && name != b)
-      return quoted(name) + " is a kind of " + quoted(a) + " and of " + quoted(b) +
+      return double_quoted(name) + " is a kind of " + double_quoted(a) + " and of " + double_quoted(b) +
              ", which exclude each other";
     const auto& other = name == a ? b : a;
-    return a == b ? quoted(name) + " excludes itself"
-                  : quoted(name) + " is a kind of " + quoted(other) + ", which excludes it";
+    return a == b ? double_quoted(name) + " excludes itself"
+                  : double_quoted(name) + " is a kind of " + double_quoted(other) + ", which excludes it";
   }
 
   const std::string& name_of(std::size_t number) const {

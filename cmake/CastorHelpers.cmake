@@ -99,7 +99,9 @@ endfunction()
 # castor_unity(<target> <whether its sources get along in one translation unit>)
 function(castor_unity target fit)
   if(fit AND CASTOR_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    # What is local to a source looks then as if it were in a header.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()
 

@@ -18,7 +18,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr double least_damping = 1e-14;
 constexpr double most_damping = 1e6;
 // Solutions that are nearer to each other are one.
-constexpr double same_solution = 1e-4;
+constexpr double same_configuration = 1e-4;
 
 /// From one pose to the other: position, and rotation about an axis.
 Vector6 difference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
@@ -118,7 +118,7 @@ std::vector<Configuration> solve_damped_least_squares(const ArmModel& arm,
   for (int i = 0; i < options.max_starts && result.size() < wanted; ++i) {
     auto configuration = i == 0 ? start : descent.random_configuration(random);
     if (descent.run(configuration) && std::ranges::none_of(result, [&](const auto& other) {
-          return distance(other, configuration) < same_solution;
+          return distance(other, configuration) < same_configuration;
         }))
       result.push_back(configuration);
   }

@@ -13,9 +13,6 @@ namespace castor::manipulation {
 
 namespace {
 
-// The surface that the arm stands on, metres.
-constexpr double table_length = 4;
-
 /// The tool, some way back along its own z axis.
 Pose back(Pose tool, double distance) {
   const auto axis = geometry::rotate(tool.rotation, Point3{0, 0, 1});

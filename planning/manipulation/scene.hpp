@@ -16,6 +16,9 @@ struct Scene {
   std::optional<NamedSolid> held;
 };
 
+/// The surface that an arm stands on is taken to be so long and so wide, metres.
+inline constexpr double table_length = 4;
+
 /// The table as a solid below z = 0 of the arm's frame.
 /// @param length,width metres, around the arm
 NamedSolid table_top(double length, double width);

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 using geometry::Point2;
 using std::numbers::pi;
 
-constexpr int directions = 48;
+constexpr int outline_directions = 48;
 constexpr double flat_height = 0.005; // metres
 /// Things are no smaller or larger, metres.
 constexpr double least_length = 0.004;
@@ -118,10 +118,10 @@ std::vector<Point3> outline_points(const SeenSolid& x, const Point3& eye) {
 
 /// How far the points reach in each direction.
 VectorXd supports(const std::vector<Point2>& points) {
-  VectorXd result(directions);
-  for (int i = 0; i < directions; ++i) {
-    const double x = std::cos(2 * pi * i / directions);
-    const double y = std::sin(2 * pi * i / directions);
+  VectorXd result(outline_directions);
+  for (int i = 0; i < outline_directions; ++i) {
+    const double x = std::cos(2 * pi * i / outline_directions);
+    const double y = std::sin(2 * pi * i / outline_directions);
     double most = -1e12;
     for (const auto& point : points)
       most = std::max(most, point.x * x + point.y * y);
@@ -146,7 +146,7 @@ public:
       return {};
     double damping = 1e-3;
     for (int i = 0; i < most_rounds; ++i) {
-      Eigen::MatrixXd jacobian(directions, p.size());
+      Eigen::MatrixXd jacobian(outline_directions, p.size());
       for (Eigen::Index j = 0; j < p.size(); ++j) {
         constexpr double step = 1e-5;
         VectorXd moved = p;
@@ -181,7 +181,7 @@ public:
     }
     auto result = solid_of(model_, p);
     result.pose.frame = camera_.pose.frame;
-    result.error = std::sqrt(residual->squaredNorm() / directions);
+    result.error = std::sqrt(residual->squaredNorm() / outline_directions);
     return result;
   }
 

@@ -26,8 +26,6 @@ constexpr double fitted_uncertainty = 0.002;
 constexpr double pixel_uncertainty = 0.001;
 // Of what is known by its box only.
 constexpr double box_uncertainty = 0.005;
-// The surface that the arm stands on, metres.
-constexpr double table_length = 4;
 
 std::string description_of(const vision::SceneObject& x) {
   const bool has_colour = x.colour.value != vision::Hypothesis{}.value;
