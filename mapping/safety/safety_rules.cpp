@@ -25,6 +25,8 @@ constexpr std::size_t compared = 2;
 constexpr double slow = 0.05;
 /// What was seen at the edge of the field of view may be beside it now: the wheels slip. Radians.
 constexpr double edge = 0.1;
+/// Side of the cells of what is remembered, metres.
+constexpr double remembered_cell = 0.02;
 /// Of the margin, which a robot that creeps keeps.
 constexpr double creeping_share = 3;
 
@@ -109,15 +111,24 @@ bool SafetyRules::sees(const LaserScan& scan, double direction, double inset) {
 }
 
 void SafetyRules::remember(const LaserScan& next, const Pose2& pose) {
-  if (scan_)
-    for (const auto& x : points_)
-      remembered_.push_back({transform(scanned_at_, x), scan_->time});
+  if (scan_) {
+    const auto keep = [&](const std::vector<Point2>& points, std::chrono::microseconds how_long) {
+      for (const auto& x : points) {
+        const auto at = transform(scanned_at_, x);
+        remembered_[{std::lround(at.x / remembered_cell), std::lround(at.y / remembered_cell)}] = {
+          at, scan_->time + how_long.count()};
+      }
+    };
+    keep(points_, outline_.empty() ? options_.memory : options_.standing_memory);
+    keep(moving_, options_.memory);
+  }
   const auto robot = inverse(pose);
   const auto scanner = inverse(compose(pose, next.mount));
-  std::erase_if(remembered_, [&](const Remembered& x) {
+  std::erase_if(remembered_, [&](const auto& cell) {
+    const auto& x = cell.second;
     const auto seen = transform(scanner, x.point);
     const auto on_robot = transform(robot, x.point);
-    return next.time - x.time > options_.memory.count() ||
+    return next.time > x.until ||
            std::hypot(on_robot.x, on_robot.y) > options_.radius + options_.memory_range ||
            sees(next, std::atan2(seen.y, seen.x) + next.mount.heading, edge);
   });
@@ -173,7 +184,7 @@ SafetyRules::View SafetyRules::view_now(const Pose2& wheels) const {
   const auto back = between(wheels, scanned_at_);
   View result{from(back, points_), from(back, moving_), {}};
   const auto from_wheels = inverse(wheels);
-  for (const auto& x : remembered_)
+  for (const auto& [cell, x] : remembered_)
     result.points.push_back(transform(from_wheels, x.point));
   if (!earlier_.empty())
     result.before = from(between(wheels, earlier_.front().wheels), earlier_.front().points);

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace castor::mapping {
@@ -41,6 +43,9 @@ struct SafetyOptions {
   /// to the robot's edge, metres.
   std::chrono::microseconds memory{10'000'000};
   double memory_range = 0.75;
+  /// What did not move stays known for longer to what has corners: it turns slowly, into where it
+  /// looked before.
+  std::chrono::microseconds standing_memory{60'000'000};
   /// A laser or wheels that say nothing for longer are silent. Of a laser with 10 Hz, one scan may
   /// be lost.
   std::chrono::microseconds laser_patience{230'000};
@@ -139,15 +144,16 @@ private:
   struct Remembered {
     /// In the frame of the wheels.
     Point2 point;
-    /// When it was seen.
-    std::int64_t time = 0;
+    /// Until when it stays known.
+    std::int64_t until = 0;
   };
 
   std::optional<LaserScan> scan_;
   /// On the robot when it was scanned.
   std::vector<Point2> points_;
   std::vector<Point2> moving_;
-  std::vector<Remembered> remembered_;
+  /// By cells of the frame of the wheels, one for each.
+  std::map<std::pair<long, long>, Remembered> remembered_;
   /// The last scans, oldest first, to see what moves.
   std::deque<Seen> earlier_;
   /// Pose of the wheels at the newest scan.

@@ -334,6 +334,29 @@ TEST_F(SafetyOfCornersTest, TurnsOnlyAsFarAsItTouchesNothing) {
   EXPECT_EQ(rules_.verdict(Twist2{0.5, 0}, 100 * millisecond).reason, Reason::none);
 }
 
+// What its tail swings into is behind the laser for as long as a slow turn takes.
+TEST_F(SafetyOfCornersTest, RemembersWhatStandsWhereItsTailTurnsTo) {
+  auto scan = scan_at(0, 5);
+  // Ahead to the left.
+  scan.ranges[150] = 0.8F;
+  sense(0, scan);
+  // It has turned to the right: now that is behind it.
+  std::int64_t now = 100 * millisecond;
+  const auto turned_verdict = [&] {
+    rules_.add(Odometry{now, {0, 0, -2}, {}}, now);
+    rules_.add(scan_at(now, 5), now);
+    return rules_.verdict(Twist2{-0.1, 0}, now);
+  };
+  const double free_way = turned_verdict().free_way;
+  EXPECT_LT(free_way, 1);
+  while (now < 55'000 * millisecond) {
+    now += 100 * millisecond;
+    ASSERT_NEAR(turned_verdict().free_way, free_way, 0.01) << now;
+  }
+  now = options_.standing_memory.count() + 200 * millisecond;
+  EXPECT_GT(turned_verdict().free_way, 1);
+}
+
 TEST_F(SafetyOfCornersTest, StopsBeforeItsFrontTouches) {
   sense(0, scan_with(0, {0.75, 0.2}));
   const auto x = rules_.verdict(Twist2{0.5, 0}, 0);
