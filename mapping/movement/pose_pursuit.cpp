@@ -71,14 +71,14 @@ PosePursuit::Step PosePursuit::plan(const Pose2& robot, const PursuitSurrounding
   ++plans_;
   follower_.reset();
   const auto obstacles = unexpected_obstacles(around, options_.pursuit);
-  auto clearance = clearance_with(around.map, obstacles, options_.pursuit.unexpected_margin);
-  is_tight_ = FootprintRoom(clearance, options_.footprint, options_.plan.margin).at(robot) <= 0;
-  if (is_tight_)
-    clearance = clearance_with(around.map, obstacles, 0);
-  auto options = options_.plan;
-  options.seed += static_cast<std::uint32_t>(plans_);
-  auto planned =
-    plan_poses(around.map.cells(), clearance, options_.footprint, robot, goal_, heading_, options);
+  auto planned = plan_around_all_seen(robot, around);
+  if (planned.path.empty()) {
+    auto clearance = clearance_with(around.map, obstacles, options_.pursuit.unexpected_margin);
+    is_tight_ = FootprintRoom(clearance, options_.footprint, options_.plan.margin).at(robot) <= 0;
+    if (is_tight_)
+      clearance = clearance_with(around.map, obstacles, 0);
+    planned = plan_with(clearance, robot, around);
+  }
   if (!planned.path.empty()) {
     blocked_since_.reset();
     path_ = places_of(planned.path);
@@ -95,6 +95,22 @@ PosePursuit::Step PosePursuit::plan(const Pose2& robot, const PursuitSurrounding
   if (time_ - *blocked_since_ >= options_.pursuit.patience)
     return {{}, MovementStatus::failed, {}, planned.reason};
   return stand(MovementStatus::waiting, "a free way");
+}
+
+PlannedPosePath PosePursuit::plan_around_all_seen(const Pose2& robot,
+                                                  const PursuitSurroundings& around) {
+  if (!stuck_at_ || distance(*stuck_at_, Point2{robot.x, robot.y}) > options_.pursuit.one_place)
+    return {};
+  is_tight_ = true;
+  return plan_with(clearance_with(around.map, around.seen, 0), robot, around);
+}
+
+PlannedPosePath PosePursuit::plan_with(const ClearanceMap& clearance, const Pose2& robot,
+                                       const PursuitSurroundings& around) const {
+  auto options = options_.plan;
+  options.seed += static_cast<std::uint32_t>(plans_);
+  return plan_poses(around.map.cells(), clearance, options_.footprint, robot, goal_, heading_,
+                    options);
 }
 
 bool PosePursuit::is_at_goal(const Pose2& robot) const {
@@ -216,8 +232,10 @@ PosePursuit::Step PosePursuit::drive(const Pose2& robot, const PursuitSurroundin
   const double share = permitted_share(robot, wanted, around);
   constexpr double least = 0.05;
   const bool stops = share < least;
-  if (stall_.has_stalled(time_, robot, !stops || around.movers.empty()))
+  if (stall_.has_stalled(time_, robot, !stops || around.movers.empty())) {
+    stuck_at_ = {robot.x, robot.y};
     return begin_again(robot, "it does not come further");
+  }
   if (stops)
     return stand(MovementStatus::waiting,
                  around.movers.empty() ? "a free way" : "somebody to pass");

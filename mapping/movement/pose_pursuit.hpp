@@ -48,6 +48,11 @@ public:
 
 private:
   Step plan(const Pose2& robot, const PursuitSurroundings& around);
+  /// Where it was stuck, the map may be wrong by a little, or the pose: all that the laser sees is
+  /// an obstacle there. No path elsewhere, or if there is none.
+  PlannedPosePath plan_around_all_seen(const Pose2& robot, const PursuitSurroundings& around);
+  PlannedPosePath plan_with(const ClearanceMap& clearance, const Pose2& robot,
+                            const PursuitSurroundings& around) const;
   /// Clearances with those obstacles, and `around` them, metres.
   ClearanceMap clearance_with(const PlanningMap& map, std::span<const Point2> obstacles,
                               double around) const;
@@ -87,6 +92,8 @@ private:
   int recoveries_ = 0;
   Point2 stalled_at_;
   int recoveries_there_ = 0;
+  /// Where it did not come further on its way.
+  std::optional<Point2> stuck_at_;
 };
 
 } // namespace castor::mapping
