@@ -20,8 +20,9 @@ double quantile(std::vector<double> values, double share) {
 
 } // namespace
 
-ReachabilityCheck::ReachabilityCheck(const CellMap& map, const Point2& start, double clearance)
-  : surely_(map, start, clearance + map.cell_size),
+ReachabilityCheck::ReachabilityCheck(const CellMap& map, const Point2& start, double clearance,
+                                     std::optional<double> sure_clearance)
+  : surely_(map, start, sure_clearance.value_or(clearance) + map.cell_size),
     perhaps_(map, start, clearance - map.cell_size) {
   // nop
 }

@@ -17,7 +17,9 @@ enum class Reachability { reachable, doubtful, unreachable };
 /// By ReachableCells with a cell more clearance than needed, and with a cell less.
 class ReachabilityCheck {
 public:
-  ReachabilityCheck(const CellMap& map, const Point2& start, double clearance);
+  /// @param sure_clearance where what is no disc fits however it faces, metres; nothing: a disc
+  ReachabilityCheck(const CellMap& map, const Point2& start, double clearance,
+                    std::optional<double> sure_clearance = {});
 
   Reachability of(const Point2& goal) const;
 

@@ -2,9 +2,11 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/base/named_file.hpp"
 #include "castor/base/text_file.hpp"
+#include "castor/mapping/body/footprint.hpp"
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/types.hpp"
 #include "castor/mapping/maps/map_server.hpp"
+#include "castor/mapping/movement/footprint_room.hpp"
 #include "castor/mapping/movement/goal_tally.hpp"
 #include "castor/mapping/movement/path_planner.hpp"
 #include "castor/mapping/movement/planning_map.hpp"
@@ -15,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -47,6 +50,10 @@ class GoalSender final : public UnmanagedComponent {
     }
     options_.radius = radius_;
     options_.margin = margin_;
+    if (!outline_->empty()) {
+      footprint_ = parse_footprint(outline_.get(), "--footprint");
+      options_.radius = footprint_->inner_radius();
+    }
     if (!map_file_->empty())
       map_.update(read_map_server(file_named(map_file_, base_.get())), 0);
     if (goals_.empty())
@@ -71,9 +78,12 @@ class GoalSender final : public UnmanagedComponent {
   void draw_goals(GoalCells kind, std::mt19937_64& random) {
     const auto& cells = map_.cells().cells;
     std::vector<std::size_t> choice;
+    std::optional<FootprintRoom> room;
+    if (footprint_)
+      room.emplace(map_.clearance(), *footprint_, options_.margin);
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (cells[i] >= 0 && cells[i] < options_.cells.occupied_from &&
-          (kind == GoalCells::free || map_.clearance().at(i) >= options_.radius + options_.margin))
+          (kind == GoalCells::free || fits(i, room)))
         choice.push_back(i);
     if (choice.empty())
       throw std::invalid_argument(
@@ -84,6 +94,28 @@ class GoalSender final : public UnmanagedComponent {
       goals_.push_back(map_.clearance().centre(choice[random() % choice.size()]));
       kinds_.push_back(kind);
     }
+  }
+
+  /// Whether the robot can be in that cell of the map, as it faces somewhere.
+  bool fits(std::size_t cell, const std::optional<FootprintRoom>& room) const {
+    const auto& clearance = map_.clearance();
+    if (clearance.at(cell) < options_.radius + options_.margin)
+      return false;
+    if (!room)
+      return true;
+    const auto place = clearance.centre(cell);
+    constexpr int directions = 24;
+    for (int i = 0; i < directions; ++i)
+      if (room->at({place.x, place.y, 2 * std::numbers::pi * i / directions}) > 0)
+        return true;
+    return false;
+  }
+
+  Reachability reachability(const Point2& start, const Point2& goal) const {
+    std::optional<double> sure;
+    if (footprint_)
+      sure = footprint_->outer_radius() + options_.margin;
+    return ReachabilityCheck(map_.cells(), start, options_.radius + options_.margin, sure).of(goal);
   }
 
   void start() override {
@@ -121,8 +153,7 @@ class GoalSender final : public UnmanagedComponent {
     GoalOutcome x;
     if (has_map()) {
       x.shortest = shortest(start, goal);
-      x.reachability =
-        ReachabilityCheck(map_.cells(), start, options_.radius + options_.margin).of(goal);
+      x.reachability = reachability(start, goal);
     }
     kind_ = kinds_[number];
     // Each action counts its plans anew.
@@ -167,6 +198,8 @@ class GoalSender final : public UnmanagedComponent {
   Option<GoalCells> cells_{this, "cells", GoalCells::both,
                            "of which cells: fitting (the robot fits there), free, or both"};
   Option<double> radius_{this, "radius", PlanOptions{}.radius, "as of the Navigator, metres"};
+  Option<std::string> outline_{this, "footprint", "",
+                               "as of the Navigator, in place of --radius; empty: a disc"};
   Option<double> margin_{this, "margin", PlanOptions{}.margin, "as of the Navigator, metres"};
   Option<std::int64_t> seed_{this, "seed", 1, "of the goals that are drawn"};
   Option<SubarchitectureName> navigation_{this, "navigation", "navigation",
@@ -176,6 +209,7 @@ class GoalSender final : public UnmanagedComponent {
                             "what it does then: stay, or end the system"};
 
   PlanOptions options_;
+  std::optional<Footprint> footprint_;
   PlanningMap map_;
   Path goals_;
   /// Of each goal.

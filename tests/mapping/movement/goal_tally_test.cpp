@@ -32,6 +32,19 @@ TEST(ReachableCells, BeginsWhereTheDiscFits) {
   EXPECT_FALSE(ReachableCells(map, {0.2, 1}, 0.3, 0.05).can_be_at({2, 2}));
 }
 
+TEST(ReachabilityCheck, IsInDoubtWhereAFootprintFitsAsItFacesOnly) {
+  auto map = test::empty_room(6, 4);
+  test::fill(map, 2.95, 0, 3.05, 4);
+  test::fill(map, 2.95, 1.6, 3.05, 2.4, 0);
+  const auto footprint = [&](const Point2& goal) {
+    return ReachabilityCheck(map, {1, 2}, 0.3, 0.7).of(goal);
+  };
+  EXPECT_EQ(footprint({1.5, 2}), Reachability::reachable);
+  EXPECT_EQ(footprint({5, 2}), Reachability::doubtful) << "behind the door";
+  EXPECT_EQ(footprint({1, 0.5}), Reachability::doubtful) << "beside a wall";
+  EXPECT_EQ(footprint({3, 0.5}), Reachability::unreachable) << "in a wall";
+}
+
 RC_GTEST_PROP(ReachabilityCheck, AgreesWithThePlanner, ()) {
   auto map = test::empty_room(5, 5, 0.1);
   const auto boxes = *rc::gen::inRange(0, 12);
