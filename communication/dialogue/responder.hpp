@@ -56,6 +56,7 @@ private:
   Response some_of(const Fitting& found, const Nominal& asked) const;
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
+  Response way_to(const Nominal& phrase);
   std::optional<LogicalForm> place_of(const std::string& id);
   std::optional<LogicalForm> where_it_is(const Fitting& found, const Nominal& asked);
   Response what(const Nominal& phrase);

@@ -89,6 +89,8 @@ Response Responder::to_question_w() {
   const auto& other = asks_for_scope ? *restriction : *scope;
   if (asked.sort == "region")
     return where(other);
+  if (asked.sort == "way")
+    return way_to(other);
   // "How many shapes are not squares?" asks for no quality of something.
   if (is_quality(asked) && asks_for_number(asked) && other.sort != "region")
     throw Uninterpretable{Uninterpretable::Reason::word, asked.proposition};
