@@ -60,8 +60,8 @@ public:
   ManipulationResult push(const Scene& scene, const std::string& thing, double distance,
                           const Configuration& start) const;
 
-  /// Goes to a configuration with what the gripper holds. Where the arm begins in contact, it goes
-  /// up first.
+  /// Goes to a configuration with what the gripper holds. Where it begins at or around a thing, it
+  /// opens an empty gripper and draws back first, the way its fingers came if it can.
   /// @param opening of the gripper, metres
   ManipulationResult go(const Scene& scene, const Configuration& to, const Configuration& start,
                         double opening, const std::string& text) const;
@@ -71,6 +71,7 @@ public:
 private:
   struct Hold;
   struct Landing;
+  struct WayOff;
 
   CollisionChecker checker(const Scene& scene, double opening,
                            const std::vector<std::string>& may_touch) const;
@@ -96,6 +97,11 @@ private:
   std::optional<std::vector<Configuration>> along(CollisionChecker& checker,
                                                   const Configuration& start,
                                                   const std::vector<Pose>& poses) const;
+  std::vector<std::string> touched(const Scene& scene, const Configuration& at, double opening,
+                                   double margin) const;
+  double opened(const Scene& scene, const Configuration& at, double opening) const;
+  std::vector<WayOff> ways_off(const Scene& scene, const Configuration& start,
+                               double opening) const;
   MotionFailure no_landing(const Scene& scene, const PlaceGoal& goal,
                            const std::vector<Contact>& contacts) const;
 

@@ -213,11 +213,11 @@ protected:
     }
   }
 
-  /// Goes where the arm rests.
+  /// Goes where the arm rests; what stops it on the way may be over when it tries again.
   ActionResult withdraw() {
     if (!state())
       return ActionResult::failed("the arm does not tell where it is");
-    if (!is_at_rest()) {
+    for (int tries = 1; !is_at_rest(); ++tries) {
       inhibit_vision();
       // It comes to rest before it is planned from where.
       while (!state()->rests && !is_to_end())
@@ -231,7 +231,9 @@ protected:
       const auto end = stages_of(*plan);
       if (end.kind == StageEnd::Kind::cancelled)
         return ActionResult::cancelled(end.why);
-      if (end.kind != StageEnd::Kind::done && !is_at_rest())
+      if (end.kind == StageEnd::Kind::done)
+        break;
+      if (tries == most_ways_home && !is_at_rest())
         return ActionResult::failed("the arm cannot go home: " + end.why);
     }
     release_vision();
@@ -270,6 +272,7 @@ protected:
 
 private:
   static constexpr const char* reach_entry = "reach";
+  static constexpr int most_ways_home = 3;
 
   GraspOptions grasps_;
   spatial::ReachableTable reach_;

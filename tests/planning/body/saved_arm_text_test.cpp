@@ -1,5 +1,6 @@
 #include "castor/planning/body/saved_arm_text.hpp"
 
+#include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/tests/planning/body/arm_at_table.hpp"
 
