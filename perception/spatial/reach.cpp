@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace castor::spatial {
 
@@ -28,9 +29,9 @@ Sides heights_beside(const ReachableTable& reach, double height) {
   return {index == 0 || *above < height + rounding ? index : index - 1, index};
 }
 
-} // namespace
-
-std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, double height) {
+/// Ways at each of the points and heights around; none beyond the grid.
+std::vector<std::uint32_t> all_around(const ReachableTable& reach, const GroundPoint& point,
+                                      double height) {
   if (reach.ways.size() != reach.heights.size() * reach.rows * reach.columns ||
       reach.heights.empty())
     throw std::invalid_argument("a reachable table does not have as many ways as points and "
@@ -39,15 +40,31 @@ std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, dou
   const double y = (point.y - reach.low.y) / reach.step;
   if (!(x >= -rounding && y >= -rounding && x <= reach.columns - 1 + rounding &&
         y <= reach.rows - 1 + rounding))
-    return 0;
+    return {0};
   const auto columns = sides(x);
   const auto rows = sides(y);
   const auto heights = heights_beside(reach, height);
-  auto result = ~std::uint32_t{0};
+  std::vector<std::uint32_t> result;
   for (const auto layer : {heights.first, heights.second})
     for (const auto row : {rows.first, rows.second})
       for (const auto column : {columns.first, columns.second})
-        result &= reach.ways[(layer * reach.rows + row) * reach.columns + column];
+        result.push_back(reach.ways[(layer * reach.rows + row) * reach.columns + column]);
+  return result;
+}
+
+} // namespace
+
+std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, double height) {
+  auto result = ~std::uint32_t{0};
+  for (const auto ways : all_around(reach, point, height))
+    result &= ways;
+  return result;
+}
+
+std::uint32_t ways_around(const ReachableTable& reach, const GroundPoint& point, double height) {
+  std::uint32_t result = 0;
+  for (const auto ways : all_around(reach, point, height))
+    result |= ways;
   return result;
 }
 

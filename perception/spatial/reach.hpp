@@ -11,4 +11,8 @@ namespace castor::spatial {
 /// \throws std::invalid_argument if there are not as many ways as points and heights.
 std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, double height);
 
+/// Ways in which it can be held at one of the points around, at one of the heights around: perhaps
+/// also at the point. Empty and thrown as by ways_at.
+std::uint32_t ways_around(const ReachableTable& reach, const GroundPoint& point, double height);
+
 } // namespace castor::spatial

@@ -15,6 +15,8 @@ namespace {
 constexpr double elsewhere_distance = 0.12;
 /// Away from a landmark is at least so far from it, metres, of centres.
 constexpr double away_distance = 0.20;
+/// Of places that may not be possible: worse than all others.
+constexpr double last = 4;
 
 std::vector<GroundPoint> centres(std::span<const TableObject> objects) {
   std::vector<GroundPoint> result;
@@ -188,17 +190,20 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         continue;
       is_somewhere = true;
       const bool is_in_reach = !options_.reaches || options_.reaches(centre);
+      const bool may_be_in_reach =
+        is_in_reach || (options_.may_reach && options_.may_reach(centre));
       const double gap = least_gap(object, centre);
-      const bool has_room = gap >= options_.clearance;
-      is_reached = is_reached || is_in_reach;
+      const bool has_room = gap >= std::min(options_.clearance, options_.least_clearance);
+      is_reached = is_reached || may_be_in_reach;
       is_free_somewhere = is_free_somewhere || has_room;
-      if (!is_in_reach || !has_room)
+      if (!may_be_in_reach || !has_room)
         continue;
+      const bool is_last = !is_in_reach || gap < options_.clearance;
       // Of equally good ones, the nearest to where it is.
       const double far = 0.2 * distance(centre, x.centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;
-      candidates.push_back({centre, fit, fit - far - narrow - border});
+      candidates.push_back({centre, fit, fit - far - narrow - border - (is_last ? last : 0)});
     }
   PlacesFound result;
   while (result.targets.size() < count && !candidates.empty()) {

@@ -37,6 +37,8 @@ struct PlacingOptions {
   TableArea area;
   /// Between things on the table, metres.
   double clearance = 0.02;
+  /// Places with less, but so much, are the last, metres; none, if it is not less.
+  double least_clearance = 0.02;
   /// More than that is better, up to here: room for a hand, metres.
   double ample_clearance = 0.06;
   /// Step between the positions that are looked at, metres.
@@ -48,6 +50,8 @@ struct PlacingOptions {
   double inaccuracy = 0.015;
   /// Whether the object that is to be put somewhere can be put at a point; everywhere, if not set.
   std::function<bool(const GroundPoint&)> reaches = {};
+  /// Whether that is not known, but may be; nowhere, if not set. Such places are the last.
+  std::function<bool(const GroundPoint&)> may_reach = {};
 };
 
 /// Places found, the best first, or the reason why there are none.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,7 +69,7 @@ class TargetFinder final : public UnmanagedComponent {
     }
     const auto thing = query.thing.empty() ? objects.size() : index_of(query.thing);
     auto options = placing_options();
-    options.reaches = reaches(query, scene, thing);
+    set_reach(options, query, scene, thing);
     // In the way of nothing.
     constexpr GroundPoint far_away{100, 100};
     if (thing == objects.size())
@@ -84,15 +83,15 @@ class TargetFinder final : public UnmanagedComponent {
     return query;
   }
 
-  /// Where the arm can put the thing, which it takes from where it is or holds; not set without an
-  /// arm.
-  std::function<bool(const GroundPoint&)> reaches(const PlacementQuery& query,
-                                                  const SpatialScene& scene, std::size_t thing) {
+  /// Where the arm can put the thing, which it takes from where it is or holds, and where it may;
+  /// not set without an arm.
+  void set_reach(PlacingOptions& options, const PlacementQuery& query, const SpatialScene& scene,
+                 std::size_t thing) {
     if (reach_->empty())
-      return {};
+      return;
     const auto told = read_all_in<ReachableTable>(reach_.get(), 1);
     if (told.empty())
-      return {};
+      return;
     double height = query.height;
     auto ways = told.front()->held_ways;
     if (thing < scene.locations.size()) {
@@ -103,8 +102,13 @@ class TargetFinder final : public UnmanagedComponent {
       if (ways == 0)
         ways = ~ways;
     }
-    return [reach = *told.front(), height, ways](const GroundPoint& x) {
+    options.reaches = [reach = *told.front(), height, ways](const GroundPoint& x) {
       return (ways_at(reach, x, height) & ways) != 0;
+    };
+    // The arm finds out whether there is room for its hand.
+    options.least_clearance = 0.005;
+    options.may_reach = [reach = *told.front(), height](const GroundPoint& x) {
+      return ways_around(reach, x, height) != 0;
     };
   }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -44,6 +45,14 @@ TEST(Reach, BeyondTheHeightsTheNearestCountAndBeyondTheGridNothing) {
     EXPECT_EQ(ways_at(x, beyond, 0.02), 0U);
 }
 
+TEST(Reach, WaysAroundAreThoseOfAnyPointAndHeightAround) {
+  const auto x = reach();
+  EXPECT_EQ(ways_around(x, {0.2, 0}, 0.02), 0b001U);
+  EXPECT_EQ(ways_around(x, {0.15, 0.05}, 0.02), 0b011U);
+  EXPECT_EQ(ways_around(x, {0.15, 0.05}, 0.04), 0b111U);
+  EXPECT_EQ(ways_around(x, {0.21, 0}, 0.02), 0U);
+}
+
 TEST(Reach, NeedsAWayForEachPoint) {
   auto x = reach();
   x.ways.pop_back();
@@ -63,6 +72,31 @@ TEST(Reach, ThingsArePutWhereItIs) {
   ASSERT_FALSE(reached.targets.empty());
   for (const auto& x : reached.targets)
     EXPECT_GT(x.position.x, 0.15);
+}
+
+TEST(Reach, WhereItIsNotKnownComesLast) {
+  const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0, 0}, 0.03}};
+  const std::vector wanted{PlaceWanted{"right", {1}}};
+  PlacingOptions options;
+  options.reaches = [](const GroundPoint& x) { return x.x > 0.2; };
+  options.may_reach = [](const GroundPoint& x) { return x.x > 0.1; };
+  const auto found = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 20).targets;
+  ASSERT_GE(found.size(), 3U);
+  EXPECT_GT(found.front().position.x, 0.2);
+  EXPECT_LE(found.back().position.x, 0.2);
+  EXPECT_TRUE(std::ranges::is_partitioned(found, [](const auto& x) { return x.position.x > 0.2; }));
+}
+
+TEST(Reach, WhereThereIsLittleRoomComesLast) {
+  const std::vector between{PlaceWanted{"between", {1, 2}}};
+  const std::vector<TableObject> objects{
+    {{-0.2, -0.2}, 0.03}, {{-0.07, 0}, 0.03}, {{0.07, 0}, 0.03}};
+  PlacingOptions options;
+  EXPECT_EQ((TablePlaces{objects, {0, -0.6}, options}.find(0, between).reason), "there is no room");
+  options.least_clearance = 0.005;
+  const auto found = TablePlaces{objects, {0, -0.6}, options}.find(0, between).targets;
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(found.front().position.x, 0, 0.01);
 }
 
 TEST(Reach, ItIsSaidThatItIsWhatLacks) {
