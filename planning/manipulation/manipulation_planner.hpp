@@ -63,8 +63,9 @@ public:
   /// Goes to a configuration with what the gripper holds. Where it begins at or around a thing, it
   /// opens an empty gripper and draws back first, the way its fingers came if it can.
   /// @param opening of the gripper, metres
+  /// @param draws_back in any case: what nobody has seen may be beside the fingers
   ManipulationResult go(const Scene& scene, const Configuration& to, const Configuration& start,
-                        double opening, const std::string& text) const;
+                        double opening, const std::string& text, bool draws_back = false) const;
 
   const ArmModel& arm() const { return arm_; }
 
@@ -102,6 +103,9 @@ private:
   double opened(const Scene& scene, const Configuration& at, double opening) const;
   std::vector<WayOff> ways_off(const Scene& scene, const Configuration& start,
                                double opening) const;
+  std::optional<ManipulationPlan> withdrawn(const Scene& scene, const Configuration& to,
+                                            const Configuration& start, double opening,
+                                            const std::string& text) const;
   MotionFailure no_landing(const Scene& scene, const PlaceGoal& goal,
                            const std::vector<Contact>& contacts) const;
 

@@ -125,8 +125,9 @@ struct Manipulation {
   double planning_time = 0;
 };
 
-/// Entry: what an ArmExecutor has grasped, or is about to grasp, so that its successor knows what
-/// the gripper holds. Its id is the component's name and " holds".
+/// Entry: what an ArmExecutor has grasped, or is about to grasp, or has let go and vision has not
+/// seen there yet, so that its successor knows what the gripper holds or is around. Its id is the
+/// component's name and " holds".
 struct HeldThing {
   EntryPointer<vision::SceneObject> what;
   /// Description, and as vision names it.
@@ -134,9 +135,10 @@ struct HeldThing {
   std::string colour;
   std::string shape;
   Solid solid;
-  /// In the tool's frame.
+  /// In the tool's frame; in the arm's, if it was let go.
   geometry::Pose pose;
   double uncertainty = 0;
+  bool let_go = false;
 };
 
 CASTOR_REFLECT_ENUM(ManipulationPriority, normal, high)
@@ -155,7 +157,7 @@ CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, 
                plans, tries, planning_time)
 CASTOR_REFLECT_ENUM(SolidKind, box, cylinder, capsule, sphere)
 CASTOR_REFLECT(Solid, kind, size)
-CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty)
+CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty, let_go)
 
 // -- the arm
 

@@ -18,6 +18,7 @@ constexpr double farthest = 0.12;
 constexpr double step = 0.01;
 /// Radians that a joint turns in such a step.
 constexpr double most_turn = 0.3;
+constexpr const char* destination = "where it rests";
 
 /// As they are seen.
 Scene exactly(Scene scene) {
@@ -104,17 +105,16 @@ double ManipulationPlanner::opened(const Scene& scene, const Configuration& at,
   constexpr double step = 0.01;
   for (double wide = widest; wide > opening; wide -= step) {
     const auto now = touched(scene, at, wide, options_.motions.collisions.margin);
-    if (std::ranges::all_of(now,
-                            [&](const auto& x) { return std::ranges::count(before, x) > 0; }))
+    if (std::ranges::all_of(now, [&](const auto& x) { return std::ranges::count(before, x) > 0; }))
       return wide;
   }
   return opening;
 }
 
 /// On these, nothing is touched that is not touched where they begin, and in the end nothing.
-std::vector<ManipulationPlanner::WayOff>
-ManipulationPlanner::ways_off(const Scene& scene, const Configuration& start,
-                              double opening) const {
+std::vector<ManipulationPlanner::WayOff> ManipulationPlanner::ways_off(const Scene& scene,
+                                                                       const Configuration& start,
+                                                                       double opening) const {
   const auto near = touched(scene, start, opening, options_.motions.collisions.margin);
   const auto seen = exactly(scene);
   auto collisions = options_.motions.collisions;
@@ -138,26 +138,20 @@ ManipulationPlanner::ways_off(const Scene& scene, const Configuration& start,
   return result;
 }
 
-ManipulationResult ManipulationPlanner::go(const Scene& scene, const Configuration& to,
-                                           const Configuration& start, double opening,
-                                           const std::string& text) const {
-  const std::string destination = "where it rests";
-  ManipulationPlan plan;
-  plan.held = scene.held;
-  auto failure = move(plan, scene, start, {to}, opening, destination, text);
-  if (!failure)
-    return plan;
-  // Where it is, something may be between its fingers, or beside them.
-  if (failure->kind != MotionFailureKind::start_blocked &&
-      failure->kind != MotionFailureKind::no_way)
-    return *std::move(failure);
+/// Draws back, and goes on from there.
+std::optional<ManipulationPlan> ManipulationPlanner::withdrawn(const Scene& scene,
+                                                               const Configuration& to,
+                                                               const Configuration& start,
+                                                               double opening,
+                                                               const std::string& text) const {
   std::vector<double> openings{opening};
   if (!scene.held && arm_.gripper)
     if (const double wide = opened(scene, start, opening); wide > opening)
       openings.insert(openings.begin(), wide);
   for (const double wide : openings)
     for (const auto& way : ways_off(scene, start, wide)) {
-      plan.stages.clear();
+      ManipulationPlan plan;
+      plan.held = scene.held;
       if (wide != opening)
         plan.stages.push_back(
           still(start, ManipulationStatus::moving, "opens its gripper", wide, {}));
@@ -166,12 +160,28 @@ ManipulationResult ManipulationPlanner::go(const Scene& scene, const Configurati
       if (!move(plan, scene, way.waypoints.back(), {to}, wide, destination, text))
         return plan;
     }
-  if (failure->kind != MotionFailureKind::start_blocked)
-    return *std::move(failure);
+  return {};
+}
+
+ManipulationResult ManipulationPlanner::go(const Scene& scene, const Configuration& to,
+                                           const Configuration& start, double opening,
+                                           const std::string& text, bool draws_back) const {
+  if (draws_back)
+    if (auto plan = withdrawn(scene, to, start, opening, text))
+      return *std::move(plan);
+  ManipulationPlan plan;
+  plan.held = scene.held;
+  auto failure = move(plan, scene, start, {to}, opening, destination, text);
+  if (!failure)
+    return plan;
+  const bool is_blocked = failure->kind == MotionFailureKind::start_blocked;
+  if (!draws_back && (is_blocked || failure->kind == MotionFailureKind::no_way))
+    if (auto withdrawal = withdrawn(scene, to, start, opening, text))
+      return *std::move(withdrawal);
   // It cannot but touch what it touches already; what is seen may not be there.
   const auto near = touched(scene, start, opening, options_.motions.collisions.margin);
   plan.stages.clear();
-  if (!move(plan, without(scene, near), start, {to}, opening, destination, text))
+  if (is_blocked && !move(plan, without(scene, near), start, {to}, opening, destination, text))
     return plan;
   return *std::move(failure);
 }

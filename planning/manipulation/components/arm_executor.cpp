@@ -84,6 +84,8 @@ class ArmExecutor final : public ExecutesManipulation {
     // As they were before the arm came into the picture.
     things_ = look_at_table(placement());
     std::erase_if(things_, [&](const auto& x) { return held_ && x.id == held_thing_.id; });
+    if (!state()->holds && !is_at_rest())
+      take_over_place();
     if (is_at_rest() && is_known)
       return tell(ManipulationStatus::idle, "rests");
     inhibit_vision();
@@ -368,7 +370,6 @@ class ArmExecutor final : public ExecutesManipulation {
 
   /// What a predecessor has left was dealt with, or is dealt with just now.
   bool is_resumed_ = false;
-  bool is_resuming_ = false;
 };
 
 CASTOR_COMPONENT(ArmExecutor, "moves an arm: takes things, puts them down, pushes them aside")

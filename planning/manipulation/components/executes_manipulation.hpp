@@ -77,6 +77,8 @@ protected:
     put(here(component_name()), told_);
     if (held_)
       remember(*held_);
+    else if (let_go_)
+      remember(*let_go_, true);
     else if (exists(held_entry()))
       delete_entry(held_entry());
   }
@@ -89,10 +91,10 @@ protected:
 
   Address held_entry() const { return here(component_name() + " holds"); }
 
-  void remember(const NamedSolid& thing) {
+  void remember(const NamedSolid& thing, bool let_go = false) {
     const auto& x = held_thing_;
     put(held_entry(), HeldThing{seen_as(x.id), thing.name, x.colour, x.shape, thing.solid,
-                                thing.pose, thing.uncertainty});
+                                thing.pose, thing.uncertainty, let_go});
   }
 
   /// What a predecessor has taken is in the gripper. False if it did not say what that is.
@@ -108,6 +110,22 @@ protected:
     held_ = {before->name, before->solid, before->pose, before->uncertainty};
     held_thing_ = {before->what.address.id, before->colour, before->shape, *held_};
     return true;
+  }
+
+  /// What a predecessor has let go, or was about to grasp, is where it says, and not where vision
+  /// has seen it before.
+  void take_over_place() {
+    if (!exists(held_entry()))
+      return;
+    const auto before = read<HeldThing>(held_entry());
+    NamedSolid thing{before->name, before->solid, before->pose, before->uncertainty};
+    if (!before->let_go)
+      thing.pose = geometry::compose(tool_pose(arm(), state()->positions), before->pose);
+    const auto id = before->what.address.id;
+    std::erase_if(things_, [&](const auto& x) { return x.id == id || x.thing.name == thing.name; });
+    held_thing_ = {id, before->colour, before->shape, thing};
+    things_.push_back(held_thing_);
+    let_go_ = thing;
   }
 
   // -- looking
@@ -132,6 +150,7 @@ protected:
       wait();
     }
     things_ = look_at_table(placement());
+    let_go_.reset();
     return {};
   }
 
@@ -203,8 +222,10 @@ protected:
 
   /// What the gripper holds after a stage, and where things are that vision has not seen since.
   void note_changes(const MotionStage& stage, const ManipulationPlan& plan) {
-    if (stage.status == ManipulationStatus::releasing && held_ && plan.goal && !state()->holds)
-      things_.push_back({{}, {}, {}, {held_->name, held_->solid, *plan.goal}});
+    if (stage.status == ManipulationStatus::releasing && held_ && plan.goal && !state()->holds) {
+      let_go_ = {held_->name, held_->solid, *plan.goal, held_->uncertainty};
+      things_.push_back({{}, {}, {}, *let_go_});
+    }
     if (state() && !state()->holds)
       held_.reset();
     else if (stage.takes) {
@@ -213,7 +234,8 @@ protected:
     }
   }
 
-  /// Goes where the arm rests; what stops it on the way may be over when it tries again.
+  /// Goes where the arm rests; what stops it on the way may be over when it tries again. What
+  /// nobody has seen may be beside its fingers then, or where a predecessor has left them.
   ActionResult withdraw() {
     if (!state())
       return ActionResult::failed("the arm does not tell where it is");
@@ -224,7 +246,8 @@ protected:
         wait();
       auto plan = planned([&] {
         return planner_->go(scene(), rest(), state()->positions, state()->opening,
-                            held_ ? "goes home with " + held_->name : "goes home");
+                            held_ ? "goes home with " + held_->name : "goes home",
+                            is_resuming_ || tries > 1);
       });
       if (!plan)
         return ActionResult::failed("the arm cannot go home: " + told_.reason);
@@ -260,12 +283,16 @@ protected:
 
   ArmActionQueue queue_;
   bool is_paused_ = false;
+  /// What a predecessor has left is dealt with just now.
+  bool is_resuming_ = false;
   std::optional<ManipulationPlanner> planner_;
   /// The one that runs, or null.
   ActionInProgress* action_ = nullptr;
   std::vector<SeenThing> things_;
   /// In the tool's frame.
   std::optional<NamedSolid> held_;
+  /// In the arm's frame; until vision has looked.
+  std::optional<NamedSolid> let_go_;
   /// As it was seen before.
   SeenThing held_thing_;
   Manipulation told_;

@@ -2,6 +2,7 @@
 
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/body/arm_body.hpp"
+#include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
 #include "castor/tests/planning/body/arm_at_table.hpp"
 
@@ -21,9 +22,7 @@ namespace {
 
 class InterruptedPlans : public testing::Test {
 protected:
-  double any(double low, double high) {
-    return std::uniform_real_distribution(low, high)(random_);
-  }
+  double any(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
 
   std::vector<NamedSolid> random_things() {
     std::vector<NamedSolid> result;
@@ -73,10 +72,12 @@ protected:
   }
 
   /// What went wrong on the way home; empty if nothing.
-  std::string go_home() {
+  std::string go_home() { return go_home(seen(), false); }
+
+  std::string go_home(const Scene& scene, bool draws_back) {
     const auto before = body_->status().collisions;
-    const auto result =
-      planner_.go(seen(), aside(), body_->configuration(), body_->opening(), "goes home");
+    const auto result = planner_.go(scene, aside(), body_->configuration(), body_->opening(),
+                                    "goes home", draws_back);
     if (const auto* failure = std::get_if<MotionFailure>(&result))
       return failure->text;
     for (const auto& stage : std::get<ManipulationPlan>(result).stages)
@@ -115,6 +116,32 @@ TEST_F(InterruptedPlans, LeaveAWayHomeAnywhere) {
     EXPECT_EQ(go_home(), "") << "seed " << seed;
   }
   EXPECT_GE(planned, 20);
+}
+
+/// Where a predecessor has put something, and vision has not seen it there.
+TEST_F(InterruptedPlans, LeaveAWayHomeFromWhatNobodyHasSeen) {
+  int around = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    random_.seed(seed);
+    body_.emplace(arm_, table_with({thing("the ball", sphere(0.05), 0.3, -0.1, 0.025)}), aside());
+    const auto unseen = without(body_->world().scene(), {"the ball"});
+    PlaceGoal goal;
+    goal.bottom = {any(0.26, 0.34), any(0, 0.2), 0};
+    goal.support = "the table";
+    auto result = planner_.pick_and_place(body_->world().scene(), "the ball", goal, aside());
+    ASSERT_TRUE(std::holds_alternative<ManipulationPlan>(result));
+    auto plan = std::get<ManipulationPlan>(std::move(result));
+    plan.stages.pop_back();
+    ASSERT_EQ(plan.stages.back().status, ManipulationStatus::releasing);
+    // The fingers do not come as far as they ought to.
+    plan.stages.back().opening = any(0.052, 0.06);
+    carry_out_until(plan, 100'000);
+    ASSERT_EQ(body_->world().thing("the ball").support, "the table");
+    around += body_->world().between_fingers(*arm_.gripper,
+                                             tool_pose(arm_, body_->configuration())) != nullptr;
+    EXPECT_EQ(go_home(unseen, true), "") << "seed " << seed;
+  }
+  EXPECT_EQ(around, 12);
 }
 
 } // namespace
