@@ -14,19 +14,19 @@ namespace {
 /// On both sides, or the same twice where it is on one.
 using Sides = std::pair<std::size_t, std::size_t>;
 
-constexpr double rounding = 1e-6;
+constexpr double index_rounding = 1e-6;
 
 Sides sides(double cell) {
-  const auto below = static_cast<std::size_t>(std::floor(cell + rounding));
-  return {below, static_cast<std::size_t>(std::ceil(cell - rounding))};
+  const auto below = static_cast<std::size_t>(std::floor(cell + index_rounding));
+  return {below, static_cast<std::size_t>(std::ceil(cell - index_rounding))};
 }
 
 Sides heights_beside(const ReachableTable& reach, double height) {
-  const auto above = std::ranges::lower_bound(reach.heights, height - rounding);
+  const auto above = std::ranges::lower_bound(reach.heights, height - index_rounding);
   const auto index = static_cast<std::size_t>(above - reach.heights.begin());
   if (index == reach.heights.size())
     return {index - 1, index - 1};
-  return {index == 0 || *above < height + rounding ? index : index - 1, index};
+  return {index == 0 || *above < height + index_rounding ? index : index - 1, index};
 }
 
 /// Ways at each of the points and heights around; none beyond the grid.
@@ -38,8 +38,8 @@ std::vector<std::uint32_t> all_around(const ReachableTable& reach, const GroundP
                                 "heights");
   const double x = (point.x - reach.low.x) / reach.step;
   const double y = (point.y - reach.low.y) / reach.step;
-  if (!(x >= -rounding && y >= -rounding && x <= reach.columns - 1 + rounding &&
-        y <= reach.rows - 1 + rounding))
+  if (!(x >= -index_rounding && y >= -index_rounding && x <= reach.columns - 1 + index_rounding &&
+        y <= reach.rows - 1 + index_rounding))
     return {0};
   const auto columns = sides(x);
   const auto rows = sides(y);

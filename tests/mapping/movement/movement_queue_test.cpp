@@ -6,25 +6,25 @@ namespace castor::mapping {
 
 namespace {
 
-const Address first{"asking", "1"};
-const Address second{"asking", "2"};
+const Address first_request{"asking", "1"};
+const Address second_request{"asking", "2"};
 const Address stop{"asking", "3"};
 
 TEST(MovementQueue, AnUrgentActionClearsWhatRunsAndWhatWaits) {
   MovementQueue x;
-  x.arrive(first, MovementPriority::normal);
-  EXPECT_TRUE(x.begin(first));
-  x.arrive(second, MovementPriority::high);
+  x.arrive(first_request, MovementPriority::normal);
+  EXPECT_TRUE(x.begin(first_request));
+  x.arrive(second_request, MovementPriority::high);
   EXPECT_FALSE(x.is_cleared());
   x.arrive(stop, MovementPriority::urgent);
   EXPECT_TRUE(x.is_cleared());
   x.end();
-  EXPECT_FALSE(x.begin(second));
+  EXPECT_FALSE(x.begin(second_request));
   EXPECT_TRUE(x.begin(stop));
   EXPECT_FALSE(x.is_cleared());
   x.end();
-  x.arrive(second, MovementPriority::normal);
-  EXPECT_TRUE(x.begin(second)) << "asked for anew";
+  x.arrive(second_request, MovementPriority::normal);
+  EXPECT_TRUE(x.begin(second_request)) << "asked for anew";
 }
 
 TEST(MovementQueue, AnUrgentActionThatHasBegunBeforeItIsToldDoesNotClearItself) {

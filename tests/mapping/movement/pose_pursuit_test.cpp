@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Drive {
+struct PoseDrive {
   Pursuit::Step last;
   BodyStatus body;
   int recoveries = 0;
@@ -38,7 +38,7 @@ PosePursuitOptions options_of(const Footprint& footprint, double turning_radius)
 }
 
 /// Pursues a goal with a simulated body in `world`, of which the robot knows `map`.
-Drive drive(const CellMap& world, const CellMap& map, const Footprint& footprint,
+PoseDrive drive(const CellMap& world, const CellMap& map, const Footprint& footprint,
             double turning_radius, const Pose2& start, const Pose2& goal, double seconds,
             std::uint64_t seed = 1) {
   BodyOptions body_options;
@@ -53,7 +53,7 @@ Drive drive(const CellMap& world, const CellMap& map, const Footprint& footprint
   PlanningMap planning_map(options.plan.cells);
   planning_map.update(map, 1);
   SeenObstacles seen;
-  Drive result;
+  PoseDrive result;
   while (body.time().count() < static_cast<std::int64_t>(seconds * 1e6)) {
     body.step();
     const auto robot = body.status().pose;
@@ -73,7 +73,7 @@ Drive drive(const CellMap& world, const CellMap& map, const Footprint& footprint
   return result;
 }
 
-void expect_arrival(const Drive& x, const Pose2& goal, std::uint64_t seed) {
+void expect_arrival(const PoseDrive& x, const Pose2& goal, std::uint64_t seed) {
   EXPECT_EQ(x.last.status, MovementStatus::arrived)
     << "seed " << seed << ": " << x.last.reason << " at " << x.body.pose.x << " " << x.body.pose.y;
   EXPECT_LT(distance(x.body.pose, goal), 0.12) << "seed " << seed;

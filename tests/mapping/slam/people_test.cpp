@@ -16,7 +16,7 @@ namespace castor::mapping::test {
 
 namespace {
 
-constexpr std::int64_t period = 100'000;
+constexpr std::int64_t scan_period = 100'000;
 
 /// A corridor of 30 m x 2.4 m with doors in niches, as a robot drives along it.
 std::vector<Wall> corridor_with_niches() {
@@ -77,7 +77,7 @@ TEST(SlamAmongPeople, WhoWalkIsNotMistakenForWalls) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const auto time = static_cast<double>(i) * 0.1;
     const auto scan =
-      scan_from(scene(walls, path[i], time), path[i], static_cast<std::int64_t>(i) * period);
+      scan_from(scene(walls, path[i], time), path[i], static_cast<std::int64_t>(i) * scan_period);
     const auto step = slam.add(with_noise(scan, 0.01, random), odometry[i]);
     worst = std::max(worst, distance(in_map(path, i), step.local_pose));
   }

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// What `Judge` ends a system with.
-constexpr int judged = 7;
+constexpr int all_done = 7;
 
 /// Systems that lose processes and get them back.
 class SupervisedSystems : public Nodes {
@@ -93,7 +93,7 @@ TEST_P(Isolated, AComponentIsBackAndTheOthersHaveGoneOn) {
                      "CPP UM ticker Ticker\nCPP UM shaky Shaky --isolate "
                      "--failures 2 --budget 300ms --memory-limit 100 --how " +
                      GetParam() + '\n')};
-  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_EQ(castor.wait(), all_done) << castor.errors();
   EXPECT_THAT(castor.errors(), HasSubstr("begins life 3"));
   EXPECT_THAT(castor.errors(), HasSubstr("is back after"));
   EXPECT_THAT(castor.output(), ContainsRegex("a\\.ticker +stopped +0 "));
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(SupervisedSystems, Isolated,
 TEST_F(SupervisedSystems, WhatANodeRanIsBackWithIt) {
   Process castor{run(witnesses(3, "b") + "CPP UM visitor Visitor\n" + subarchitecture("b", "one") +
                      "CPP UM ticker Ticker\nCPP UM shaky Shaky --how kill --diary a\n")};
-  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_EQ(castor.wait(), all_done) << castor.errors();
   EXPECT_THAT(castor.errors(), HasSubstr("was killed by signal 9"));
 }
 
@@ -116,7 +116,7 @@ TEST_F(SupervisedSystems, WithAJournalItsEntriesAreBackToo) {
     subarchitecture("a", "localhost") + "CPP UM judge Judge\n" +
     subarchitecture("b", "one", "--journal full --journal-dir " + (folder / "journals").string()) +
     "CPP UM shaky Shaky --how kill --failures 2\n")};
-  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_EQ(castor.wait(), all_done) << castor.errors();
   EXPECT_THAT(castor.errors(), HasSubstr("begins life 3"));
 }
 
@@ -142,7 +142,7 @@ TEST_F(SupervisedSystems, AComponentGoesElsewhereThoughItsNodeStaysAway) {
     {&one, &two},
     "FAILOVER shaky TO [two]\n" + subarchitecture("a", "localhost") +
       "CPP UM judge Judge\n[one] CPP UM shaky Shaky --how kill\n[one] CPP UM ticker Ticker\n")};
-  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_EQ(castor.wait(), all_done) << castor.errors();
   EXPECT_TRUE(two.process->wait_for_output("begins life 2"));
   EXPECT_THAT(castor.errors(), HasSubstr("node one is lost: it could not be reached for 0.3 s"));
 }
@@ -154,7 +154,7 @@ TEST_F(SupervisedSystems, AWorkingMemoryGoesToWhereItsJournalIsToo) {
                           "FAILOVER b TO [two]\n" + subarchitecture("a", "localhost") +
                             "CPP UM judge Judge\n" + subarchitecture("b", "one", shared_journal()) +
                             "CPP UM shaky Shaky --how kill\n")};
-  EXPECT_EQ(castor.wait(), judged) << castor.errors();
+  EXPECT_EQ(castor.wait(), all_done) << castor.errors();
   EXPECT_TRUE(two.process->wait_for_output("begins life 2")) << castor.errors();
 }
 
