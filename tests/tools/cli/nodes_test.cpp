@@ -189,7 +189,7 @@ TEST_F(Nodes, StrangersAreTurnedAwayAndNobodyElseNotices) {
   slow.say("CAS");
   for (int i = 0; i < 20; ++i) {
     StrangeConnection{two.port()}.say("GET / HTTP/1.0\r\n\r\n");
-    StrangeConnection{two.port()}.say(std::string("CASTOR\0\1\xff\xff\xff\x7f", 12));
+    StrangeConnection{two.port()}.say(std::string("CASTOR\0\2\xff\xff\xff\x7f", 12));
     StrangeConnection{two.port()}.say(std::string(3000, static_cast<char>(i * 37)));
     StrangeConnection{two.port()};
   }
