@@ -1,9 +1,37 @@
 #include "castor/planning/motivation/motive_schedule.hpp"
 
 #include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
 
 /// What the robot says of its motives.
 namespace castor::planning {
+
+namespace {
+
+std::vector<std::string> words_in(const std::string& text, char between) {
+  std::vector<std::string> result;
+  std::istringstream in{text};
+  for (std::string part; std::getline(in, part, between);)
+    if (!part.empty())
+      result.push_back(part);
+  return result;
+}
+
+/// Whether it has all words that a question is about.
+bool is_meant(const Motive& x, const std::string& about) {
+  const auto words = words_in(x.words, ' ');
+  return std::ranges::all_of(words_in(about, ' '), [&](const std::string& wanted) {
+    return std::ranges::any_of(words_in(wanted, '|'), [&](const std::string& word) {
+      return std::ranges::any_of(words, [&](const std::string& said) {
+        return said == word || said == word + ',' || said == word + 's';
+      });
+    });
+  });
+}
+
+} // namespace
 
 std::string reason_of(const Motive& x) {
   if (!x.because.empty())
@@ -21,6 +49,10 @@ std::string MotiveSchedule::answer(const MotiveQuestion& question) const {
       return why(question.about);
     case MotiveQuestionKind::why_not:
       return why_not(question.about);
+    case MotiveQuestionKind::done:
+      return done(question.about);
+    case MotiveQuestionKind::whether:
+      return whether(question.about);
   }
   return {};
 }
@@ -29,8 +61,7 @@ const Motive* MotiveSchedule::find(const std::string& about,
                                    const std::set<MotiveStatus>& statuses) const {
   const Motive* result = nullptr;
   for (const auto& [id, x] : motives_)
-    if (statuses.contains(x.motive.status) &&
-        (about.empty() || x.motive.words.find(about) != std::string::npos) &&
+    if (statuses.contains(x.motive.status) && is_meant(x.motive, about) &&
         (!result || result->history.back().time <= x.motive.history.back().time))
       result = &x.motive;
   return result;
@@ -71,6 +102,32 @@ std::string MotiveSchedule::why_not(const std::string& about) const {
     return why.empty() ? "I will " + x->words + " as soon as I can."
                        : "I will " + x->words + " later: " + why + ".";
   return "Because " + why + ".";
+}
+
+std::string MotiveSchedule::done(const std::string& about) const {
+  const auto* x =
+    find(about, {MotiveStatus::completed, MotiveStatus::rejected, MotiveStatus::dropped});
+  if (!x)
+    return about.empty() ? "I have done nothing yet." : "I know of nothing like that that I did.";
+  const auto& why = x->history.back().why;
+  return x->status == MotiveStatus::completed
+           ? "The last thing that I did was to " + x->words + ", because " + reason_of(*x) + "."
+           : "I was to " + x->words + ", but did not: " + why + ".";
+}
+
+std::string MotiveSchedule::whether(const std::string& about) const {
+  const auto* x = find(about, {MotiveStatus::proposed, MotiveStatus::queued, MotiveStatus::active,
+                               MotiveStatus::preempted});
+  if (x)
+    return is_pursued(*x) ? "Not yet: I am about to " + x->words + "."
+                          : "Not yet: I will " + x->words + " later.";
+  x = find(about, {MotiveStatus::completed, MotiveStatus::rejected, MotiveStatus::dropped});
+  if (!x)
+    return about.empty() ? "I have nothing to do."
+                         : "I know of nothing like that that I was to do.";
+  return x->status == MotiveStatus::completed
+           ? "I was to " + x->words + ", and that is done."
+           : "No: I was to " + x->words + ", but " + x->history.back().why + ".";
 }
 
 } // namespace castor::planning

@@ -50,6 +50,11 @@ void MotiveSchedule::propose(const std::string& id, Motive motive, Timestamp now
   decide(now);
 }
 
+void MotiveSchedule::recall(const std::string& id, Motive motive) {
+  if (!knows(id) && is_over(motive) && !motive.history.empty())
+    motives_[id] = {std::move(motive), proposed_++};
+}
+
 bool MotiveSchedule::is_rejected(const std::string& id, Timestamp now) {
   const auto& own = motive(id);
   std::vector<std::string> less_urgent;

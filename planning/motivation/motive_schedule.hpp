@@ -33,6 +33,8 @@ public:
 
   /// A motive that is not known yet: rejected if it conflicts, else queued or begun.
   void propose(const std::string& id, Motive motive, Timestamp now);
+  /// A motive that is over already, so that questions about it can be answered.
+  void recall(const std::string& id, Motive motive);
   /// Nobody wants it any more.
   void withdraw(const std::string& id, const std::string& why, Timestamp now);
   /// Its action is over.
@@ -84,6 +86,8 @@ private:
   std::string next() const;
   std::string why(const std::string& about) const;
   std::string why_not(const std::string& about) const;
+  std::string done(const std::string& about) const;
+  std::string whether(const std::string& about) const;
 
   std::size_t most_over_;
   Entries motives_;

@@ -79,14 +79,15 @@ struct MotiveAcknowledgement {
   std::string words;
 };
 
-enum class MotiveQuestionKind : std::uint8_t { doing, next, why, why_not };
-CASTOR_REFLECT_ENUM(MotiveQuestionKind, doing, next, why, why_not)
+enum class MotiveQuestionKind : std::uint8_t { doing, next, why, why_not, done, whether };
+CASTOR_REFLECT_ENUM(MotiveQuestionKind, doing, next, why, why_not, done, whether)
 
-/// A call: what the robot does, will do, and why it does or does not do something. Replied to by a
-/// MotiveAnswer.
+/// A call: what the robot does, will do and has done, whether it has done something, and why it
+/// does or does not. Replied to by a MotiveAnswer.
 struct MotiveQuestion {
   MotiveQuestionKind kind = MotiveQuestionKind::doing;
-  /// Words of the motive that it is about; empty for the last one.
+  /// Words that the motive that it is about has, all of them, apart by blanks: "blue ball". One of
+  /// several by bars will do: "box|cube". Empty for the last motive.
   std::string about;
 };
 

@@ -52,8 +52,10 @@ class MotiveManager final : public ManagedComponent {
   void look(const Address& address) {
     try {
       const auto x = read<Motive>(address);
-      if (x->status != MotiveStatus::completed && x->status != MotiveStatus::rejected &&
-          x->status != MotiveStatus::dropped)
+      if (x->status == MotiveStatus::completed || x->status == MotiveStatus::rejected ||
+          x->status == MotiveStatus::dropped)
+        schedule_.recall(address.id, *x);
+      else
         schedule_.propose(address.id, *x, now());
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());

@@ -224,6 +224,39 @@ TEST_F(MotiveScheduleTest, AnswersQuestionsAboutItself) {
   EXPECT_EQ(ask(Kind::why_not, "tidy"), "I will tidy up as soon as I can.");
   schedule.ended("find", ActionOutcome::failed, "nobody knows where it is", 3s);
   EXPECT_EQ(ask(Kind::why_not, "book"), "Because nobody knows where it is.");
+  EXPECT_EQ(ask(Kind::done), "I was to find the book, but did not: nobody knows where it is.");
+  EXPECT_EQ(ask(Kind::whether, "book"),
+            "No: I was to find the book, but nobody knows where it is.");
+  EXPECT_EQ(ask(Kind::whether), "Not yet: I am about to tidy up.");
+  schedule.ended("tidy", ActionOutcome::succeeded, "", 4s);
+  EXPECT_EQ(ask(Kind::whether), "I was to tidy up, and that is done.");
+  EXPECT_EQ(ask(Kind::done),
+            "The last thing that I did was to tidy up, because the table is full.");
+  EXPECT_EQ(ask(Kind::whether, "ball"), "I know of nothing like that that I was to do.");
+}
+
+TEST_F(MotiveScheduleTest, IsAskedAboutMotivesByTheirWords) {
+  auto ball = motive("put the blue ball on the left", 1, {"arm"});
+  ball.because = "you said so";
+  schedule.propose("ball", ball, 0s);
+  schedule.ended("ball", ActionOutcome::succeeded, "", 1s);
+  const auto why = [&](const std::string& about) {
+    return schedule.answer({MotiveQuestionKind::why, about});
+  };
+  EXPECT_EQ(why("blue ball|sphere"), "Because you said so.");
+  EXPECT_EQ(why("red ball|sphere"), "I know of nothing like that that I did.");
+  // Words as a whole.
+  EXPECT_EQ(why("all"), "I know of nothing like that that I did.");
+}
+
+TEST_F(MotiveScheduleTest, KnowsMotivesThatWereOverBefore) {
+  auto ball = motive("put the ball away", 1, {"arm"});
+  ball.status = MotiveStatus::rejected;
+  ball.history = {{1, MotiveStatus::rejected, "I do not see it any more"}};
+  schedule.recall("ball", ball);
+  EXPECT_EQ(schedule.answer({MotiveQuestionKind::why_not, ""}),
+            "Because I do not see it any more.");
+  EXPECT_TRUE(schedule.take_orders().empty());
 }
 
 TEST_F(MotiveScheduleTest, ForgetsOldMotivesThatAreOver) {
