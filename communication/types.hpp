@@ -309,6 +309,10 @@ struct MoveReferents {
   bool asks_whether_possible = false;
   /// A request is not clear: the robot asks back, or says why it cannot be.
   bool is_unclear = false;
+  /// The steps take the place of those of the request before: "no, to the left of it".
+  bool corrects = false;
+  /// The steps are to be done before what was asked for: "take the box away first".
+  bool comes_first = false;
 };
 
 /// Relation of a turn of a dialogue to an earlier one.
@@ -397,7 +401,7 @@ CASTOR_REFLECT(PronounReferents, nominal, proxies)
 CASTOR_REFLECT(DirectivePlace, relation, landmarks)
 CASTOR_REFLECT(DirectiveStep, action, things, number, places, by)
 CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing, steps,
-               asks_whether_possible, is_unclear)
+               asks_whether_possible, is_unclear, corrects, comes_first)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)

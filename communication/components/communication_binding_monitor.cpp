@@ -72,10 +72,12 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
   void look(const std::string& id, const DialogueMove& move) {
     auto address = here("referents of " + id);
     const bool is_known = exists(address);
-    auto meant = with_names_told(move, *vocabulary(binding()));
+    const auto said = with_names_told(move, *vocabulary(binding()));
+    auto meant = said;
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
     auto spoken_of = referents;
-    const auto whole = completed(meant, spoken_of);
+    // A fragment may complete the move before in another of its readings.
+    const auto whole = completed(meant.type == DialogueMoveType::none ? said : meant, spoken_of);
     if (whole.type == DialogueMoveType::assertion) {
       const auto told = tell_of(id, whole, spoken_of);
       publish();
@@ -87,6 +89,8 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
         return steps_asked_for(whole, from_entry(spoken_of.pronouns), scene);
       });
       referents.asks_whether_possible = asks_for_ability(whole.content);
+      referents.corrects = is_correction(whole.content);
+      referents.comes_first = is_to_be_first(whole.content);
       referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
                              is_handling(whole.content, vocabulary(binding())->meanings());
     }

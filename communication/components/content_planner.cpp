@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/dialogue/small_talk.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/planning/motivation/types.hpp"
@@ -108,14 +109,15 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       return std::string{};
     using Kind = planning::MotiveQuestionKind;
     static const std::map<std::string, Kind, std::less<>> kinds{
-      {"doing", Kind::doing}, {"next", Kind::next}, {"why", Kind::why}, {"why-not", Kind::why_not}};
-    const auto* root = find_nominal(move.content, move.content.root);
-    const auto kind = root == nullptr ? kinds.end() : kinds.find(root->proposition);
+      {"doing", Kind::doing},     {"next", Kind::next}, {"why", Kind::why},
+      {"why-not", Kind::why_not}, {"done", Kind::done}, {"whether", Kind::whether}};
+    const auto kind = kinds.find(small_talk_topic(move.content));
     if (move.type != DialogueMoveType::small_talk || kind == kinds.end())
       return std::nullopt;
+    const auto about = things_asked_about(move.content, *vocabulary(binding_.get()));
     try {
       return call<planning::MotiveQuestion, planning::MotiveAnswer>(
-               motivation_, {kind->second, {}}, {.timeout = std::chrono::seconds{3}})
+               motivation_, {kind->second, about}, {.timeout = std::chrono::seconds{3}})
         .words;
     } catch (const WorkingMemoryException& e) {
       warning("motivation does not answer: {}", e.what());
@@ -133,8 +135,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     if (!told)
       return std::nullopt;
     try {
-      return call<binding::ToldName, binding::ToldNameReply>(
-               told->subarchitecture, {told->name}, {.timeout = std::chrono::seconds{3}})
+      return call<binding::ToldName, binding::ToldNameReply>(told->subarchitecture, {told->name},
+                                                             {.timeout = std::chrono::seconds{3}})
         .words;
     } catch (const WorkingMemoryException& e) {
       warning("{} does not take note of the name {}: {}", told->subarchitecture, told->name,

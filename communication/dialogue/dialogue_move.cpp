@@ -72,7 +72,8 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form) {
     return DialogueMoveType::opening;
   if (root->sort == "closing")
     return DialogueMoveType::closing;
-  if (root->sort == "small-talk")
+  // "Why did you take the ball?"
+  if (root->sort == "small-talk" || !feature(*root, "Asks").empty())
     return DialogueMoveType::small_talk;
   if (root->sort == "marker") {
     if (root->proposition == "yes" || root->proposition == "ok")

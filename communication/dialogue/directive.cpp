@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/directive.hpp"
 
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/directive_places.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
@@ -47,6 +48,7 @@ public:
   std::vector<DirectiveStep> read() {
     const auto* root = find_nominal(form_, form_.root);
     for_each_action(form_, *root, [this](auto& x) { add(x); });
+    exchange();
     return std::move(steps_);
   }
 
@@ -80,6 +82,20 @@ private:
       read_without_destination(x, step);
     steps_.push_back(std::move(step));
     last_ = current_;
+  }
+
+  /// "The ball where the cube is, and the cube where the ball is": they change places.
+  void exchange() {
+    if (steps_.size() != 2)
+      return;
+    const auto goes_where = [](const DirectiveStep& x, const DirectiveStep& other) {
+      return x.things.size() == 1 && x.places.size() == 1 && x.places.front().relation == "where" &&
+             x.places.front().landmarks == other.things;
+    };
+    auto& first = steps_.front();
+    if (goes_where(first, steps_.back()) && goes_where(steps_.back(), first))
+      steps_ = {DirectiveStep{
+        action_for("swap"), {first.things.front(), steps_.back().things.front()}, 0, {}, {}}};
   }
 
   // -- kinds of steps
@@ -195,9 +211,23 @@ private:
 
   Things proxies(const Things& ids) const {
     Things result;
-    for (const auto& id : ids)
-      result.push_back(scene_.proxy_of(id));
+    for (const auto& id : ids) {
+      auto proxy = scene_.proxy_of(id);
+      result.push_back(proxy.empty() ? id : std::move(proxy));
+    }
     return result;
+  }
+
+  /// Proxies of what "it" stands for, if none of them is there any more: whoever has moved the
+  /// thing knows it by the proxy that it had.
+  Things of_before(const Nominal& phrase) {
+    const auto before = antecedents_.find(phrase.name);
+    if (!is_pronoun(phrase) || before == antecedents_.end() || scene_.things().empty())
+      return {};
+    const bool is_there = std::ranges::any_of(scene_.things(), [&](const auto& id) {
+      return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
+    });
+    return is_there ? Things{} : before->second;
   }
 
   /// The things of the step before, if there is one that a pronoun can stand for.
@@ -225,6 +255,8 @@ private:
       return all_or_one_of(phrase);
     if (phrase.sort != "thing" || vocabulary().surroundings(phrase) != nullptr)
       throw Uninterpretable{Reason::word, phrase.proposition};
+    if (auto moved = of_before(phrase); !moved.empty())
+      return {std::move(moved), 0};
     if (is_definite_phrase(phrase)) {
       const bool is_others = is_plural(phrase) && is_about_others(form_, phrase);
       if (is_others && !antecedents_.contains(phrase.name) && scene_.open_questions().empty())
@@ -336,6 +368,23 @@ bool asks_for_ability(const LogicalForm& form) {
   return root != nullptr && root->sort == "action" && feature(*root, "Mood") == "int" &&
          (feature(*root, "Modality") == "able" || feature(*root, "Modality") == "can") &&
          dependent(form, *root, "Wh-Restr") == nullptr;
+}
+
+bool is_correction(const LogicalForm& said) {
+  const auto whole = part_of(said, said.root);
+  return std::ranges::any_of(whole.nominals,
+                             [](auto& x) { return feature(x, "Corrects") == "true"; });
+}
+
+LogicalForm without_correction(LogicalForm form) {
+  for (auto& x : form.nominals)
+    std::erase_if(x.features, [](auto& y) { return y.name == "Corrects"; });
+  return form;
+}
+
+bool is_to_be_first(const LogicalForm& request) {
+  return std::ranges::any_of(request.nominals,
+                             [](auto& x) { return feature(x, "Sequence") == "first"; });
 }
 
 bool asks_to_act(const DialogueMove& move) {

@@ -14,6 +14,15 @@ bool is_handling(const LogicalForm& request, const WordMeanings& meanings);
 /// Whether it is only asked whether something can be done: "can you reach the ball?"
 bool asks_for_ability(const LogicalForm& form);
 
+/// Whether it corrects the request before: "no, to the left of it".
+bool is_correction(const LogicalForm& said);
+
+/// Without the signs that it is one.
+LogicalForm without_correction(LogicalForm form);
+
+/// Whether it is to be done before what was asked for: "take the box away first".
+bool is_to_be_first(const LogicalForm& request);
+
 /// Whether a move asks for an action, or whether one is possible.
 bool asks_to_act(const DialogueMove& move);
 

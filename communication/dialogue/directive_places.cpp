@@ -61,7 +61,9 @@ const Words relations{{"on", "on"},
                       {"directly-right", "right"},
                       {"directly-front", "front"},
                       {"directly-back", "back"},
-                      {"touching", "near"}};
+                      {"touching", "near"},
+                      {"place-of", "where"},
+                      {"place-before-of", "where-before"}};
 
 std::string part(std::string_view word) {
   const auto found = parts.find(word);
@@ -139,6 +141,11 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
   if (is_negated(destination))
     throw Uninterpretable{Reason::word, destination.proposition};
   const auto* anchor = dependent(form, destination, "Anchor");
+  // "A bit further left."
+  if (const auto degree = feature(destination, "Degree"); !degree.empty()) {
+    const auto side = destination.proposition.substr(destination.proposition.find('-'));
+    return {{(degree == "small" ? "slightly" : "further") + side, nullptr}};
+  }
   if (anchor == nullptr)
     return {{part(destination.proposition), nullptr}};
   // "Towards me": who speaks sits in front.
@@ -150,8 +157,12 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
       result.relation = part_by(destination.proposition, anchor->proposition);
     return {result};
   }
-  if (vocabulary.surroundings(*anchor) != nullptr) {
+  if (const auto* everywhere = vocabulary.surroundings(*anchor)) {
     const auto found = parts.find(destination.proposition);
+    // Not under the table.
+    if (found == parts.end() && destination.proposition != "to" &&
+        !everywhere->is_said_by(destination.proposition))
+      throw Uninterpretable{Reason::word, destination.proposition};
     return {{found == parts.end() ? "table" : std::string{found->second}, nullptr}};
   }
   return {{relation(destination.proposition, vocabulary), anchor}};

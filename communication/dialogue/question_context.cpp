@@ -378,7 +378,8 @@ CompleteMove completed_after(const CompleteMove& before, const DialogueMove& mov
 }
 
 void QuestionContext::note(const CompleteMove& complete, const Response& response) {
-  const CompleteMove move{reading_of(complete.move, response.reading), complete.antecedents};
+  CompleteMove move{reading_of(complete.move, response.reading), complete.antecedents};
+  move.move.content = without_correction(std::move(move.move.content));
   unclear_.reset();
   if (!response.asked_about.empty()) {
     unclear_ = move;

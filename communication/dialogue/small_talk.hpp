@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/parsing/word_meanings.hpp"
 #include "castor/communication/types.hpp"
 
@@ -7,8 +8,16 @@
 
 namespace castor::communication {
 
+/// What is asked or said about the robot itself: identity, doing, why ... Empty if there is no
+/// root.
+std::string small_talk_topic(const LogicalForm& form);
+
+/// The things that a question about what the robot does is about, in words for a
+/// planning::MotiveQuestion: "blue ball|sphere". Empty if it names none.
+std::string things_asked_about(const LogicalForm& form, const Vocabulary& vocabulary);
+
 /// The reply to what is about the robot itself rather than about the scene: thanks, who it is, how
-/// it is, what it can do. The form's root is of sort "small-talk".
+/// it is, what it can do. The form's topic is looked up.
 std::string small_talk(const LogicalForm& form, const WordMeanings& meanings);
 
 } // namespace castor::communication

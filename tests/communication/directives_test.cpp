@@ -35,7 +35,8 @@ std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
   static const std::map<std::string, std::string> names{
     {"Put", "put"},     {"Take", "take"},    {"PutDown", "down"}, {"Give", "give"},
     {"Push", "push"},   {"PutBack", "back"}, {"Swap", "swap"},    {"Sort", "sort"},
-    {"Clear", "clear"}, {"Stop", "stop"},    {"Wait", "wait"},    {"GoOn", "go-on"}};
+    {"Clear", "clear"}, {"Stop", "stop"},    {"Wait", "wait"},    {"GoOn", "go-on"},
+    {"Undo", "undo"}};
   auto result = asks_whether_possible ? std::string{"able"} : names.at(x.action);
   if (!x.things.empty())
     result +=
@@ -57,6 +58,8 @@ std::string understood(const DirectiveSentences& x) {
   std::string result;
   for (const auto& step : reply.steps)
     result += (result.empty() ? "" : "; ") + shown(step, reply.asks_whether_possible);
+  if (!result.empty())
+    result = (reply.corrects ? "correct " : reply.comes_first ? "first " : "") + result;
   return result.empty() ? "? " + reply.text : result;
 }
 
@@ -99,6 +102,12 @@ Figures figures_of(const std::string& file) {
 TEST(Directives, AllThatTheGrammarWasWrittenWithAreUnderstood) {
   const auto result = figures_of("dev.txt");
   EXPECT_GE(result.all, 150U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
+TEST(Directives, WhatIsSaidOfOthersIsUnderstood) {
+  const auto result = figures_of("conversation.txt");
+  EXPECT_GE(result.all, 35U);
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 

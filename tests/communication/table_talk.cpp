@@ -116,6 +116,8 @@ Reply TableTalk::say_sentence(const std::string& text) {
   reply.steps = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
     return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
   });
+  reply.corrects = is_correction(meant.move.content);
+  reply.comes_first = is_to_be_first(meant.move.content);
   reply.asks_whether_possible = asks_for_ability(meant.move.content);
   reply.move = meant.move.type;
   reply.relation = response.relation;

@@ -32,6 +32,9 @@ struct Reply {
   std::vector<DirectiveStep> steps = {};
   /// It is only asked whether that is possible.
   bool asks_whether_possible = false;
+  /// It takes the place of the request before, or comes before that.
+  bool corrects = false;
+  bool comes_first = false;
 };
 
 /// A conversation about a scene, without actors and working memories: what the components of
