@@ -1,7 +1,10 @@
 #include "castor/planning/motivation/table_goals.hpp"
 
+#include "castor/planning/motivation/table_words.hpp"
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -13,58 +16,6 @@ namespace {
 using communication::DirectivePlace;
 using communication::DirectiveStep;
 using Things = std::vector<const TableThing*>;
-
-/// Predicates for relations, and how they are said.
-struct RelationWords {
-  std::string_view relation;
-  std::string_view predicate;
-  std::string_view words;
-};
-
-constexpr RelationWords relation_words[] = {{"left", "left-of", "to the left of"},
-                                            {"right", "right-of", "to the right of"},
-                                            {"front", "front-of", "in front of"},
-                                            {"back", "back-of", "behind"},
-                                            {"near", "near", "next to"},
-                                            {"away", "away-from", "away from"},
-                                            {"on", "on", "on"},
-                                            {"in", "on", "in"},
-                                            {"between", "between", "between"}};
-
-constexpr std::pair<std::string_view, std::string_view> part_words[] = {
-  {"left", "on the left"},
-  {"right", "on the right"},
-  {"front", "at the front"},
-  {"back", "at the back"},
-  {"left-edge", "at the left edge"},
-  {"right-edge", "at the right edge"},
-  {"front-edge", "at the front edge"},
-  {"back-edge", "at the back edge"},
-  {"edge", "at the edge"},
-  {"corner", "in a corner"},
-  {"front-left-corner", "in the front left corner"},
-  {"front-right-corner", "in the front right corner"},
-  {"back-left-corner", "in the back left corner"},
-  {"back-right-corner", "in the back right corner"},
-  {"centre", "in the middle"},
-  {"table", "on the table"},
-  {"elsewhere", "somewhere else"},
-  {"aside", "aside"},
-  {"there", "there"}};
-
-/// Where what is cleared away from a part goes.
-constexpr std::pair<std::string_view, std::string_view> opposites[] = {
-  {"left", "right"},      {"right", "left"},      {"front", "back"},      {"back", "front"},
-  {"centre", "edge"},     {"left-edge", "right"}, {"right-edge", "left"}, {"front-edge", "back"},
-  {"back-edge", "front"}, {"edge", "centre"}};
-
-template <class Table>
-std::string_view find(const Table& table, std::string_view key) {
-  for (const auto& [name, value] : table)
-    if (name == key)
-      return value;
-  return {};
-}
 
 TableGoal refusal(std::string words) {
   return {TableWish::refusal, {}, {}, 0, std::move(words)};
@@ -113,6 +64,8 @@ public:
       return swap();
     if (action == "PutBack")
       return put_back();
+    if (action == "Undo")
+      return undo();
     if (action == "PutDown")
       return put_down();
     if (!step_.places.empty())
@@ -126,7 +79,11 @@ public:
 
 private:
   const TableThing* thing(const std::string& proxy) const {
-    const auto found = std::ranges::find(table_, proxy, &TableThing::proxy);
+    auto found = std::ranges::find(table_, proxy, &TableThing::proxy);
+    if (found == table_.end())
+      found = std::ranges::find_if(table_, [&](const TableThing& x) {
+        return std::ranges::find(x.former_proxies, proxy) != x.former_proxies.end();
+      });
     return found == table_.end() ? nullptr : &*found;
   }
 
@@ -139,8 +96,9 @@ private:
       formula += ' ' + x;
     std::ranges::sort(parts_);
     parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
-    return {TableWish::goal, formula + ')',    std::move(parts_),
-            places_ + 1,     std::move(words), sentence(std::move(result))};
+    return {TableWish::goal,  formula + ')',    std::move(parts_),
+            places_ + 1,      std::move(words), sentence(std::move(result)),
+            std::move(spots_)};
   }
 
   std::string in_part(const TableThing& x, std::string part) {
@@ -210,7 +168,21 @@ private:
       facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
     }
     return goal("put " + listed(things_) + " back",
-                listed(things_) + are(things_) + " where it was before");
+                listed(things_) + are(things_) + " where " +
+                  (things_.size() == 1 ? "it was" : "they were") + " before");
+  }
+
+  TableGoal undo() {
+    for (const auto& x : table_)
+      if (!x.waypoint_before_goal.empty()) {
+        things_.push_back(&x);
+        facts_.push_back("(= (pos " + x.object + ") " + x.waypoint_before_goal + ')');
+      }
+    if (things_.empty())
+      return refusal("There is nothing to undo.");
+    return goal("put " + listed(things_) + " back",
+                listed(things_) + are(things_) + " where " +
+                  (things_.size() == 1 ? "it was" : "they were") + " before");
   }
 
   TableGoal swap() {
@@ -228,16 +200,16 @@ private:
   /// The part's things go to the other side.
   TableGoal clear() {
     const auto& part = step_.places.front().relation;
-    const auto other = find(opposites, part);
+    const auto other = words_for(opposites, part);
     if (other.empty())
       return refusal("I have nowhere else to put the things.");
     for (const auto& x : table_)
       if (!x.is_held && std::ranges::find(x.parts, part) != x.parts.end())
         facts_.push_back(in_part(x, std::string{other}));
     if (facts_.empty())
-      return refusal("There is nothing " + std::string{find(part_words, part)} + '.');
-    return goal("clear what is " + std::string{find(part_words, part)},
-                "there is nothing " + std::string{find(part_words, part)} + " any more");
+      return refusal("There is nothing " + std::string{words_for(part_words, part)} + '.');
+    return goal("clear what is " + std::string{words_for(part_words, part)},
+                "there is nothing " + std::string{words_for(part_words, part)} + " any more");
   }
 
   /// A strip of the table for each value, in the order in which their things lie already.
@@ -270,20 +242,62 @@ private:
 
   TableGoal put() {
     choose();
+    const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
     std::string where;
     for (const auto& place : step_.places) {
-      auto problem =
-        place.landmarks.empty() ? put_in_part(place, where) : put_at_landmarks(place, where);
+      if (place.relation == "where" || place.relation == "where-before")
+        return put_where_another_is(place, verb);
+      const auto* shift = std::ranges::find(shifts, place.relation, &Shift::relation);
+      auto problem = shift != std::end(shifts) ? put_further(*shift, where)
+                     : place.landmarks.empty() ? put_in_part(place, where)
+                                               : put_at_landmarks(place, where);
       if (problem)
         return refusal(*problem);
     }
-    return goal((step_.action == "Push" ? "push " : "put ") + listed(things_) + where,
-                listed(things_) + are(things_) + where + " now");
+    return goal(verb + where, listed(things_) + are(things_) + where + " now");
+  }
+
+  /// In the place of something else, which has to leave it, or where that was before.
+  TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb) {
+    const auto* other = place.landmarks.size() == 1 ? thing(place.landmarks.front()) : nullptr;
+    if (other == nullptr)
+      return refusal(place.landmarks.size() == 1 ? "I do not see all of that any more."
+                                                 : "It can be in one place only.");
+    if (things_.size() > 1)
+      return refusal("There is room for one thing only.");
+    const auto& x = *things_.front();
+    const bool was = place.relation == "where-before";
+    const auto& waypoint = was ? other->waypoint_before : other->waypoint;
+    if (was && waypoint.empty())
+      return refusal("I do not know where " + other->words + " was before.");
+    if (other->is_held && !was)
+      return refusal("I hold " + other->words + '.');
+    facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+    ++places_;
+    return goal(verb + " where " + other->words + (was ? " was" : " is"),
+                x.words + " is where " + other->words + " was");
+  }
+
+  /// \returns why it is impossible
+  std::optional<std::string> put_further(const Shift& shift, std::string& where) {
+    for (const auto* x : things_) {
+      if (x->is_held)
+        return "I hold " + x->words + '.';
+      TableSpot spot{"spot-of-" + x->object, x->x + shift.x, x->y + shift.y};
+      for (const auto& other : table_)
+        if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
+            std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
+          return sentence(other.words + " is in the way there");
+      facts_.push_back("(= (pos " + x->object + ") " + spot.name + ')');
+      spots_.push_back(std::move(spot));
+    }
+    where += ' ' + std::string{shift.words};
+    return std::nullopt;
   }
 
   /// \returns why it is impossible
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where) {
-    const auto words = find(part_words, place.relation);
+    const auto words = words_for(part_words, place.relation);
     if (words.empty())
       return "I do not know where that is.";
     for (const auto* x : things_)
@@ -328,6 +342,7 @@ private:
   Things things_;
   std::vector<std::string> facts_;
   std::vector<std::string> parts_;
+  std::vector<TableSpot> spots_;
   std::size_t places_ = 0;
 };
 

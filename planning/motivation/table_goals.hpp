@@ -31,6 +31,23 @@ struct TableThing {
   /// The waypoint where it was before it was last moved; empty if it was not.
   std::string waypoint_before = {};
   bool is_held = false;
+  /// Other proxies by which requests may refer to it.
+  std::vector<std::string> former_proxies = {};
+  /// Where it was before the last goal; empty if that did not move it.
+  std::string waypoint_before_goal = {};
+  /// Away from the viewer, and of the disc that it fits in, metres.
+  double y = 0;
+  double radius = 0.03;
+};
+
+/// A place on the table that a goal is about, metres.
+struct TableSpot {
+  /// In the goal's formula.
+  std::string name;
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const TableSpot&, const TableSpot&) = default;
 };
 
 enum class TableWish {
@@ -57,6 +74,8 @@ struct TableGoal {
   std::string words;
   /// What to say once it is so, a sentence.
   std::string result = {};
+  /// Waypoints that the formula has besides those of things.
+  std::vector<TableSpot> spots = {};
 
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };

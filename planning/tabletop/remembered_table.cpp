@@ -8,9 +8,19 @@ namespace castor::planning {
 RememberedTable TableMemory::remembered() const {
   RememberedTable result;
   for (const auto& x : things_) {
-    RememberedThing thing{
-      x.name,        x.seen.id,  x.seen.proxy,      {},        x.seen.place, x.seen.radius,
-      x.seen.height, x.waypoint, x.waypoint_before, x.is_held, x.on};
+    RememberedThing thing{x.name,
+                          x.seen.id,
+                          x.seen.proxy,
+                          {},
+                          x.seen.place,
+                          x.seen.radius,
+                          x.seen.height,
+                          x.waypoint,
+                          x.waypoint_before,
+                          x.is_held,
+                          x.on,
+                          x.former_proxies,
+                          x.waypoint_before_goal};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -41,7 +51,7 @@ void TableMemory::recall(const RememberedTable& x) {
     for (const auto& quality : thing.qualities)
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
-                       thing.is_held, thing.on});
+                       thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

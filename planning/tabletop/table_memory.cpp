@@ -21,6 +21,8 @@ constexpr double moved_distance = 0.04;
 /// Something stood there before; that is not free any more if another thing is nearer, metres.
 constexpr double least_room = 0.03;
 
+constexpr std::size_t most_former_proxies = 16;
+
 constexpr std::string_view choosing = "reposition-";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> predicates{
@@ -85,6 +87,28 @@ const TableMemory::Thing* TableMemory::with_id(std::string_view id) const {
   return found == things_.end() ? nullptr : &*found;
 }
 
+void TableMemory::see_as(Thing& known, const ThingOnTable& seen) {
+  auto& former = known.former_proxies;
+  if (known.seen.proxy != seen.proxy) {
+    std::erase(former, seen.proxy);
+    former.push_back(known.seen.proxy);
+    if (former.size() > most_former_proxies)
+      former.erase(former.begin());
+  }
+  known.seen = seen;
+}
+
+/// It is moved away from where it is.
+void TableMemory::leave(Thing& x) {
+  if (std::exchange(is_unmoved_, false))
+    for (auto& y : things_)
+      y.waypoint_before_goal.clear();
+  if (x.waypoint_before_goal.empty())
+    x.waypoint_before_goal = x.waypoint;
+  x.waypoint_before = x.waypoint;
+  x.on.clear();
+}
+
 std::string TableMemory::new_waypoint(GroundPoint place) {
   auto name = "place-" + std::to_string(next_waypoint_++);
   waypoints_[name] = place;
@@ -96,7 +120,7 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
   std::set<std::string> seen;
   for (const auto& x : things)
     if (auto* known = with_id(x.id) == nullptr ? nullptr : find(with_id(x.id)->name)) {
-      known->seen = x;
+      see_as(*known, x);
       seen.insert(known->name);
     } else {
       others.push_back(&x);
@@ -121,7 +145,7 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
     if (is_loaded)
       x.seen.id = (*nearest)->id;
     else
-      x.seen = **nearest;
+      see_as(x, **nearest);
     others.erase(nearest);
     return false;
   });
@@ -148,6 +172,11 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     TableThing thing{x.seen.proxy, x.name, x.waypoint, words(x), x.seen.place.x, x.seen.qualities};
     thing.waypoint_before = x.waypoint_before;
     thing.is_held = x.is_held;
+    thing.former_proxies = x.former_proxies;
+    thing.former_proxies.push_back(hidden_proxy(x.name));
+    thing.waypoint_before_goal = x.waypoint_before_goal;
+    thing.y = x.seen.place.y;
+    thing.radius = x.seen.radius;
     for (const auto& at : places)
       if (at.id == x.seen.id && at.place.landmarks.empty())
         thing.parts.push_back(at.place.relation);
@@ -159,7 +188,14 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
 AchieveGoal TableMemory::begin(const TableGoal& goal) {
   chosen_.clear();
   done_.clear();
+  is_unmoved_ = true;
   AchieveGoal result{goal.formula};
+  for (const auto& x : goal.spots) {
+    const auto name = new_waypoint({x.x, x.y});
+    const auto end = x.name + ')';
+    for (auto at = result.goal.find(end); at != std::string::npos; at = result.goal.find(end, at))
+      result.goal.replace(at, x.name.size(), name);
+  }
   for (const auto& part : goal.parts)
     result.objects.push_back({part, "part"});
   for (std::size_t i = 0; i < goal.new_places; ++i)
@@ -167,10 +203,13 @@ AchieveGoal TableMemory::begin(const TableGoal& goal) {
   return result;
 }
 
-bool TableMemory::is_free(const std::string& waypoint) const {
+bool TableMemory::is_free(const std::string& waypoint, std::string_view goal) const {
   const auto place = waypoints_.at(waypoint);
   return std::ranges::none_of(things_, [&](const Thing& x) {
-    return !x.is_held &&
+    // What is to be moved there may be near it.
+    const auto is_for_it =
+      goal.find("(= (pos " + x.name + ") " + waypoint + ')') != std::string_view::npos;
+    return !x.is_held && (!is_for_it || x.waypoint == waypoint) &&
            (x.waypoint == waypoint || distance(x.seen.place, place) < x.seen.radius + least_room);
   });
 }
@@ -218,7 +257,7 @@ StateReply TableMemory::state(std::string_view goal,
       contains_word(goal, name) || std::ranges::any_of(things_, [&name = name](const Thing& x) {
         return x.waypoint_before == name;
       });
-    const bool is_used = is_wanted && is_free(name);
+    const bool is_used = is_wanted && is_free(name, goal);
     if (is_wanted)
       result.objects.push_back({name, "waypoint"});
     if (is_used)
@@ -290,10 +329,9 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
     return;
   const auto wanted = chosen(waypoint);
   chosen_.erase(waypoint);
-  x->waypoint_before = x->waypoint;
+  leave(*x);
   x->waypoint = waypoint;
   x->is_held = false;
-  x->on.clear();
   x->seen.place = place;
   x->seen.id = id;
   waypoints_[waypoint] = place;
@@ -307,9 +345,8 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
 
 void TableMemory::taken(const std::string& name) {
   if (auto* x = find(name)) {
-    x->waypoint_before = x->waypoint;
+    leave(*x);
     x->is_held = true;
-    x->on.clear();
   }
 }
 
@@ -339,7 +376,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
       continue;
     auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
     // That it was given to somebody, too, is known by what was done.
-    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand")
+    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
+        !part.starts_with("further-") && !part.starts_with("slightly-"))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

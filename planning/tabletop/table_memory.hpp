@@ -49,6 +49,10 @@ public:
     bool is_held = false;
     /// Name of the thing that it stands on; vision may see both as one. Empty for the table.
     std::string on = {};
+    /// Proxies that it had before: requests may refer to it by them.
+    std::vector<std::string> former_proxies = {};
+    /// Where it was when the last goal began that moved something; empty if that did not move it.
+    std::string waypoint_before_goal = {};
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
@@ -107,9 +111,11 @@ public:
 
 private:
   Thing* find(std::string_view name);
+  static void see_as(Thing& known, const ThingOnTable& seen);
+  void leave(Thing& x);
   std::string new_waypoint(spatial::GroundPoint place);
   std::string words(const Thing& x) const;
-  bool is_free(const std::string& waypoint) const;
+  bool is_free(const std::string& waypoint, std::string_view goal) const;
   void tell_thing(const Thing& x, StateReply& reply) const;
   void tell_place(const std::string& waypoint, const spatial::WantedPlace& place,
                   StateReply& reply) const;
@@ -121,6 +127,8 @@ private:
   std::map<std::string, std::vector<spatial::WantedPlace>> chosen_;
   /// Facts of the goal that nobody sees.
   std::set<std::string> done_;
+  /// Nothing has been moved for the goal yet.
+  bool is_unmoved_ = true;
   std::size_t next_waypoint_ = 1;
 };
 

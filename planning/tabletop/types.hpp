@@ -63,6 +63,8 @@ struct RememberedThing {
   bool is_held = false;
   /// Name of the thing that it stands on; empty for the table.
   std::string on;
+  std::vector<std::string> former_proxies;
+  std::string waypoint_before_goal;
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -97,6 +99,12 @@ struct RememberedTable {
 
 inline constexpr const char* remembered_table = "remembered table";
 
+/// The proxy by which requests refer to a thing that is remembered, but not seen.
+/// @param name the planner's
+inline std::string hidden_proxy(const std::string& name) {
+  return "table/" + name;
+}
+
 /// A step of what somebody has asked for.
 struct RequestedStep {
   EntryPointer<communication::DialogueMove> move;
@@ -114,6 +122,8 @@ struct RequestedSteps {
   RequestedStep current;
   Address motive;
   std::string result;
+  /// Those of the request that could not be done last, until another step is begun.
+  std::vector<RequestedStep> given_up;
 
   friend bool operator==(const RequestedSteps&, const RequestedSteps&) = default;
 };
@@ -124,10 +134,10 @@ CASTOR_REFLECT(TableProblem, reason, help)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result)
 CASTOR_REFLECT(RequestedStep, move, what)
-CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result)
+CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
-               waypoint_before, is_held, on)
+               waypoint_before, is_held, on, former_proxies, waypoint_before_goal)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)

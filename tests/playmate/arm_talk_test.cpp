@@ -14,10 +14,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::test {
@@ -30,6 +33,8 @@ using namespace manipulation;
 /// What the listener of a test waits for, and how the table was when it was said.
 struct Heard {
   std::string last;
+  /// What is said when words were heard: "I hold", then "What are you holding?".
+  std::vector<std::pair<std::string, std::string>> replies;
   ArmStatus truth;
   std::atomic<bool> is_over = false;
 };
@@ -41,14 +46,31 @@ Heard& heard() {
 
 class TableListener final : public UnmanagedComponent {
   void run() override {
+    std::size_t replied = 0;
     while (is_running()) {
-      for (const auto& x : read_all_in<communication::SpokenOutputItem>("communication"))
-        if (!heard().is_over && x->text.find(heard().last) != std::string::npos) {
-          heard().truth = *pull<ArmStatus>("arm");
-          heard().is_over = true;
-        }
+      const auto& replies = heard().replies;
+      if (replied < replies.size() && is_said(replies[replied].first))
+        say(replies[replied++].second);
+      else if (replied == replies.size() && !heard().is_over && is_said(heard().last)) {
+        heard().truth = *pull<ArmStatus>("arm");
+        heard().is_over = true;
+      }
       sleep_for(500ms);
     }
+  }
+
+  bool is_said(const std::string& words) {
+    return std::ranges::any_of(
+      read_all_in<communication::SpokenOutputItem>("communication"),
+      [&](const auto& x) { return x->text.find(words) != std::string::npos; });
+  }
+
+  void say(const std::string& text) {
+    const auto before = read_all_in<communication::PhonString>("communication").size();
+    communication::PhonString said;
+    said.word_sequence = text;
+    said.turn = static_cast<std::int32_t>(before);
+    add(Address{"communication", "utterance " + std::to_string(before + 1)}, std::move(said));
   }
 };
 CASTOR_COMPONENT(TableListener, "waits until the robot says something")
@@ -56,9 +78,12 @@ CASTOR_COMPONENT(TableListener, "waits until the robot says something")
 class PlayMateIsAsked : public testing::Test {
 protected:
   /// @param last words with which the test ends
+  /// @param replies what else is said when words were heard
   void say(const std::string& text, const std::string& last,
-           std::map<std::string, std::string> variables = {}) {
+           std::map<std::string, std::string> variables = {},
+           std::vector<std::pair<std::string, std::string>> replies = {}) {
     heard().last = last;
+    heard().replies = std::move(replies);
     heard().truth = {};
     heard().is_over = false;
     variables["arm"] = "true";
@@ -68,7 +93,9 @@ protected:
     system_ = std::make_unique<TestSystem>(playmate_cast() + "SUBARCHITECTURE listening\n"
                                                              "CPP WM SubarchitectureWorkingMemory\n"
                                                              "CPP TM AlwaysPositiveTaskManager\n"
-                                                             "CPP UM listener TableListener\n",
+                                                             "CPP UM listener TableListener\n"
+                                                             "ACCESS listening WRITES "
+                                                             "communication\n",
                                            options);
     try {
       system_->wait_until(last, [] { return heard().is_over.load(); });
@@ -139,6 +166,51 @@ TEST_F(PlayMateIsAsked, WhatItDoesAndWhy) {
   say("Put the blue ball to the right of the red cube. What are you doing?", "because");
   EXPECT_THAT(said(), testing::Contains(testing::HasSubstr(
                         "because you said 'Put the blue ball to the right of the red cube'")));
+}
+
+TEST_F(PlayMateIsAsked, ToDoSomethingElseInstead) {
+  say("Put the blue ball to the right of the red cube. No, to the left of it.",
+      "left of the red cube now");
+  EXPECT_THAT(said(),
+              testing::Not(testing::Contains(testing::HasSubstr("right of the red cube now"))));
+  EXPECT_LT(place("the blue sphere").x, place("the red cube").x - 0.05);
+}
+
+TEST_F(PlayMateIsAsked, ToTakeSomethingAwayFirst) {
+  say("Put the blue ball to the right of the red cube. Take the green cube away first.",
+      "right of the red cube now");
+  EXPECT_THAT(said(), testing::Contains("The green cube is somewhere else now."));
+  EXPECT_GT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.05);
+  EXPECT_GT(place("the blue sphere").x, place("the red cube").x + 0.05);
+}
+
+TEST_F(PlayMateIsAsked, ToPutAThingWhereAnotherIsAndWas) {
+  say("Put the red cube where the green cube is. Put the blue ball where the red cube was.",
+      "The blue ball is where the red cube was.");
+  EXPECT_LT(std::hypot(place("the red cube").x - 0.20, place("the red cube").y + 0.06), 0.04);
+  EXPECT_LT(std::hypot(place("the blue sphere").x - 0.02, place("the blue sphere").y + 0.02), 0.04);
+}
+
+TEST_F(PlayMateIsAsked, WhatItHoldsAndToPutThatSomewhere) {
+  say("Take the blue ball.", "left edge now", {},
+      {{"I hold the blue ball now.", "What are you holding?"},
+       {"blue ball.", "Where is the blue ball?"},
+       {"gripper", "Put it down at the left edge."}});
+  EXPECT_THAT(said(), testing::Contains("It is in the gripper."));
+  EXPECT_THAT(said(), testing::Contains("The blue ball is at the left edge now."));
+}
+
+TEST_F(PlayMateIsAsked, WhatItHasDoneAndWhy) {
+  say("Move the red cube a little to the right.", "that is done", {},
+      {{"right now.", "Why did you move the cube?"},
+       {"Because", "What did you just do?"},
+       {"The last thing", "Are you done?"}});
+  EXPECT_THAT(said(),
+              testing::Contains("Because you said 'Move the red cube a little to the right'."));
+  EXPECT_THAT(said(),
+              testing::Contains(testing::StartsWith(
+                "The last thing that I did was to put the red cube a little to the right, ")));
+  EXPECT_NEAR(place("the red cube").x, 0.06, 0.015);
 }
 
 TEST_F(PlayMateIsAsked, AndSaysWhyItCannot) {

@@ -213,8 +213,7 @@ class TableExecutor final : public KnowsTable {
     for (const auto& x : wanted) {
       auto& place = query.places.emplace_back(WantedPlace{x.relation, {}});
       for (const auto& landmark : x.landmarks) {
-        const auto* other = memory_.thing(landmark);
-        auto at = other == nullptr ? std::string{} : location_of(other->seen.id);
+        auto at = location_seen(landmark);
         if (at.empty()) {
           reason = "what it is to be put there for is not seen any more";
           return {};
@@ -234,6 +233,15 @@ class TableExecutor final : public KnowsTable {
     for (const auto& x : query.targets)
       result.push_back(table_place(x.position));
     return result;
+  }
+
+  /// The location of a thing, or of what it stands on, which vision may see as one with it; empty
+  /// if neither is seen.
+  std::string location_seen(const std::string& name) const {
+    for (const auto* x = memory_.thing(name); x != nullptr; x = memory_.thing(x->on))
+      if (auto at = location_of(x->seen.id); !at.empty())
+        return at;
+    return {};
   }
 
   static manipulation::TablePlace table_place(const GroundPoint& at) {

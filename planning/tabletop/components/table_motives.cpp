@@ -2,6 +2,7 @@
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/motivation/components/hears_requests.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/tabletop/request_queue.hpp"
 #include "castor/planning/tabletop/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
@@ -34,19 +35,16 @@ class TableMotives final : public HearsRequests {
     const auto entry = here(requested_steps);
     if (!exists(entry))
       return;
-    known_ = told_ = *read<RequestedSteps>(entry);
-    if (!known_.motive.id.empty() && !exists(known_.motive)) {
-      known_.waiting.insert(known_.waiting.begin(), known_.current);
-      known_.motive = {};
-    }
+    told_ = *read<RequestedSteps>(entry);
+    queue_.recall(told_, !told_.motive.id.empty() && exists(told_.motive));
   }
 
   /// For a successor.
   void remember() {
-    if (known_ == told_)
+    if (queue_.steps() == told_)
       return;
-    put(here(requested_steps), known_);
-    told_ = known_;
+    put(here(requested_steps), queue_.steps());
+    told_ = queue_.steps();
   }
 
   void arrived(const Address& referents) override { arrived_.push_back(referents); }
@@ -88,6 +86,7 @@ class TableMotives final : public HearsRequests {
       return answer(referents);
     if (referents.steps.empty() && move.type == DialogueMoveType::action_directive)
       reply(referents.move, MotiveReply::impossible, "I do not know how to do that.");
+    std::vector<RequestedStep> steps;
     for (const auto& x : referents.steps)
       if (x.action == "Stop")
         end(referents.move);
@@ -96,21 +95,22 @@ class TableMotives final : public HearsRequests {
       else if (x.action == "GoOn")
         command(referents.move, manipulation::ResumeArm{}, "I go on.");
       else
-        known_.waiting.push_back({referents.move, x});
+        steps.push_back({referents.move, x});
+    if (!steps.empty())
+      withdraw(queue_.add(steps, referents));
     remember();
   }
 
   void end(const EntryPointer<DialogueMove>& move) {
-    known_.waiting.clear();
-    if (!known_.motive.id.empty())
-      try {
-        delete_entry(known_.motive);
-      } catch (const DoesNotExistOnWM& e) {
-        debug("{}", e.what());
-      }
-    known_.motive = {};
+    withdraw(queue_.stop());
     remember();
     command(move, manipulation::StopArm{}, "I have stopped.");
+  }
+
+  /// The arm ends what it does for it.
+  void withdraw(const Address& motive) {
+    if (!motive.id.empty() && exists(motive))
+      delete_entry(motive);
   }
 
   template <class T>
@@ -128,39 +128,36 @@ class TableMotives final : public HearsRequests {
   /// The next step, when the one before is done. What comes after one that is not done is not done
   /// either.
   void go_on() {
-    const auto& move = known_.current.move;
-    if (!known_.motive.id.empty())
-      try {
-        const auto motive = read<Motive>(known_.motive);
-        if (motive->status == MotiveStatus::completed) {
-          const bool was_so = !motive->history.back().why.empty();
-          reply(move, was_so ? MotiveReply::already_so : MotiveReply::done,
-                was_so ? "It is so already." : known_.result);
-        } else if (motive->status == MotiveStatus::rejected ||
-                   motive->status == MotiveStatus::dropped) {
-          const auto [reason, help] = problem(*motive);
-          reply(move, MotiveReply::impossible,
-                explained(motive->words, reason) + (help.empty() ? "" : ' ' + help));
-          drop_steps_of(move);
-        } else {
-          return;
-        }
-      } catch (const DoesNotExistOnWM& e) {
-        debug("{}", e.what());
-        reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
-        drop_steps_of(move);
-      }
-    known_.motive = {};
-    while (known_.motive.id.empty() && !known_.waiting.empty()) {
-      known_.current = std::move(known_.waiting.front());
-      known_.waiting.erase(known_.waiting.begin());
-      begin(known_.current);
-    }
+    if (queue_.is_busy() && !is_over())
+      return;
+    while (const auto* next = queue_.next())
+      begin(RequestedStep{*next});
   }
 
-  void drop_steps_of(const EntryPointer<DialogueMove>& move) {
-    std::erase_if(known_.waiting,
-                  [&](const RequestedStep& x) { return x.move.address == move.address; });
+  /// Whether the current step is over, and if so, what became of it is said.
+  bool is_over() {
+    const auto& known = queue_.steps();
+    const auto move = known.current.move;
+    try {
+      const auto motive = read<Motive>(known.motive);
+      if (motive->status == MotiveStatus::completed) {
+        const bool was_so = !motive->history.back().why.empty();
+        reply(move, was_so ? MotiveReply::already_so : MotiveReply::done,
+              was_so ? "It is so already." : known.result);
+        queue_.done();
+        return true;
+      }
+      if (motive->status != MotiveStatus::rejected && motive->status != MotiveStatus::dropped)
+        return false;
+      const auto [reason, help] = problem(*motive);
+      reply(move, MotiveReply::impossible,
+            explained(motive->words, reason) + (help.empty() ? "" : ' ' + help));
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+      reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
+    }
+    queue_.give_up();
+    return true;
   }
 
   /// Why a step of a plan could not be done, or there was no plan.
@@ -174,24 +171,40 @@ class TableMotives final : public HearsRequests {
     return {motive.history.back().why, {}};
   }
 
+  /// So that the robot can be asked why it did not do it.
+  void note_refusal(const RequestedStep& step, std::string refusal) {
+    refusal.pop_back();
+    Motive motive;
+    motive.kind = "table";
+    motive.words = "do what " + speaker_.get() + " asked for";
+    motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
+    motive.cause = step.move;
+    motive.status = MotiveStatus::rejected;
+    motive.history = {{now().count(), MotiveStatus::rejected, std::move(refusal)}};
+    add(std::move(motive));
+  }
+
   void begin(const RequestedStep& step) {
     auto asked = goal_of({step.what, true});
-    if (!asked.refusal.empty())
-      return reply(step.move, MotiveReply::impossible, asked.refusal);
+    if (!asked.refusal.empty()) {
+      reply(step.move, MotiveReply::impossible, asked.refusal);
+      note_refusal(step, asked.refusal);
+      return queue_.give_up();
+    }
     Motive motive;
     motive.kind = "table";
     motive.goal = std::move(asked.goal);
     motive.words = std::move(asked.words);
-    known_.result = std::move(asked.result);
     motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
     // Who asked is told here, by what is seen, so that nobody is named as the asker.
     motive.cause = step.move;
     motive.resources = {"arm"};
     reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.');
-    known_.motive = here(new_id());
+    const auto address = here(new_id());
+    queue_.begin(address, std::move(asked.result));
     // First, so that a successor knows what it is for.
     remember();
-    add(known_.motive, std::move(motive));
+    add(address, std::move(motive));
   }
 
   Option<SubarchitectureName> table_{this, "table", "table",
@@ -202,8 +215,8 @@ class TableMotives final : public HearsRequests {
                                               "how long it waits for the arm and for a goal"};
 
   std::deque<Address> arrived_;
-  RequestedSteps known_;
-  /// As it was written last.
+  RequestQueue queue_;
+  /// As they were written last.
   RequestedSteps told_;
 };
 

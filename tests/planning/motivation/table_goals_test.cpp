@@ -114,4 +114,55 @@ TEST(TableGoals, FailuresAreExplained) {
   EXPECT_EQ(explained("do that", ""), "I cannot do that.");
 }
 
+TEST(TableGoals, WhereAnotherThingIsThatHasToLeave) {
+  const auto goal = goal_of({"Put", {"p/a"}, 0, {{"where", {"p/b"}}}, {}}, table);
+  EXPECT_EQ(goal.formula, "(and (= (pos a) at-b))");
+  EXPECT_EQ(goal.words, "put the red ball where the blue ball is");
+  EXPECT_EQ(goal.result, "The red ball is where the blue ball was.");
+  // One place for the other thing, and one to spare.
+  EXPECT_EQ(goal.new_places, 2U);
+}
+
+TEST(TableGoals, WhereAnotherThingWas) {
+  EXPECT_EQ(formula({"Put", {"p/a"}, 0, {{"where-before", {"p/c"}}}, {}}),
+            "(and (= (pos a) at-old))");
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"where-before", {"p/b"}}}, {}}),
+            "I do not know where the blue ball was before.");
+  EXPECT_EQ(refused({"Put", {"p/a", "p/b"}, 0, {{"where", {"p/c"}}}, {}}),
+            "There is room for one thing only.");
+}
+
+TEST(TableGoals, FurtherToASideIsFromWhereItIs) {
+  const auto goal = goal_of({"Put", {"p/b"}, 0, {{"further-left", {}}}, {}}, table);
+  EXPECT_EQ(goal.formula, "(and (= (pos b) spot-of-b))");
+  EXPECT_EQ(goal.words, "put the blue ball further left");
+  ASSERT_EQ(goal.spots.size(), 1U);
+  EXPECT_EQ(goal.spots.front().name, "spot-of-b");
+  EXPECT_NEAR(goal.spots.front().x, 0.02, 1e-9);
+  EXPECT_NEAR(goal.spots.front().y, 0, 1e-9);
+  // The red box is 8 cm further left than that.
+  auto things = table;
+  things[1].x = -0.03;
+  EXPECT_EQ(refused({"Put", {"p/b"}, 0, {{"further-left", {}}}, {}}, things),
+            "The red box is in the way there.");
+}
+
+TEST(TableGoals, UndoingIsToPutBackAllThatTheLastGoalMoved) {
+  auto things = table;
+  things[0].waypoint_before_goal = "old-a";
+  things[1].waypoint_before_goal = "old-b";
+  const auto goal = goal_of({"Undo", {}, 0, {}, {}}, things);
+  EXPECT_EQ(goal.formula, "(and (= (pos a) old-a) (= (pos b) old-b))");
+  EXPECT_EQ(goal.result, "The red ball and the blue ball are where they were before.");
+  EXPECT_EQ(refused({"Undo", {}, 0, {}, {}}), "There is nothing to undo.");
+}
+
+TEST(TableGoals, AThingCanBeReferredToByAProxyThatItHadBefore) {
+  auto things = table;
+  things[0].former_proxies = {"p/older", "p/old"};
+  EXPECT_EQ(goal_of({"Take", {"p/old"}, 0, {}, {}}, things).words, "take the red ball");
+  EXPECT_EQ(refused({"Take", {"p/other"}, 0, {}, {}}, things),
+            "I do not see all of that any more.");
+}
+
 } // namespace castor::planning

@@ -204,4 +204,48 @@ TEST(PartsIn, AreThoseThatCanBeSeen) {
 
 } // namespace
 
+TEST_F(TableMemoryTest, KnowsThingsByTheProxiesThatTheyHad) {
+  memory.see({seen_as(ball, "o9", {0.3, 0}), box});
+  const auto things = memory.things({});
+  ASSERT_EQ(things.size(), 2U);
+  EXPECT_EQ(things.front().proxy, "proxy of o9");
+  EXPECT_THAT(things.front().former_proxies, Contains("p1"));
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  EXPECT_THAT(successor.things({}).front().former_proxies, Contains("p1"));
+}
+
+TEST_F(TableMemoryTest, KnowsWhereThingsWereBeforeTheLastGoalThatMovedSomething) {
+  const auto before = [&](const std::string& proxy) {
+    for (const auto& x : memory.things({}))
+      if (x.proxy == proxy)
+        return x.waypoint_before_goal;
+    return std::string{"not seen"};
+  };
+  // In two steps.
+  memory.moved("p1", new_place(), "o1", {0.0, 0.2});
+  memory.moved("p1", "place-1", "o1", {0.2, 0.2});
+  EXPECT_EQ(before("p1"), "place-1");
+  EXPECT_EQ(before("p2"), "");
+  // A goal that moves nothing changes nothing.
+  new_place();
+  EXPECT_EQ(before("p1"), "place-1");
+  memory.moved("p2", new_place(), "o2", {-0.2, 0.2});
+  EXPECT_EQ(before("p1"), "");
+  EXPECT_EQ(before("p2"), "place-2");
+}
+
+TEST_F(TableMemoryTest, GivesSpotsOfAGoalWaypointsThatAreFreeForTheirThings) {
+  TableGoal goal;
+  goal.formula = "(and (= (pos p1) spot-of-p1))";
+  goal.spots = {{"spot-of-p1", -0.16, 0.0}};
+  const auto begun = memory.begin(goal);
+  EXPECT_EQ(begun.goal, "(and (= (pos p1) place-3))");
+  ASSERT_NE(memory.place("place-3"), nullptr);
+  EXPECT_EQ(memory.place("place-3")->x, -0.16);
+  // The ball itself is nearer than other things may be.
+  EXPECT_THAT(facts(begun.goal), Contains("(used place-3)"));
+  EXPECT_THAT(facts("(and (= (pos p2) place-3))"), Not(Contains("(used place-3)")));
+}
+
 } // namespace castor::planning

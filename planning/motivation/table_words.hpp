@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+/// Places of requests about things on a table: predicates of configs/domains/playmate.pddl, and
+/// how they are said.
+namespace castor::planning {
+
+/// Predicates for relations, and how they are said.
+struct RelationWords {
+  std::string_view relation;
+  std::string_view predicate;
+  std::string_view words;
+};
+
+inline constexpr RelationWords relation_words[] = {{"left", "left-of", "to the left of"},
+                                                   {"right", "right-of", "to the right of"},
+                                                   {"front", "front-of", "in front of"},
+                                                   {"back", "back-of", "behind"},
+                                                   {"near", "near", "next to"},
+                                                   {"away", "away-from", "away from"},
+                                                   {"on", "on", "on"},
+                                                   {"in", "on", "in"},
+                                                   {"between", "between", "between"}};
+
+inline constexpr std::pair<std::string_view, std::string_view> part_words[] = {
+  {"left", "on the left"},
+  {"right", "on the right"},
+  {"front", "at the front"},
+  {"back", "at the back"},
+  {"left-edge", "at the left edge"},
+  {"right-edge", "at the right edge"},
+  {"front-edge", "at the front edge"},
+  {"back-edge", "at the back edge"},
+  {"edge", "at the edge"},
+  {"corner", "in a corner"},
+  {"front-left-corner", "in the front left corner"},
+  {"front-right-corner", "in the front right corner"},
+  {"back-left-corner", "in the back left corner"},
+  {"back-right-corner", "in the back right corner"},
+  {"centre", "in the middle"},
+  {"table", "on the table"},
+  {"elsewhere", "somewhere else"},
+  {"aside", "aside"},
+  {"there", "there"}};
+
+/// How far things go that are put further to a side, metres.
+struct Shift {
+  std::string_view relation;
+  double x;
+  double y;
+  std::string_view words;
+};
+
+inline constexpr double further = 0.08;
+inline constexpr double slightly = 0.04;
+
+inline constexpr Shift shifts[] = {{"further-left", -further, 0, "further left"},
+                                   {"further-right", further, 0, "further right"},
+                                   {"further-front", 0, -further, "further to the front"},
+                                   {"further-back", 0, further, "further back"},
+                                   {"slightly-left", -slightly, 0, "a little to the left"},
+                                   {"slightly-right", slightly, 0, "a little to the right"},
+                                   {"slightly-front", 0, -slightly, "a little to the front"},
+                                   {"slightly-back", 0, slightly, "a little to the back"}};
+
+/// Where what is cleared away from a part goes.
+inline constexpr std::pair<std::string_view, std::string_view> opposites[] = {
+  {"left", "right"},      {"right", "left"},      {"front", "back"},      {"back", "front"},
+  {"centre", "edge"},     {"left-edge", "right"}, {"right-edge", "left"}, {"front-edge", "back"},
+  {"back-edge", "front"}, {"edge", "centre"}};
+
+/// The value of a key, or nothing.
+template <class Table>
+std::string_view words_for(const Table& table, std::string_view key) {
+  for (const auto& [name, value] : table)
+    if (name == key)
+      return value;
+  return {};
+}
+
+} // namespace castor::planning

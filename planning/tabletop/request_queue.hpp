@@ -1,0 +1,47 @@
+#pragma once
+
+#include "castor/planning/tabletop/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+/// The steps that people have asked for, one of which is done at a time: what comes next, and what
+/// becomes of the others when one fails, is corrected, or has to wait for another.
+class RequestQueue {
+public:
+  /// For a successor.
+  const RequestedSteps& steps() const { return steps_; }
+  /// What a predecessor knew. A step whose motive is not there any more is begun anew.
+  void recall(RequestedSteps x, bool is_motive_there);
+
+  /// The steps of a request, by what it says of the ones before:
+  /// - they follow them;
+  /// - `comes_first`: the step that is done, or the request that was given up last, comes after;
+  /// - `corrects`: they take the place of the last request that is not done yet, if there is one.
+  /// \returns the motive that is not wanted now; without an id for none
+  Address add(const std::vector<RequestedStep>& steps, const communication::MoveReferents& said);
+
+  /// Forgets all. \returns the motive that is not wanted any more; without an id for none
+  Address stop();
+
+  /// Whether a step is done now.
+  bool is_busy() const { return !steps_.motive.id.empty(); }
+  /// The next step, which is the current one from then on; null if a step is done now or there is
+  /// none.
+  const RequestedStep* next();
+  /// The current step has a motive. @param result what to say when it is done
+  void begin(const Address& motive, std::string result);
+  /// The current step is done; `next` has the one after it.
+  void done();
+  /// The current step cannot be done: nor are those of its request that come after it.
+  void give_up();
+
+private:
+  void drop_steps_of(const Address& move);
+
+  RequestedSteps steps_;
+};
+
+} // namespace castor::planning

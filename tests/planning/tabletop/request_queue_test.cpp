@@ -1,0 +1,163 @@
+#include "castor/planning/tabletop/request_queue.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+RequestedStep step(const std::string& move, const std::string& action) {
+  RequestedStep result;
+  result.move = {Address{"communication", move}};
+  result.what.action = action;
+  return result;
+}
+
+Address motive(const std::string& id) {
+  return {"motivation", id};
+}
+
+communication::MoveReferents correction() {
+  communication::MoveReferents result;
+  result.corrects = true;
+  return result;
+}
+
+communication::MoveReferents first() {
+  communication::MoveReferents result;
+  result.comes_first = true;
+  return result;
+}
+
+class RequestQueueTest : public testing::Test {
+protected:
+  /// Actions of the steps as they would be done from now on, if all can be.
+  std::vector<std::string> rest() {
+    std::vector<std::string> result;
+    while (const auto* next = queue.next())
+      result.push_back(next->what.action);
+    return result;
+  }
+
+  /// The next step is begun. \returns its action
+  std::string begin(const std::string& id = "m") {
+    const auto* next = queue.next();
+    if (next == nullptr)
+      return {};
+    const auto action = next->what.action;
+    queue.begin(motive(id), action + " is done");
+    return action;
+  }
+
+  RequestQueue queue;
+};
+
+} // namespace
+
+TEST_F(RequestQueueTest, HasOneStepDoneAtATime) {
+  EXPECT_EQ(queue.add({step("a", "Take"), step("a", "Put")}, {}).id, "");
+  queue.add({step("b", "Give")}, {});
+  EXPECT_EQ(begin(), "Take");
+  EXPECT_TRUE(queue.is_busy());
+  EXPECT_EQ(queue.steps().result, "Take is done");
+  EXPECT_EQ(queue.next(), nullptr);
+  queue.done();
+  EXPECT_FALSE(queue.is_busy());
+  EXPECT_THAT(rest(), ElementsAre("Put", "Give"));
+}
+
+TEST_F(RequestQueueTest, LeavesOutWhatComesAfterAStepThatCannotBeDone) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  queue.add({step("b", "Give")}, {});
+  begin();
+  queue.give_up();
+  EXPECT_FALSE(queue.is_busy());
+  EXPECT_THAT(rest(), ElementsAre("Give"));
+}
+
+TEST_F(RequestQueueTest, ForgetsAllWhenItIsToStop) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  begin("m1");
+  EXPECT_EQ(queue.stop(), motive("m1"));
+  EXPECT_EQ(queue.steps(), RequestedSteps{});
+  EXPECT_EQ(queue.stop().id, "");
+}
+
+TEST_F(RequestQueueTest, ReplacesTheRequestThatIsBeingDone) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  begin("m1");
+  EXPECT_EQ(queue.add({step("b", "Push")}, correction()), motive("m1"));
+  EXPECT_THAT(rest(), ElementsAre("Push"));
+}
+
+TEST_F(RequestQueueTest, ReplacesTheLastRequestOnlyIfSeveralWait) {
+  queue.add({step("a", "Take")}, {});
+  queue.add({step("b", "Give")}, {});
+  queue.add({step("c", "Sort"), step("c", "Clear")}, {});
+  EXPECT_EQ(begin(), "Take");
+  EXPECT_EQ(queue.add({step("d", "Push")}, correction()).id, "");
+  EXPECT_TRUE(queue.is_busy());
+  queue.done();
+  EXPECT_THAT(rest(), ElementsAre("Give", "Push"));
+}
+
+TEST_F(RequestQueueTest, AddsACorrectionOfWhatIsDoneAlready) {
+  queue.add({step("a", "Take")}, {});
+  begin();
+  queue.done();
+  EXPECT_EQ(queue.add({step("b", "Push")}, correction()).id, "");
+  EXPECT_THAT(rest(), ElementsAre("Push"));
+}
+
+TEST_F(RequestQueueTest, DoesFirstWhatIsToBeFirst) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  begin("m1");
+  EXPECT_EQ(queue.add({step("b", "Push")}, first()), motive("m1"));
+  EXPECT_THAT(rest(), ElementsAre("Push", "Take", "Put"));
+}
+
+TEST_F(RequestQueueTest, TriesAgainWhatWasGivenUpAfterWhatIsToBeFirst) {
+  queue.add({step("a", "Take"), step("a", "Put"), step("a", "Give")}, {});
+  begin("m1");
+  queue.done();
+  begin("m2");
+  queue.give_up();
+  EXPECT_THAT(queue.steps().waiting, IsEmpty());
+  queue.add({step("b", "Push")}, first());
+  EXPECT_THAT(rest(), ElementsAre("Push", "Put", "Give"));
+}
+
+TEST_F(RequestQueueTest, ForgetsWhatWasGivenUpWhenSomethingElseIsBegun) {
+  queue.add({step("a", "Take")}, {});
+  begin();
+  queue.give_up();
+  queue.add({step("b", "Give")}, {});
+  begin();
+  queue.done();
+  queue.add({step("c", "Push")}, first());
+  EXPECT_THAT(rest(), ElementsAre("Push"));
+}
+
+TEST_F(RequestQueueTest, GoesOnWithWhatAPredecessorKnew) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  begin("m1");
+  const auto known = queue.steps();
+  RequestQueue successor;
+  successor.recall(known, true);
+  EXPECT_EQ(successor.steps(), known);
+  EXPECT_TRUE(successor.is_busy());
+  // The motive was never added, or is forgotten.
+  successor.recall(known, false);
+  EXPECT_FALSE(successor.is_busy());
+  ASSERT_NE(successor.next(), nullptr);
+  EXPECT_EQ(successor.steps().current.what.action, "Take");
+}
+
+} // namespace castor::planning
