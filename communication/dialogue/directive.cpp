@@ -1,13 +1,11 @@
 #include "castor/communication/dialogue/directive.hpp"
 
-#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/directive_places.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -24,15 +22,6 @@ struct Meant {
   Things things;
   std::int32_t number = 0;
 };
-
-void for_each_action(const LogicalForm& form, const Nominal& x,
-                     const std::function<void(const Nominal&)>& f) {
-  if (x.sort != "conjunction")
-    return f(x);
-  for (const auto* mode : {"First", "Next"})
-    if (const auto* part = dependent(form, x, mode))
-      for_each_action(form, *part, f);
-}
 
 Things without(Things things, const Things& others) {
   std::erase_if(things, [&](auto& x) { return std::ranges::find(others, x) != others.end(); });
@@ -108,9 +97,15 @@ private:
       step.action = action_for("clear");
       return read_clearing(*anchor, step);
     }
+    if (is_its_own_place(patient, destination)) {
+      step.action = action_for("put-back");
+      return take(one_of_like(patient), patient, step);
+    }
     if (step.action != action_for("push"))
       step.action = action_for("put");
     auto meant = things(patient);
+    if (destination.proposition == "near-each-other")
+      return read_gathering(meant, step);
     Things landmarks;
     for (const auto& place : places_named(form_, destination, vocabulary())) {
       Things others;
@@ -123,6 +118,35 @@ private:
     if (!is_definite(patient) || is_plural(patient))
       meant.things = without(std::move(meant.things), landmarks);
     take(meant, patient, step);
+  }
+
+  /// Whether "in its old place" is the place where the thing itself was, not another one.
+  bool is_its_own_place(const Nominal& patient, const Nominal& destination) {
+    const auto* anchor = dependent(form_, destination, "Anchor");
+    if (destination.proposition != "place-before-of" || anchor == nullptr || !is_pronoun(*anchor))
+      return false;
+    if (is_pronoun(patient))
+      return true;
+    try {
+      return landmarks_of(*anchor, {}) == things_of(patient).things;
+    } catch (const Uninterpretable& e) {
+      if (e.what != anchor->name)
+        throw;
+      return true;
+    }
+  }
+
+  /// "Next to each other": the others next to the first one.
+  void read_gathering(const Meant& meant, DirectiveStep& step) {
+    auto gathered = proxies(meant.things);
+    if (meant.number > 0 && std::ssize(gathered) > meant.number)
+      gathered.resize(static_cast<std::size_t>(meant.number));
+    if (gathered.size() < 2 && scene_.open_questions().empty())
+      throw Uninterpretable{Reason::word, "near-each-other"};
+    if (gathered.empty())
+      return;
+    step.places.push_back({"near", {gathered.front()}});
+    step.things.assign(gathered.begin() + 1, gathered.end());
   }
 
   void read_without_destination(const Nominal& x, DirectiveStep& step) {
@@ -349,47 +373,6 @@ private:
 };
 
 } // namespace
-
-bool is_handling(const LogicalForm& request, const WordMeanings& meanings) {
-  const auto* root = find_nominal(request, request.root);
-  if (root == nullptr)
-    return false;
-  bool all = true;
-  for_each_action(request, *root, [&](auto& x) {
-    const auto verb = x.proposition == "same" ? std::string{"put"} : x.proposition;
-    all = all && x.sort == "action" && meanings.handling.contains(verb) &&
-          meanings.actions.contains(verb);
-  });
-  return all;
-}
-
-bool asks_for_ability(const LogicalForm& form) {
-  const auto* root = find_nominal(form, form.root);
-  return root != nullptr && root->sort == "action" && feature(*root, "Mood") == "int" &&
-         (feature(*root, "Modality") == "able" || feature(*root, "Modality") == "can") &&
-         dependent(form, *root, "Wh-Restr") == nullptr;
-}
-
-bool is_correction(const LogicalForm& said) {
-  const auto whole = part_of(said, said.root);
-  return std::ranges::any_of(whole.nominals,
-                             [](auto& x) { return feature(x, "Corrects") == "true"; });
-}
-
-LogicalForm without_correction(LogicalForm form) {
-  for (auto& x : form.nominals)
-    std::erase_if(x.features, [](auto& y) { return y.name == "Corrects"; });
-  return form;
-}
-
-bool is_to_be_first(const LogicalForm& request) {
-  return std::ranges::any_of(request.nominals,
-                             [](auto& x) { return feature(x, "Sequence") == "first"; });
-}
-
-bool asks_to_act(const DialogueMove& move) {
-  return move.type == DialogueMoveType::action_directive || asks_for_ability(move.content);
-}
 
 std::vector<DirectiveStep> steps_asked_for(const DialogueMove& move, const Antecedents& antecedents,
                                            SceneKnowledge& scene) {

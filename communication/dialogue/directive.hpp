@@ -3,9 +3,15 @@
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace castor::communication {
+
+/// Calls `f` for a request, or each of several in their order.
+/// \param x root of the form
+void for_each_action(const LogicalForm& form, const Nominal& x,
+                     const std::function<void(const Nominal&)>& f);
 
 /// Whether a request, or each of several, asks for what is done to things that are seen: the
 /// lexicon has an action for its verb and lists it as `handling`.

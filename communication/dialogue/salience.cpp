@@ -13,13 +13,22 @@ namespace {
 
 using Proxies = std::vector<std::string>;
 
-/// Moves from the last one back to one that was not understood.
+/// Whether the robot had to ask what is meant: whoever does not answer that speaks of no other
+/// thing that was spoken of before.
+bool is_open(const MoveReferents& move) {
+  return !move.understood ||
+         (move.is_unclear && std::ranges::any_of(move.referents, [](const DiscourseReferent& x) {
+            return x.proxies.empty();
+          }));
+}
+
+/// Moves from the last one back to one after which nothing is clear.
 std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history) {
   std::vector<const MoveReferents*> result;
   for (auto& move : history)
     result.push_back(&move);
   std::ranges::stable_sort(result, std::ranges::greater{}, &MoveReferents::turn);
-  auto end = std::ranges::find(result, false, &MoveReferents::understood);
+  auto end = std::ranges::find_if(result, [](const auto* x) { return is_open(*x); });
   result.erase(end, result.end());
   return result;
 }

@@ -9,7 +9,7 @@ namespace castor::communication {
 
 /// What the pronouns of a move, in any of its readings, stand for by what was said before, and
 /// phrases with "other", which are about other things than those spoken of last. Nothing is found
-/// before a move that was not understood.
+/// before a move that was not understood, or a request of which it was not clear what it is about.
 ///
 /// \param history referents of the moves before, in any order
 Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferents> history,

@@ -112,10 +112,13 @@ Reply TableTalk::say_sentence(const std::string& text) {
   referents.pronouns = to_entry(meant.antecedents);
   if (meant.move.type == DialogueMoveType::assertion)
     tell_of(meant.move, referents);
-  history_.push_back(std::move(referents));
   reply.steps = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
     return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
   });
+  referents.is_unclear = reply.steps.empty() && meant.move.problem.empty() &&
+                         asks_to_act(meant.move) &&
+                         is_handling(meant.move.content, vocabulary_->meanings());
+  history_.push_back(std::move(referents));
   reply.corrects = is_correction(meant.move.content);
   reply.comes_first = is_to_be_first(meant.move.content);
   reply.asks_whether_possible = asks_for_ability(meant.move.content);
