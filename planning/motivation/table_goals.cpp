@@ -157,11 +157,14 @@ private:
   }
 
   TableGoal put_back() {
-    if (step_.number > 0)
-      if (const auto moved = std::ranges::find_if(
-            things_, [](const auto* x) { return !x->waypoint_before.empty(); });
-          moved != things_.end())
-        things_ = {*moved};
+    // Of those that may be meant, the one that was moved.
+    if (step_.number > 0) {
+      const auto moved =
+        std::ranges::find_if(things_, [](const auto* x) { return !x->waypoint_before.empty(); });
+      if (moved == things_.end())
+        return refusal("There is nothing to put back.");
+      things_ = {*moved};
+    }
     for (const auto* x : things_) {
       if (x->waypoint_before.empty())
         return refusal("I do not know where " + x->words + " was before.");

@@ -90,8 +90,10 @@ class TableMotives final : public HearsRequests {
     for (const auto& x : referents.steps)
       if (x.action == "Stop")
         end(referents.move);
-      else if (x.action == "Wait")
+      else if (x.action == "Wait" && steps.empty())
         command(referents.move, manipulation::PauseArm{}, "I wait.");
+      else if (x.action == "Wait")
+        debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         command(referents.move, manipulation::ResumeArm{}, "I go on.");
       else

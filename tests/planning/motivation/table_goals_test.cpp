@@ -80,6 +80,8 @@ TEST(TableGoals, BackIsWhereItWasBefore) {
   EXPECT_EQ(formula({"PutBack", {"p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
   EXPECT_EQ(refused({"PutBack", {"p/a"}, 0, {}, {}}),
             "I do not know where the red ball was before.");
+  EXPECT_EQ(formula({"PutBack", {"p/a", "p/c"}, 1, {}, {}}), "(and (= (pos c) at-old))");
+  EXPECT_EQ(refused({"PutBack", {"p/a", "p/b"}, 1, {}, {}}), "There is nothing to put back.");
 }
 
 TEST(TableGoals, WhatIsHeldIsPutDown) {
