@@ -90,12 +90,13 @@ protected:
     variables["say"] = text;
     auto options = playmate_options(std::move(variables));
     options.patience = 600s;
-    system_ = std::make_unique<TestSystem>(playmate_cast() + "SUBARCHITECTURE listening\n"
-                                                             "CPP WM SubarchitectureWorkingMemory\n"
-                                                             "CPP TM AlwaysPositiveTaskManager\n"
-                                                             "CPP UM listener TableListener\n"
-                                                             "ACCESS listening WRITES "
-                                                             "communication\n",
+    system_ = std::make_unique<TestSystem>(with_patience(playmate_cast()) +
+                                             "SUBARCHITECTURE listening\n"
+                                             "CPP WM SubarchitectureWorkingMemory\n"
+                                             "CPP TM AlwaysPositiveTaskManager\n"
+                                             "CPP UM listener TableListener\n"
+                                             "ACCESS listening WRITES "
+                                             "communication\n",
                                            options);
     try {
       system_->wait_until(last, [] { return heard().is_over.load(); });

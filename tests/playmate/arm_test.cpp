@@ -167,7 +167,7 @@ protected:
     variables["arm"] = "true";
     auto options = playmate_options(std::move(variables));
     options.patience = 400s;
-    return std::make_unique<TestSystem>(playmate_cast() +
+    return std::make_unique<TestSystem>(with_patience(playmate_cast()) +
                                           "SUBARCHITECTURE asking\n"
                                           "CPP WM SubarchitectureWorkingMemory\n"
                                           "CPP TM AlwaysPositiveTaskManager\n"

@@ -20,6 +20,19 @@ inline std::string playmate_cast() {
   return out.str();
 }
 
+/// The file with time for operations on a busy machine: their time limits are real time, also where
+/// time is simulated, and the camera renders every picture of a table with an arm.
+inline std::string with_patience(const std::string& text) {
+  std::istringstream in{text};
+  std::string result;
+  for (std::string line; std::getline(in, line);) {
+    const bool is_component =
+      line.starts_with("CPP UM ") || line.starts_with("CPP MG ") || line.starts_with("COMPONENT ");
+    result += line + (is_component ? " --deadline 2min\n" : "\n");
+  }
+  return result;
+}
+
 inline TestSystemOptions playmate_options(std::map<std::string, std::string> variables) {
   TestSystemOptions options;
   options.file = CASTOR_CONFIGS "/playmate.cast";
