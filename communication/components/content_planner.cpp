@@ -112,7 +112,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       {"doing", Kind::doing},     {"next", Kind::next}, {"why", Kind::why},
       {"why-not", Kind::why_not}, {"done", Kind::done}, {"whether", Kind::whether}};
     const auto kind = kinds.find(small_talk_topic(move.content));
-    if (move.type != DialogueMoveType::small_talk || kind == kinds.end())
+    if (move.type != DialogueMoveType::small_talk || kind == kinds.end() ||
+        asks_about_no_thing(move.content))
       return std::nullopt;
     const auto about = things_asked_about(move.content, *vocabulary(binding_.get()));
     try {

@@ -195,7 +195,8 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
       asked = nullptr;
     }
   for (const auto* thing : things_spoken_of(form, scene.vocabulary())) {
-    if (thing == asked)
+    // "It" is not the robot's own hand.
+    if (thing == asked || feature(*thing, "Whose") == "yours")
       continue;
     try {
       add(*thing, spoken_of(form, *thing, evaluation), is_plural(*thing));

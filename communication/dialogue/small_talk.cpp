@@ -22,6 +22,12 @@ std::string small_talk_topic(const LogicalForm& form) {
   return asked.empty() ? root->proposition : std::string{asked};
 }
 
+bool asks_about_no_thing(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  return root != nullptr && !feature(*root, "Asks").empty() &&
+         dependent(form, *root, "Patient") == nullptr;
+}
+
 std::string things_asked_about(const LogicalForm& form, const Vocabulary& vocabulary) {
   const auto* root = find_nominal(form, form.root);
   const auto* thing = root == nullptr ? nullptr : dependent(form, *root, "Patient");

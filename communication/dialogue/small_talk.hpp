@@ -12,6 +12,10 @@ namespace castor::communication {
 /// root.
 std::string small_talk_topic(const LogicalForm& form);
 
+/// Whether it is asked about an act that is done to nothing, for which there are no motives: "why did
+/// you stop?"
+bool asks_about_no_thing(const LogicalForm& form);
+
 /// The things that a question about what the robot does is about, in words for a
 /// planning::MotiveQuestion: "blue ball|sphere". Empty if it names none.
 std::string things_asked_about(const LogicalForm& form, const Vocabulary& vocabulary);
