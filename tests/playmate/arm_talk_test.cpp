@@ -170,11 +170,11 @@ TEST_F(PlayMateIsAsked, WhatItDoesAndWhy) {
 }
 
 TEST_F(PlayMateIsAsked, ToDoSomethingElseInstead) {
-  say("Put the blue ball to the right of the red cube. No, to the left of it.",
-      "left of the red cube now");
+  say("Put the blue ball to the right of the red cube. No, in front of it.",
+      "in front of the red cube now");
   EXPECT_THAT(said(),
               testing::Not(testing::Contains(testing::HasSubstr("right of the red cube now"))));
-  EXPECT_LT(place("the blue sphere").x, place("the red cube").x - 0.05);
+  EXPECT_LT(place("the blue sphere").y, place("the red cube").y - 0.05);
 }
 
 TEST_F(PlayMateIsAsked, ToTakeSomethingAwayFirst) {
