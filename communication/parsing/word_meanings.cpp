@@ -10,10 +10,9 @@ namespace {
 
 using Pieces = std::vector<Piece>;
 
-const std::vector<std::string_view> keywords = {"concept",   "general", "content",  "quality",
-                                                "value",     "look",    "relation", "surroundings",
-                                                "addressee", "action",  "handling", "side",
-                                                "reply"};
+const std::vector<std::string_view> known_keywords = {
+  "concept",      "general",   "content", "quality",  "value", "look", "relation",
+  "surroundings", "addressee", "action",  "handling", "side",  "reply"};
 
 /// Kinds of features whose values are words for what something is like, as binding calls them.
 const std::vector<std::string_view> feature_kinds = {"colour", "shape", "size", "material", "name"};
@@ -115,11 +114,11 @@ void read_surroundings(const Pieces& pieces, WordMeanings& meanings) {
 } // namespace
 
 bool is_meaning_keyword(std::string_view word) {
-  return std::ranges::find(keywords, word) != keywords.end();
+  return std::ranges::find(known_keywords, word) != known_keywords.end();
 }
 
 const std::vector<std::string_view>& meaning_keywords() {
-  return keywords;
+  return known_keywords;
 }
 
 void read_meaning(const Piece& keyword, const Pieces& pieces, WordMeanings& meanings) {
