@@ -4,10 +4,12 @@
 //
 // RUNS (10) of SECONDS (120) of simulated time, with the seeds from SEED (1) on, of somebody who
 // walks along the corridor, through lounge and laboratory, and again: alone; pausing at the
-// corners; among four others; and among four who walk through one another. The robot begins 1.5 m
+// corners; among four others; the same, but slower from 2 m before the robot on, and standing 4 m
+// before it, as a guide does; and among four who walk through one another. The robot begins 1.5 m
 // behind, follows whom it sees first, and again after it has given up. It knows its pose. Distances
 // are those of the true middles, from the tenth second on; so is the share of the time in which it
-// follows somebody else by mistake. WALK is alone, pauses, others or heedless; without, all four.
+// follows somebody else by mistake, and what it does while it is more than 2.5 m behind. WALK is
+// alone, pauses, others, guide or heedless; without, all five.
 #include "castor/benchmarks/people/scenes.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
@@ -21,6 +23,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -55,8 +58,23 @@ CellMap true_map(const Building& building, const BodyOptions& options) {
   return result;
 }
 
+/// What a robot does while it is far behind.
+struct Behind {
+  /// In the order in which they are looked at.
+  enum What { mistaken, nobody, searches, waits, stands, slow, drives, count };
+  static constexpr std::array<const char*, count> names{
+    "after somebody else", "follows nobody", "searches", "lets somebody pass",
+    "stands else",         "is slow",        "drives"};
+
+  std::array<std::int64_t, count> steps{};
+};
+
+/// Metres.
+constexpr double near = 2.5;
+
 struct Result {
   std::vector<double> distances;
+  Behind behind;
   /// Steps in which whom it follows is in sight, and is somebody else.
   std::int64_t mistaken = 0;
   int given_up = 0;
@@ -111,22 +129,39 @@ private:
     const auto robot = body_.status().pose;
     if (!follower_ && !people_.empty())
       follower_.emplace(people_.front().id, FollowPersonOptions{});
-    Twist2 velocity;
+    PersonFollower::Step step;
     if (follower_) {
       const auto seen = seen_.points();
-      const auto step = follower_->step(now, robot, people_, {map_, seen, movers_});
-      velocity = step.velocity;
+      step = follower_->step(now, robot, people_, {map_, seen, movers_});
       if (step.status == MovementStatus::failed) {
         ++result.given_up;
         follower_.reset();
       }
     }
-    body_.command(velocity);
+    body_.command(step.velocity);
     constexpr std::int64_t settled = 10'000'000;
     if (now <= settled)
       return;
     result.distances.push_back(distance(leader(), Point2{robot.x, robot.y}));
     result.mistaken += is_mistaken() ? 1 : 0;
+    if (result.distances.back() > near)
+      ++result.behind.steps[what(step)];
+  }
+
+  Behind::What what(const PersonFollower::Step& step) const {
+    constexpr double standing = 0.03; // m/s
+    constexpr double slow = 0.36;
+    if (!follower_)
+      return Behind::nobody;
+    if (is_mistaken())
+      return Behind::mistaken;
+    if (step.waits_for == "somebody to pass")
+      return Behind::waits;
+    if (step.status == MovementStatus::recovering)
+      return Behind::searches;
+    if (step.velocity.forward < standing)
+      return Behind::stands;
+    return step.velocity.forward < slow ? Behind::slow : Behind::drives;
   }
 
   Point2 leader() const { return body_.people().discs()[0].centre; }
@@ -165,7 +200,6 @@ void measure(const std::string& name, std::uint64_t seed, int runs, double secon
   const auto quantile = [&](double share) {
     return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
   };
-  constexpr double near = 2.5; // metres
   const auto with = std::ranges::upper_bound(all, near) - all.begin();
   fmt::print("{:<9}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>14.1f}{:>12.1f}{:>10}{:>11}{:>10.0f}\n", name,
              std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size()),
@@ -173,6 +207,11 @@ void measure(const std::string& name, std::uint64_t seed, int runs, double secon
              100.0 * static_cast<double>(with) / static_cast<double>(all.size()),
              100.0 * static_cast<double>(result.mistaken) / static_cast<double>(all.size()),
              result.given_up, result.collisions, result.moved);
+  const auto total = static_cast<double>(all.size());
+  for (std::size_t i = 0; i < Behind::count; ++i)
+    if (result.behind.steps[i] > 0)
+      fmt::print("    behind: {:<20}{:>6.1f} %\n", Behind::names[i],
+                 100.0 * static_cast<double>(result.behind.steps[i]) / total);
   std::fflush(stdout);
 }
 
@@ -187,7 +226,7 @@ int main(int argc, char** argv) {
   fmt::print("{:<9}{:>8}{:>8}{:>8}{:>8}{:>14}{:>12}{:>10}{:>11}{:>10}\n", "", "mean m", "median",
              "p95", "least", "within 2.5 m %", "mistaken %", "given up", "collisions", "driven m");
   const std::string walk = argc > 4 ? argv[4] : "";
-  for (const auto* name : {"alone", "pauses", "others", "heedless"})
+  for (const auto* name : {"alone", "pauses", "others", "guide", "heedless"})
     if (walk.empty() || walk == name)
       castor::benchmark::measure(name, seed, runs, seconds);
 }

@@ -248,8 +248,10 @@ Building walk_to_follow(const std::string& name, std::uint64_t seed) {
   person.is_loop = true;
   if (name == "pauses")
     person.pause = random.between(1, 5);
+  if (name == "guide")
+    person.leads_within = 4;
   result.people = {std::move(person)};
-  if (name == "others" || name == "heedless")
+  if (name == "others" || name == "heedless" || name == "guide")
     add_corridor_walkers(result, random);
   result.start = {2.5, 5.1, 0};
   return result;

@@ -32,7 +32,8 @@ Scene scene(const std::string& name, std::uint64_t seed);
 
 /// The default building and somebody, the first of its people, who walks a loop along the corridor
 /// and through lounge and laboratory; the robot begins behind. Alone; with "pauses" at the corners;
-/// or with "others", four people around the corridor, or "heedless" ones, the same.
+/// or with "others", four people around the corridor, or "heedless" ones, the same; or with "guide"
+/// among four as well, waiting for the robot.
 mapping::Building walk_to_follow(const std::string& name, std::uint64_t seed);
 
 } // namespace castor::benchmark

@@ -66,6 +66,12 @@ double length(const Point2& x) {
   return std::sqrt(dot(x, x));
 }
 
+/// Of now, m/s.
+double speed_of(const Walker& x, double from_robot) {
+  return x.leads_within > 0 ? x.speed * std::clamp(2 - 2 * from_robot / x.leads_within, 0.0, 1.0)
+                            : x.speed;
+}
+
 /// Cosine of the angle between two directions; 0 without one.
 double cosine(const Point2& a, const Point2& b) {
   const double both = length(a) * length(b);
@@ -95,7 +101,7 @@ void WalkingPeople::walk_on(Walk& walk, Point2& here, double dt, const Disc& rob
     walk.pause -= dt;
     return;
   }
-  const double at = walk.at + walk.direction * walk.person.speed * dt;
+  const double at = walk.at + walk.direction * walk.speed * dt;
   const auto next = place_on_route(walk.person, at);
   if (is_in_way(robot, walk.person, here, next, gap))
     return wait_for_robot(walk, dt);
@@ -116,7 +122,7 @@ void WalkingPeople::walk_around(std::size_t i, double dt, const Disc& robot, dou
     walk.direction = -walk.direction;
     detour = Detour{walk.at + walk.direction * way_back, 0, 0, 0};
   }
-  const double way = walk.person.speed * dt;
+  const double way = walk.speed * dt;
   if (considerate_)
     gap *= std::max(0.3, 1 - detour.time / squeezing);
   const double width = (considerate_ ? shoulder : 1) * walk.person.radius;
@@ -200,7 +206,7 @@ void WalkingPeople::keep_up(Walk& walk, Point2& here, bool evades, double dt) co
   const double ahead = ahead_of(walk);
   const auto before = points_reached(walk.person, walk.at);
   constexpr int parts = 4;
-  const double piece = walk.direction * walk.person.speed * dt / parts;
+  const double piece = walk.direction * walk.speed * dt / parts;
   for (int k = 0; k < 2 * parts; ++k)
     if (distance(here, place_on_route(walk.person, walk.at + walk.direction * ahead)) < ahead)
       walk.at += piece;
@@ -221,7 +227,7 @@ void WalkingPeople::walk_among(std::size_t i, double dt, const Robot& robot,
     walk.velocity = {};
     return;
   }
-  const double speed = walk.person.speed;
+  const double speed = walk.speed;
   const double ahead = ahead_of(walk);
   const auto aim =
     place_on_route(walk.person, walk.at + walk.direction * (walk.is_aside ? ahead : speed * dt));
@@ -280,6 +286,7 @@ void WalkingPeople::step(double dt, const Disc& robot, const Obstacles& fixed) {
   robot_before_ = robot.centre;
   const double ahead = foresight * length(moved) / dt;
   for (std::size_t i = 0; i < walks_.size(); ++i) {
+    walks_[i].speed = speed_of(walks_[i].person, distance(discs_[i].centre, robot.centre));
     if (walks_[i].detour)
       walk_around(i, dt, robot, passing + ahead, fixed);
     else if (considerate_)

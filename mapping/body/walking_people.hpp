@@ -55,6 +55,8 @@ private:
     double waited = 0;
     /// What is left of the pause at a point of the route, seconds.
     double pause = 0;
+    /// Of now, m/s.
+    double speed = 0;
     std::optional<Detour> detour;
     // Of considerate people:
     /// Off the route, to keep clear of somebody.

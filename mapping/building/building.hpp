@@ -103,6 +103,9 @@ struct Walker {
   double speed = 0.8;
   /// Stands that long at each point of the route, seconds.
   double pause = 0;
+  /// Who shows a robot around walks slower from half that distance from it on, and does not leave
+  /// it farther behind, metres; 0: walks on.
+  double leads_within = 0;
   double radius = 0.25;
   int line = 0;
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,26 @@ const std::string two_who_meet = "person ann route 2 3 to 10 3 speed 0.8\n"
                                  "person bob route 10 3.1 to 2 3.1 speed 0.6\n";
 
 } // namespace
+
+TEST(WalkingPeople, WhoShowsARobotAroundWaitsForIt) {
+  Walker guide;
+  guide.route = {{2, 3}, {10, 3}};
+  guide.speed = 0.8;
+  guide.leads_within = 4;
+  const SolidObstacles nothing{std::span<const Solid>{}};
+  for (const bool considerate : {false, true}) {
+    WalkingPeople people({guide}, considerate);
+    const auto walk = [&](const Point2& robot, double seconds) {
+      for (int i = 0; i < seconds / Simulated::dt; ++i)
+        people.step(Simulated::dt, {robot, 0.25}, nothing);
+      return people.discs()[0].centre.x;
+    };
+    EXPECT_NEAR(walk({1, 3}, 1), 2.8, 0.02) << "as fast as ever";
+    const double stands = walk({1, 3}, 30);
+    EXPECT_NEAR(stands, 5, 0.1) << "4 m before the robot";
+    EXPECT_NEAR(walk({2.5, 3}, 0.5), stands + 0.27, 0.1) << "slower";
+  }
+}
 
 TEST(MutualAvoidance, TellsTheTimeToContact) {
   EXPECT_DOUBLE_EQ(time_to_contact({3, 0}, {-1, 0}, 1, 5), 2);
