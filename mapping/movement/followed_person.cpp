@@ -20,14 +20,42 @@ Point2 FollowedPerson::expected(const Sight& x) const {
           x.person.place.y + way * std::sin(x.person.heading)};
 }
 
+bool FollowedPerson::has_swapped(const SeenPerson& x) const {
+  const auto before = lately_.find(x.id);
+  return before != lately_.end() && x.speed > options_.walking &&
+         before->second.front().person.speed > options_.walking &&
+         std::abs(normalised(x.heading - before->second.front().person.heading)) > options_.turn;
+}
+
 FollowedPerson::People::iterator FollowedPerson::find_successor(People people) const {
   if (!is_in_doubt_ || time_ - doubt_since_ > options_.doubt)
     return people.end();
   const auto place = expected(steady_.front());
   return std::ranges::find_if(people, [&](const SeenPerson& x) {
-    return x.id != id_ && !others_.contains(x.id) && goes_on(x) &&
+    return x.id != id_ && (!others_.contains(x.id) || has_swapped(x)) && goes_on(x) &&
            distance(x.place, place) < options_.reach;
   });
+}
+
+bool FollowedPerson::is_taken(const SeenPerson& x) const {
+  constexpr double beside = 1.2; // metres
+  constexpr double same = 1;     // radians
+  return std::ranges::any_of(lately_, [&](const auto& other) {
+    const auto& sights = other.second;
+    return other.first != x.id && others_.contains(other.first) &&
+           sights.front().person.speed > options_.walking &&
+           std::abs(normalised(sights.front().person.heading - x.heading)) < same &&
+           distance(sights.back().person.place, x.place) < beside;
+  });
+}
+
+void FollowedPerson::remember_all(People people) {
+  for (const auto& x : people)
+    lately_[x.id].push_back({time_, x});
+  for (auto& [id, sights] : lately_)
+    while (!sights.empty() && time_ - sights.front().time > options_.window)
+      sights.pop_front();
+  std::erase_if(lately_, [](const auto& x) { return x.second.empty(); });
 }
 
 bool FollowedPerson::comes_back(const SeenPerson& x) const {
@@ -37,20 +65,34 @@ bool FollowedPerson::comes_back(const SeenPerson& x) const {
          last.speed > options_.walking && std::abs(normalised(x.heading - last.heading)) > opposite;
 }
 
-FollowedPerson::People::iterator FollowedPerson::find_lost(People people) const {
+bool FollowedPerson::may_have_walked_to(const SeenPerson& x) const {
   const double away = static_cast<double>(time_ - last_->time) * 1e-6;
   const auto& last = last_->person;
+  const double speed = std::max(options_.walking, last.speed);
+  const double way = distance(last.place, x.place);
+  if (way > options_.reach + std::min(options_.farthest, options_.hurry * speed * away))
+    return false;
+  if (way < options_.reach || distance(x.place, expected(*last_)) < options_.reach)
+    return true;
+  // Who stands elsewhere stood there before.
+  if (x.speed <= options_.walking)
+    return false;
+  // Away from there.
+  constexpr double aside = 1.2; // radians
+  const double direction = std::atan2(x.place.y - last.place.y, x.place.x - last.place.x);
+  return std::abs(normalised(x.heading - direction)) < aside;
+}
+
+FollowedPerson::People::iterator FollowedPerson::find_lost(People people) {
   const auto place = expected(*last_);
-  const auto off = [&](const SeenPerson& x) {
-    return std::min(distance(x.place, place), distance(x.place, last.place));
-  };
+  for (const auto& x : people)
+    if (comes_back(x))
+      others_.insert(x.id);
   auto result = people.end();
-  double nearest = std::min(options_.farthest, options_.reach + options_.growth * away);
   for (auto i = people.begin(); i != people.end(); ++i)
-    if (!others_.contains(i->id) && !comes_back(*i) && off(*i) < nearest) {
-      nearest = off(*i);
+    if (!others_.contains(i->id) && may_have_walked_to(*i) &&
+        (result == people.end() || distance(i->place, place) < distance(result->place, place)))
       result = i;
-    }
   return result;
 }
 
@@ -83,11 +125,20 @@ std::optional<SeenPerson> FollowedPerson::find(People people, std::int64_t time)
   }
   if (const auto successor = find_successor(people); successor != people.end())
     found = successor;
-  else if (found == people.end() && last_)
+  else if (found != people.end() && is_in_doubt_ && is_taken(*found)) {
+    // As one who was lost there.
+    others_.insert(id_);
+    last_ = steady_.back();
+    steady_.clear();
+    is_in_doubt_ = false;
+    found = people.end();
+  } else if (found == people.end() && last_)
     found = find_lost(people);
+  remember_all(people);
   if (found == people.end())
     return std::nullopt;
   id_ = found->id;
+  others_.erase(id_);
   last_ = Sight{time, *found};
   remember(*found);
   // While it is in doubt who the person is, anybody may be.

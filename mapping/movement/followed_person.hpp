@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -23,9 +24,10 @@ struct SeenPerson {
 struct FollowedPersonOptions {
   /// Somebody new is the person who was lost if so near to where that one would be by now, metres.
   double reach = 1;
-  /// The same for each second out of sight, m/s, up to so far.
-  double growth = 0.5;
-  double farthest = 2.5;
+  /// Who was lost goes on at most so much faster than before, and not farther than that from where
+  /// he was seen last, metres.
+  double hurry = 1.3;
+  double farthest = 4;
   /// Slower people do not walk, m/s.
   double walking = 0.3;
   /// Somebody who was lost does not come back the other way within that time; microseconds.
@@ -67,7 +69,15 @@ private:
   /// Somebody new who walks on as the person did, while the track of the person does not.
   People::iterator find_successor(People people) const;
   /// Somebody new who may be the person who was lost.
-  People::iterator find_lost(People people) const;
+  People::iterator find_lost(People people);
+  /// Whether somebody may have walked there from where the person was seen last.
+  bool may_have_walked_to(const SeenPerson& x) const;
+  /// Among others, whose track has turned as well: where the two crossed, they swapped tracks.
+  bool has_swapped(const SeenPerson& x) const;
+  /// Whether somebody else, who walked where the track of the person goes now, was beside it when
+  /// it turned.
+  bool is_taken(const SeenPerson& x) const;
+  void remember_all(People people);
   /// Whether somebody who comes into sight again walks the other way, as the person would not.
   bool comes_back(const SeenPerson& x) const;
 
@@ -80,6 +90,8 @@ private:
   /// Since when, microseconds.
   std::int64_t doubt_since_ = 0;
   std::int64_t time_ = 0;
+  /// Those in sight lately, by id, oldest first.
+  std::map<std::int64_t, std::deque<Sight>> lately_;
   /// Who was in sight together with the person, and so is somebody else.
   std::set<std::int64_t> others_;
 };

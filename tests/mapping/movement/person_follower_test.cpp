@@ -224,6 +224,69 @@ TEST(FollowedPerson, WhoTurnsBackInSightIsStillThePerson) {
   EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 3, 0.6}}, 200'000)->id, 7);
 }
 
+namespace {
+
+SeenPerson on_line(std::int64_t id, double x, double heading) {
+  return {id, {x, 0}, heading, 0.6};
+}
+
+/// The person, 7, and somebody who comes towards it, for half a second.
+FollowedPerson before_meeting() {
+  FollowedPerson result{7, {}};
+  for (const double t : {0.0, 0.25, 0.5})
+    result.find(std::vector{on_line(7, 2 + 0.6 * t, 0), on_line(8, 3 - 0.6 * t, 3.14)},
+                static_cast<std::int64_t>(t * 1e6));
+  return result;
+}
+
+} // namespace
+
+TEST(FollowedPerson, TwoWhoCrossSwapTracks) {
+  auto followed = before_meeting();
+  followed.find(std::vector{on_line(7, 2.4, 3.14), on_line(8, 2.6, 0)}, 750'000);
+  const auto x = followed.find(std::vector{on_line(7, 2.2, 3.14), on_line(8, 2.8, 0)}, 1'000'000);
+  ASSERT_TRUE(x);
+  EXPECT_EQ(x->id, 8);
+}
+
+TEST(FollowedPerson, WhoTakesOverTheTrackWhereTwoMeetIsSomebodyElse) {
+  auto followed = before_meeting();
+  followed.find(std::vector{on_line(7, 2.4, 3.14)}, 750'000);
+  EXPECT_FALSE(followed.find(std::vector{on_line(7, 2.2, 3.14)}, 1'000'000));
+  const auto x = followed.find(std::vector{on_line(7, 1.1, 3.14), on_line(9, 3.5, 0)}, 3'000'000);
+  ASSERT_TRUE(x);
+  EXPECT_EQ(x->id, 9);
+}
+
+TEST(FollowedPerson, WhoWalksTowardsWhereThePersonWasLostIsSomebodyElse) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{9, {3.8, 1}, -1.9, 0.6}}, 4'000'000));
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{10, {3.6, 1.2}, 1.3, 0.6}}, 4'000'000)->id, 10);
+}
+
+TEST(FollowedPerson, WhoStandsElsewhereIsSomebodyElse) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{9, {2.5, 1.4}, 1.6, 0}}, 4'000'000));
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{10, {2.5, 0.5}, 0, 0}}, 4'000'000)->id, 10);
+}
+
+TEST(FollowedPerson, NobodyIsFasterThanBefore) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  const SeenPerson far{9, {5, 0}, 0, 0.6};
+  EXPECT_FALSE(followed.find(std::vector{far}, 2'000'000));
+  EXPECT_EQ(followed.find(std::vector{far}, 4'000'000)->id, 9);
+}
+
+TEST(FollowedPerson, WhoCameTheOtherWayStaysSomebodyElseWhenHeTurns) {
+  FollowedPerson followed{7, {}};
+  EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{9, {3, 0}, 3, 0.6}}, 2'000'000));
+  EXPECT_FALSE(followed.find(std::vector{SeenPerson{9, {2.6, 0}, 1, 0.6}}, 3'000'000));
+}
+
 TEST(FollowedPerson, DoubtBeginsWhenTheTrackTurnsNotWhenThePersonWasSeenLast) {
   FollowedPerson followed{7, {}};
   EXPECT_EQ(followed.find(std::vector{SeenPerson{7, {2, 0}, 0, 0.6}}, 0)->id, 7);
