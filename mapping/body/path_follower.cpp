@@ -110,6 +110,13 @@ std::optional<double> PathFollower::free_shift(std::span<const Point2> points, d
   return std::nullopt;
 }
 
+double PathFollower::aside(const Pose2& pose) const {
+  const double at = progress_of(pose);
+  const auto on_path = point_at(at);
+  const auto left = shifted_point_at(at, 1);
+  return (pose.x - on_path.x) * (left.x - on_path.x) + (pose.y - on_path.y) * (left.y - on_path.y);
+}
+
 double PathFollower::progress_of(const Pose2& pose) const {
   // Not further ahead, where the path may come back to this place.
   const double window = 2 * options_.look_ahead;

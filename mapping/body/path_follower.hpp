@@ -49,6 +49,9 @@ public:
   /// @param shift of the path to the left, metres
   Twist2 velocity_at(const Pose2& pose, double shift = 0);
 
+  /// How far to the left of the path the pose is, metres, where it is nearest.
+  double aside(const Pose2& pose) const;
+
   /// The smallest shift of the path to the left, metres, with which no point is nearer than
   /// `clearance` to the next `way` metres of it; nothing if it would be more than `most` to either
   /// side.

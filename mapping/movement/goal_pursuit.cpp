@@ -13,6 +13,9 @@ namespace castor::mapping {
 
 namespace {
 
+/// What is slower stands, m/s.
+constexpr double slowest = 0.03;
+
 double distance_from_piece(const Point2& p, const Point2& a, const Point2& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -52,7 +55,7 @@ GoalPursuit::Step GoalPursuit::step(std::int64_t time, const Pose2& robot,
                             options_.longest / 1'000'000));
   if (!is_blocked_) {
     blocked_since_.reset();
-    return drive(robot, around);
+    return drive(robot, around, in_the_way);
   }
   if (!blocked_since_)
     blocked_since_ = time;
@@ -129,16 +132,26 @@ PlannedPath GoalPursuit::plan_around(const Point2& start, const PlanningMap& map
   return plan_path(map.cells(), clearance, start, goal_, options);
 }
 
-bool GoalPursuit::is_worth_waiting(const PlannedPath& around) const {
-  if (!follower_ || (blocked_since_ && time_ - *blocked_since_ >= options_.detour_patience))
+bool GoalPursuit::is_worth_waiting(const PlannedPath& around, const Point2& start,
+                                   const PlanningMap& map) const {
+  if (blocked_since_ && time_ - *blocked_since_ >= options_.detour_patience)
     return false;
-  return around.length > follower_->length() - follower_->done() + options_.detour;
+  if (follower_)
+    return around.length > follower_->length() - follower_->done() + options_.detour;
+  if (!options_.passing)
+    return false;
+  auto options = options_.plan;
+  options.explains = false;
+  const auto direct = plan_path(map.cells(), map.clearance(), start, goal_, options);
+  return !direct.points.empty() && around.length > direct.length + options_.detour;
 }
 
 void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
                        std::span<const Point2> obstacles) {
   planned_ = time_;
   ++plans_;
+  // The new path begins where the robot is.
+  const double aside = follower_ ? follower_->aside(robot) : 0;
   // The length of a way to another goal is no reason to wait for that one.
   if (std::exchange(is_goal_new_, false))
     follower_.reset();
@@ -155,10 +168,11 @@ void GoalPursuit::plan(const Pose2& robot, const PlanningMap& map,
     }
     is_blocked_ = !obstacles.empty();
   } else {
-    is_blocked_ = is_worth_waiting(planned);
+    is_blocked_ = is_worth_waiting(planned, start, map);
   }
   if (is_blocked_)
     return;
+  shift_ -= aside;
   path_ = std::move(planned.points);
   auto follow = options_.follow;
   // Where it was stuck it cuts no corners.
@@ -189,42 +203,100 @@ double GoalPursuit::speed_before(const Pose2& robot, const Twist2& wanted,
   return left < reach ? speed_to_stop_within(left, options_.reaction, options_.braking) : fast;
 }
 
+double GoalPursuit::speed_here(const Pose2& robot, const PursuitSurroundings& around) const {
+  const Point2 here{robot.x, robot.y};
+  const bool is_narrow = around.map.clearance_of_occupied().at(here) < options_.narrow_clearance;
+  return std::min(
+    {options_.follow.speed, most_speed_, place_speed(here, is_narrow, around, options_)});
+}
+
 Twist2 GoalPursuit::limited(const Pose2& robot, const Twist2& wanted,
                             const PursuitSurroundings& around) const {
-  const Point2 here{robot.x, robot.y};
   if (!(wanted.forward > 0))
     return wanted;
-  const bool is_narrow = around.map.clearance_of_occupied().at(here) < options_.narrow_clearance;
-  const double fastest = std::min({wanted.forward, place_speed(here, is_narrow, around, options_),
-                                   speed_before(robot, wanted, around)});
   auto result = wanted;
-  result.turn *= fastest / wanted.forward;
-  result.forward = fastest;
+  result.forward =
+    std::min({wanted.forward, speed_here(robot, around), speed_before(robot, wanted, around)});
+  result.turn *= result.forward / wanted.forward;
   const double share = share_among_movers(robot, result, around.movers, options_.movers);
   result.turn *= share;
   result.forward *= share;
   return result;
 }
 
-GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PursuitSurroundings& around) {
+std::optional<Passing> GoalPursuit::passing(const Pose2& robot, const PursuitSurroundings& around,
+                                            std::span<const Point2> in_the_way) const {
+  const double fastest = speed_here(robot, around);
+  if (around.movers.empty())
+    return Passing{0, fastest};
+  const Point2 here{robot.x, robot.y};
+  std::vector<Point2> obstacles;
+  for (const auto& x : in_the_way)
+    if (distance(x, here) < fastest * options_.movers.horizon + 1)
+      obstacles.push_back(x);
+  const auto& clearance = around.map.clearance();
+  const double room = clearance.between_cells(here);
+  const auto is_free = [&](const Point2& place) {
+    const double there = clearance.between_cells(place);
+    return (there >= options_.plan.radius + options_.gap || there >= room) &&
+           std::ranges::none_of(obstacles, [&](const Point2& x) {
+             const double away = distance(x, place);
+             return away < options_.plan.radius + options_.unexpected_gap &&
+                    away < distance(x, here);
+           });
+  };
+  return choose_passing(*follower_, robot, shift_, fastest, around.movers, options_.movers, is_free,
+                        *options_.passing);
+}
+
+GoalPursuit::Motion GoalPursuit::along_path(const Pose2& robot, const PursuitSurroundings& around) {
   const auto wanted = follower_->velocity_at(robot);
+  const auto velocity = limited(robot, wanted, around);
+  const bool stops = wanted.forward > 0 && velocity.forward < slowest;
+  return {wanted, velocity,
+          stops && speed_before(robot, wanted, around) >= slowest && !around.movers.empty()};
+}
+
+GoalPursuit::Motion GoalPursuit::beside_path(const Pose2& robot, const PursuitSurroundings& around,
+                                             std::span<const Point2> in_the_way) {
+  const auto passing = this->passing(robot, around, in_the_way);
+  if (passing)
+    shift_ = passing->shift;
+  const auto wanted = velocity_aside(*follower_, robot, shift_, *options_.passing);
+  if (!(wanted.forward > 0))
+    return {wanted, wanted, false};
+  auto velocity = wanted;
+  const double most = passing ? passing->speed : 0;
+  velocity.forward = std::min({wanted.forward, most, speed_before(robot, wanted, around)});
+  velocity.turn *= velocity.forward / wanted.forward;
+  return {wanted, velocity, !passing};
+}
+
+GoalPursuit::Step GoalPursuit::drive(const Pose2& robot, const PursuitSurroundings& around,
+                                     std::span<const Point2> in_the_way) {
+  const auto motion =
+    options_.passing ? beside_path(robot, around, in_the_way) : along_path(robot, around);
   if (follower_->has_arrived())
     return turn_at_goal(robot);
-  auto velocity = limited(robot, wanted, around);
-  constexpr double slowest = 0.03; // m/s
-  const bool stops = wanted.forward > 0 && velocity.forward < slowest;
-  const bool waits_for_mover =
-    stops && speed_before(robot, wanted, around) >= slowest && !around.movers.empty();
-  if (recovery_.has_stalled(time_, robot, !waits_for_mover))
-    return begin_recovery(robot, around);
-  if (waits_for_mover)
+  if (!motion.waits_for_mover)
+    waits_since_.reset();
+  else if (!waits_since_)
+    waits_since_ = time_;
+  const bool may_wait =
+    waits_since_ && (!options_.passing || time_ - *waits_since_ < options_.passing->patience);
+  if (recovery_.has_stalled(time_, robot, !may_wait)) {
+    ++recoveries_;
+    return motion.waits_for_mover ? go_back(robot, around) : begin_recovery(robot, around);
+  }
+  if (motion.waits_for_mover)
     return stand(MovementStatus::waiting, "somebody to pass");
-  constexpr double aside = 0.1; // rad/s
-  if (stops && std::abs(wanted.turn) > aside)
-    return {{0, wanted.turn}, MovementStatus::moving, {}, {}};
+  constexpr double turning = 0.1; // rad/s
+  const bool stops = motion.wanted.forward > 0 && motion.velocity.forward < slowest;
+  if (stops && std::abs(motion.wanted.turn) > turning)
+    return {{0, motion.wanted.turn}, MovementStatus::moving, {}, {}};
   if (stops)
     return stand(MovementStatus::waiting, "a free way");
-  return {velocity, MovementStatus::moving, {}, {}};
+  return {motion.velocity, MovementStatus::moving, {}, {}};
 }
 
 GoalPursuit::Step GoalPursuit::begin_recovery(const Pose2& robot,
@@ -233,10 +305,13 @@ GoalPursuit::Step GoalPursuit::begin_recovery(const Pose2& robot,
   if (distance(here, stalled_at_) > options_.one_place)
     recoveries_there_ = 0;
   stalled_at_ = here;
-  ++recoveries_;
   if (++recoveries_there_ > options_.recoveries)
     return fail(fmt::format("it is stuck at {:.2f} {:.2f}: {} recoveries did not help", robot.x,
                             robot.y, options_.recoveries));
+  return go_back(robot, around);
+}
+
+GoalPursuit::Step GoalPursuit::go_back(const Pose2& robot, const PursuitSurroundings& around) {
   if (recovery_.begin(time_, robot))
     return recover(robot, around);
   planned_.reset();

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double time_step = 0.1; // seconds
 
-Point2 place_after(const Mover& x, double seconds) {
-  return {x.place.x + x.velocity.x * seconds, x.place.y + x.velocity.y * seconds};
-}
-
 /// Whether nobody comes too near because the robot drives.
 bool is_safe(const Pose2& robot, const Twist2& velocity, std::span<const Mover> movers,
              const MoverOptions& options) {
@@ -42,6 +38,16 @@ bool has_passed(const Pose2& robot, const Twist2& wanted, const Mover& x) {
 }
 
 } // namespace
+
+Point2 place_after(const Mover& x, double seconds) {
+  return {x.place.x + x.velocity.x * seconds, x.place.y + x.velocity.y * seconds};
+}
+
+double gap_at(double speed, const MoverOptions& options) {
+  const double slow = options.near_speed;
+  return speed <= slow ? options.passing_gap * speed / slow
+                       : options.passing_gap + options.passing_time * (speed - slow);
+}
 
 double share_among_movers(const Pose2& robot, const Twist2& wanted, std::span<const Mover> movers,
                           const MoverOptions& options) {

@@ -35,19 +35,22 @@ double direction(const Point2& from, const Point2& to) {
   return std::atan2(to.y - from.y, to.x - from.x);
 }
 
-PursuitOptions pursuit_options(const FollowPersonOptions& options) {
+} // namespace
+
+PursuitOptions pursuit_behind_person(const FollowPersonOptions& options) {
   auto result = options.pursuit;
   result.follow.speed = options.speed;
   result.narrow_speed = options.narrow_speed;
   result.patience = options.patience;
+  result.passing = options.passing;
+  result.unexpected_gap = std::max(result.unexpected_gap, options.unexpected_gap);
+  result.unexpected_margin = std::max(result.unexpected_margin, options.unexpected_margin);
   return result;
 }
 
-} // namespace
-
 PersonFollower::PersonFollower(std::int64_t person, const FollowPersonOptions& options)
   : options_(options), person_(person, options.person) {
-  options_.pursuit = pursuit_options(options);
+  options_.pursuit = pursuit_behind_person(options);
 }
 
 PersonFollower::Step PersonFollower::step(std::int64_t time, const Pose2& robot,
@@ -183,6 +186,9 @@ PersonFollower::Step PersonFollower::pursue(const Pose2& robot, const Point2& go
   if (!pursuit_)
     pursuit_.emplace(goal, std::nullopt, options_.pursuit);
   pursuit_->change_goal(goal);
+  const bool is_in_sight = time_ - seen_time_ <= out_of_sight;
+  pursuit_->limit_speed(is_in_sight ? std::max(slowest, speed_behind(robot, around.map))
+                                    : options_.speed);
   auto result = pursuit_->step(time_, robot, around);
   if (result.status != MovementStatus::failed)
     return result;

@@ -29,9 +29,17 @@ struct FollowPersonOptions {
   /// long; microseconds.
   std::int64_t patience = 15'000'000;
   FollowedPersonOptions person;
+  /// How it passes those who walk, and what it keeps at least from what the map does not have, and
+  /// plans keep besides, metres: bodies may be so much wider than the legs that the laser sees.
+  PassingOptions passing;
+  double unexpected_gap = 0.18;
+  double unexpected_margin = 0.13;
   /// How it goes there. Its speed is the one above.
   PursuitOptions pursuit;
 };
+
+/// How a robot goes to the places of a person's way.
+PursuitOptions pursuit_behind_person(const FollowPersonOptions& options);
 
 /// Leads a robot behind a person: chooses the place to go to, which a GoalPursuit does, and the
 /// speed that keeps the distance. Near the person it stands, and faces the person. Of a person out

@@ -1,7 +1,9 @@
 #include "castor/mapping/movement/pursuit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace castor::mapping {
 
@@ -21,6 +23,16 @@ std::vector<Point2> unexpected_obstacles(const PursuitSurroundings& around,
   for (auto& x : around.seen)
     if (!is_expected(around.map, x, options) && !walks(x))
       result.push_back(x);
+  if (!options.passing)
+    return result;
+  const double bodies = options.passing->standing_radius;
+  constexpr int parts = 8;
+  for (const auto& mover : around.movers)
+    for (int i = 0; i < parts && mover.speed() < options.movers.least_speed; ++i) {
+      const double angle = 2 * std::numbers::pi * i / parts;
+      result.push_back(
+        {mover.place.x + bodies * std::cos(angle), mover.place.y + bodies * std::sin(angle)});
+    }
   return result;
 }
 

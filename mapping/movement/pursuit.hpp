@@ -3,11 +3,13 @@
 #include "castor/mapping/body/path_follower.hpp"
 #include "castor/mapping/body/stall_recovery.hpp"
 #include "castor/mapping/movement/movers.hpp"
+#include "castor/mapping/movement/passing.hpp"
 #include "castor/mapping/movement/path_planner.hpp"
 #include "castor/mapping/movement/planning_map.hpp"
 #include "castor/mapping/movement/types.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +35,8 @@ struct PursuitOptions {
   double gateway_reach = 0.7;
   /// Those who walk. The radius of the robot is that of the plan.
   MoverOptions movers;
+  /// How it passes those who walk; without, it stands before them.
+  std::optional<PassingOptions> passing;
   /// What the laser sees so far from all obstacles of the map is not on the map, metres.
   double unexpected_from = 0.15;
   /// Way ahead on the path that has to be free of that, metres.
@@ -69,7 +73,8 @@ struct PursuitSurroundings {
 /// What the laser sees and the map has, too.
 bool is_expected(const PlanningMap& map, const Point2& seen, const PursuitOptions& options);
 
-/// What the laser sees, the map does not have, and does not walk.
+/// What the laser sees, the map does not have, and does not walk; and where the robot passes
+/// people, the bodies of those who stand.
 std::vector<Point2> unexpected_obstacles(const PursuitSurroundings& around,
                                          const PursuitOptions& options);
 

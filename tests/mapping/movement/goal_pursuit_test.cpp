@@ -3,11 +3,13 @@
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/body/simulated_body.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
+#include "castor/mapping/movement/person_follower.hpp"
 #include "castor/tests/mapping/movement/footprint_world.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,13 +31,14 @@ struct Drive {
 
 /// Pursues a goal with a simulated body in `world`, of which the robot knows `map`.
 Drive drive(const CellMap& world, const CellMap& map, const Pose2& start, const Point2& goal,
-            std::optional<double> heading, double seconds, const std::vector<Walker>& people = {}) {
+            std::optional<double> heading, double seconds, const std::vector<Walker>& people = {},
+            const PursuitOptions& pursuit_options = {}) {
   BodyOptions body_options;
   body_options.people = true;
   BodySurroundings surroundings{test::obstacles_of(world), test::obstacles_of(world), start,
                                 people};
   SimulatedBody body(std::move(surroundings), body_options);
-  PursuitOptions options;
+  auto options = pursuit_options;
   options.follow.look_ahead = 0.3;
   GoalPursuit pursuit(goal, heading, options);
   PlanningMap planning_map(options.plan.cells);
@@ -78,6 +81,19 @@ TEST(GoalPursuit, ReachesAGoalThroughADoorAndFacesWhereItShould) {
   EXPECT_LT(distance(Point2{x.body.pose.x, x.body.pose.y}, Point2{5, 3}), 0.15);
   EXPECT_NEAR(x.body.pose.heading, -1.5, 0.1);
   EXPECT_EQ(x.body.collisions, 0);
+}
+
+/// Those of a robot that passes people.
+PursuitOptions that_passes() {
+  return pursuit_behind_person({});
+}
+
+/// Along y = 3.
+CellMap corridor(double length, double width) {
+  auto result = test::empty_room(length, 6);
+  test::fill(result, 0, 0, length, 3 - width / 2);
+  test::fill(result, 0, 3 + width / 2, length, 6);
+  return result;
 }
 
 TEST(GoalPursuit, GoesAroundWhatTheMapDoesNotHave) {
@@ -169,6 +185,52 @@ TEST(GoalPursuit, DoesNotRunIntoPeopleWhoCrossItsWay) {
   const auto x = drive(map, map, {1, 2.5, 0}, {7, 2.5}, {}, 90, {up, down});
   EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
   EXPECT_EQ(x.body.collisions, 0);
+}
+
+TEST(GoalPursuit, PassesWhoComesTowardsItInACorridorAndHardlyStands) {
+  const auto map = corridor(14, 2.6);
+  Walker comes;
+  comes.route = {{13, 3}, {0.5, 3}};
+  const auto x = drive(map, map, {1, 3, 0}, {10, 3}, {}, 60, {comes}, that_passes());
+  EXPECT_EQ(x.last.status, MovementStatus::arrived) << x.last.reason;
+  EXPECT_EQ(x.body.collisions, 0);
+  EXPECT_LT(x.waited, 1);
+}
+
+TEST(GoalPursuit, MakesRoomForWhoWaitsBeforeItAndGoesOnWaiting) {
+  const auto map = corridor(8, 0.8);
+  PlanningMap planning_map;
+  planning_map.update(map, 1);
+  GoalPursuit pursuit({7, 3}, std::nullopt, that_passes());
+  Pose2 robot{1, 3, 0};
+  const std::vector<Mover> walker{{{3.2, 3}, {-0.3, 0}}};
+  constexpr std::int64_t period = 50'000;
+  double farthest = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const auto step = pursuit.step(i * period, robot, {planning_map, {}, walker});
+    ASSERT_NE(step.status, MovementStatus::failed) << step.reason;
+    robot = moved(robot, step.velocity, 0.05);
+    farthest = std::max(farthest, robot.x);
+  }
+  EXPECT_GT(pursuit.recoveries(), 0);
+  EXPECT_LT(farthest, 3.2 - 0.55);
+}
+
+TEST(GoalPursuit, WaitsForWhoStandsInTheWayToANewGoalBeforeItGoesALongWayAround) {
+  // A corridor around a block; the goal moves as somebody does who is followed.
+  auto map = test::empty_room(20, 12);
+  test::fill(map, 2, 1.5, 18, 10);
+  PlanningMap planning_map;
+  planning_map.update(map, 1);
+  GoalPursuit pursuit({9, 0.75}, std::nullopt, that_passes());
+  const Pose2 robot{4, 0.75, 0};
+  const std::vector<Mover> stands{{{6, 0.75}, {}}};
+  const auto step = pursuit.step(0, robot, {planning_map, {}, stands});
+  EXPECT_EQ(step.waits_for, "a free way");
+  pursuit.change_goal({10, 0.75});
+  EXPECT_EQ(pursuit.step(1'000'000, robot, {planning_map, {}, stands}).waits_for, "a free way");
+  EXPECT_EQ(pursuit.step(7'000'000, robot, {planning_map, {}, stands}).status,
+            MovementStatus::moving);
 }
 
 } // namespace
