@@ -48,12 +48,11 @@ TEST_F(DeskChaos, NoActionIsExecutedTwiceAndNoMotiveIsLost) {
 }
 
 TEST_F(DeskChaos, NorWhenProcessesAreKilledInTheMidstOfPlanningAndActing) {
-  const auto report = run({"--duration", "15s", "--plan", CASTOR_DESK "/desk-kills.plan"});
+  const auto report = run({"--duration", "25s", "--plan", CASTOR_DESK "/desk-kills.plan"});
   std::size_t killed = 0;
   for (const auto& x : report["faults"])
     killed += x["kind"] == "kill" && x["state"] == "happened" ? 1 : 0;
-  // Of both processes; on a slow machine, less is done in that time that a kill waits for.
-  EXPECT_GE(killed, 3U) << report["faults"];
+  EXPECT_GE(killed, 5U) << report["faults"];
 }
 
 } // namespace
