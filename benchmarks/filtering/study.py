@@ -8,6 +8,7 @@ import statistics
 from dataclasses import asdict, dataclass
 
 import model
+from docs_table import machine_text
 from rows import Line, Point, Row
 
 # Modules of four components, each of which wants to hear of three others.
@@ -194,14 +195,6 @@ def robot_cost_table(results, robots):
                 rows.append([robot.title, str(x["subarchitectures"]), str(x["components"]), str(x["changes"]),
                              *(f"{runs[name(y)]['processor']:.1f} s" for y in (model.FILTERED, model.BROADCAST))])
     return _table(["system", "subarchitectures", "components", "changes", "processor", "broadcast"], rows)
-
-
-def machine_text(results):
-    machine, load = results["machine"], results["load"]
-    return (f"{machine['processor']} ({'virtual, ' if machine['virtual'] else ''}{machine['cores']} cores), "
-            f"{machine['system']}; {results['rounds']} rounds of {results['changes']} changes by each component, "
-            f"{results['started']}. Others used {100 * load['median']:.0f} % of the machine (median; "
-            f"{100 * load['most']:.0f} % at most).")
 
 
 def tables(results, robots):

@@ -1,17 +1,18 @@
 """The table of measured figures in docs/performance.md. Pure."""
 
-from figures import figure_at, number
+from figures import figure_at, length_of_round, number
 from report import points_of, verdicts
 from rows import CASTOR
 
 BEGIN, END = "<!-- begin of figures: scripts/bench --update-docs -->", "<!-- end of figures -->"
 
 
-def _machine(results):
+def machine_text(results):
+    """The machine, the run, and what others did meanwhile."""
     machine, load = results["machine"], results["load"]
     virtual = "virtual, " if machine["virtual"] else ""
     return (f"{machine['processor']} ({virtual}{machine['cores']} cores), {machine['system']}, "
-            f"Linux {machine['kernel']}; {results['rounds']} rounds of {results['seconds']:g} s, {results['started']}. "
+            f"Linux {machine['kernel']}; {results['rounds']} rounds of {length_of_round(results)}, {results['started']}. "
             f"Others used {100 * load['before']:.0f} % of the machine before the run, and "
             f"{100 * load['median']:.0f} % (median; {100 * load['most']:.0f} % at most) during it.")
 
@@ -33,7 +34,7 @@ def _cells(row, results):
 
 def docs_table(rows, results):
     """Markdown."""
-    lines = [_machine(results), "", "| | Castor | others |", "|---|---|---|"]
+    lines = [machine_text(results), "", "| | Castor | others |", "|---|---|---|"]
     for row in rows:
         cells = list(_cells(row, results))
         if not cells:

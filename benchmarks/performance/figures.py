@@ -41,6 +41,11 @@ def figure_at(results, row, point):
     return figure_of(results["rows"].get(row, {}).get(line, {}).get(label, []))
 
 
+def length_of_round(results):
+    """How much of each figure is measured in a round."""
+    return f"{results['changes']} changes by each component" if "changes" in results else f"{results['seconds']:g} s"
+
+
 @dataclass(frozen=True)
 class Verdict:
     """Whether an aim is met. `ratio` is how good the figure is, as a multiple of the aim: 1 and more is met."""

@@ -2,7 +2,7 @@
 
 from html import escape
 
-from figures import change, figure_at, number
+from figures import change, figure_at, length_of_round, number
 from plot import Bars
 from report import change_text, changes, is_better, peers_text, points_of, verdicts
 
@@ -51,18 +51,12 @@ def _machine(results):
         ("memory", machine["memory"]),
         ("system", f"{machine['system']}, Linux {machine['kernel']}"),
         ("Castor", machine["castor"]),
-        ("run", f"{results['started']}, {results['rounds']} interleaved rounds, {_length(results)}"),
+        ("run", f"{results['started']}, {results['rounds']} interleaved rounds of {length_of_round(results)}"),
         ("load by others", f"{100 * load['before']:.0f} % of the machine before the run, then "
                            f"{100 * load['median']:.0f} % (median), {100 * load['most']:.0f} % at most"),
     ]
     items = "".join(f"<dt>{escape(name)}</dt><dd>{escape(text)}</dd>" for name, text in facts)
     return f"<dl>{items}</dl>"
-
-
-def _length(results):
-    if "changes" in results:
-        return f"{results['changes']} changes by each component"
-    return f"{results['seconds']:g} s for a figure"
 
 
 def _warnings(results):
