@@ -70,6 +70,24 @@ faults::Fault read_fault(std::string_view text, const faults::FaultTargets& targ
   return fault;
 }
 
+/// Only statements that are triggered by changes: the time of others would be real time since the
+/// start, which tests are not to depend on.
+faults::FaultPlan read_plan(std::string_view text, const faults::FaultTargets& targets) {
+  auto read = faults::parse_plan(text, "faults");
+  auto problems = std::move(read.diagnostics);
+  if (read.ok())
+    problems = faults::check_plan(*read.plan, targets);
+  if (!problems.empty())
+    throw std::invalid_argument(render(problems));
+  for (const auto& x : read.plan->statements)
+    if (!std::holds_alternative<faults::After>(x.trigger))
+      throw std::invalid_argument(
+        fmt::format("faults:{}: \"{}\" is not triggered by a change: write \"after FILTER: FAULT\", or "
+                    "use inject() at a moment of the test",
+                    x.where.line(), x.line));
+  return *std::move(read.plan);
+}
+
 /// What has been noticed of components, by the supervisor's thread while the test looks.
 class Notes {
 public:
@@ -189,9 +207,10 @@ class TestSystem::Implementation {
 public:
   Implementation(std::string_view text, TestSystemOptions options)
     : options_(options), architecture_(in_this_process(text, options)),
-      targets_(faults::targets_of(architecture_, {})), system_(architecture_, system_options()),
+      targets_(faults::targets_of(architecture_, {})), plan_(read_plan(options_.faults, targets_)),
+      system_(architecture_, system_options()),
       injector_({&system_, {}, faults::journals_of(architecture_)},
-                faults::FaultSchedule{{}, targets_, options.seed, Timestamp{0}}) {
+                faults::FaultSchedule{plan_, targets_, options_.seed, Timestamp{0}}) {
     system_.start();
   }
 
@@ -342,6 +361,10 @@ private:
     result.open_access = options_.open_access;
     result.on_down = [this](const ComponentDown& x) { notes_.add(x); };
     result.on_up = [this](const ComponentUp& x) { notes_.add(x); };
+    result.watched = faults::watched_by(plan_);
+    result.on_watched = [this](std::size_t filter, const ChangeEvent&) {
+      injector_.on_change(filter);
+    };
     if (options_.simulated_time)
       result.clock.pace = Pace{};
     return result;
@@ -397,6 +420,7 @@ private:
   Notes notes_;
   const ArchitectureDescription architecture_;
   const faults::FaultTargets targets_;
+  const faults::FaultPlan plan_;
   System system_;
   faults::Injector injector_;
 };

@@ -31,6 +31,10 @@ struct TestSystemOptions {
   std::chrono::milliseconds patience = std::chrono::seconds{10};
   /// Every subarchitecture may write to every other.
   bool open_access = false;
+  /// Fault plan (docs/fault-plans.md) of statements that are triggered by changes, for moments that
+  /// a test would miss: `after added FindPlan in planning: crash planner`. What tests inject at a
+  /// time of their own is no part of it.
+  std::string faults = {};
   /// Seed for random choices of faults, such as `any component`.
   std::uint64_t seed = 1;
   /// File name assumed for the text: relative file names in it are resolved against its folder.
@@ -57,7 +61,7 @@ public:
   using Patience = std::optional<std::chrono::milliseconds>;
 
   /// Starts the system that the text describes, as a .cast file would. Throws std::invalid_argument
-  /// if it is no such text, and SystemError if the system cannot be run.
+  /// if it is no such text or `faults` no such plan, and SystemError if the system cannot be run.
   explicit TestSystem(std::string_view cast, TestSystemOptions options = {});
   TestSystem(const TestSystem&) = delete;
   TestSystem& operator=(const TestSystem&) = delete;

@@ -153,6 +153,7 @@ struct StoryOptions {
   std::string owner = {};
   std::string continual = {};
   bool is_simulated = true;
+  std::string faults = {};
 };
 
 std::string story(const StoryOptions& options) {
@@ -168,7 +169,9 @@ std::string story(const StoryOptions& options) {
 class ExplorerStory {
 public:
   explicit ExplorerStory(const StoryOptions& options = {})
-    : system_(story(options), {.patience = 1min, .simulated_time = options.is_simulated}) {
+    : system_(story(options), {.patience = 1min,
+                               .faults = options.faults,
+                               .simulated_time = options.is_simulated}) {
     // nop
   }
 
@@ -190,8 +193,8 @@ private:
 };
 
 /// In real time, so that components can be ended in the middle of something.
-ExplorerStory real_story() {
-  return ExplorerStory({.body = "--step 50ms", .is_simulated = false});
+ExplorerStory real_story(const std::string& faults = {}) {
+  return ExplorerStory({.body = "--step 50ms", .is_simulated = false, .faults = faults});
 }
 
 const std::vector<std::string> whole_story{
@@ -308,13 +311,13 @@ int runs() {
   return text ? std::atoi(text) : 2;
 }
 
-const std::string while_acting = "ContinualPlanning in planning where phase == \"acting\"";
+const std::string while_acting =
+  "overwritten ContinualPlanning in planning where phase == \"acting\"";
 
 void expect_goal_reached_without(const std::string& component, const std::string& when) {
   for (int i = 0; i < runs(); ++i) {
-    auto story = real_story();
-    story.system().expect_entry(when);
-    story.system().inject("crash " + component);
+    auto story = real_story("after " + when + ": crash " + component);
+    story.system().expect_down(component);
     const auto end = story.end();
     EXPECT_EQ(end.outcome, ActionOutcome::succeeded) << end.reason;
     EXPECT_EQ(story.planning().phase, PlanPhase::achieved);
@@ -324,7 +327,7 @@ void expect_goal_reached_without(const std::string& component, const std::string
 }
 
 TEST(ExplorerStory, ReachesTheGoalThoughThePlannerEnds) {
-  expect_goal_reached_without("planner", "FindPlan in planning");
+  expect_goal_reached_without("planner", "added FindPlan in planning");
 }
 
 TEST(ExplorerStory, ReachesTheGoalThoughTheExecutorEnds) {
@@ -333,9 +336,7 @@ TEST(ExplorerStory, ReachesTheGoalThoughTheExecutorEnds) {
 
 TEST(ExplorerStory, FailsInWordsIfTheExecutorOfGoalsEnds) {
   for (int i = 0; i < runs(); ++i) {
-    auto story = real_story();
-    story.system().expect_entry(while_acting);
-    story.system().inject("crash continual");
+    auto story = real_story("after " + while_acting + ": crash continual");
     const auto end = story.end();
     EXPECT_EQ(end.outcome, ActionOutcome::failed);
     EXPECT_THAT(end.reason, HasSubstr("continual of planning ended"));

@@ -81,6 +81,25 @@ TEST_F(TestedSystem, AComponentCrashesAndIsBackAndNobodyElseNotices) {
   system.expect_entry("Note in a from one where text == \"from one\"");
 }
 
+TEST_F(TestedSystem, AFaultIsTriggeredByAChangeThatIsOverAtOnce) {
+  be_a_worker("one", poke);
+  script("two").start = [](auto& self) { self.delete_entry(self.add(Note{7, "for a moment"})); };
+  TestSystemOptions options;
+  options.faults = "after added Note in a where number == 7: crash one\n";
+  TestSystem system{workers(), options};
+  system.expect_back("one");
+  system.expect_nobody_else_down({"one"});
+}
+
+TEST_F(TestedSystem, FaultsOfOptionsThatNoChangeTriggersAreRefused) {
+  TestSystemOptions options;
+  options.faults = "\nat 1s crash one";
+  EXPECT_THAT(refusal([&] { TestSystem{workers(), options}; }),
+              HasSubstr("faults:2: \"at 1s crash one\" is not triggered by a change"));
+  options.faults = "after added Note: crash three";
+  EXPECT_THAT(refusal([&] { TestSystem{workers(), options}; }), HasSubstr("three"));
+}
+
 TEST_F(TestedSystem, ACrashThatComesWhileALeaseIsGivenBackIsOneLikeAnyOther) {
   std::atomic<bool> holds = false;
   std::atomic<bool> go = false;
