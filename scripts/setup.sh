@@ -20,8 +20,8 @@ test_packages=(
   libgmock-dev librapidcheck-dev libbenchmark-dev clang-14 libclang-rt-14-dev openssl python3
   # Tools that open exported maps, and rawlogs.
   mrpt-apps mrpt-common octomap-tools
-  # A simulator to compare the simulated robot with.
-  libenki-dev
+  # Simulators to compare the simulated robot, and the arm, with.
+  libenki-dev libmujoco-dev libqhull-dev
   # Shells that complete castor's command lines, and the formatter of its manual pages.
   fish groff-base zsh
 )

@@ -42,6 +42,19 @@ RandomThing random_thing(std::mt19937_64& random, const std::string& colour, con
   return result;
 }
 
+PutTask random_put_task(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto colours = random_colours(random);
+  auto spots = random_spots(random, 4 + random() % 3);
+  PutTask result;
+  result.x = spots.back().x;
+  result.y = spots.back().y;
+  spots.pop_back();
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    result.things.push_back(random_thing(random, colours[i], spots[i]));
+  return result;
+}
+
 std::string scene_text(const std::vector<RandomThing>& things) {
   std::string result = "table wood\ncamera 0 -0.34 0.92  looking-at 0 0.02 0  fov 38\n";
   for (const auto& x : things)

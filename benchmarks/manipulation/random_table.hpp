@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -46,6 +47,16 @@ std::vector<std::string> random_colours(std::mt19937_64& random);
 
 /// Of 4 to 6 cm.
 RandomThing random_thing(std::mt19937_64& random, const std::string& colour, const Spot& at);
+
+/// To put the first of the things at a place of the table.
+struct PutTask {
+  std::vector<RandomThing> things;
+  double x = 0;
+  double y = 0;
+};
+
+/// Three to five things of different colours, and a free place.
+PutTask random_put_task(std::uint64_t seed);
 
 /// The file of a table with these things, as a camera of the PlayMate sees it.
 std::string scene_text(const std::vector<RandomThing>& things);

@@ -45,29 +45,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct Task {
-  std::vector<RandomThing> things;
-  /// Where the first of them is to be put.
-  double x = 0;
-  double y = 0;
-};
-
-/// Things of different colours, and a free place.
-Task random_task(std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto colours = random_colours(random);
-  auto spots = random_spots(random, 4 + random() % 3);
-  Task result;
-  result.x = spots.back().x;
-  result.y = spots.back().y;
-  spots.pop_back();
-  for (std::size_t i = 0; i < spots.size(); ++i)
-    result.things.push_back(random_thing(random, colours[i], spots[i]));
-  return result;
-}
-
 /// Whether there is a plan by the true places; else why there is none.
-std::string unsolvable(const std::string& scene, const std::string& arm_file, const Task& task) {
+std::string unsolvable(const std::string& scene, const std::string& arm_file, const PutTask& task) {
   const auto parsed = vision::parse_tabletop_scene(scene, "scene");
   const auto at = arm_placement(benchmark_arm_at);
   const TableThings things(parsed.scene.at(vision::SceneTime{0}), at);
@@ -108,7 +87,7 @@ struct Result {
 };
 
 struct Asked {
-  Task task;
+  PutTask task;
   Result result;
   std::atomic<bool> is_over = false;
 };
@@ -159,7 +138,7 @@ class TaskRequester final : public SeesTable<UnmanagedComponent> {
     asked().is_over = true;
   }
 
-  std::vector<SeenError> seen_errors(const Task& task) {
+  std::vector<SeenError> seen_errors(const PutTask& task) {
     const auto at = arm_placement(benchmark_arm_at);
     const auto seen = look_at_table(at);
     std::vector<SeenError> errors;
@@ -187,7 +166,7 @@ struct Settings {
   std::string output;
 };
 
-Result run(const Task& task, const std::string& scene_file, const Settings& settings,
+Result run(const PutTask& task, const std::string& scene_file, const Settings& settings,
            std::uint64_t seed) {
   asked().task = task;
   asked().result = {};
@@ -250,7 +229,7 @@ int measure(const Settings& settings) {
   std::vector<SeenError> seen;
   for (int i = 0; i < settings.tables; ++i) {
     const auto seed = settings.first_seed + static_cast<std::uint64_t>(i);
-    const auto task = random_task(seed);
+    const auto task = random_put_task(seed);
     const auto scene = scene_text(task.things);
     std::ofstream(scene_file) << scene;
     const auto why_not = unsolvable(scene, CASTOR_CONFIGS "/arms/katana.arm", task);

@@ -206,7 +206,8 @@ void ArmBody::grasp(const WorldThing& thing) {
   const double width = 2 * half_extent(thing.thing, y_axis);
   if (opening_ > width + 2 * give)
     return;
-  if (std::bernoulli_distribution(options_.missed_grasp)(random_)) {
+  if (std::bernoulli_distribution(options_.missed_grasp)(random_) ||
+      !is_between_pads(*arm_.gripper, thing.thing, tool(), 0)) {
     slipped_ = thing.thing.name;
     ++missed_;
     return;

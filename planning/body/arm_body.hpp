@@ -48,8 +48,9 @@ struct SavedArm {
 /// and the steps before which they come, and on nothing else.
 ///
 /// Joints keep the limits of the arm's file. A step that would take the arm into something is not
-/// done: the arm stands, and that is a collision. Fingers that close on a thing hold it, and things
-/// are pushed by the gripper if the command says so.
+/// done: the arm stands, and that is a collision. Fingers that close on a thing hold it, but what is
+/// round slips out if they do not touch it where it is widest. Things are pushed by the gripper if
+/// the command says so.
 class ArmBody {
 public:
   /// \throws std::invalid_argument if `start` is no configuration within the limits, or in contact

@@ -19,6 +19,8 @@ using std::numbers::pi;
 constexpr double nearly_right_angle = 0.17;
 // Fingers that reach less deep below the top of a thing slip off, metres.
 constexpr double least_overlap = 0.005;
+// What is round slips out if it touches a finger nearer to its edge, metres.
+constexpr double rim = 0.002;
 
 double half_extent(const NamedSolid& thing, const Vector3d& direction) {
   return manipulation::half_extent(thing, geometry::to_point(direction));
@@ -128,10 +130,10 @@ private:
            double width) {
     Eigen::Matrix3d axes;
     axes << closing.cross(approach), closing, approach;
-    result_.push_back(
-      {{geometry::to_point(at), geometry::to_rotation(Eigen::Quaterniond(axes)), thing_.pose.frame},
-       tilt,
-       width});
+    const Pose tool{geometry::to_point(at), geometry::to_rotation(Eigen::Quaterniond(axes)),
+                    thing_.pose.frame};
+    if (is_between_pads(gripper_, thing_, tool, rim))
+      result_.push_back({tool, tilt, width});
   }
 
   const Gripper& gripper_;
@@ -163,6 +165,23 @@ double half_extent(const NamedSolid& thing, const Point3& direction) {
 
 double least_width(const Solid& solid) {
   return std::min({solid.size.x, solid.size.y, solid.size.z});
+}
+
+bool is_between_pads(const Gripper& gripper, const NamedSolid& thing, const Pose& tool,
+                     double rim) {
+  if (thing.solid.kind == SolidKind::box)
+    return true;
+  const Eigen::Matrix3d axes = geometry::to_eigen(tool.rotation).toRotationMatrix();
+  Vector3d off = geometry::to_eigen(thing.pose.position) - geometry::to_eigen(tool.position);
+  if (thing.solid.kind != SolidKind::sphere) {
+    const Vector3d axis = geometry::to_eigen(thing.pose.rotation).toRotationMatrix().col(2);
+    if (std::abs(axis.dot(axes.col(1))) > std::sqrt(0.5))
+      return true;
+    off -= off.dot(axis) * axis;
+  }
+  const double beyond = off.dot(axes.col(2));
+  return std::abs(off.dot(axes.col(0))) <= gripper.finger.x / 2 - rim &&
+         beyond <= gripper.beyond - rim && beyond >= gripper.beyond - gripper.finger.z + rim;
 }
 
 std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,

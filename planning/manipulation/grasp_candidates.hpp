@@ -51,6 +51,12 @@ struct GraspCandidate {
 std::vector<GraspCandidate> grasp_candidates(const ArmModel& arm, const NamedSolid& thing,
                                              bool follows_turret, const GraspOptions& options = {});
 
+/// Whether fingers that close on a thing touch it where it is widest, so that it does not slip out:
+/// what is round slips out if they press on it above or below its middle, or beside. What has sides
+/// may be touched anywhere, and so may the ends of a cylinder.
+/// @param rim how far from the edges of the fingers they have to touch it, metres
+bool is_between_pads(const Gripper& gripper, const NamedSolid& thing, const Pose& tool, double rim);
+
 /// How far the tool has to go back along its own z axis until its fingers are no longer beside the
 /// thing that they are around, at least `options.approach`; metres.
 double way_out(const ArmModel& arm, const NamedSolid& thing, const Pose& tool,

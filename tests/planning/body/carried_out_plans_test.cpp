@@ -127,6 +127,17 @@ TEST_F(CarriedOutPlans, EndAtAMissedGrasp) {
   EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
 }
 
+TEST_F(CarriedOutPlans, EndAtABallThatFingersPressOnAboveItsMiddle) {
+  const auto ball = [](double height) { return thing("the ball", sphere(0.05), 0.3, 0, height); };
+  // Planned for a ball that lies higher than it does.
+  const auto plan =
+    expect_plan(planner_.pick({{table_top(2, 2), ball(0.04)}, {}}, "the ball", aside()));
+  set_table({ball(0.025)});
+  EXPECT_FALSE(carry_out_all(plan));
+  EXPECT_EQ(body_->status().missed, 1);
+  EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+}
+
 TEST_F(CarriedOutPlans, EndWhereAThingIsDropped) {
   ArmBodyOptions options;
   options.dropped = 1;

@@ -69,6 +69,36 @@ TEST(GraspCandidates, OfABallComeFromAllTilts) {
   }
 }
 
+TEST(GraspCandidates, HoldWhatIsRoundWhereItIsWidest) {
+  const auto arm = katana();
+  for (const auto& it : {thing("the ball", sphere(0.04), 0.2, 0.2, 0.02),
+                         thing("the ball", sphere(0.06), 0.2, 0.2, 0.03)})
+    for (const auto& x : grasp_candidates(arm, it, true)) {
+      const auto tool = geometry::inverse(x.tool, "tool");
+      const auto middle = geometry::transform(tool, it.pose.position);
+      EXPECT_LT(std::abs(middle.x), arm.gripper->finger.x / 2);
+      EXPECT_LT(middle.z, arm.gripper->beyond);
+    }
+}
+
+TEST(GraspCandidates, OfABallAreBetweenThePadsOnlyAtItsMiddle) {
+  const auto gripper = *katana().gripper;
+  const auto ball = thing("the ball", sphere(0.05), 0.2, 0, 0.025);
+  const auto can = thing("the can", cylinder(0.05, 0.09), 0.2, 0, 0.045);
+  // From above: the tool's z axis down.
+  const auto from_above = [](double z) { return Pose{{0.2, 0, z}, {0, 1, 0, 0}, arm_frame}; };
+  EXPECT_TRUE(is_between_pads(gripper, ball, from_above(0.025), 0));
+  EXPECT_TRUE(is_between_pads(gripper, ball, from_above(0.036), 0));
+  EXPECT_FALSE(is_between_pads(gripper, ball, from_above(0.038), 0));
+  EXPECT_FALSE(is_between_pads(gripper, ball, from_above(0.036), 0.002));
+  EXPECT_TRUE(is_between_pads(gripper, can, from_above(0.085), 0));
+  auto lying = can;
+  lying.pose.rotation = geometry::rotation_from_axes({0, 1, 0}, {0, 0, 1}, {1, 0, 0});
+  lying.pose.position.z = 0.025;
+  EXPECT_TRUE(is_between_pads(gripper, lying, from_above(0.03), 0));
+  EXPECT_FALSE(is_between_pads(gripper, lying, from_above(0.04), 0));
+}
+
 TEST(GraspCandidates, HaveRoomForPalmAndFingers) {
   const auto arm = katana();
   // Higher than fingers are long, and lower than they reach beyond the tool.
